@@ -1,0 +1,34 @@
+//! The vocabulary of Gaugeblock: what goes into a run and what can be observed of it.
+//!
+//! Read it in this order: [`Scenario`] (all that a run depends on), [`Outcome`] (what can be observed), [`Effect`],
+//! [`Settings`] and [`State`], [`Fault`]. Every type has a JSON form, whose schema is generated from it ([`schema`]); a
+//! scenario also has a TOML form and an outcome a line form that a person reads ([`text`]).
+//!
+//! **Invariant:** this crate interprets nothing. It holds no block parser, no table of codes, no unit conversion and
+//! no arithmetic on positions; reference model and production interpreter share it and nothing else.
+
+mod effect;
+mod fault;
+mod field;
+mod modes;
+mod outcome;
+mod position;
+pub mod scenario;
+pub mod schema;
+mod settings;
+pub mod text;
+
+pub use effect::{Channel, Effect, OrientDirection, OutputTiming, WaitMode};
+pub use fault::{Block, Fault, FaultKind, Span};
+pub use field::{Argument, Entry, Field, Indexed, Scalar, Value};
+pub use modes::{
+    Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
+    Retract, SpindleMode, SpindleTurn, Switch,
+};
+pub use outcome::{Bound, End, Event, Outcome, PinChange, Sample, Step};
+pub use position::{Axis, Position};
+pub use scenario::{Machine, Options, Program, Scenario, Tool};
+pub use settings::{
+    GppState, Language, MacroValue, NctState, Rs274State, Settings, SpindleLimit, State, Vacancy,
+};
+pub use text::TextError;

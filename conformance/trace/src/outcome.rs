@@ -1,0 +1,146 @@
+//! Outcome: what can be observed of a run.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::effect::Effect;
+use crate::fault::{Block, Fault};
+use crate::field::{Indexed, words};
+use crate::position::Position;
+use crate::settings::{Language, Settings, State};
+
+/// What happened within a block, in order.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Event {
+    /// Settings that changed here.
+    Set(Settings),
+    /// An effect, under the settings in force here.
+    Do(Effect),
+}
+
+/// One executed block: what it did and the state after it.
+///
+/// Settings and state hold what changed since the step before; absent means unchanged.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Step {
+    /// The block.
+    pub block: Block,
+    /// Settings and effects in order.
+    pub events: Vec<Event>,
+    /// State after the block; absent for blocks after which none is recorded (O-words, M98, M99, M2, M30).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub state: Option<State>,
+}
+
+words! {
+    /// A bound of the budget.
+    pub enum Bound {
+        /// Executed blocks.
+        Steps = "steps",
+        /// Effects.
+        Effects = "effects",
+        /// Virtual time.
+        Time = "time",
+    }
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "end", rename_all = "snake_case", deny_unknown_fields)]
+pub enum End {
+    /// M2, M30.
+    ProgramEnd,
+    /// The second percent sign of a file.
+    PercentEnd,
+    /// M99 in the main program: it would begin again, for ever.
+    Endless,
+    /// Waiting for the operator, and no operator event is left.
+    Paused,
+    /// Ended by the operator.
+    Aborted,
+    /// A block was refused.
+    Fault(Fault),
+    /// The budget ran out: a prefix of a longer run.
+    BudgetExhausted {
+        /// Which bound.
+        bound: Bound,
+    },
+    /// Something that this interpreter does not do; everything before it counts.
+    Unsupported {
+        /// Where.
+        block: Block,
+        /// What.
+        what: String,
+    },
+    /// The documents leave this open and no choice covers it; nothing is compared from here on.
+    Unspecified {
+        /// Where.
+        block: Block,
+        /// What is open, and in which sentence.
+        why: String,
+    },
+}
+
+impl End {
+    /// The end's name as in JSON and text.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::ProgramEnd => "program_end",
+            Self::PercentEnd => "percent_end",
+            Self::Endless => "endless",
+            Self::Paused => "paused",
+            Self::Aborted => "aborted",
+            Self::Fault(_) => "fault",
+            Self::BudgetExhausted { .. } => "budget_exhausted",
+            Self::Unsupported { .. } => "unsupported",
+            Self::Unspecified { .. } => "unspecified",
+        }
+    }
+}
+
+/// A pin of the machine that changed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PinChange {
+    /// Virtual time since the start, seconds.
+    pub time: f64,
+    /// Name, such as `digital_out[0]`, `spindle_orient[0]`, `coolant_mist`.
+    pub pin: String,
+    /// New value; 0 and 1 for digital pins.
+    pub value: f64,
+}
+
+/// A sample of the commanded motion, one per servo cycle.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sample {
+    /// Virtual time since the start, seconds.
+    pub time: f64,
+    /// Commanded machine position, millimetres and degrees.
+    pub position: Position,
+}
+
+/// Everything that was observed of one run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Outcome {
+    /// The language of the program.
+    pub language: Language,
+    /// Settings in force before the first block.
+    pub start: Settings,
+    /// Executed blocks in order.
+    pub steps: Vec<Step>,
+    /// How it ended.
+    pub end: End,
+    /// All numbered parameters that are not zero at the end, where the controller shows them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub parameters: Option<Indexed<u32, f64>>,
+    /// Pins over virtual time.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pins: Vec<PinChange>,
+    /// Commanded motion.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub samples: Vec<Sample>,
+}

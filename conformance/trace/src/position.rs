@@ -1,0 +1,146 @@
+//! Nine coordinates.
+
+use std::fmt;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::field::{Scalar, Value, words};
+use crate::text::TextError;
+
+words! {
+    /// An axis of the machine.
+    pub enum Axis {
+        /// First linear axis.
+        X = "x",
+        /// Second linear axis.
+        Y = "y",
+        /// Third linear axis.
+        Z = "z",
+        /// Rotary axis about X.
+        A = "a",
+        /// Rotary axis about Y.
+        B = "b",
+        /// Rotary axis about Z.
+        C = "c",
+        /// Linear axis parallel to X.
+        U = "u",
+        /// Linear axis parallel to Y.
+        V = "v",
+        /// Linear axis parallel to Z.
+        W = "w",
+    }
+}
+
+impl Axis {
+    /// The axis' place among the nine, from 0 for X to 8 for W.
+    pub fn place(self) -> usize {
+        self as usize
+    }
+}
+
+/// Nine coordinates: X Y Z U V W in the length unit that the field names, A B C in degrees.
+///
+/// Written as `(x1 y2.5)`; an axis that is not written is at zero.
+/// **Invariant:** this crate performs no arithmetic on positions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Position {
+    /// X.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub x: f64,
+    /// Y.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub y: f64,
+    /// Z.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub z: f64,
+    /// A, degrees.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub a: f64,
+    /// B, degrees.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub b: f64,
+    /// C, degrees.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub c: f64,
+    /// U.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub u: f64,
+    /// V.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub v: f64,
+    /// W.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub w: f64,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes the field by reference")]
+fn is_zero(number: &f64) -> bool {
+    number.to_bits() == 0
+}
+
+impl Position {
+    /// The coordinate of an axis.
+    pub fn get(&self, axis: Axis) -> f64 {
+        self.to_array()[axis.place()]
+    }
+
+    /// The place of an axis' coordinate.
+    pub fn get_mut(&mut self, axis: Axis) -> &mut f64 {
+        match axis {
+            Axis::X => &mut self.x,
+            Axis::Y => &mut self.y,
+            Axis::Z => &mut self.z,
+            Axis::A => &mut self.a,
+            Axis::B => &mut self.b,
+            Axis::C => &mut self.c,
+            Axis::U => &mut self.u,
+            Axis::V => &mut self.v,
+            Axis::W => &mut self.w,
+        }
+    }
+
+    /// All nine, X to W.
+    pub fn to_array(&self) -> [f64; 9] {
+        [self.x, self.y, self.z, self.a, self.b, self.c, self.u, self.v, self.w]
+    }
+}
+
+impl From<[f64; 9]> for Position {
+    fn from([x, y, z, a, b, c, u, v, w]: [f64; 9]) -> Self {
+        Self { x, y, z, a, b, c, u, v, w }
+    }
+}
+
+impl fmt::Display for Position {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let written: Vec<_> = Axis::ALL
+            .iter()
+            .filter(|axis| !is_zero(&self.get(**axis)))
+            .map(|axis| format!("{axis}{}", self.get(*axis)))
+            .collect();
+        write!(f, "({})", written.join(" "))
+    }
+}
+
+impl Scalar for Position {
+    fn value(&self) -> Value {
+        Value::Position(*self)
+    }
+
+    fn from_text(text: &str) -> Result<Self, TextError> {
+        let wrong = |what: &str| TextError::new(format!("{what} in a position like (x1 y2): {text}"));
+        let inner = text
+            .strip_prefix('(')
+            .and_then(|rest| rest.strip_suffix(')'))
+            .ok_or_else(|| wrong("the parentheses are missing"))?;
+        let mut position = Self::default();
+        for part in inner.split_whitespace() {
+            let letter = part.get(..1).ok_or_else(|| wrong("an axis letter is missing"))?;
+            let axis = Axis::from_text(letter)?;
+            *position.get_mut(axis) = f64::from_text(&part[1..])?;
+        }
+        Ok(position)
+    }
+}

@@ -1,0 +1,94 @@
+//! The bench: how the outside answers.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::position::Position;
+
+/// How the outside of a controller answers.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Bench {
+    /// A named bench whose answers replace all below; `stand-alone rs274` answers as that program's stubs do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Digital outputs wired to digital inputs, output number to input number.
+    pub wires: BTreeMap<String, u16>,
+    /// Inputs over virtual time, in order.
+    pub inputs: Vec<InputChange>,
+    /// What an encoder answers to an orientation, by spindle from 0; a spindle not listed answers at once.
+    pub orient: Vec<OrientAnswer>,
+    /// Where the probe touches.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probe: Option<ProbeContact>,
+    /// Seconds that the tool changer takes.
+    pub tool_change_time: f64,
+    /// User-defined M codes by number, as data: nothing runs.
+    pub user_programs: BTreeMap<String, UserProgram>,
+}
+
+/// An input that changes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct InputChange {
+    /// Virtual time, seconds.
+    pub time: f64,
+    /// Name: `digital_in[0]`, `analog_in[0]`, `adaptive_feed`, `feed_hold`.
+    pub input: String,
+    /// New value; 0 and 1 for digital inputs.
+    pub value: f64,
+}
+
+/// What an encoder answers to an orientation.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OrientAnswer {
+    /// It stands at its angle after so many seconds.
+    After(f64),
+    /// It never does.
+    Never,
+    /// It reports a fault of this number.
+    Fault(i32),
+}
+
+/// Where the probe touches.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ProbeContact {
+    /// At the end of every probing move.
+    AtTarget,
+    /// When the controlled point reaches this machine position, machine unit.
+    At(Position),
+    /// Never.
+    Never,
+}
+
+/// A user-defined M code as data.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct UserProgram {
+    /// File name as found on the search path, such as `M101`.
+    pub file: String,
+    /// Whether it is executable.
+    pub executable: bool,
+    /// Seconds that it takes.
+    pub duration: f64,
+    /// Its exit status.
+    pub exit_status: i32,
+    /// Whether it was there when the controller started.
+    pub at_start: bool,
+}
+
+impl Default for UserProgram {
+    fn default() -> Self {
+        Self {
+            file: String::new(),
+            executable: true,
+            duration: 0.0,
+            exit_status: 0,
+            at_start: true,
+        }
+    }
+}

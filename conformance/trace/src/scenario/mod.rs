@@ -1,0 +1,140 @@
+//! Scenario: all that a run depends on. No clock, no environment, no random source, no file system.
+
+mod bench;
+mod machine;
+mod operator;
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+pub use bench::{Bench, InputChange, OrientAnswer, ProbeContact, UserProgram};
+pub use machine::{AxisLimits, Machine, Tool, ToolChange};
+pub use operator::{Action, OperatorEvent, When};
+
+use crate::settings::Language;
+use crate::text::TextError;
+
+/// All that a run depends on.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Scenario {
+    /// What is run.
+    pub program: Program,
+    /// Which reading of the documents applies.
+    pub options: Options,
+    /// The machine that runs it.
+    pub machine: Machine,
+    /// How the outside answers.
+    pub bench: Bench,
+    /// What a person does, and when.
+    pub operator: Vec<OperatorEvent>,
+    /// When to stop a run that does not end.
+    pub budget: Budget,
+}
+
+impl Scenario {
+    /// A program under the defaults of everything else.
+    pub fn of(program: impl Into<String>) -> Self {
+        Self { program: Program { main: program.into(), ..Program::default() }, ..Self::default() }
+    }
+
+    /// The text form, which is TOML.
+    ///
+    /// # Errors
+    /// A number that TOML cannot hold.
+    pub fn to_text(&self) -> Result<String, TextError> {
+        toml::to_string_pretty(self).map_err(|error| TextError::new(error.to_string()))
+    }
+
+    /// Reads the text form.
+    ///
+    /// # Errors
+    /// Not TOML, an unknown key, or a value of the wrong kind; the message has line and column.
+    pub fn from_text(text: &str) -> Result<Self, TextError> {
+        toml::from_str(text).map_err(|error| TextError::new(error.to_string()))
+    }
+}
+
+/// What starts a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Start {
+    /// The file is run as a program.
+    #[default]
+    Program,
+    /// Each line is entered by hand (manual data input).
+    Mdi,
+}
+
+/// What is run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Program {
+    /// Language of the program.
+    pub language: Language,
+    /// Text of the main program, whose file name is `main.ngc`. Bytes that are not UTF-8 are out of a scenario's reach.
+    pub main: String,
+    /// Text of subroutine files, by file name.
+    pub files: BTreeMap<String, String>,
+    /// Whether blocks that begin with a slash are skipped.
+    pub block_delete: bool,
+    /// As a program or by hand.
+    pub start: Start,
+}
+
+impl Program {
+    /// File name of the main program.
+    pub const MAIN: &'static str = "main.ngc";
+}
+
+impl Default for Program {
+    fn default() -> Self {
+        Self {
+            language: Language::Rs274,
+            main: String::new(),
+            files: BTreeMap::new(),
+            block_delete: false,
+            start: Start::Program,
+        }
+    }
+}
+
+/// Options of choices and quirks, by id: `"saved-state.motion-mode" = "restored"`.
+///
+/// What is not listed has its default. This crate knows none of them: the register is data of the suite, and each
+/// interpreter says which ones it reads.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(transparent)]
+pub struct Options(pub BTreeMap<String, String>);
+
+impl Options {
+    /// The option of a choice, if it is listed.
+    pub fn get(&self, id: &str) -> Option<&str> {
+        self.0.get(id).map(String::as_str)
+    }
+
+    /// Whether a choice is listed with this option.
+    pub fn is(&self, id: &str, option: &str) -> bool {
+        self.get(id) == Some(option)
+    }
+}
+
+/// When to stop a run that does not end.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Budget {
+    /// Executed blocks.
+    pub steps: u32,
+    /// Effects.
+    pub effects: u32,
+    /// Virtual time, seconds.
+    pub time: f64,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self { steps: 100_000, effects: 100_000, time: 86_400.0 }
+    }
+}

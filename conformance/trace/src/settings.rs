@@ -1,0 +1,271 @@
+//! What a program sets, and what a controller's state is after a block.
+
+use std::fmt;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::field::{Indexed, Scalar, Value, record, words};
+use crate::modes::{
+    Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
+    Retract, SpindleMode, SpindleTurn, Switch,
+};
+use crate::position::Position;
+use crate::text::TextError;
+
+/// D of G96: the highest speed of the spindle in revolutions per minute, or none.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SpindleLimit {
+    /// No limit was programmed.
+    None,
+    /// Revolutions per minute.
+    Rpm(f64),
+}
+
+impl Scalar for SpindleLimit {
+    fn value(&self) -> Value {
+        match self {
+            Self::None => Value::Word("none".to_owned()),
+            Self::Rpm(limit) => Value::Number(*limit),
+        }
+    }
+
+    fn from_text(text: &str) -> Result<Self, TextError> {
+        match text {
+            "none" => Ok(Self::None),
+            _ => f64::from_text(text).map(Self::Rpm),
+        }
+    }
+}
+
+impl fmt::Display for SpindleLimit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.value())
+    }
+}
+
+record! {
+    /// What a program sets and what then stays in force until it is set again.
+    ///
+    /// Compared as the settings in force at each effect and after each block: a setting repeated, or reordered
+    /// between two effects, is no difference.
+    pub struct Settings {
+        /// Length unit of program coordinates and feeds.
+        units: LengthUnit,
+        /// Selected plane.
+        plane: Plane,
+        /// Distance mode of axis words.
+        distance: Distance,
+        /// Distance mode of arc offsets.
+        arc_distance: Distance,
+        /// Feed mode.
+        feed_mode: FeedMode,
+        /// F in the active length unit per minute or per revolution, or in 1/min under inverse time; zero until set.
+        feed_rate: f64,
+        /// Return mode of canned cycles.
+        retract: Retract,
+        /// Cutter compensation.
+        compensation: Compensation,
+        /// Whether a tool length offset applies.
+        tool_length: Switch,
+        /// The tool offset that applies, active length unit.
+        tool_offset: Position,
+        /// Work coordinate system, 1 to 9 for G54 to G59.3.
+        work_offset: u32,
+        /// Offset of the work coordinate system, active length unit.
+        g5x_offset: Position,
+        /// Offset of G52 and G92, active length unit.
+        g92_offset: Position,
+        /// Rotation of the work coordinate system about Z, degrees.
+        rotation: f64,
+        /// Path control mode.
+        path: Path,
+        /// P of G64, active length unit; zero when not given.
+        blend_tolerance: f64,
+        /// Q of G64, active length unit; zero when not given.
+        naive_cam_tolerance: f64,
+        /// Diameter or radius programming of a lathe.
+        lathe: Lathe,
+        /// S by spindle: revolutions per minute, or surface speed per minute under constant surface speed.
+        spindle_speed: Indexed<u8, f64>,
+        /// What S means, by spindle.
+        spindle_mode: Indexed<u8, SpindleMode>,
+        /// D of G96, by spindle.
+        spindle_limit: Indexed<u8, SpindleLimit>,
+        /// What each spindle was told to do.
+        spindle: Indexed<u8, SpindleTurn>,
+        /// Mist coolant.
+        mist: Switch,
+        /// Flood coolant.
+        flood: Switch,
+        /// Whether the feed override control is enabled.
+        feed_override: Switch,
+        /// Whether the speed override control of each spindle is enabled.
+        speed_override: Indexed<u8, Switch>,
+        /// Whether the adaptive feed input is used.
+        adaptive_feed: Switch,
+        /// Whether the feed stop input is enabled.
+        feed_stop: Switch,
+    }
+}
+
+record! {
+    /// What else an RS-274 controller's state holds after a block.
+    pub struct Rs274State {
+        /// Motion mode.
+        motion: Motion,
+        /// The controlled point in program coordinates, active length unit and degrees.
+        position: Position,
+        /// Tool number in the spindle; 0 for none.
+        tool: i32,
+        /// Tool number that T selected; -1 for none.
+        prepared_tool: i32,
+        /// Mode of the controller.
+        controller_mode: ControllerMode,
+        /// Depth of calls; 0 in the main program.
+        call_level: u32,
+        /// Parameters that the block changed: `31` for #31, `x` for #<x>, `_x` for #<_x>.
+        parameter: Indexed<String, f64>,
+    }
+}
+
+words! {
+    /// Whether a macro variable holds anything.
+    pub enum Vacancy {
+        /// It was never assigned, or was assigned a vacant value.
+        Vacant = "vacant",
+    }
+}
+
+/// A value of an NCT macro variable: a number, or vacant.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum MacroValue {
+    /// It holds nothing.
+    Vacant(Vacancy),
+    /// It holds a number.
+    Number(f64),
+}
+
+impl Scalar for MacroValue {
+    fn value(&self) -> Value {
+        match self {
+            Self::Vacant(_) => Value::Word("vacant".to_owned()),
+            Self::Number(number) => Value::Number(*number),
+        }
+    }
+
+    fn from_text(text: &str) -> Result<Self, TextError> {
+        match text {
+            "vacant" => Ok(Self::Vacant(Vacancy::Vacant)),
+            _ => f64::from_text(text).map(Self::Number),
+        }
+    }
+}
+
+record! {
+    /// State of an NCT custom macro after a block.
+    pub struct NctState {
+        /// Macro level: 0 in the main program, 1 to 4 in macros.
+        macro_level: u32,
+        /// Local variables by `level.number`, as in `1.33`.
+        local: Indexed<String, MacroValue>,
+        /// Common variables by number.
+        common: Indexed<u32, MacroValue>,
+        /// Programs of the modal calls in force, innermost last, by depth from 0.
+        modal_call: Indexed<u32, u32>,
+    }
+}
+
+record! {
+    /// State of a GPP post-processor program after a statement.
+    pub struct GppState {
+        /// Text of each variable as it would be printed, by name (`AXIS(3)` for a member of an array).
+        variable: Indexed<String, String>,
+        /// Set status of each variable.
+        set: Indexed<String, Switch>,
+        /// Whether each variable is modal.
+        modal: Indexed<String, bool>,
+    }
+}
+
+/// State after a block, in the language of the program.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "language", rename_all = "snake_case")]
+pub enum State {
+    /// LinuxCNC's dialect of RS-274.
+    Rs274(Rs274State),
+    /// NCT custom macros.
+    Nct(NctState),
+    /// GPP post-processor variables.
+    Gpp(GppState),
+}
+
+words! {
+    /// A programming language under test.
+    pub enum Language {
+        /// LinuxCNC's dialect of RS-274.
+        Rs274 = "rs274",
+        /// NCT custom macros.
+        Nct = "nct",
+        /// GPP post-processor variables.
+        Gpp = "gpp",
+    }
+}
+
+impl State {
+    /// Nothing recorded yet.
+    pub fn empty(language: Language) -> Self {
+        match language {
+            Language::Rs274 => Self::Rs274(Rs274State::default()),
+            Language::Nct => Self::Nct(NctState::default()),
+            Language::Gpp => Self::Gpp(GppState::default()),
+        }
+    }
+
+    /// The language of the program.
+    pub fn language(&self) -> Language {
+        match self {
+            Self::Rs274(_) => Language::Rs274,
+            Self::Nct(_) => Language::Nct,
+            Self::Gpp(_) => Language::Gpp,
+        }
+    }
+
+    /// Everything that is recorded.
+    pub fn entries(&self) -> Vec<crate::field::Entry> {
+        match self {
+            Self::Rs274(state) => state.entries(),
+            Self::Nct(state) => state.entries(),
+            Self::Gpp(state) => state.entries(),
+        }
+    }
+
+    /// Whether nothing is recorded.
+    pub fn is_empty(&self) -> bool {
+        self.entries().is_empty()
+    }
+
+    /// Takes over a later record. A record of another language replaces it whole.
+    pub fn overlay(&mut self, change: &Self) {
+        match (self, change) {
+            (Self::Rs274(state), Self::Rs274(change)) => state.overlay(change),
+            (Self::Nct(state), Self::Nct(change)) => state.overlay(change),
+            (Self::Gpp(state), Self::Gpp(change)) => state.overlay(change),
+            (state, change) => state.clone_from(change),
+        }
+    }
+
+    /// Reads one value by the field's name.
+    ///
+    /// # Errors
+    /// There is no such field in this language, or its value is unreadable.
+    pub fn read(&mut self, field: &str, index: Option<&str>, text: &str) -> Result<(), TextError> {
+        match self {
+            Self::Rs274(state) => state.read(field, index, text),
+            Self::Nct(state) => state.read(field, index, text),
+            Self::Gpp(state) => state.read(field, index, text),
+        }
+    }
+}

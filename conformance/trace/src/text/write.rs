@@ -1,0 +1,89 @@
+//! Writing the text form.
+
+use std::fmt::Write as _;
+
+use super::{index_text, quoted};
+use crate::field::Entry;
+use crate::fault::Fault;
+use crate::outcome::{End, Event, Outcome};
+
+pub(super) fn outcome(outcome: &Outcome) -> String {
+    let mut text = format!("gaugeblock outcome 0\nlanguage {}\n", outcome.language);
+    record(&mut text, "start", &outcome.start.entries());
+    for step in &outcome.steps {
+        line(&mut text, &format!("block {}", step.block));
+        for event in &step.events {
+            match event {
+                Event::Set(settings) => record(&mut text, "  set", &settings.entries()),
+                Event::Do(effect) => {
+                    let mut words = format!("  do {}", effect.name());
+                    for (name, value) in effect.arguments() {
+                        put(&mut words, &format!(" {name}={value}"));
+                    }
+                    line(&mut text, &words);
+                }
+            }
+        }
+        if let Some(state) = &step.state {
+            record(&mut text, "  state", &state.entries());
+        }
+    }
+    line(&mut text, &end(&outcome.end));
+    if let Some(parameters) = &outcome.parameters {
+        let pairs: Vec<_> =
+            parameters.0.iter().map(|(number, value)| format!(" {number}={value}")).collect();
+        line(&mut text, &format!("parameters{}", pairs.concat()));
+    }
+    for change in &outcome.pins {
+        let pin = index_text(&change.pin);
+        line(&mut text, &format!("pin {pin} time={} value={}", change.time, change.value));
+    }
+    for sample in &outcome.samples {
+        line(&mut text, &format!("sample time={} position={}", sample.time, sample.position));
+    }
+    text
+}
+
+fn put(text: &mut String, words: &str) {
+    text.push_str(words);
+}
+
+fn line(text: &mut String, words: &str) {
+    text.push_str(words);
+    text.push('\n');
+}
+
+fn record(text: &mut String, name: &str, entries: &[Entry]) {
+    let mut words = name.to_owned();
+    for entry in entries {
+        let _infallible = write!(words, " {}={}", entry.name(), entry.value);
+    }
+    line(text, &words);
+}
+
+fn end(end: &End) -> String {
+    let name = end.name();
+    match end {
+        End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused | End::Aborted => {
+            format!("end {name}")
+        }
+        End::Fault(Fault { kind, block, span, message }) => {
+            let kind = kind.map_or_else(String::new, |kind| format!(" kind={kind}"));
+            let block = block.as_ref().map_or_else(String::new, |b| {
+                format!(" file={} line={}", quoted(&b.file), b.line)
+            });
+            let span = span
+                .map_or_else(String::new, |span| format!(" from={} to={}", span.start, span.end));
+            format!("end {name}{kind}{block}{span} message={}", quoted(message))
+        }
+        End::BudgetExhausted { bound } => format!("end {name} bound={bound}"),
+        End::Unsupported { block, what } => {
+            let (file, what) = (quoted(&block.file), quoted(what));
+            format!("end {name} file={file} line={} what={what}", block.line)
+        }
+        End::Unspecified { block, why } => {
+            let (file, why) = (quoted(&block.file), quoted(why));
+            format!("end {name} file={file} line={} why={why}", block.line)
+        }
+    }
+}
