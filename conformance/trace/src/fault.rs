@@ -138,7 +138,7 @@ impl fmt::Display for Block {
     }
 }
 
-/// A part of a line, for pointing at it: characters from `start` up to, not including, `end`, from 0.
+/// A part of a line, for pointing at it: bytes from `start` up to, not including, `end`, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Span {

@@ -71,10 +71,14 @@ pub trait Scalar: Clone {
 
 /// What a record's field can hold: one value, or several by index.
 pub trait Field: Clone {
+    /// Whether there is anything to record.
+    fn is_recorded(&self) -> bool;
     /// Appends what is recorded.
     fn entries(&self, field: &'static str, out: &mut Vec<Entry>);
     /// Takes over a later record of the same field.
     fn overlay(&mut self, change: &Self);
+    /// What is different from an earlier record of the same field.
+    fn since(&self, earlier: &Self) -> Option<Self>;
     /// Reads one value into the field.
     ///
     /// # Errors
@@ -82,13 +86,26 @@ pub trait Field: Clone {
     fn read(slot: &mut Option<Self>, index: Option<&str>, text: &str) -> Result<(), TextError>;
 }
 
-impl<T: Scalar> Field for T {
+/// For serde: whether a field of a record has nothing to write.
+pub(crate) fn unrecorded<T: Field>(field: &Option<T>) -> bool {
+    !field.as_ref().is_some_and(Field::is_recorded)
+}
+
+impl<T: Scalar + PartialEq> Field for T {
+    fn is_recorded(&self) -> bool {
+        true
+    }
+
     fn entries(&self, field: &'static str, out: &mut Vec<Entry>) {
         out.push(Entry { field, index: None, value: self.value() });
     }
 
     fn overlay(&mut self, change: &Self) {
         self.clone_from(change);
+    }
+
+    fn since(&self, earlier: &Self) -> Option<Self> {
+        (self != earlier).then(|| self.clone())
     }
 
     fn read(slot: &mut Option<Self>, index: Option<&str>, text: &str) -> Result<(), TextError> {
@@ -102,17 +119,18 @@ impl<T: Scalar> Field for T {
 
 /// Several values of one field, by index (spindle number, parameter name).
 ///
-/// In JSON and TOML an object whose names are the indices.
+/// In JSON and TOML an object whose names are the indices. A record's field in which nothing stands is the same as an
+/// absent one, and is written as absent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(
     try_from = "BTreeMap<String, T>",
     into = "BTreeMap<String, T>",
     bound(
         serialize = "K: Clone + fmt::Display, T: Clone + Serialize",
-        deserialize = "K: Ord + FromStr, T: Deserialize<'de>"
+        deserialize = "K: Ord + fmt::Display + FromStr, T: Deserialize<'de>"
     )
 )]
-#[schemars(with = "BTreeMap<String, T>", bound = "T: JsonSchema")]
+#[schemars(inline, with = "BTreeMap<String, T>", bound = "T: JsonSchema")]
 pub struct Indexed<K, T>(pub BTreeMap<K, T>);
 
 impl<K: fmt::Display, T> From<Indexed<K, T>> for BTreeMap<String, T> {
@@ -121,16 +139,21 @@ impl<K: fmt::Display, T> From<Indexed<K, T>> for BTreeMap<String, T> {
     }
 }
 
-impl<K: Ord + FromStr, T> TryFrom<BTreeMap<String, T>> for Indexed<K, T> {
+impl<K: Ord + fmt::Display + FromStr, T> TryFrom<BTreeMap<String, T>> for Indexed<K, T> {
     type Error = TextError;
 
     fn try_from(map: BTreeMap<String, T>) -> Result<Self, TextError> {
-        let parse = |(index, value): (String, T)| match index.parse() {
-            Ok(index) => Ok((index, value)),
-            Err(_) => Err(TextError::new(format!("this is no index of the field: {index}"))),
-        };
+        let parse = |(index, value): (String, T)| Ok((parse_index(&index)?, value));
         map.into_iter().map(parse).collect::<Result<_, _>>().map(Self)
     }
+}
+
+/// Reads an index in its one spelling: `01` and `1` would fall together.
+fn parse_index<K: fmt::Display + FromStr>(text: &str) -> Result<K, TextError> {
+    let index: Option<K> = text.parse().ok();
+    index
+        .filter(|index| index.to_string() == text)
+        .ok_or_else(|| TextError::new(format!("this is no index of the field: {text}")))
 }
 
 impl<K, T> Default for Indexed<K, T> {
@@ -152,7 +175,11 @@ impl<K: Ord, T> FromIterator<(K, T)> for Indexed<K, T> {
     }
 }
 
-impl<K: Ord + Clone + fmt::Display + FromStr, T: Scalar> Field for Indexed<K, T> {
+impl<K: Ord + Clone + fmt::Display + FromStr, T: Scalar + PartialEq> Field for Indexed<K, T> {
+    fn is_recorded(&self) -> bool {
+        !self.0.is_empty()
+    }
+
     fn entries(&self, field: &'static str, out: &mut Vec<Entry>) {
         out.extend(self.0.iter().map(|(index, value)| Entry {
             field,
@@ -165,11 +192,15 @@ impl<K: Ord + Clone + fmt::Display + FromStr, T: Scalar> Field for Indexed<K, T>
         self.0.extend(change.0.iter().map(|(index, value)| (index.clone(), value.clone())));
     }
 
+    fn since(&self, earlier: &Self) -> Option<Self> {
+        let changed = self.0.iter().filter(|(index, value)| earlier.0.get(index) != Some(value));
+        let changed: Self = changed.map(|(index, value)| (index.clone(), value.clone())).collect();
+        (!changed.0.is_empty()).then_some(changed)
+    }
+
     fn read(slot: &mut Option<Self>, index: Option<&str>, text: &str) -> Result<(), TextError> {
         let index = index.ok_or_else(|| TextError::new("an index is missing, as in name[0]"))?;
-        let index = index
-            .parse()
-            .map_err(|_| TextError::new(format!("this is no index of the field: [{index}]")))?;
+        let index = parse_index(index)?;
         slot.get_or_insert_with(Self::default).0.insert(index, T::from_text(text)?);
         Ok(())
     }
@@ -268,7 +299,7 @@ macro_rules! record {
         #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
         #[serde(deny_unknown_fields, default)]
         pub struct $name {
-            $($(#[$what])* #[serde(skip_serializing_if = "Option::is_none")] pub $field: Option<$type>,)*
+            $($(#[$what])* #[serde(skip_serializing_if = "crate::field::unrecorded")] pub $field: Option<$type>,)*
         }
 
         impl $name {
@@ -285,6 +316,16 @@ macro_rules! record {
                 })*
             }
 
+            /// What is recorded here and not the same in an earlier record.
+            pub fn since(&self, earlier: &Self) -> Self {
+                Self {
+                    $($field: match (&self.$field, &earlier.$field) {
+                        (Some(now), Some(before)) => $crate::field::Field::since(now, before),
+                        (now, _) => now.clone(),
+                    },)*
+                }
+            }
+
             /// Everything that is recorded, in the order of the fields.
             pub fn entries(&self) -> Vec<$crate::field::Entry> {
                 let mut out = Vec::new();
@@ -296,7 +337,7 @@ macro_rules! record {
 
             /// Whether nothing is recorded.
             pub fn is_empty(&self) -> bool {
-                self == &Self::default()
+                self.entries().is_empty()
             }
 
             /// Reads one value by the field's name.

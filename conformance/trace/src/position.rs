@@ -1,5 +1,6 @@
 //! Nine coordinates.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use schemars::JsonSchema;
@@ -130,15 +131,20 @@ impl Scalar for Position {
     }
 
     fn from_text(text: &str) -> Result<Self, TextError> {
-        let wrong = |what: &str| TextError::new(format!("{what} in a position like (x1 y2): {text}"));
+        let wrong =
+            |what: &str| TextError::new(format!("{what} in a position like (x1 y2): {text}"));
         let inner = text
             .strip_prefix('(')
             .and_then(|rest| rest.strip_suffix(')'))
             .ok_or_else(|| wrong("the parentheses are missing"))?;
         let mut position = Self::default();
+        let mut axes = BTreeSet::new();
         for part in inner.split_whitespace() {
             let letter = part.get(..1).ok_or_else(|| wrong("an axis letter is missing"))?;
             let axis = Axis::from_text(letter)?;
+            if !axes.insert(axis) {
+                return Err(wrong("an axis stands twice"));
+            }
             *position.get_mut(axis) = f64::from_text(&part[1..])?;
         }
         Ok(position)

@@ -125,7 +125,7 @@ record! {
         controller_mode: ControllerMode,
         /// Depth of calls; 0 in the main program.
         call_level: u32,
-        /// Parameters that the block changed: `31` for #31, `x` for #<x>, `_x` for #<_x>.
+        /// Parameters that the block changed: `31` for `#31`, `x` for `#<x>`, `_x` for `#<_x>`.
         parameter: Indexed<String, f64>,
     }
 }

@@ -43,7 +43,7 @@ impl Scenario {
     /// The text form, which is TOML.
     ///
     /// # Errors
-    /// A number that TOML cannot hold.
+    /// A value that TOML cannot hold.
     pub fn to_text(&self) -> Result<String, TextError> {
         toml::to_string_pretty(self).map_err(|error| TextError::new(error.to_string()))
     }
@@ -51,9 +51,9 @@ impl Scenario {
     /// Reads the text form.
     ///
     /// # Errors
-    /// Not TOML, an unknown key, or a value of the wrong kind; the message has line and column.
+    /// Not TOML, an unknown key, a value of the wrong kind, or a number that is not finite, with its line.
     pub fn from_text(text: &str) -> Result<Self, TextError> {
-        toml::from_str(text).map_err(|error| TextError::new(error.to_string()))
+        crate::text::from_toml(text)
     }
 }
 

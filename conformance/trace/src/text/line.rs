@@ -1,5 +1,7 @@
 //! One line of the text form: words and `name=value` pairs.
 
+use std::collections::BTreeSet;
+
 use super::TextError;
 use crate::field::Argument;
 
@@ -10,8 +12,17 @@ pub(crate) fn quoted(text: &str) -> String {
 
 /// An index as it stands between brackets: plain where it can be, else quoted.
 pub(crate) fn index_text(index: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '-' | '(' | ')');
-    if !index.is_empty() && index.chars().all(plain) { index.to_owned() } else { quoted(index) }
+    plain_or_quoted(index, |c| matches!(c, '(' | ')'))
+}
+
+/// The name of a file or of a pin: plain where it can be, else quoted.
+pub(super) fn name_text(name: &str) -> String {
+    plain_or_quoted(name, |c| matches!(c, '[' | ']' | '/'))
+}
+
+fn plain_or_quoted(text: &str, besides: impl Fn(char) -> bool) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '-') || besides(c);
+    if !text.is_empty() && text.chars().all(plain) { text.to_owned() } else { quoted(text) }
 }
 
 /// The arguments of a line: `name=value` pairs that have not been taken yet.
@@ -27,6 +38,7 @@ impl Arguments {
     /// A part without a name or value, or a quote or parenthesis that is not closed.
     pub fn parse(text: &str) -> Result<Self, TextError> {
         let mut pairs = Vec::new();
+        let mut seen = BTreeSet::new();
         let mut rest = text.trim_start();
         while !rest.is_empty() {
             let name_end = rest.find(['=', '[']).ok_or_else(|| no_pair(rest))?;
@@ -37,14 +49,21 @@ impl Arguments {
             rest = &rest[name_end..];
             let mut index = None;
             if let Some(after) = rest.strip_prefix('[') {
-                let end = value_end(after, |c| c == ']')?;
+                let end = index_end(after).ok_or_else(|| no_pair(rest))?;
                 index = Some(unquoted(&after[..end])?);
                 rest = after[end..].strip_prefix(']').ok_or_else(|| no_pair(rest))?;
             }
             let after = rest.strip_prefix('=').ok_or_else(|| no_pair(rest))?;
-            let end = value_end(after, char::is_whitespace)?;
+            let end = value_end(after)?;
+            if !seen.insert((name, index.clone())) {
+                return Err(TextError::new(format!("this stands twice in the line: {name}")));
+            }
             pairs.push((name.to_owned(), index, after[..end].to_owned()));
-            rest = after[end..].trim_start();
+            rest = &after[end..];
+            if !rest.is_empty() && !rest.starts_with(char::is_whitespace) {
+                return Err(no_pair(rest));
+            }
+            rest = rest.trim_start();
         }
         Ok(Self { pairs })
     }
@@ -87,23 +106,38 @@ fn unquoted(text: &str) -> Result<String, TextError> {
     if text.starts_with('"') { crate::field::Scalar::from_text(text) } else { Ok(text.to_owned()) }
 }
 
-/// Where a value ends: at the first `end` outside of quotes and parentheses, or at the end of the text.
-fn value_end(text: &str, end: impl Fn(char) -> bool) -> Result<usize, TextError> {
-    let (mut quoted, mut escaped, mut depth) = (false, false, 0_u32);
-    for (place, c) in text.char_indices() {
-        match c {
-            _ if escaped => escaped = false,
-            '\\' if quoted => escaped = true,
-            '"' => quoted = !quoted,
-            _ if quoted => {}
-            '(' => depth += 1,
-            ')' => depth = depth.saturating_sub(1),
-            _ if depth == 0 && end(c) => return Ok(place),
-            _ => {}
-        }
-    }
-    if quoted || depth > 0 {
-        return Err(TextError::new(format!("a quote or parenthesis is not closed: {text}")));
-    }
-    Ok(text.len())
+/// A name at the beginning of a line, quoted or up to where `end` finds its end, and what follows it.
+pub(super) fn name_and_rest(
+    text: &str,
+    end: impl Fn(&str) -> Option<usize>,
+) -> Result<(String, &str), TextError> {
+    let place = if text.starts_with('"') { quote_end(text) } else { end(text) };
+    let (name, rest) = place.map_or((text, ""), |place| text.split_at(place));
+    Ok((unquoted(name)?, rest))
+}
+
+/// Where a text in double quotes ends, the closing one included.
+fn quote_end(text: &str) -> Option<usize> {
+    let mut escaped = false;
+    let closing = text.char_indices().skip(1).find(|(_, c)| {
+        let closes = *c == '"' && !escaped;
+        escaped = *c == '\\' && !escaped;
+        closes
+    });
+    closing.map(|(place, _)| place + 1)
+}
+
+/// Where an index ends: before the bracket that closes it.
+fn index_end(text: &str) -> Option<usize> {
+    if text.starts_with('"') { quote_end(text) } else { text.find(']') }
+}
+
+/// Where a value ends: a text at its quote, a position at its parenthesis, all else at the next blank.
+fn value_end(text: &str) -> Result<usize, TextError> {
+    let end = match text.chars().next() {
+        Some('"') => quote_end(text),
+        Some('(') => text.find(')').map(|place| place + 1),
+        _ => text.find(char::is_whitespace).or(Some(text.len())),
+    };
+    end.ok_or_else(|| TextError::new(format!("a quote or parenthesis is not closed: {text}")))
 }

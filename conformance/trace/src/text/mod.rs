@@ -12,16 +12,20 @@
 //! parameters 31=5
 //! ```
 //!
-//! One line per record, `name=value` separated by blanks; texts stand in double quotes with the escapes of JSON.
+//! One line per record, `name=value` separated by blanks; texts stand in double quotes with the escapes of JSON, and so do
+//! file names, pins and indices with other characters than letters, digits and a few signs. A field stands once in a line,
+//! the state last below its block.
 
 mod line;
 mod read;
+mod toml;
 mod write;
 
 use std::fmt;
 
 pub use line::Arguments;
 pub(crate) use line::{index_text, quoted};
+pub(crate) use toml::from_toml;
 
 use crate::outcome::Outcome;
 

@@ -1,5 +1,6 @@
 //! Reading the text form.
 
+use super::line::name_and_rest;
 use super::{Arguments, TextError};
 use crate::effect::Effect;
 use crate::fault::{Block, Fault, Span};
@@ -9,10 +10,12 @@ use crate::settings::{Language, Settings, State};
 
 pub(super) fn outcome(text: &str) -> Result<Outcome, TextError> {
     let mut reader = Reader::default();
+    let mut last = 1;
     for (place, line) in text.lines().enumerate() {
-        reader.line(line).map_err(|error| error.at(place + 1))?;
+        last = place + 1;
+        reader.line(line).map_err(|error| error.at(last))?;
     }
-    reader.finish()
+    reader.finish().map_err(|error| error.at(last))
 }
 
 #[derive(Default)]
@@ -40,27 +43,31 @@ impl Reader {
             return self.header.then_some(()).ok_or_else(wrong);
         }
         match word {
-            "language" => self.language = Some(Language::from_text(rest)?),
-            "start" => self.start = Some(settings(rest)?),
+            "language" => once(&mut self.language, word, Language::from_text(rest)?)?,
+            "start" => once(&mut self.start, word, settings(rest)?)?,
             "block" => {
+                if self.end.is_some() {
+                    return Err(TextError::new("a block after the end"));
+                }
                 self.steps.push(Step { block: block(rest)?, events: Vec::new(), state: None });
             }
-            "set" => self.step()?.events.push(Event::Set(settings(rest)?)),
+            "set" => self.event(Event::Set(settings(rest)?))?,
             "do" => {
                 let (name, rest) = rest.split_once(' ').unwrap_or((rest, ""));
-                let effect = Effect::read(name, Arguments::parse(rest)?)?;
-                self.step()?.events.push(Event::Do(effect));
+                self.event(Event::Do(Effect::read(name, Arguments::parse(rest)?)?))?;
             }
             "state" => {
-                let language = self.language.ok_or_else(|| TextError::new("language is missing"))?;
+                let language = self
+                    .language
+                    .ok_or_else(|| TextError::new("the language line must come first"))?;
                 let mut state = State::empty(language);
                 for (field, index, value) in Arguments::parse(rest)?.pairs() {
                     state.read(field, index, value)?;
                 }
-                self.step()?.state = Some(state);
+                once(&mut self.step()?.state, word, state)?;
             }
-            "end" => self.end = Some(end(rest)?),
-            "parameters" => self.parameters = Some(parameters(rest)?),
+            "end" => once(&mut self.end, word, end(rest)?)?,
+            "parameters" => once(&mut self.parameters, word, parameters(rest)?)?,
             "pin" => self.pins.push(pin(rest)?),
             "sample" => self.samples.push(sample(rest)?),
             _ => return Err(TextError::new(format!("no line begins with {word}"))),
@@ -68,8 +75,18 @@ impl Reader {
         Ok(())
     }
 
+    fn event(&mut self, event: Event) -> Result<(), TextError> {
+        let step = self.step()?;
+        if step.state.is_some() {
+            return Err(TextError::new("the state stands last below a block line"));
+        }
+        step.events.push(event);
+        Ok(())
+    }
+
     fn step(&mut self) -> Result<&mut Step, TextError> {
-        self.steps.last_mut().ok_or_else(|| TextError::new("this belongs below a block line"))
+        let place = if self.end.is_some() { None } else { self.steps.last_mut() };
+        place.ok_or_else(|| TextError::new("this belongs below a block line"))
     }
 
     fn finish(self) -> Result<Outcome, TextError> {
@@ -86,6 +103,14 @@ impl Reader {
     }
 }
 
+/// Fills a place that one line alone may fill.
+fn once<T>(place: &mut Option<T>, word: &str, value: T) -> Result<(), TextError> {
+    match place.replace(value) {
+        Some(_) => Err(TextError::new(format!("a second {word} line"))),
+        None => Ok(()),
+    }
+}
+
 fn settings(text: &str) -> Result<Settings, TextError> {
     let mut settings = Settings::default();
     for (field, index, value) in Arguments::parse(text)?.pairs() {
@@ -96,8 +121,9 @@ fn settings(text: &str) -> Result<Settings, TextError> {
 
 fn block(text: &str) -> Result<Block, TextError> {
     let wrong = || TextError::new(format!("not a block like main.ngc:3: {text}"));
-    let (file, line) = text.rsplit_once(':').ok_or_else(wrong)?;
-    Ok(Block::new(file, line.parse().map_err(|_| wrong())?))
+    let (file, rest) = name_and_rest(text, |text| text.rfind(':'))?;
+    let line = rest.strip_prefix(':').and_then(|line| line.parse().ok());
+    Ok(Block::new(file, line.ok_or_else(wrong)?))
 }
 
 fn end(text: &str) -> Result<End, TextError> {
@@ -129,30 +155,40 @@ fn block_of(arguments: &mut Arguments) -> Result<Block, TextError> {
 
 fn fault(arguments: &mut Arguments) -> Result<Fault, TextError> {
     let kind = arguments.take("kind")?;
-    let file: Option<String> = arguments.take("file")?;
-    let line: Option<u32> = arguments.take("line")?;
-    let start: Option<u32> = arguments.take("from")?;
-    let end: Option<u32> = arguments.take("to")?;
+    let block = both(arguments.take("file")?, arguments.take("line")?, "file and line")?;
+    let span = both(arguments.take("from")?, arguments.take("to")?, "from and to")?;
     Ok(Fault {
         kind,
-        block: file.zip(line).map(|(file, line)| Block { file, line }),
-        span: start.zip(end).map(|(start, end)| Span { start, end }),
+        block: block.map(|(file, line)| Block { file, line }),
+        span: span.map(|(start, end)| Span { start, end }),
         message: arguments.take("message")?,
     })
 }
 
+fn both<A, B>(a: Option<A>, b: Option<B>, names: &str) -> Result<Option<(A, B)>, TextError> {
+    match (a, b) {
+        (Some(a), Some(b)) => Ok(Some((a, b))),
+        (None, None) => Ok(None),
+        (Some(_), None) | (None, Some(_)) => {
+            Err(TextError::new(format!("one stands without the other: {names}")))
+        }
+    }
+}
+
 fn parameters(text: &str) -> Result<Indexed<u32, f64>, TextError> {
     let mut found = Some(Indexed::default());
-    for (number, _, value) in Arguments::parse(text)?.pairs() {
+    for (number, index, value) in Arguments::parse(text)?.pairs() {
+        if let Some(index) = index {
+            return Err(TextError::new(format!("no index belongs here: [{index}]")));
+        }
         Indexed::read(&mut found, Some(number), value)?;
     }
     Ok(found.unwrap_or_default())
 }
 
 fn pin(text: &str) -> Result<PinChange, TextError> {
-    let (pin, rest) = text.rsplit_once(" time=").ok_or_else(|| TextError::new("time is missing"))?;
-    let mut arguments = Arguments::parse(&format!("time={rest}"))?;
-    let pin = if pin.starts_with('"') { String::from_text(pin)? } else { pin.to_owned() };
+    let (pin, rest) = name_and_rest(text, |text| text.find(' '))?;
+    let mut arguments = Arguments::parse(rest)?;
     let change = PinChange { time: arguments.take("time")?, pin, value: arguments.take("value")? };
     arguments.finish()?;
     Ok(change)

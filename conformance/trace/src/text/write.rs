@@ -2,16 +2,17 @@
 
 use std::fmt::Write as _;
 
-use super::{index_text, quoted};
-use crate::field::Entry;
+use super::line::name_text;
+use super::quoted;
 use crate::fault::Fault;
+use crate::field::Entry;
 use crate::outcome::{End, Event, Outcome};
 
 pub(super) fn outcome(outcome: &Outcome) -> String {
     let mut text = format!("gaugeblock outcome 0\nlanguage {}\n", outcome.language);
     record(&mut text, "start", &outcome.start.entries());
     for step in &outcome.steps {
-        line(&mut text, &format!("block {}", step.block));
+        line(&mut text, &format!("block {}:{}", name_text(&step.block.file), step.block.line));
         for event in &step.events {
             match event {
                 Event::Set(settings) => record(&mut text, "  set", &settings.entries()),
@@ -35,7 +36,7 @@ pub(super) fn outcome(outcome: &Outcome) -> String {
         line(&mut text, &format!("parameters{}", pairs.concat()));
     }
     for change in &outcome.pins {
-        let pin = index_text(&change.pin);
+        let pin = name_text(&change.pin);
         line(&mut text, &format!("pin {pin} time={} value={}", change.time, change.value));
     }
     for sample in &outcome.samples {
@@ -69,9 +70,9 @@ fn end(end: &End) -> String {
         }
         End::Fault(Fault { kind, block, span, message }) => {
             let kind = kind.map_or_else(String::new, |kind| format!(" kind={kind}"));
-            let block = block.as_ref().map_or_else(String::new, |b| {
-                format!(" file={} line={}", quoted(&b.file), b.line)
-            });
+            let block = block
+                .as_ref()
+                .map_or_else(String::new, |b| format!(" file={} line={}", quoted(&b.file), b.line));
             let span = span
                 .map_or_else(String::new, |span| format!(" from={} to={}", span.start, span.end));
             format!("end {name}{kind}{block}{span} message={}", quoted(message))

@@ -1,0 +1,6 @@
+//! The forms of the vocabulary: text, TOML, JSON and its schemas.
+
+mod generate;
+mod refused_text;
+mod round_trip;
+mod schemas;
