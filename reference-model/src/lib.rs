@@ -1,1 +1,28 @@
-//! gaugeblock-reference
+//! The specification: what a CNC program means, as a model that runs.
+//!
+//! Read it top to bottom: [`rs274`] has the pipeline
+//! `text → syntax → read → modes → parameters → machine → check → order → step → control → task`. Each section carries the id
+//! of the rule that it states; the rule's page in the suite has its sentence, its sources and its cases.
+//!
+//! **Invariants.** It reads nothing but the scenario: no clock, no file, no environment, no random source. It panics on
+//! no scenario. It is written from the documents, without reading the production interpreter.
+
+mod evidence;
+mod math;
+pub mod rs274;
+
+pub use evidence::{Evidence, RuleOutcome};
+
+use gaugeblock_trace::{Language, Outcome, Scenario};
+
+/// What the documents say about a scenario, and the rules that were reached.
+///
+/// Time and memory are linear in the executed blocks, which the scenario's budget bounds.
+pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
+    match scenario.program.language {
+        Language::Rs274 => rs274::run(scenario),
+        language @ (Language::Nct | Language::Gpp) => {
+            (rs274::not_specified(language), Evidence::default())
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! Codes that do not exist, and codes that exclude each other.
+
+use gaugeblock_trace::FaultKind;
+
+use crate::rs274::machine::State;
+use crate::rs274::modes::{Code, ModalGroup, g_code, g_text, m_code};
+use crate::rs274::quirks::settings as quirks;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+
+/// Most M words of a block.
+const MOST_M_WORDS: usize = 4;
+
+/// Refuses unknown codes, too many of them, and codes that exclude each other; then codes of later issues.
+pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
+    count(words, state)?;
+    let codes = known(words, state)?;
+    groups(words, &codes, state)?;
+    axis_words_once(&codes, state)?;
+    match codes.iter().find_map(|(text, code)| Some((text, code.later?))) {
+        Some((text, what)) => Err(Halt::Unsupported(format!("{text}: {what}"))),
+        None => Ok(()),
+    }
+}
+
+/// Rule modal-groups.four-m-words. A block holds up to four M words.
+fn count(words: &Words, state: &mut State) -> Result<(), Halt> {
+    let rule = "modal-groups.four-m-words";
+    if words.m.len() > MOST_M_WORDS {
+        let message = format!("{} M words in a block", words.m.len());
+        return Err(refuse(rule, FaultKind::TooManyMCodes, message));
+    }
+    state.evidence.accepted(rule);
+    Ok(())
+}
+
+/// The codes of a block, each with its text.
+///
+/// Rules modal-groups.g-code-out-of-range and modal-groups.m-code-out-of-range. G codes end at 99, M codes at 199.
+/// Rules modal-groups.unknown-g-code and modal-groups.unknown-m-code. The language does not have every number below.
+fn known(words: &Words, state: &mut State) -> Result<Vec<(String, Code)>, Halt> {
+    let mut codes = Vec::new();
+    for number in &words.g {
+        let text = g_text(*number);
+        let rule = if *number > 999 {
+            "modal-groups.g-code-out-of-range"
+        } else {
+            state.evidence.accepted("modal-groups.g-code-out-of-range");
+            "modal-groups.unknown-g-code"
+        };
+        let code = g_code(*number).ok_or_else(|| unknown(rule, &text))?;
+        state.evidence.accepted(rule);
+        codes.push((text, *code));
+    }
+    for number in &words.m {
+        let text = format!("M{number}");
+        let out_of_range = *number > 199;
+        let rule = if out_of_range {
+            "modal-groups.m-code-out-of-range"
+        } else {
+            "modal-groups.unknown-m-code"
+        };
+        let code = m_code(*number).ok_or_else(|| unknown(rule, &text))?;
+        state.evidence.accepted(rule);
+        codes.push((
+            text,
+            Code { group: code.group.or_else(|| quirks::group_of(*number, state)), ..*code },
+        ));
+    }
+    Ok(codes)
+}
+
+fn unknown(rule: &'static str, text: &str) -> Halt {
+    refuse(rule, FaultKind::UnknownCode, format!("there is no {text}"))
+}
+
+/// Two codes of one modal group exclude each other, whichever they are; the group's own rule refuses them.
+///
+/// Rule modal-groups.one-of-each. A block may hold one of every group.
+/// Rule coolant.both-in-one-block. Whether M7 and M8 exclude each other is a choice.
+/// Rule modal-groups.override-group. Whether M50 to M53 belong to the group of M48 and M49 is a choice.
+fn groups(words: &Words, codes: &[(String, Code)], state: &mut State) -> Result<(), Halt> {
+    let mut met: Vec<(ModalGroup, &String)> = Vec::new();
+    let all_overrides = state.readings.is("modal-groups.override-members", "all");
+    for (text, code) in codes {
+        let switches_control =
+            code.later.is_none() && ["M50", "M51", "M52", "M53"].contains(&text.as_str());
+        let by_choice = (all_overrides && switches_control).then_some(ModalGroup::Overrides);
+        let Some(group) = code.group.or(by_choice) else { continue };
+        if let Some((_, other)) = met.iter().find(|(other, _)| *other == group) {
+            conflict(group, (other, text), words, state)?;
+        }
+        met.push((group, text));
+    }
+    for rule in met.iter().filter_map(|(group, _)| group.rule()) {
+        state.evidence.accepted(rule);
+    }
+    if met.len() > 1 {
+        state.evidence.accepted("modal-groups.one-of-each");
+    }
+    Ok(())
+}
+
+/// Refuses two codes of a group, unless a choice or a quirk allows them.
+fn conflict(
+    group: ModalGroup,
+    texts: (&str, &str),
+    words: &Words,
+    state: &mut State,
+) -> Result<(), Halt> {
+    let message = format!("{} and {} belong to one modal group", texts.0, texts.1);
+    let mist_and_flood =
+        group == ModalGroup::Coolant && !words.m.contains(&9) && texts.0 != texts.1;
+    if mist_and_flood {
+        let rule = "coolant.both-in-one-block";
+        if state.readings.is(rule, "accepted") {
+            state.evidence.accepted(rule);
+            return Ok(());
+        }
+        return Err(refuse(rule, FaultKind::ModalConflict, message));
+    }
+    let cancel = group == ModalGroup::Motion && (texts.0 == "G80") != (texts.1 == "G80");
+    if cancel && state.readings.quirk("rs274.cancel-with-motion") {
+        return Ok(());
+    }
+    let rule = group.rule().unwrap_or("modal-groups.one-of-each");
+    Err(refuse(rule, FaultKind::ModalConflict, message))
+}
+
+/// Rule modal-groups.axis-words-twice. A motion code and a non-modal code that both use axis words exclude each other.
+/// Rule tool.dynamic-length-with-motion. So do a motion code and G43.1.
+fn axis_words_once(codes: &[(String, Code)], state: &mut State) -> Result<(), Halt> {
+    let user = |group: ModalGroup| {
+        codes.iter().find(|(_, code)| code.group == Some(group) && code.axis_words)
+    };
+    let Some((motion, _)) = user(ModalGroup::Motion) else { return Ok(()) };
+    if let Some((other, _)) = user(ModalGroup::NonModal) {
+        let message = format!("{motion} and {other} both use the axis words");
+        return Err(refuse("modal-groups.axis-words-twice", FaultKind::AxisWords, message));
+    }
+    state.evidence.accepted("modal-groups.axis-words-twice");
+    let quirk = state.readings.quirk("rs274.dynamic-length-with-motion");
+    match user(ModalGroup::ToolLength) {
+        Some((other, _)) if !quirk => {
+            let message = format!("{motion} in a block with {other}");
+            Err(refuse("tool.dynamic-length-with-motion", FaultKind::AxisWords, message))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,19 @@
+//! What is refused before anything of the block is done: what its words alone show.
+//!
+//! What depends on the modes in force is refused by the phase that meets it (`step`).
+
+mod codes;
+mod words;
+
+use super::machine::State;
+use super::read::Words;
+use super::refusal::Halt;
+
+/// Refuses a block that cannot be executed, before anything of it is done.
+///
+/// # Errors
+/// The rule that refuses it, or a code that this edition of the model does not specify.
+pub fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
+    codes::check(words, state)?;
+    words::check(words, state)
+}

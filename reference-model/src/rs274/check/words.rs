@@ -1,0 +1,92 @@
+//! Words that nothing in the block uses, and axes that the machine does not have.
+
+use gaugeblock_trace::{Axis, FaultKind};
+
+use crate::rs274::machine::State;
+use crate::rs274::modes::{Code, g_code, m_code};
+use crate::rs274::order::AXIS_LETTERS;
+use crate::rs274::quirks::settings as quirks;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::step::letter;
+
+/// Letters that stand for themselves: feed, speed, tool.
+const ON_THEIR_OWN: &str = "fst";
+
+/// Refuses words without a use.
+pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
+    axes(words, state)?;
+    for letter in words.letters.keys().copied() {
+        let itself = AXIS_LETTERS.contains(letter) || ON_THEIR_OWN.contains(letter);
+        if !itself && !is_used(letter, words, state) {
+            return Err(unused(letter, words, state));
+        }
+    }
+    state.evidence.accepted("modal-groups.unused-word");
+    state.evidence.accepted("modal-groups.unused-arc-word");
+    if words.g.contains(&640)
+        && words.letters.contains_key(&'q')
+        && !words.letters.contains_key(&'p')
+    {
+        return naive_cam_alone(state);
+    }
+    Ok(())
+}
+
+/// Rule motion.no-such-axis. A letter of an axis that the machine does not have is refused, with G10 L2 too
+/// (offsets.set-unknown-axis).
+fn axes(words: &Words, state: &mut State) -> Result<(), Halt> {
+    let absent = Axis::ALL.iter().find(|axis| {
+        words.letters.contains_key(&letter(**axis)) && !state.machine.axes.contains(axis)
+    });
+    let Some(axis) = absent else { return Ok(()) };
+    let origin = words.g.contains(&100);
+    let rule = if origin { "offsets.set-unknown-axis" } else { "motion.no-such-axis" };
+    let message = format!("the machine has no axis {}", axis.word().to_uppercase());
+    Err(refuse(rule, FaultKind::NoSuchAxis, message))
+}
+
+/// Rule modal-groups.unused-word. A word needs a code of its block that uses it; $ serves S too.
+fn is_used(letter: char, words: &Words, state: &State) -> bool {
+    let serves_speed = letter == '$' && words.letters.contains_key(&'s');
+    let not_by_feed_mode = letter == '$' && !quirks::uses_dollar_of_feed_mode(state);
+    let uses = |code: &Code| code.words.contains(letter);
+    let by_g = words.g.iter().filter(|code| !(not_by_feed_mode && **code == 950));
+    let mut codes = by_g
+        .filter_map(|code| g_code(*code))
+        .chain(words.m.iter().filter_map(|code| m_code(*code)));
+    serves_speed || codes.any(uses)
+}
+
+/// The rule that refuses a word without a use: some chapters say it of a word of their own.
+///
+/// Rules modal-groups.unused-arc-word (I, J, K), spindle.unused-dollar, spindle.unused-limit (D), tool.unused-length (H),
+/// path-control.unused-tolerance, overrides.both-unused-p, overrides.feed-takes-no-dollar.
+fn unused(letter: char, words: &Words, state: &mut State) -> Halt {
+    let m = |codes: &[u32]| words.m.iter().any(|code| codes.contains(code));
+    let exact = words.g.iter().any(|code| [610, 611].contains(code));
+    let rule = match letter {
+        'i' | 'j' | 'k' => "modal-groups.unused-arc-word",
+        'd' => "spindle.unused-limit",
+        'h' => "tool.unused-length",
+        '$' if m(&[50, 52, 53]) => "overrides.feed-takes-no-dollar",
+        '$' => "spindle.unused-dollar",
+        'p' | 'q' if exact => "path-control.unused-tolerance",
+        'p' if m(&[48, 49]) => "overrides.both-unused-p",
+        _ => "modal-groups.unused-word",
+    };
+    if letter == 'p' {
+        state.evidence.refused("dwell.once");
+    }
+    let message = format!("{} without a code that uses it", letter.to_uppercase());
+    refuse(rule, FaultKind::UnusedWord, message)
+}
+
+/// Rule path-control.naive-cam-alone. Q of G64 stands behind a P only.
+fn naive_cam_alone(state: &State) -> Result<(), Halt> {
+    if state.readings.quirk("rs274.blend-q-without-p") {
+        return Ok(());
+    }
+    let message = "G64 with Q and without P";
+    Err(refuse("path-control.naive-cam-alone", FaultKind::MissingWord, message))
+}

@@ -1,0 +1,233 @@
+//! if, elseif, else, endif.
+
+use gaugeblock_trace::FaultKind;
+
+use super::{Control, Next, Open, Place, Structure, condition};
+use crate::rs274::machine::State;
+use crate::rs274::quirks;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::syntax::{Expression, Keyword};
+
+const BRANCHES: &[Keyword] = &[Keyword::ElseIf, Keyword::Else, Keyword::EndIf];
+
+impl Control {
+    /// Rule control.if. Its blocks are executed when the condition is true; else the next branch is tried.
+    pub(super) fn if_(
+        &mut self,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+    ) -> Result<Next, Halt> {
+        self.defined_once(label, "control.duplicate-if", state)?;
+        let taken = condition("control.if", values, state)?;
+        let next = if taken {
+            Next::Following
+        } else {
+            let line = self.end_of_skipped(label, BRANCHES, self.place.line, state)?;
+            Next::At(self.line(line))
+        };
+        self.enter(label, Structure::If { taken }, state);
+        Ok(next)
+    }
+
+    /// Rule control.elseif. The conditions are tried in order, and the first true one counts.
+    ///
+    /// Rule control.first-true-only. After a true condition no more of the group are evaluated.
+    pub(super) fn else_if(
+        &mut self,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+    ) -> Result<Next, Halt> {
+        let Some(taken) = self.branch(label, Keyword::ElseIf, state)? else {
+            return self.to_end(label, state);
+        };
+        if *taken {
+            state.evidence.accepted("control.first-true-only");
+            if state.readings.quirk("rs274.later-conditions-evaluated") {
+                quirks::control::evaluate_later_condition(values, state)?;
+                return self.to_branch(label, state);
+            }
+            return self.to_end(label, state);
+        }
+        let is_true = condition("control.elseif", values, state)?;
+        if let Some(taken) = self.branch(label, Keyword::ElseIf, state)? {
+            *taken = is_true;
+        }
+        if is_true { Ok(Next::Following) } else { self.to_branch(label, state) }
+    }
+
+    /// Rule control.else. Its blocks are executed when no condition before was true.
+    pub(super) fn else_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        match self.branch(label, Keyword::Else, state)? {
+            Some(taken) if !*taken => {
+                *taken = true;
+                state.evidence.accepted("control.else");
+                Ok(Next::Following)
+            }
+            Some(_) => {
+                state.evidence.accepted("control.else");
+                self.to_end(label, state)
+            }
+            None => self.to_end(label, state),
+        }
+    }
+
+    /// The end of the group. A condition ends once, unless its label may be followed afterwards.
+    pub(super) fn end_if(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        if self.branch(label, Keyword::EndIf, state)?.is_some() {
+            self.leave(label, |structure| matches!(structure, Structure::If { .. }), state)?;
+        }
+        Ok(Next::Following)
+    }
+
+    /// The open condition with this label: whether a branch of it was taken. None when it has ended and its label is
+    /// followed all the same.
+    ///
+    /// Rule control.undefined-else. An else or elseif with an undefined label is refused.
+    ///
+    /// Rule control.unmatched-endif. An else, elseif or endif whose label does not point to a matching if is refused.
+    fn branch<'s>(
+        &self,
+        label: &str,
+        keyword: Keyword,
+        state: &'s mut State,
+    ) -> Result<Option<&'s mut bool>, Halt> {
+        let is_if = |structure| matches!(structure, Structure::If { .. });
+        if let Some(place) = state.frame().find_open(label, is_if) {
+            return match &mut state.frame_mut().open[place].structure {
+                Structure::If { taken } => Ok(Some(taken)),
+                Structure::While | Structure::Do | Structure::Repeat { .. } => Ok(None),
+            };
+        }
+        if state.frame().ended_conditions.contains(label) {
+            let followed = state.readings.is("control.ended-label", "followed");
+            let message = format!("the condition o{label} has ended");
+            let refusal = refuse("control.unmatched-endif", FaultKind::UnknownLabel, message);
+            return if followed { Ok(None) } else { Err(refusal) };
+        }
+        let defined = self.definitions(label);
+        if defined.is_empty() {
+            if matches!(keyword, Keyword::Else | Keyword::ElseIf) {
+                let message = format!("no if has the label o{label}");
+                return Err(refuse("control.undefined-else", FaultKind::UnknownLabel, message));
+            }
+        } else if defined.iter().any(|definition| definition.keyword == Keyword::If)
+            && !quirks::control::is_left_behind(state)
+        {
+            let why =
+                format!("the condition o{label} is in the text, but was not entered by its if");
+            return Err(Halt::Unspecified(why));
+        }
+        let message = format!("o{label} is no open condition");
+        Err(refuse("control.unmatched-endif", FaultKind::UnknownLabel, message))
+    }
+
+    /// Goes on at the endif.
+    fn to_end(&self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        let line = self.end_of_skipped(label, &[Keyword::EndIf], self.place.line, state)?;
+        Ok(Next::At(self.line(line)))
+    }
+
+    /// Goes on at the next branch.
+    fn to_branch(&self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        let line = self.end_of_skipped(label, BRANCHES, self.place.line, state)?;
+        Ok(Next::At(self.line(line)))
+    }
+
+    /// A label of a condition or loop is defined once in its sub, and does not meet the sub's own number.
+    pub(super) fn defined_once(
+        &mut self,
+        label: &str,
+        rule: &'static str,
+        state: &mut State,
+    ) -> Result<(), Halt> {
+        self.not_of_sub(label, rule, state)?;
+        if self.defined_elsewhere(label, state).is_some() {
+            return Err(duplicate(label, rule));
+        }
+        Ok(())
+    }
+
+    /// Choice control.sub-number-as-label: whether a condition or loop may carry the number of the sub around it.
+    pub(super) fn not_of_sub(
+        &self,
+        label: &str,
+        rule: &'static str,
+        state: &State,
+    ) -> Result<(), Halt> {
+        let own = state.frame().is_called(label);
+        if own && state.readings.is("control.sub-number-as-label", "refused") {
+            return Err(duplicate(label, rule));
+        }
+        Ok(())
+    }
+
+    /// The line at which a label has been defined, when that is not this one.
+    ///
+    /// Rule control.labels-in-subs. In each of several subs, and in the main program, it may be defined again.
+    ///
+    /// Choice control.skipped-definition: whether the first definition is the first one in the text, or the first one that is
+    /// executed.
+    pub(super) fn defined_elsewhere(&mut self, label: &str, state: &mut State) -> Option<u32> {
+        let Place { file, line: here } = self.place;
+        let labels = self.files.labels(file);
+        if labels.is_shared(label) {
+            state.evidence.accepted("control.labels-in-subs");
+        }
+        let scope = labels.scope(here);
+        let counts = state.readings.is("control.skipped-definition", "counts");
+        let in_text = labels.definitions(label, here).first().map(|definition| definition.line);
+        let earlier = in_text.filter(|line| counts && *line < here);
+        let executed = *self.defined.entry((file, scope, label.to_owned())).or_insert(here);
+        earlier.or((executed != here).then_some(executed))
+    }
+
+    /// What defines a label in the sub of this block.
+    pub(super) fn definitions(&self, label: &str) -> &[super::labels::Definition] {
+        self.files.labels(self.place.file).definitions(label, self.place.line)
+    }
+
+    /// A condition or loop begins here.
+    ///
+    /// Rule control.nesting. They can stand inside each other, each with its own label.
+    pub(crate) fn enter(&self, label: &str, structure: Structure, state: &mut State) {
+        self.enter_at(self.place.line, label, structure, state);
+    }
+
+    /// A condition or loop whose first block is at a line begins.
+    pub(super) fn enter_at(&self, line: u32, label: &str, structure: Structure, state: &mut State) {
+        let frame = state.frame_mut();
+        let nested = !frame.open.is_empty();
+        let open = Open { label: label.to_owned(), line, structure };
+        frame.open.push(open);
+        if nested {
+            state.evidence.accepted("control.nesting");
+        }
+    }
+
+    /// The innermost condition or loop ends here.
+    pub(super) fn leave(
+        &self,
+        label: &str,
+        kind: impl Fn(Structure) -> bool,
+        state: &mut State,
+    ) -> Result<(), Halt> {
+        let frame = state.frame_mut();
+        if frame.find_open(label, kind).map(|place| place + 1) != Some(frame.open.len()) {
+            let why =
+                format!("o{label} ends while a condition or loop that began inside it is open");
+            return Err(Halt::Unspecified(why));
+        }
+        if let Some(open) = frame.open.pop() {
+            frame.end(open);
+        }
+        Ok(())
+    }
+}
+
+/// The refusal of a label that is defined elsewhere.
+pub(super) fn duplicate(label: &str, rule: &'static str) -> Halt {
+    let message = format!("the label o{label} is defined elsewhere");
+    refuse(rule, FaultKind::DuplicateLabel, message)
+}

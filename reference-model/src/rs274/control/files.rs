@@ -1,0 +1,104 @@
+//! The files of the program: the main one and those that calls name.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_trace::{Block, Program};
+
+use super::labels::Labels;
+use crate::rs274::machine::State;
+use crate::rs274::text::{Line, Source};
+
+/// Where a block stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    /// The file, in the order in which they were opened; 0 is the main program.
+    pub file: usize,
+    /// Line, from 1.
+    pub line: u32,
+}
+
+/// The files of the program, opened when they are called for the first time.
+#[derive(Debug)]
+pub struct Files {
+    /// Texts by file name.
+    texts: BTreeMap<String, String>,
+    /// Whether blocks that begin with a slash are skipped.
+    block_delete: bool,
+    opened: Vec<File>,
+}
+
+#[derive(Debug)]
+struct File {
+    source: Source,
+    labels: Labels,
+}
+
+impl Files {
+    pub(super) fn new(program: &Program) -> Self {
+        let (texts, block_delete) = (program.files.clone(), program.block_delete);
+        Self { texts, block_delete, opened: Vec::new() }
+    }
+
+    /// Opens the main program; its first block.
+    pub(super) fn begin_main(&mut self, text: &str, state: &mut State) -> Place {
+        self.add(Program::MAIN, text, state)
+    }
+
+    /// Opens a file, when there is one of this name; its first block.
+    pub(super) fn open(&mut self, name: &str, state: &mut State) -> Option<Place> {
+        if let Some(file) = self.opened.iter().position(|file| file.source.name == name) {
+            return Some(self.first(file));
+        }
+        let text = self.texts.get(name)?.clone();
+        Some(self.add(name, &text, state))
+    }
+
+    /// Opens a file and reads it once for its labels, up to the percent line that ends it. No rule is reached by that.
+    fn add(&mut self, name: &str, text: &str, state: &mut State) -> Place {
+        let source = Source::new(name, text, &state.readings);
+        let mut labels = Labels::default();
+        let before = state.evidence.clone();
+        let mut index = source.first;
+        loop {
+            match source.line(index, self.block_delete, state) {
+                None | Some(Line::End) => break,
+                Some(Line::Nothing) => {}
+                Some(Line::Block(text)) => labels.read_line(line_number(index), &text, state),
+            }
+            index += 1;
+        }
+        state.evidence = before;
+        labels.finish();
+        self.opened.push(File { source, labels });
+        self.first(self.opened.len() - 1)
+    }
+
+    fn first(&self, file: usize) -> Place {
+        Place { file, line: line_number(self.opened[file].source.first) }
+    }
+
+    /// The labels of a file.
+    pub(super) fn labels(&self, file: usize) -> &Labels {
+        &self.opened[file].labels
+    }
+
+    /// What stands at a place; none behind the end of the file.
+    pub fn line(&self, place: Place, state: &mut State) -> Option<Line> {
+        let index = usize::try_from(place.line).ok()?.checked_sub(1)?;
+        self.opened[place.file].source.line(index, self.block_delete, state)
+    }
+
+    /// The text of a file.
+    pub fn source(&self, file: usize) -> &Source {
+        &self.opened[file].source
+    }
+
+    /// A place as it is recorded.
+    pub fn block(&self, place: Place) -> Block {
+        Block::new(self.opened[place.file].source.name.as_str(), place.line)
+    }
+}
+
+fn line_number(index: usize) -> u32 {
+    u32::try_from(index).map_or(u32::MAX, |index| index.saturating_add(1))
+}

@@ -1,0 +1,126 @@
+//! A call in progress: its parameters, its saved state, its open conditions and loops.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::Place;
+use crate::rs274::modes::SavedState;
+use crate::rs274::syntax::Keyword;
+
+/// A call in progress, or the main program.
+#[derive(Clone, Debug, Default)]
+pub struct Frame {
+    /// Local named parameters, by name without the marks.
+    pub locals: BTreeMap<String, f64>,
+    /// Parameters #1 to #30.
+    pub arguments: [f64; 30],
+    /// What M70 saved at this level.
+    pub saved: Option<SavedState>,
+    /// What M73 saved at this level, to be restored when it is left.
+    pub restore_at_return: Option<SavedState>,
+    /// The call that made it; none for the main program.
+    pub call: Option<Call>,
+    /// Conditions and loops in progress, innermost last.
+    pub open: Vec<Open>,
+    /// Labels of conditions that have ended.
+    pub ended_conditions: BTreeSet<String>,
+    /// Loops that have ended by label: the keyword with which each began.
+    pub ended_loops: BTreeMap<String, Keyword>,
+}
+
+/// How a frame was called, and what comes when it is left.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Call {
+    /// Number or name of the sub.
+    pub label: String,
+    /// The block after the call.
+    pub back: Place,
+    /// By an O-word or by M98.
+    pub style: Style,
+}
+
+/// The two styles of subroutines, which do not mix.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// `o100 call`: begun by sub, ended by endsub.
+    OWord,
+    /// M98: begun by its number alone, ended by M99.
+    Numbered {
+        /// Its first block.
+        first: Place,
+        /// How many turns follow this one.
+        turns_left: u64,
+    },
+}
+
+/// A condition or loop in progress.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Open {
+    /// Its label.
+    pub label: String,
+    /// Line of its first block.
+    pub line: u32,
+    /// What it is.
+    pub structure: Structure,
+}
+
+/// Conditions and loops.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Structure {
+    /// `if`.
+    If {
+        /// Whether one of its branches was taken.
+        taken: bool,
+    },
+    /// `while` … `endwhile`.
+    While,
+    /// `do` … `while`.
+    Do,
+    /// `repeat`.
+    Repeat {
+        /// How many turns follow this one.
+        turns_left: u64,
+    },
+}
+
+impl Structure {
+    /// The keyword with which it begins.
+    pub fn head(self) -> Keyword {
+        match self {
+            Self::If { .. } => Keyword::If,
+            Self::While => Keyword::While,
+            Self::Do => Keyword::Do,
+            Self::Repeat { .. } => Keyword::Repeat,
+        }
+    }
+}
+
+impl Frame {
+    /// A condition or loop ends.
+    pub fn end(&mut self, open: Open) {
+        if matches!(open.structure, Structure::If { .. }) {
+            self.ended_conditions.insert(open.label);
+        } else {
+            self.ended_loops.insert(open.label, open.structure.head());
+        }
+    }
+
+    /// Whether it is a sub that ends with endsub.
+    pub fn is_sub(&self) -> bool {
+        self.call.as_ref().is_some_and(|call| call.style == Style::OWord)
+    }
+
+    /// Whether it is a numbered subprogram, which shares its caller's parameters.
+    pub fn shares_parameters(&self) -> bool {
+        self.call.is_some() && !self.is_sub()
+    }
+
+    /// Whether it is a call of this sub.
+    pub fn is_called(&self, label: &str) -> bool {
+        self.call.as_ref().is_some_and(|call| call.label == label)
+    }
+
+    /// Place in `open` of the innermost condition or loop with a label that satisfies `kind`.
+    pub fn find_open(&self, label: &str, kind: impl Fn(Structure) -> bool) -> Option<usize> {
+        self.open.iter().rposition(|open| open.label == label && kind(open.structure))
+    }
+}

@@ -1,0 +1,221 @@
+//! Where each label stands, and in which sub.
+//!
+//! Rule control.labels-in-subs. A label of a condition or loop is known in its sub only: each sub, each numbered
+//! program and what stands outside of them is a scope of its own. A file is read once for its labels, so that a jump
+//! costs a look-up.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::label_of;
+use crate::rs274::machine::State;
+use crate::rs274::syntax::{self, Expression, Keyword, Label};
+
+/// The labels of one file.
+#[derive(Debug, Default)]
+pub(super) struct Labels {
+    /// Every O-word, in the order of the text.
+    marks: Vec<Mark>,
+    /// The scope that begins at a line.
+    scopes: Vec<(u32, usize)>,
+    /// Places in `marks` by scope and label.
+    by_label: BTreeMap<(usize, String), Vec<usize>>,
+    /// Places in `marks` of those whose label must be computed, by scope.
+    computed: BTreeMap<usize, Vec<usize>>,
+    definitions: BTreeMap<(usize, String), Vec<Definition>>,
+    /// The scopes that define a label.
+    definers: BTreeMap<String, BTreeSet<usize>>,
+    /// Lines with the keyword sub, by label.
+    subs: BTreeMap<String, Vec<u32>>,
+    /// Lines with a number alone, by number.
+    numbers: BTreeMap<String, Vec<u32>>,
+}
+
+#[derive(Debug)]
+struct Mark {
+    line: u32,
+    /// None when it must be computed.
+    label: Option<String>,
+    written: Label,
+    keyword: Keyword,
+    scope: usize,
+}
+
+/// What defines a label.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Definition {
+    pub(super) line: u32,
+    pub(super) keyword: Keyword,
+}
+
+impl Labels {
+    /// Takes the O-word of a line, if it has one.
+    pub(super) fn read_line(&mut self, line: u32, text: &str, state: &mut State) {
+        if let Some(word) = syntax::o_word_of(text, state) {
+            let label = written_label(&word.label);
+            let (written, keyword) = (word.label, word.keyword);
+            self.marks.push(Mark { line, label, written, keyword, scope: 0 });
+        }
+    }
+
+    /// Gives each mark its scope: what stands between a sub and its endsub, or after a program's number.
+    pub(super) fn finish(&mut self) {
+        self.scopes.push((0, 0));
+        let (mut outer, mut scopes) = (0, 1);
+        let mut sub: Option<(Option<String>, usize)> = None;
+        for mark in &mut self.marks {
+            mark.scope = sub.as_ref().map_or(outer, |(_, scope)| *scope);
+            match (mark.keyword, &sub) {
+                (Keyword::Sub, None) => {
+                    sub = Some((mark.label.clone(), scopes));
+                    self.scopes.push((mark.line + 1, scopes));
+                    scopes += 1;
+                }
+                (Keyword::EndSub, Some((label, _)))
+                    if ends(label.as_ref(), mark.label.as_ref()) =>
+                {
+                    sub = None;
+                    self.scopes.push((mark.line + 1, outer));
+                }
+                (Keyword::ProgramNumber, None) => {
+                    outer = scopes;
+                    mark.scope = outer;
+                    self.scopes.push((mark.line, outer));
+                    scopes += 1;
+                }
+                _ => {}
+            }
+        }
+        self.sort();
+    }
+
+    fn sort(&mut self) {
+        let mut in_do = BTreeSet::new();
+        for (place, mark) in self.marks.iter().enumerate() {
+            let Some(label) = &mark.label else {
+                self.computed.entry(mark.scope).or_default().push(place);
+                continue;
+            };
+            let key = (mark.scope, label.clone());
+            let (line, keyword) = (mark.line, mark.keyword);
+            if keyword == Keyword::Sub {
+                self.subs.entry(label.clone()).or_default().push(line);
+            } else if keyword == Keyword::ProgramNumber {
+                self.numbers.entry(label.clone()).or_default().push(line);
+            } else if defines(keyword, &key, &mut in_do) {
+                self.definers.entry(label.clone()).or_default().insert(mark.scope);
+                self.definitions.entry(key.clone()).or_default().push(Definition { line, keyword });
+            }
+            self.by_label.entry(key).or_default().push(place);
+        }
+    }
+
+    /// The scope of a line.
+    pub(super) fn scope(&self, line: u32) -> usize {
+        let after = self.scopes.partition_point(|(first, _)| *first <= line);
+        self.scopes[after - 1].1
+    }
+
+    /// Line of the next block after `after` with this label and one of these keywords, in the scope of line `at`.
+    pub(super) fn find(
+        &self,
+        label: &str,
+        keywords: &[Keyword],
+        after: u32,
+        at: u32,
+        state: &mut State,
+    ) -> Option<u32> {
+        let scope = self.scope(at);
+        let fits = |mark: &&Mark| mark.line > after && keywords.contains(&mark.keyword);
+        let written = self.by_label.get(&(scope, label.to_owned())).and_then(|places| {
+            let later = places.partition_point(|place| self.marks[*place].line <= after);
+            places[later..].iter().map(|place| &self.marks[*place]).find(fits)
+        });
+        let computed = self.computed.get(&scope).and_then(|places| {
+            let later = places.partition_point(|place| self.marks[*place].line <= after);
+            let mut later = places[later..].iter().map(|place| &self.marks[*place]).filter(fits);
+            later.find(|mark| label_of(&mark.written, state).is_ok_and(|found| found == label))
+        });
+        let lines = written.into_iter().chain(computed).map(|mark| mark.line);
+        lines.min()
+    }
+
+    /// What defines a label in the scope of a line, in the order of the text: if, do, repeat, and a while that ends no do.
+    pub(super) fn definitions(&self, label: &str, at: u32) -> &[Definition] {
+        let found = self.definitions.get(&(self.scope(at), label.to_owned()));
+        found.map_or(&[], Vec::as_slice)
+    }
+
+    /// Whether several scopes define a label.
+    pub(super) fn is_shared(&self, label: &str) -> bool {
+        self.definers.get(label).is_some_and(|scopes| scopes.len() > 1)
+    }
+
+    /// Lines of the subs with a number or name.
+    pub(super) fn subs(&self, label: &str) -> &[u32] {
+        self.subs.get(label).map_or(&[], Vec::as_slice)
+    }
+
+    /// Lines of the numbered programs with a number.
+    pub(super) fn numbers(&self, label: &str) -> &[u32] {
+        self.numbers.get(label).map_or(&[], Vec::as_slice)
+    }
+
+    /// Every sub of the file in order: its line, and its label where that is written out.
+    pub(super) fn all_subs(&self) -> impl Iterator<Item = (u32, Option<&str>)> {
+        let marks = self.marks.iter().filter(|mark| mark.keyword == Keyword::Sub);
+        marks.map(|mark| (mark.line, mark.label.as_deref()))
+    }
+
+    /// Line of the first sub that begins after a line, but not after another one.
+    pub(super) fn sub_between(&self, after: u32, before: u32) -> Option<u32> {
+        let from = self.marks.partition_point(|mark| mark.line <= after);
+        let inside = self.marks[from..].iter().take_while(|mark| mark.line < before);
+        let mut subs = inside.filter(|mark| mark.keyword == Keyword::Sub);
+        subs.next().map(|mark| mark.line)
+    }
+}
+
+/// The label, unless it must be computed.
+fn written_label(label: &Label) -> Option<String> {
+    match label {
+        Label::Name(name) => Some(name.to_lowercase()),
+        Label::Number(Expression::Number(number)) => super::whole(*number).ok(),
+        Label::Number(_) => None,
+    }
+}
+
+/// Whether an endsub ends a sub as far as the text tells.
+fn ends(sub: Option<&String>, end: Option<&String>) -> bool {
+    match (sub, end) {
+        (Some(sub), Some(end)) => sub == end,
+        (None, _) | (_, None) => true,
+    }
+}
+
+/// Whether a keyword defines its label. A while that ends a do does not.
+fn defines(
+    keyword: Keyword,
+    label: &(usize, String),
+    in_do: &mut BTreeSet<(usize, String)>,
+) -> bool {
+    match keyword {
+        Keyword::If | Keyword::Repeat => true,
+        Keyword::Do => {
+            in_do.insert(label.clone());
+            true
+        }
+        Keyword::While => !in_do.remove(label),
+        Keyword::Sub
+        | Keyword::EndSub
+        | Keyword::Call
+        | Keyword::Return
+        | Keyword::ElseIf
+        | Keyword::Else
+        | Keyword::EndIf
+        | Keyword::EndWhile
+        | Keyword::EndRepeat
+        | Keyword::Break
+        | Keyword::Continue
+        | Keyword::ProgramNumber => false,
+    }
+}

@@ -1,0 +1,250 @@
+//! while, do, repeat, break, continue.
+
+use gaugeblock_trace::FaultKind;
+
+use super::conditions::duplicate;
+use super::labels::Definition;
+use super::{Control, Next, Structure, condition, single};
+use crate::rs274::machine::State;
+use crate::rs274::quirks;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::syntax::{Expression, Keyword};
+
+fn is_while(structure: Structure) -> bool {
+    structure == Structure::While
+}
+
+fn is_do(structure: Structure) -> bool {
+    structure == Structure::Do
+}
+
+fn is_repeat(structure: Structure) -> bool {
+    matches!(structure, Structure::Repeat { .. })
+}
+
+impl Control {
+    /// Rule control.while. It tests first and runs while its condition is true.
+    ///
+    /// A while with the label of an open do is that loop's end.
+    pub(super) fn while_(
+        &mut self,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+    ) -> Result<Next, Halt> {
+        if let Some(place) = state.frame().find_open(label, is_do) {
+            let first = state.frame().open[place].line;
+            return self.while_of_do(label, first, values, state);
+        }
+        if let Some(first) = self.followed(label, Keyword::Do, state) {
+            self.enter_at(first, label, Structure::Do, state);
+            return self.while_of_do(label, first, values, state);
+        }
+        let again = state.frame().open.last().is_some_and(|open| {
+            open.label == label && open.line == self.place.line && is_while(open.structure)
+        });
+        if !again {
+            self.defined_once(label, "control.duplicate-while", state)?;
+        }
+        if condition("control.while", values, state)? {
+            if !again {
+                self.enter(label, Structure::While, state);
+            }
+            return Ok(Next::Following);
+        }
+        if again {
+            self.leave(label, is_while, state)?;
+        }
+        state.evidence.accepted("control.loop-again");
+        let ends = &[Keyword::EndWhile];
+        let line = self.end_of_skipped(label, ends, self.place.line, state)?;
+        Ok(Next::At(self.line(line + 1)))
+    }
+
+    /// Rule control.do-while. A do loop runs once before its condition is tested, and again while that is true.
+    fn while_of_do(
+        &mut self,
+        label: &str,
+        first: u32,
+        values: &[Expression],
+        state: &mut State,
+    ) -> Result<Next, Halt> {
+        if condition("control.do-while", values, state)? {
+            return Ok(Next::At(self.line(first + 1)));
+        }
+        self.leave(label, is_do, state)?;
+        Ok(Next::Following)
+    }
+
+    /// The beginning of a do loop.
+    ///
+    /// Choice control.do-label: whether several do loops may carry the same label, which the list of errors does not name.
+    /// What a do is whose label a condition or another loop defines, it does not tell at all.
+    pub(super) fn do_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        self.not_of_sub(label, "control.do-while", state)?;
+        let first = self.defined_elsewhere(label, state);
+        let of_do = |definition: &Definition| definition.keyword == Keyword::Do;
+        if first.is_some() && !self.definitions(label).iter().all(of_do) {
+            let why = format!("a do whose label o{label} is that of a condition or another loop");
+            return Err(Halt::Unspecified(why));
+        }
+        let line = match (first, state.readings.choice("control.do-label")) {
+            (Some(_), "refused") => return Err(duplicate(label, "control.do-while")),
+            (Some(first), "first") => first,
+            (Some(_) | None, _) => self.place.line,
+        };
+        self.enter_at(line, label, Structure::Do, state);
+        Ok(Next::Following)
+    }
+
+    /// Rule control.unmatched-endwhile. An endwhile refers to a while, an endrepeat to a repeat.
+    pub(super) fn end_while(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        let open = state.frame().find_open(label, is_while);
+        let open = open.map(|place| state.frame().open[place].line);
+        let first = open.or_else(|| self.followed(label, Keyword::While, state));
+        let first = first.ok_or_else(|| unmatched(label))?;
+        Ok(Next::At(self.line(first)))
+    }
+
+    /// Rule control.repeat. The loop runs the given number of times; the count is evaluated once, at the beginning.
+    ///
+    /// Choice control.repeat-fraction: what a count means that is not an integer.
+    pub(super) fn repeat(
+        &mut self,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+    ) -> Result<Next, Halt> {
+        self.defined_once(label, "control.duplicate-repeat", state)?;
+        if state.readings.quirk("rs274.repeat-counter-shared") {
+            return quirks::control::shared_repeat(self, label, values, state);
+        }
+        let turns = turns(values, state)?;
+        if turns == 0 {
+            return self.past_repeat(label, state);
+        }
+        self.enter(label, Structure::Repeat { turns_left: turns - 1 }, state);
+        Ok(Next::Following)
+    }
+
+    /// Rule control.repeat-recursion. The turns left belong to this invocation of the sub.
+    pub(super) fn end_repeat(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        let Some(place) = state.frame().find_open(label, is_repeat) else {
+            let first = self.followed(label, Keyword::Repeat, state);
+            return first.map(|line| Next::At(self.line(line))).ok_or_else(|| unmatched(label));
+        };
+        let first = state.frame().open[place].line;
+        if state.readings.quirk("rs274.repeat-counter-shared") {
+            self.leave(label, is_repeat, state)?;
+            return Ok(Next::At(self.line(first)));
+        }
+        state.evidence.accepted("control.repeat-recursion");
+        match &mut state.frame_mut().open[place].structure {
+            Structure::Repeat { turns_left } if *turns_left > 0 => {
+                *turns_left -= 1;
+                Ok(Next::At(self.line(first + 1)))
+            }
+            Structure::Repeat { .. } | Structure::If { .. } | Structure::While | Structure::Do => {
+                self.leave(label, is_repeat, state)?;
+                Ok(Next::Following)
+            }
+        }
+    }
+
+    /// Choice control.ended-label: the first block of a loop that has ended, where its label is followed all the same.
+    fn followed(&self, label: &str, head: Keyword, state: &State) -> Option<u32> {
+        let ended = state.frame().ended_loops.get(label) == Some(&head);
+        let followed = ended && state.readings.is("control.ended-label", "followed");
+        let earlier = |definition: &&Definition| {
+            definition.keyword == head && definition.line < self.place.line
+        };
+        let first = self.definitions(label).iter().rfind(earlier)?;
+        followed.then_some(first.line)
+    }
+
+    /// Goes on after the endrepeat.
+    pub(crate) fn past_repeat(&self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        let line = self.end_of_skipped(label, &[Keyword::EndRepeat], self.place.line, state)?;
+        Ok(Next::At(self.line(line + 1)))
+    }
+
+    /// Rule control.break. It leaves the loop at once.
+    pub(super) fn break_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        let (place, structure, first) = self.loop_of(label, state)?;
+        let left = state.frame_mut().open.split_off(place);
+        if left.iter().any(|open| is_repeat(open.structure)) {
+            state.evidence.accepted("control.break-in-repeat");
+        }
+        left.into_iter().for_each(|open| state.frame_mut().end(open));
+        let ends = if structure == Structure::Do { Keyword::While } else { Keyword::EndWhile };
+        let line = self.end_of_skipped(label, &[ends], first, state)?;
+        state.evidence.accepted("control.break");
+        Ok(Next::At(self.line(line + 1)))
+    }
+
+    /// Rule control.continue. It goes to the next test of the condition.
+    pub(super) fn continue_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        let (place, structure, first) = self.loop_of(label, state)?;
+        state.frame_mut().open.truncate(place + 1);
+        state.evidence.accepted("control.continue");
+        if structure == Structure::Do {
+            let line = self.end_of_skipped(label, &[Keyword::While], first, state)?;
+            return Ok(Next::At(self.line(line)));
+        }
+        Ok(Next::At(self.line(first)))
+    }
+
+    /// The open loop with this label: its place among what is open, its kind, its first line.
+    ///
+    /// Rule control.stray-break. A break or continue whose label does not point to a matching while or do is refused.
+    ///
+    /// Rule control.break-in-repeat. A repeat is no target of break or continue.
+    fn loop_of(&self, label: &str, state: &State) -> Result<(usize, Structure, u32), Halt> {
+        let frame = state.frame();
+        if let Some(place) = frame.find_open(label, |kind| is_while(kind) || is_do(kind)) {
+            return Ok((place, frame.open[place].structure, frame.open[place].line));
+        }
+        let repeat = frame.find_open(label, is_repeat).is_some();
+        let rule = if repeat { "control.break-in-repeat" } else { "control.stray-break" };
+        Err(refuse(rule, FaultKind::UnknownLabel, format!("o{label} is no open while or do")))
+    }
+}
+
+/// The refusal of an endwhile or endrepeat without its head.
+fn unmatched(label: &str) -> Halt {
+    let message = format!("o{label} is no open loop of this kind");
+    refuse("control.unmatched-endwhile", FaultKind::UnknownLabel, message)
+}
+
+/// How many turns a repeat makes.
+///
+/// Choice control.repeat-negative: whether a count below zero means no turn or is refused.
+pub(crate) fn turns(values: &[Expression], state: &mut State) -> Result<u64, Halt> {
+    let count = single("control.repeat", values, state)?;
+    if count < 0.0 && state.readings.is("control.repeat-negative", "refused") {
+        let message = format!("a repeat of {count} turns");
+        return Err(refuse("control.repeat", FaultKind::WordOutOfRange, message));
+    }
+    let whole = match state.readings.choice("control.repeat-fraction") {
+        "rounded-to-even" => count.round_ties_even(),
+        "rounded-down" => count.floor(),
+        "rounded-up" => count.ceil(),
+        "refused" if (count - count.round()).abs() > 0.0 => {
+            let message = format!("a repeat of {count} turns");
+            return Err(refuse("control.repeat", FaultKind::NotAnInteger, message));
+        }
+        _ => count.round(),
+    };
+    state.evidence.accepted("control.repeat");
+    Ok(saturated(whole))
+}
+
+/// A whole number, zero when it is negative; a count too large for the type is as good as endless.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the cast saturates, which is what is meant"
+)]
+pub(super) fn saturated(whole: f64) -> u64 {
+    whole as u64
+}

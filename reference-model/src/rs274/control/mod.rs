@@ -1,0 +1,260 @@
+//! Which block comes next: O-words, calls, M98 and M99.
+//!
+//! | room | what it settles |
+//! | --- | --- |
+//! | [`frame`] | a call in progress: its parameters and its open conditions and loops |
+//! | [`files`] | the files of the program, each with its labels |
+//! | [`labels`] | where each label stands, and in which sub |
+//! | [`subs`] | sub, endsub, return, call |
+//! | [`conditions`] | if, elseif, else, endif |
+//! | [`loops`] | while, do, repeat, break, continue |
+//! | [`numbered`] | Fanuc-style programs: M98, M99 |
+//!
+//! Errors arise when a block is reached: what is skipped is only looked at for labels.
+
+mod conditions;
+mod files;
+mod frame;
+mod labels;
+mod loops;
+mod numbered;
+mod subs;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock_trace::{End, FaultKind, Program};
+
+pub use files::{Files, Place};
+pub use frame::{Call, Frame, Open, Structure, Style};
+pub(crate) use loops::turns;
+
+use super::machine::State;
+use super::parameters::Name;
+use super::read::{self, Words};
+use super::refusal::{Halt, refuse};
+use super::syntax::{Block, Expression, Keyword, Label, OWord};
+use super::task::Record;
+
+/// Where the run stands, and which subs it knows.
+#[derive(Debug)]
+pub struct Control {
+    /// The files of the program.
+    pub files: Files,
+    /// The current block; where a fault is, when there is one.
+    pub place: Place,
+    /// The subs defined so far, by number or name: the block with the keyword `sub`.
+    subs: BTreeMap<String, Place>,
+    /// The block that defined each label first, by file, scope and label.
+    defined: BTreeMap<(usize, usize, String), u32>,
+    /// Numbered subprograms that were called before.
+    called: BTreeSet<Place>,
+    /// Quirk rs274.repeat-counter-shared: turns left of each repeat.
+    pub(crate) shared_counters: BTreeMap<Place, u64>,
+    /// Whether a block with words, or an O-word that does something, was executed.
+    begun: bool,
+}
+
+/// Which block comes next.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Next {
+    /// The one after this.
+    Following,
+    /// Another one.
+    At(Place),
+    /// None.
+    End(End),
+}
+
+impl Control {
+    /// At the first block of the main program.
+    pub fn new(program: &Program, state: &mut State) -> Self {
+        let mut files = Files::new(program);
+        let place = files.begin_main(&program.main, state);
+        Self {
+            files,
+            place,
+            subs: BTreeMap::new(),
+            defined: BTreeMap::new(),
+            called: BTreeSet::new(),
+            shared_counters: BTreeMap::new(),
+            begun: false,
+        }
+    }
+
+    /// A block without control: a numbered program cannot begin after it.
+    pub fn begin(&mut self, words: &Words) {
+        let empty = words.g.is_empty() && words.m.is_empty() && words.letters.is_empty();
+        self.begun |= !empty || !words.settings.is_empty();
+    }
+
+    /// Rule control.unrelated-words. An O-word stands alone on its line; a line number is no word.
+    ///
+    /// Rule control.comment-after. A comment may follow it and changes nothing, not even when it is an active one. The
+    /// title of a numbered program is a comment of its own kind.
+    ///
+    /// Rule control.named-labels. A label of a condition or loop may be a name instead of a number.
+    ///
+    /// # Errors
+    /// The rule that refuses the block.
+    pub fn o_word(
+        &mut self,
+        block: &Block,
+        word: &OWord,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<Next, Halt> {
+        if !block.words.is_empty() || !block.settings.is_empty() {
+            let message = "other words stand on the line of an o-word";
+            return Err(refuse("control.unrelated-words", FaultKind::BadBlock, message));
+        }
+        if block.line_number.is_some() {
+            state.evidence.accepted("control.unrelated-words");
+        }
+        if block.comment.is_some() && word.keyword != Keyword::ProgramNumber {
+            if state.readings.is("control.comment-after-o-word", "refused") {
+                let message = "a comment stands on the line of an o-word";
+                return Err(refuse("control.comment-after", FaultKind::BadBlock, message));
+            }
+            state.evidence.accepted("control.comment-after");
+        }
+        if matches!(word.label, Label::Name(_)) && !of_subs(word.keyword) {
+            state.evidence.accepted("control.named-labels");
+        }
+        let label = label_of(&word.label, state)?;
+        let next = self.perform(&label, word, block, state, record)?;
+        self.begun |= word.keyword != Keyword::Sub;
+        Ok(next)
+    }
+
+    fn perform(
+        &mut self,
+        label: &str,
+        word: &OWord,
+        block: &Block,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<Next, Halt> {
+        let values = &word.arguments;
+        match word.keyword {
+            Keyword::Sub => self.sub(label, state),
+            Keyword::EndSub => self.end_sub(label, values, state, record),
+            Keyword::Return => self.return_(label, values, state, record),
+            Keyword::Call => self.call(label, word, state),
+            Keyword::ProgramNumber => self.program_number(block, state),
+            Keyword::If => self.if_(label, values, state),
+            Keyword::ElseIf => self.else_if(label, values, state),
+            Keyword::Else => self.else_(label, state),
+            Keyword::EndIf => self.end_if(label, state),
+            Keyword::While => self.while_(label, values, state),
+            Keyword::EndWhile => self.end_while(label, state),
+            Keyword::Do => self.do_(label, state),
+            Keyword::Repeat => self.repeat(label, values, state),
+            Keyword::EndRepeat => self.end_repeat(label, state),
+            Keyword::Break => self.break_(label, state),
+            Keyword::Continue => self.continue_(label, state),
+        }
+    }
+
+    /// Line of the next block after `after` in this sub that has the label and one of the keywords.
+    fn find(
+        &self,
+        label: &str,
+        keywords: &[Keyword],
+        after: u32,
+        state: &mut State,
+    ) -> Option<u32> {
+        self.files.labels(self.place.file).find(label, keywords, after, self.place.line, state)
+    }
+
+    /// A line of the current file.
+    fn line(&self, line: u32) -> Place {
+        Place { file: self.place.file, line }
+    }
+
+    /// Rule control.missing-end. What is skipped must have its end further on, within its sub.
+    fn end_of_skipped(
+        &self,
+        label: &str,
+        keywords: &[Keyword],
+        after: u32,
+        state: &mut State,
+    ) -> Result<u32, Halt> {
+        self.find(label, keywords, after, state).ok_or_else(|| {
+            let message = format!("o{label} has no end further on");
+            refuse("control.missing-end", FaultKind::MissingEnd, message)
+        })
+    }
+}
+
+/// Whether a keyword is one of subs: not of conditions and loops.
+fn of_subs(keyword: Keyword) -> bool {
+    use Keyword::{Call, EndSub, ProgramNumber, Return, Sub};
+    matches!(keyword, Sub | EndSub | Call | Return | ProgramNumber)
+}
+
+/// Rule subroutines.computed-o-words. The number after O can be given by a parameter or an expression.
+///
+/// Rules subroutines.numbered-o-words, subroutines.named-o-words. A number counts as a whole, a name in lower case.
+fn label_of(label: &Label, state: &mut State) -> Result<String, Halt> {
+    match label {
+        Label::Name(name) => {
+            state.evidence.accepted("subroutines.named-o-words");
+            Ok(name.to_lowercase())
+        }
+        Label::Number(Expression::Number(number)) => {
+            state.evidence.accepted("subroutines.numbered-o-words");
+            whole(*number)
+        }
+        Label::Number(expression) => {
+            let number = evaluated("subroutines.computed-o-words", expression, state)?;
+            state.evidence.accepted("subroutines.computed-o-words");
+            whole(number)
+        }
+    }
+}
+
+/// A number close to an integer, as a label.
+fn whole(number: f64) -> Result<String, Halt> {
+    let rounded = number.round() + 0.0;
+    if (number - rounded).abs() > 0.0001 {
+        let message = format!("{number} after O is not an integer");
+        return Err(refuse("subroutines.computed-o-words", FaultKind::NotAnInteger, message));
+    }
+    Ok(rounded.to_string())
+}
+
+/// An expression that a rule of control asks for: when it has no value, the rule's block is refused with it.
+fn evaluated(rule: &'static str, expression: &Expression, state: &mut State) -> Result<f64, Halt> {
+    let value = read::evaluate(expression, state);
+    if let Err(Halt::Refused(_)) = value {
+        state.evidence.refused(rule);
+    }
+    value
+}
+
+/// The one value that a keyword needs: a condition, a count.
+fn single(rule: &'static str, values: &[Expression], state: &mut State) -> Result<f64, Halt> {
+    match values {
+        [value] => evaluated(rule, value, state),
+        [] | [_, _, ..] => {
+            let message = format!("one value belongs here, not {}", values.len());
+            Err(refuse(rule, FaultKind::BadBlock, message))
+        }
+    }
+}
+
+/// Rule control.truth. A condition is false when it is zero and true for every other number.
+fn condition(rule: &'static str, values: &[Expression], state: &mut State) -> Result<bool, Halt> {
+    let value = single(rule, values, state)?;
+    state.evidence.accepted("control.truth");
+    state.evidence.accepted(rule);
+    Ok(value.abs() > 0.0)
+}
+
+/// Evaluated settings take effect; the block's own expressions were evaluated before.
+///
+/// # Errors
+/// A parameter that cannot be set.
+pub fn assign(settings: &[(Name, f64)], state: &mut State) -> Result<(), Halt> {
+    settings.iter().try_for_each(|(name, value)| super::parameters::assign(name, *value, state))
+}

@@ -1,0 +1,205 @@
+//! Fanuc-style numbered programs: M98, M99.
+
+use gaugeblock_trace::{End, FaultKind};
+
+use super::loops::saturated;
+use super::subs::{clear_value, deeper};
+use super::{Call, Control, Frame, Next, Place, Style};
+use crate::rs274::machine::State;
+use crate::rs274::quirks;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::step::saved_state;
+use crate::rs274::syntax::Block;
+use crate::rs274::task::Record;
+
+impl Control {
+    /// Rule fanuc-subs.main-number. A block with a number alone may begin the main program; a comment after it has no
+    /// meaning.
+    ///
+    /// A numbered program that is reached otherwise than by M98 is not in the documents.
+    pub(super) fn program_number(
+        &mut self,
+        _block: &Block,
+        state: &mut State,
+    ) -> Result<Next, Halt> {
+        if self.begun || state.call_level() > 0 {
+            let why = "a numbered program that is reached without a call";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
+        state.evidence.accepted("fanuc-subs.main-number");
+        Ok(Next::Following)
+    }
+
+    /// M98 and M99: whether a block asks for one of them.
+    pub fn asks(words: &Words) -> bool {
+        words.m.iter().any(|code| matches!(code, 98 | 99))
+    }
+
+    /// Executes a block with M98 or M99.
+    ///
+    /// Rule fanuc-subs.disabled. Numbered programs can be disabled.
+    ///
+    /// # Errors
+    /// The rule that refuses the block.
+    pub fn numbered(
+        &mut self,
+        words: &Words,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<Next, Halt> {
+        if !state.machine.fanuc_subs {
+            let message = "numbered programs are disabled";
+            return Err(refuse("fanuc-subs.disabled", FaultKind::FanucDisabled, message));
+        }
+        state.evidence.accepted("fanuc-subs.disabled");
+        let own = |letter: &char| matches!(letter, 'p' | 'l') && words.m == [98];
+        let alone = words.m.len() == 1 && words.g.is_empty() && words.letters.keys().all(own);
+        if !alone {
+            let why = "M98 or M99 in a block with other words";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
+        if words.m == [98] {
+            self.call_numbered(words, state)
+        } else {
+            self.end_numbered(state, record)
+        }
+    }
+
+    /// Rule fanuc-subs.call. M98 P calls the numbered subprogram, which M99 ends; the program goes on after the call.
+    ///
+    /// Rule fanuc-subs.number-missing. Without P nothing says which one.
+    ///
+    /// Rules fanuc-subs.repeat-count, fanuc-subs.zero-count. L says how many times; without L it is once.
+    fn call_numbered(&mut self, words: &Words, state: &mut State) -> Result<Next, Halt> {
+        let Some(number) = words.letters.get(&'p') else {
+            let message = "M98 without P";
+            return Err(refuse("fanuc-subs.number-missing", FaultKind::MissingWord, message));
+        };
+        let turns = words.letters.get(&'l').copied().unwrap_or(1.0);
+        let label = counted(*number, "P of M98")?.to_string();
+        let turns = counted(turns, "L of M98")?;
+        let first = self.numbered_program(&label, state)?;
+        if turns == 0 && !state.readings.quirk("rs274.fanuc-zero-loops") {
+            state.evidence.accepted("fanuc-subs.zero-count");
+            return Ok(Next::Following);
+        }
+        deeper("fanuc-subs.level-limit", state)?;
+        self.value_after_call(state);
+        let back = Place { line: self.place.line + 1, ..self.place };
+        let style = Style::Numbered { first, turns_left: turns.saturating_sub(1) };
+        let frame = shared_frame(Call { label, back, style }, state);
+        if turns == 0 {
+            state.evidence.accepted("fanuc-subs.zero-count");
+            return Ok(quirks::control::level_left_behind(self, frame, state));
+        }
+        let nested = state.call_level() > 0;
+        state.evidence.accepted(if nested { "fanuc-subs.nested" } else { "fanuc-subs.call" });
+        state.evidence.accepted("fanuc-subs.repeat-count");
+        self.called.insert(first);
+        state.frames.push(frame);
+        Ok(Next::At(first))
+    }
+
+    /// Rule fanuc-subs.no-return-value. A call by M98 has none.
+    ///
+    /// Choice fanuc-subs.value-after-call: whether it clears the value of an earlier call.
+    fn value_after_call(&self, state: &mut State) {
+        state.evidence.accepted("fanuc-subs.no-return-value");
+        let at_return = state.readings.quirk("rs274.value-cleared-at-return");
+        if state.readings.is("fanuc-subs.value-after-call", "cleared") && !at_return {
+            clear_value(state);
+        }
+    }
+
+    /// The first block of a numbered subprogram.
+    ///
+    /// Rule fanuc-subs.sub-follows. It stands later in the file than its call.
+    ///
+    /// Rule fanuc-subs.mixed-m98. A sub that begins with sub is called by an O-word only.
+    ///
+    /// Choice fanuc-subs.call-itself: whether it is enough that it follows an earlier call.
+    fn numbered_program(&self, label: &str, state: &mut State) -> Result<Place, Halt> {
+        let labels = self.files.labels(self.place.file);
+        let begins = labels.numbers(label);
+        let later = begins.partition_point(|line| *line <= self.place.line);
+        if let Some(line) = begins.get(later) {
+            state.evidence.accepted("fanuc-subs.sub-follows");
+            return Ok(self.line(line + 1));
+        }
+        if let Some(line) = begins.last() {
+            let first = self.line(line + 1);
+            let known = self.called.contains(&first);
+            if known && state.readings.is("fanuc-subs.call-itself", "allowed") {
+                return Ok(first);
+            }
+            let message = format!("the subprogram {label} stands before its call");
+            return Err(refuse("fanuc-subs.sub-follows", FaultKind::UnknownSub, message));
+        }
+        if self.subs.contains_key(label) || !labels.subs(label).is_empty() {
+            let message = format!("o{label} begins with sub: M98 does not call it");
+            return Err(refuse("fanuc-subs.mixed-m98", FaultKind::MixedStyles, message));
+        }
+        let message = format!("the file defines no subprogram {label}");
+        Err(refuse("fanuc-subs.unknown-number", FaultKind::UnknownSub, message))
+    }
+
+    /// M99: the end of a numbered subprogram.
+    ///
+    /// Rule fanuc-subs.endless. In the main program it begins that again at its first block; the run ends here, since
+    /// nothing new would come.
+    ///
+    /// Rule fanuc-subs.mixed-m99. It cannot end a sub that begins with sub.
+    fn end_numbered(&mut self, state: &mut State, record: &mut Record) -> Result<Next, Halt> {
+        let Some(call) = state.frame().call.clone() else {
+            state.evidence.accepted("fanuc-subs.endless");
+            return Ok(Next::End(End::Endless));
+        };
+        let Style::Numbered { first, turns_left } = call.style else {
+            let message = format!("o{} ends with endsub", call.label);
+            return Err(refuse("fanuc-subs.mixed-m99", FaultKind::MixedStyles, message));
+        };
+        saved_state::restore_at_return(state, record)?;
+        if state.readings.quirk("rs274.value-cleared-at-return") {
+            clear_value(state);
+        }
+        self.share_back(state);
+        if turns_left == 0 {
+            return Ok(Next::At(call.back));
+        }
+        let style = Style::Numbered { first, turns_left: turns_left - 1 };
+        let frame = shared_frame(Call { style, ..call }, state);
+        state.frames.push(frame);
+        Ok(Next::At(first))
+    }
+
+    /// Rules fanuc-subs.shared-parameters, fanuc-subs.named-locals. What a subprogram changed stays for its caller.
+    fn share_back(&self, state: &mut State) {
+        let left = state.frames.pop().expect("control: only a called frame is left");
+        let keeps_locals = state.readings.quirk("rs274.fanuc-locals");
+        let caller = state.frame_mut();
+        caller.arguments = left.arguments;
+        if !keeps_locals {
+            caller.locals = left.locals;
+        }
+    }
+}
+
+/// Rules fanuc-subs.shared-parameters, fanuc-subs.named-locals. A subprogram works on its caller's parameters.
+fn shared_frame(call: Call, state: &mut State) -> Frame {
+    state.evidence.accepted("fanuc-subs.shared-parameters");
+    state.evidence.accepted("fanuc-subs.named-locals");
+    let hides_locals = state.readings.quirk("rs274.fanuc-locals");
+    let caller = state.frame();
+    let locals = if hides_locals { Default::default() } else { caller.locals.clone() };
+    Frame { arguments: caller.arguments, locals, call: Some(call), ..Frame::default() }
+}
+
+/// A number of a program, or a count of turns: the documents say nothing of others than whole ones.
+fn counted(number: f64, what: &str) -> Result<u64, Halt> {
+    let whole = number.round() + 0.0;
+    if (number - whole).abs() > 0.0001 || whole < 0.0 {
+        return Err(Halt::Unspecified(format!("{what} is {number}")));
+    }
+    Ok(saturated(whole))
+}

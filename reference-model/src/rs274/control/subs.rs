@@ -1,0 +1,295 @@
+//! sub, endsub, return, call.
+
+use gaugeblock_trace::FaultKind;
+
+use super::{Call, Control, Frame, Next, Place, Style, evaluated};
+use crate::rs274::machine::State;
+use crate::rs274::quirks;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::step::saved_state;
+use crate::rs274::syntax::{Expression, Keyword, OWord};
+use crate::rs274::task::Record;
+
+/// Rules subroutines.level-limit, fanuc-subs.level-limit: how many calls may be nested.
+const LEVELS: u32 = 10;
+
+/// How many arguments a call takes.
+const ARGUMENTS: usize = 30;
+
+impl Control {
+    /// Rule subroutines.body-skipped. The blocks of a sub are not executed where they are defined.
+    ///
+    /// Rule subroutines.unique-name. A second definition is refused; the same one may be reached again.
+    pub(super) fn sub(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        if state.call_level() > 0 {
+            let message = format!("o{label} is defined inside another sub");
+            return Err(refuse("subroutines.nested-definition", FaultKind::NestedSub, message));
+        }
+        if self.subs.get(label).is_some_and(|known| *known != self.place) {
+            let message = format!("there is a sub o{label} already");
+            return Err(refuse("subroutines.unique-name", FaultKind::DuplicateSub, message));
+        }
+        let end = self.define(label, self.place, state)?;
+        state.evidence.accepted("subroutines.body-skipped");
+        state.evidence.accepted("subroutines.unique-name");
+        Ok(Next::At(Place { line: end + 1, ..self.place }))
+    }
+
+    /// Takes up a definition; the line of its endsub.
+    ///
+    /// Rule subroutines.missing-endsub. A sub ends with an endsub of its own number.
+    ///
+    /// Rule subroutines.nested-definition. Its body cannot contain another sub.
+    fn define(&mut self, label: &str, place: Place, state: &mut State) -> Result<u32, Halt> {
+        let labels = self.files.labels(place.file);
+        let end = labels.find(label, &[Keyword::EndSub], place.line, place.line + 1, state);
+        if let Some(inner) = labels.sub_between(place.line, end.unwrap_or(u32::MAX)) {
+            self.place = Place { line: inner, ..place };
+            let message = format!("a sub begins inside o{label}");
+            return Err(refuse("subroutines.nested-definition", FaultKind::NestedSub, message));
+        }
+        let Some(end) = end else {
+            self.place = place;
+            let message = format!("o{label} sub has no endsub");
+            return Err(refuse("subroutines.missing-endsub", FaultKind::MissingEnd, message));
+        };
+        self.subs.insert(label.to_owned(), place);
+        Ok(end)
+    }
+
+    /// The end of a sub, with its value.
+    ///
+    /// Rules subroutines.stray-endsub, subroutines.missing-endsub: it ends the sub that is being executed, and carries its number.
+    pub(super) fn end_sub(
+        &mut self,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<Next, Halt> {
+        let own = called_label("subroutines.stray-endsub", state)?;
+        if own != label {
+            let message = format!("o{own} sub cannot end with o{label} endsub");
+            return Err(refuse("subroutines.missing-endsub", FaultKind::UnknownLabel, message));
+        }
+        leave_sub(values, state, record)
+    }
+
+    /// Rule subroutines.return. It goes back to the caller at once, as endsub does.
+    ///
+    /// Rule subroutines.return-label, a choice: whether it must carry the number of its sub.
+    pub(super) fn return_(
+        &mut self,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<Next, Halt> {
+        let own = called_label("subroutines.stray-return", state)?;
+        if own != label && state.readings.is("subroutines.return-label", "own") {
+            let message = format!("a return from o{own} carries the number o{label}");
+            return Err(refuse("subroutines.return-label", FaultKind::UnknownLabel, message));
+        }
+        if own != label {
+            state.evidence.accepted("subroutines.return-label");
+        }
+        state.evidence.accepted("subroutines.return");
+        if !state.frame().open.is_empty() {
+            state.evidence.accepted("subroutines.return-in-control");
+        }
+        leave_sub(values, state, record)
+    }
+
+    /// Rule subroutines.call. It executes the body of the sub and goes on with the block after the call.
+    pub(super) fn call(
+        &mut self,
+        label: &str,
+        word: &OWord,
+        state: &mut State,
+    ) -> Result<Next, Halt> {
+        let arguments = arguments(&word.arguments, state)?;
+        let sub = self.found(label, state)?;
+        deeper("subroutines.level-limit", state)?;
+        if !state.readings.quirk("rs274.value-cleared-at-return") {
+            clear_value(state);
+            state.evidence.accepted("subroutines.value-cleared");
+        }
+        if state.call_level() > 0 {
+            let recursive = state.frames.iter().any(|frame| frame.is_called(label));
+            let rule =
+                if recursive { "subroutines.recursion" } else { "subroutines.calls-other-subs" };
+            state.evidence.accepted(rule);
+        }
+        state.evidence.accepted("subroutines.call");
+        state.evidence.accepted("subroutines.call-level");
+        let back = Place { line: self.place.line + 1, ..self.place };
+        let call = Call { label: label.to_owned(), back, style: Style::OWord };
+        let frame =
+            Frame { arguments: passed(&arguments, state), call: Some(call), ..Frame::default() };
+        state.frames.push(frame);
+        Ok(Next::At(Place { line: sub.line + 1, ..sub }))
+    }
+
+    /// The sub with this number or name: one of the program, else one in a file.
+    ///
+    /// Rule subroutines.defined-before-call. A sub of the program can be called only after its definition.
+    ///
+    /// Rule subroutines.unknown-sub. Calling what neither the program nor a file defines is refused.
+    ///
+    /// Rule fanuc-subs.mixed-o-call. A numbered subprogram is called by M98 only.
+    fn found(&mut self, label: &str, state: &mut State) -> Result<Place, Halt> {
+        if let Some(sub) = self.subs.get(label) {
+            state.evidence.accepted("subroutines.defined-before-call");
+            state.evidence.accepted("subroutines.unknown-sub");
+            return Ok(*sub);
+        }
+        let labels = self.files.labels(self.place.file);
+        if !labels.numbers(label).is_empty() {
+            let message = format!("o{label} is a numbered program: it is called by M98");
+            return Err(refuse("fanuc-subs.mixed-o-call", FaultKind::MixedStyles, message));
+        }
+        let later = labels.subs(label).iter().copied().find(|line| *line > self.place.line);
+        if let Some(sub) = self.in_file(label, state)? {
+            return Ok(sub);
+        }
+        if let Some(line) = later {
+            if state.readings.quirk("rs274.sub-found-later") {
+                let sub = Place { line, ..self.place };
+                self.subs.insert(label.to_owned(), sub);
+                return Ok(sub);
+            }
+            let message = format!("o{label} is called before its definition");
+            let rule = "subroutines.defined-before-call";
+            return Err(refuse(rule, FaultKind::UnknownSub, message));
+        }
+        state.evidence.refused(if label.starts_with(|first: char| first.is_ascii_digit()) {
+            "subroutines.file-numbered"
+        } else {
+            "subroutines.file-call"
+        });
+        let message = format!("neither the program nor a file defines o{label}");
+        Err(refuse("subroutines.unknown-sub", FaultKind::UnknownSub, message))
+    }
+
+    /// Rules subroutines.file-call, subroutines.file-numbered, subroutines.file-name-case. A sub that the program does not
+    /// define is sought in the file of its name, in lower case.
+    ///
+    /// Rule subroutines.file-one-sub. That file defines this sub and no other. Whether it has an endsub shows when its
+    /// body is executed.
+    fn in_file(&mut self, label: &str, state: &mut State) -> Result<Option<Place>, Halt> {
+        let name = format!("{label}.ngc");
+        let Some(first) = self.files.open(&name, state) else { return Ok(None) };
+        let subs: Vec<_> = self.files.labels(first.file).all_subs().collect();
+        let own = subs.iter().position(|(_, found)| *found == Some(label));
+        let Some(own) = own else {
+            let message = format!("the file {name} has no sub o{label}");
+            return Err(refuse("subroutines.file-call", FaultKind::UnknownSub, message));
+        };
+        if subs.len() > 1 && !state.readings.quirk("rs274.file-with-two-subs") {
+            let message = format!("the file {name} defines other subs beside o{label}");
+            return Err(refuse("subroutines.file-one-sub", FaultKind::DuplicateSub, message));
+        }
+        let sub = Place { line: subs[own].0, ..first };
+        self.subs.insert(label.to_owned(), sub);
+        let numbered = label.starts_with(|first: char| first.is_ascii_digit());
+        let rule = if numbered { "subroutines.file-numbered" } else { "subroutines.file-call" };
+        state.evidence.accepted(rule);
+        state.evidence.accepted("subroutines.file-name-case");
+        Ok(Some(sub))
+    }
+}
+
+/// Rule subroutines.arguments. They are evaluated in the caller, all of them before the sub has its own.
+///
+/// Rule subroutines.argument-limit. More than thirty are refused.
+fn arguments(values: &[Expression], state: &mut State) -> Result<Vec<f64>, Halt> {
+    if values.len() > ARGUMENTS {
+        let message = format!("a call takes up to {ARGUMENTS} arguments, not {}", values.len());
+        return Err(refuse("subroutines.argument-limit", FaultKind::TooManyArguments, message));
+    }
+    let evaluate = |value| evaluated("subroutines.arguments", value, state);
+    let found: Vec<f64> = values.iter().map(evaluate).collect::<Result<_, _>>()?;
+    state.evidence.accepted("subroutines.arguments");
+    state.evidence.accepted("subroutines.argument-limit");
+    Ok(found)
+}
+
+/// Rule subroutines.unpassed-arguments. From the first one not passed, #1 to #30 have the caller's values.
+fn passed(arguments: &[f64], state: &mut State) -> [f64; 30] {
+    state.evidence.accepted("subroutines.unpassed-arguments");
+    let mut all = if state.readings.quirk("rs274.unpassed-arguments-zero") {
+        [0.0; 30]
+    } else {
+        state.frame().arguments
+    };
+    all[..arguments.len()].copy_from_slice(arguments);
+    all
+}
+
+/// Rules subroutines.level-limit, fanuc-subs.level-limit. Calls can be nested ten levels deep and no deeper.
+pub(super) fn deeper(rule: &'static str, state: &mut State) -> Result<(), Halt> {
+    let levels = if state.readings.quirk("rs274.nine-levels") {
+        quirks::control::levels(LEVELS)
+    } else {
+        LEVELS
+    };
+    if state.call_level() >= levels {
+        let message = format!("calls can be nested {levels} levels deep");
+        return Err(refuse(rule, FaultKind::TooManyLevels, message));
+    }
+    state.evidence.accepted(rule);
+    Ok(())
+}
+
+/// The number or name of the sub that is being executed.
+///
+/// Rules subroutines.stray-endsub, subroutines.stray-return. Outside of any there is nothing to leave.
+///
+/// Rule fanuc-subs.mixed-endsub. A numbered subprogram ends with M99.
+fn called_label(outside: &'static str, state: &State) -> Result<String, Halt> {
+    match &state.frame().call {
+        Some(Call { label, style: Style::OWord, .. }) => Ok(label.clone()),
+        Some(Call { label, style: Style::Numbered { .. }, .. }) => {
+            let message = format!("the numbered subprogram {label} ends with M99");
+            Err(refuse("fanuc-subs.mixed-endsub", FaultKind::MixedStyles, message))
+        }
+        None => Err(refuse(outside, FaultKind::OutsideSub, "no sub is being executed")),
+    }
+}
+
+/// Leaves the sub.
+///
+/// Rules subroutines.return-value, subroutines.no-return-value. The value is evaluated in the sub that ends; without one
+/// both value parameters are 0.
+///
+/// Rules subroutines.parameters-restored, subroutines.local-named-deleted. With its frame the sub's parameters are gone
+/// and the caller's are there again.
+fn leave_sub(values: &[Expression], state: &mut State, record: &mut Record) -> Result<Next, Halt> {
+    match values {
+        [] => {
+            clear_value(state);
+            state.evidence.accepted("subroutines.no-return-value");
+        }
+        [value] => {
+            state.parameters.returned = evaluated("subroutines.return-value", value, state)?;
+            state.parameters.has_returned = true;
+            state.evidence.accepted("subroutines.return-value");
+            state.evidence.accepted("subroutines.value-kept");
+        }
+        [_, _, ..] => {
+            let message = format!("a sub has one value, not {}", values.len());
+            return Err(refuse("subroutines.return-value", FaultKind::BadBlock, message));
+        }
+    }
+    saved_state::restore_at_return(state, record)?;
+    state.evidence.accepted("subroutines.parameters-restored");
+    state.evidence.accepted("subroutines.parameters-local");
+    let left = state.frames.pop().and_then(|frame| frame.call);
+    Ok(Next::At(left.expect("control: only a called frame is left").back))
+}
+
+/// Rule subroutines.value-cleared. Both value parameters are cleared just before the next call.
+pub(super) fn clear_value(state: &mut State) {
+    state.parameters.returned = 0.0;
+    state.parameters.has_returned = false;
+}

@@ -1,0 +1,104 @@
+//! The whole state of a controller, a sentence per field.
+
+use gaugeblock_trace::{Machine, Position, Rs274State, Settings};
+
+use super::control::Frame;
+use super::modes::Modes;
+use super::parameters::Parameters;
+use super::readings::Readings;
+use crate::Evidence;
+
+/// The whole state of a controller.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// How the documents are read.
+    pub readings: Readings,
+    /// The machine that it drives.
+    pub machine: Machine,
+    /// The mode in force of each modal group, with feed, speeds, coolant, overrides, offsets: all that M70 can save and more.
+    pub modes: Modes,
+    /// The controlled point in program coordinates: active length unit and degrees.
+    pub position: Position,
+    /// Tool number in the spindle; 0 for none.
+    pub tool: i32,
+    /// Tool number that T selected; -1 for none.
+    pub prepared_tool: i32,
+    /// Numbered and global named parameters. Local ones are in the frames.
+    pub parameters: Parameters,
+    /// The main program's frame and one for each call in progress, innermost last; never empty.
+    pub frames: Vec<Frame>,
+    /// Line of the current block within its file, from 1.
+    pub line: u32,
+    /// Whether a log file is open.
+    pub log_open: bool,
+    /// The rules reached so far.
+    pub evidence: Evidence,
+}
+
+impl State {
+    /// The frame of the call in progress; the main program's outside of any.
+    ///
+    /// # Panics
+    /// There is no frame: a fault of the model.
+    pub fn frame(&self) -> &Frame {
+        self.frames.last().expect("control: the main program's frame is never popped")
+    }
+
+    /// The same, for changing it.
+    ///
+    /// # Panics
+    /// There is no frame: a fault of the model.
+    pub fn frame_mut(&mut self) -> &mut Frame {
+        self.frames.last_mut().expect("control: the main program's frame is never popped")
+    }
+
+    /// Depth of calls; 0 in the main program.
+    ///
+    /// # Panics
+    /// More calls than a number can tell: a fault of the model.
+    pub fn call_level(&self) -> u32 {
+        u32::try_from(self.frames.len() - 1).expect("control: calls are bounded")
+    }
+
+    /// Everything that is in force, as it is recorded.
+    pub fn settings(&self) -> Settings {
+        self.modes.settings()
+    }
+
+    /// What else is recorded after a block, without the parameters that changed.
+    pub fn record(&self) -> Rs274State {
+        Rs274State {
+            motion: Some(self.modes.motion),
+            position: Some(self.position),
+            tool: Some(self.tool),
+            prepared_tool: Some(self.prepared_tool),
+            controller_mode: Some(self.modes.controller_mode),
+            call_level: Some(self.call_level()),
+            parameter: None,
+        }
+    }
+}
+
+#[cfg(test)]
+impl State {
+    /// A state before the first block, for tests: the default machine under some options.
+    pub(crate) fn under(options: &[(&str, &str)]) -> Self {
+        let options = options.iter().map(|(id, option)| ((*id).to_owned(), (*option).to_owned()));
+        let readings = Readings::new(&gaugeblock_trace::Options(options.collect()))
+            .expect("options are known");
+        let machine = Machine::default();
+        Self {
+            modes: Modes::new(&machine, &readings),
+            parameters: Parameters::new(&machine, &readings),
+            readings,
+            machine,
+            position: Position::default(),
+            tool: 0,
+            prepared_tool: -1,
+            frames: vec![Frame::default()],
+            line: 1,
+            log_open: false,
+            evidence: Evidence::default(),
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! LinuxCNC's dialect of RS-274.
+//!
+//! | room | what it settles |
+//! | --- | --- |
+//! | [`text`] | files, lines, percent signs, block delete, comments split off |
+//! | [`syntax`] | what a block may look like: words, settings, O-words, expressions |
+//! | [`read`] | a block's expressions evaluated: numbers for words |
+//! | [`modes`] | the table of codes and modal groups; the modes in force |
+//! | [`parameters`] | numbered and named parameters, scopes, the predefined ones |
+//! | [`machine`] | the whole state, a sentence per field |
+//! | [`check`] | what is refused before anything of the block is done |
+//! | [`order`] | the fixed order of execution inside a block |
+//! | [`step`] | what each phase does |
+//! | [`control`] | O-words, calls, M98 and M99: which block comes next |
+//! | [`task`] | the run: start, blocks, budget, record, end |
+//! | [`quirks`] | where a real controller departs from its own document; off the main path |
+
+pub mod check;
+pub mod control;
+pub mod machine;
+pub mod modes;
+pub mod order;
+pub mod parameters;
+pub mod quirks;
+pub mod read;
+pub mod readings;
+pub mod refusal;
+pub mod step;
+pub mod syntax;
+pub mod task;
+pub mod text;
+
+use gaugeblock_trace::{Block, End, Language, Outcome, Program, Scenario, Settings};
+
+use crate::Evidence;
+
+/// Runs a scenario as the documents say.
+pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
+    task::run(scenario)
+}
+
+/// The outcome of a program in a language that this edition of the model does not specify yet.
+pub(crate) fn not_specified(language: Language) -> Outcome {
+    Outcome {
+        language,
+        start: Settings::default(),
+        steps: Vec::new(),
+        end: End::Unsupported {
+            block: Block::new(Program::MAIN, 1),
+            what: format!("programs in the language {language}"),
+        },
+        parameters: None,
+        pins: Vec::new(),
+        samples: Vec::new(),
+    }
+}

@@ -1,0 +1,215 @@
+//! The table of codes: the modal group of each code, the words that it uses, and what this model leaves to a later issue.
+
+use super::groups::ModalGroup;
+use super::groups::ModalGroup as Group;
+
+/// A G or M code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Code {
+    /// G codes in tenths (10 is G1, 382 is G38.2), M codes as they are.
+    pub number: u32,
+    /// Its modal group; M48 and M49 are a group, M50 to M53 and M70 to M73 are in none.
+    pub group: Option<ModalGroup>,
+    /// The letters that it uses, axis words apart.
+    pub words: &'static str,
+    /// Whether it uses axis words.
+    pub axis_words: bool,
+    /// What it belongs to, when the model does not specify it yet.
+    pub later: Option<&'static str>,
+}
+
+/// A code of a modal group with the letters that it uses.
+const fn code(number: u32, group: ModalGroup, words: &'static str) -> Code {
+    Code { number, group: Some(group), words, axis_words: false, later: None }
+}
+
+/// A code of a modal group that uses axis words.
+const fn axes(number: u32, group: ModalGroup, words: &'static str) -> Code {
+    Code { number, group: Some(group), words, axis_words: true, later: None }
+}
+
+/// A code that is not specified yet.
+const fn later(number: u32, group: ModalGroup, what: &'static str) -> Code {
+    Code { number, group: Some(group), words: "", axis_words: true, later: Some(what) }
+}
+
+/// A code of no modal group.
+const fn alone(number: u32, words: &'static str) -> Code {
+    Code { number, group: None, words, axis_words: false, later: None }
+}
+
+/// An M code of no modal group that is not specified yet.
+const fn later_alone(number: u32, what: &'static str) -> Code {
+    Code { number, group: None, words: "", axis_words: false, later: Some(what) }
+}
+
+/// Every G code of the language.
+pub const G_CODES: &[Code] = &[
+    axes(0, Group::Motion, ""),
+    axes(10, Group::Motion, ""),
+    later(20, Group::Motion, "arcs"),
+    later(30, Group::Motion, "arcs"),
+    code(40, Group::NonModal, "p"),
+    later(50, Group::Motion, "splines"),
+    later(51, Group::Motion, "splines"),
+    later(52, Group::Motion, "splines"),
+    later(53, Group::Motion, "splines"),
+    code(70, Group::Lathe, ""),
+    code(80, Group::Lathe, ""),
+    axes(100, Group::NonModal, "lpr"),
+    code(170, Group::Plane, ""),
+    code(171, Group::Plane, ""),
+    code(180, Group::Plane, ""),
+    code(181, Group::Plane, ""),
+    code(190, Group::Plane, ""),
+    code(191, Group::Plane, ""),
+    code(200, Group::Units, ""),
+    code(210, Group::Units, ""),
+    later(280, Group::NonModal, "predefined positions"),
+    later(281, Group::NonModal, "predefined positions"),
+    later(300, Group::NonModal, "predefined positions"),
+    later(301, Group::NonModal, "predefined positions"),
+    later(330, Group::Motion, "spindle synchronised motion"),
+    later(331, Group::Motion, "rigid tapping"),
+    later(382, Group::Motion, "probing"),
+    later(383, Group::Motion, "probing"),
+    later(384, Group::Motion, "probing"),
+    later(385, Group::Motion, "probing"),
+    code(400, Group::Compensation, ""),
+    code(410, Group::Compensation, "d"),
+    code(411, Group::Compensation, "dl"),
+    code(420, Group::Compensation, "d"),
+    code(421, Group::Compensation, "dl"),
+    code(430, Group::ToolLength, "h"),
+    axes(431, Group::ToolLength, ""),
+    axes(432, Group::ToolLength, "h"),
+    code(490, Group::ToolLength, ""),
+    axes(520, Group::NonModal, ""),
+    code(530, Group::NonModal, ""),
+    code(540, Group::WorkOffset, ""),
+    code(550, Group::WorkOffset, ""),
+    code(560, Group::WorkOffset, ""),
+    code(570, Group::WorkOffset, ""),
+    code(580, Group::WorkOffset, ""),
+    code(590, Group::WorkOffset, ""),
+    code(591, Group::WorkOffset, ""),
+    code(592, Group::WorkOffset, ""),
+    code(593, Group::WorkOffset, ""),
+    code(610, Group::Path, ""),
+    code(611, Group::Path, ""),
+    code(640, Group::Path, "pq"),
+    later(700, Group::Motion, "lathe cycles"),
+    later(710, Group::Motion, "lathe cycles"),
+    later(711, Group::Motion, "lathe cycles"),
+    later(712, Group::Motion, "lathe cycles"),
+    later(720, Group::Motion, "lathe cycles"),
+    later(721, Group::Motion, "lathe cycles"),
+    later(722, Group::Motion, "lathe cycles"),
+    later(730, Group::Motion, "canned cycles"),
+    later(740, Group::Motion, "canned cycles"),
+    later(760, Group::Motion, "threading"),
+    code(800, Group::Motion, ""),
+    later(810, Group::Motion, "canned cycles"),
+    later(820, Group::Motion, "canned cycles"),
+    later(830, Group::Motion, "canned cycles"),
+    later(840, Group::Motion, "canned cycles"),
+    later(850, Group::Motion, "canned cycles"),
+    later(860, Group::Motion, "canned cycles"),
+    later(870, Group::Motion, "canned cycles"),
+    later(880, Group::Motion, "canned cycles"),
+    later(890, Group::Motion, "canned cycles"),
+    code(900, Group::Distance, ""),
+    code(901, Group::ArcDistance, ""),
+    code(910, Group::Distance, ""),
+    code(911, Group::ArcDistance, ""),
+    later(920, Group::NonModal, "G92 offsets"),
+    later(921, Group::NonModal, "G92 offsets"),
+    later(922, Group::NonModal, "G92 offsets"),
+    later(923, Group::NonModal, "G92 offsets"),
+    code(930, Group::FeedMode, ""),
+    code(940, Group::FeedMode, ""),
+    code(950, Group::FeedMode, "$"),
+    code(960, Group::SpindleMode, "d$"),
+    code(970, Group::SpindleMode, "$"),
+    code(980, Group::Retract, ""),
+    code(990, Group::Retract, ""),
+];
+
+/// Every M code of the language below M100.
+pub const M_CODES: &[Code] = &[
+    later(0, Group::Stopping, "pauses"),
+    later(1, Group::Stopping, "pauses"),
+    code(2, Group::Stopping, ""),
+    code(3, Group::Spindle, "$"),
+    code(4, Group::Spindle, "$"),
+    code(5, Group::Spindle, "$"),
+    later(6, Group::ToolChange, "tool changes"),
+    code(7, Group::Coolant, ""),
+    code(8, Group::Coolant, ""),
+    code(9, Group::Coolant, ""),
+    later(19, Group::Spindle, "spindle orientation"),
+    code(30, Group::Stopping, ""),
+    code(48, Group::Overrides, "$"),
+    code(49, Group::Overrides, "$"),
+    alone(50, "p"),
+    alone(51, "p$"),
+    alone(52, "p"),
+    alone(53, "p"),
+    later(60, Group::Stopping, "pauses"),
+    later(61, Group::ToolChange, "tool changes"),
+    later_alone(62, "inputs and outputs"),
+    later_alone(63, "inputs and outputs"),
+    later_alone(64, "inputs and outputs"),
+    later_alone(65, "inputs and outputs"),
+    later_alone(66, "inputs and outputs"),
+    later_alone(67, "inputs and outputs"),
+    later_alone(68, "inputs and outputs"),
+    alone(70, ""),
+    alone(71, ""),
+    alone(72, ""),
+    alone(73, ""),
+    alone(98, "pl"),
+    alone(99, ""),
+];
+
+/// M100 to M199.
+const USER_DEFINED: Code = later(100, Group::UserDefined, "user-defined codes");
+
+/// A G code, in tenths; none when the language does not have it.
+pub fn g_code(number: u32) -> Option<&'static Code> {
+    G_CODES.iter().find(|code| code.number == number)
+}
+
+/// An M code; none when the language does not have it.
+pub fn m_code(number: u32) -> Option<&'static Code> {
+    match number {
+        100..=199 => Some(&USER_DEFINED),
+        _ => M_CODES.iter().find(|code| code.number == number),
+    }
+}
+
+/// A G code as it is written: `G38.2`.
+pub fn g_text(number: u32) -> String {
+    match number % 10 {
+        0 => format!("G{}", number / 10),
+        tenth => format!("G{}.{tenth}", number / 10),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_are_listed_once_and_in_order() {
+        for table in [G_CODES, M_CODES] {
+            assert!(table.windows(2).all(|pair| pair[0].number < pair[1].number));
+        }
+    }
+
+    #[test]
+    fn codes_are_written_as_people_write_them() {
+        assert_eq!(g_text(10), "G1");
+        assert_eq!(g_text(382), "G38.2");
+    }
+}

@@ -1,0 +1,166 @@
+//! The table of codes and modal groups, and the modes in force.
+
+mod codes;
+mod coordinates;
+mod groups;
+mod saved_state;
+mod settings;
+
+pub use codes::{Code, G_CODES, M_CODES, g_code, g_text, m_code};
+pub use coordinates::{converted, unit_size};
+pub(crate) use coordinates::{each, first_parameter};
+pub use groups::ModalGroup;
+pub use saved_state::SavedState;
+
+use gaugeblock_trace::{
+    Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Machine, Motion, Path,
+    Plane, Position, Retract, SpindleLimit, SpindleMode, SpindleTurn, Switch,
+};
+
+use super::readings::Readings;
+
+/// The mode in force of each modal group, with all values that stay in force until they are set again.
+///
+/// Lengths are in the active length unit: a change of unit converts them all (`step::units`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    /// Motion mode: what axis words alone mean.
+    pub motion: Motion,
+    /// Length unit of program coordinates and feeds.
+    pub units: LengthUnit,
+    /// Selected plane.
+    pub plane: Plane,
+    /// Distance mode of axis words.
+    pub distance: Distance,
+    /// Distance mode of arc offsets.
+    pub arc_distance: Distance,
+    /// Feed mode: what F counts.
+    pub feed_mode: FeedMode,
+    /// F in the active length unit per minute or per revolution, or in 1/min under inverse time; zero until set.
+    pub feed_rate: f64,
+    /// Whether F is awaited since a switch to G94 or G95.
+    pub feed_awaited: bool,
+    /// Return mode of canned cycles.
+    pub retract: Retract,
+    /// Cutter compensation.
+    pub compensation: Compensation,
+    /// Radius of the cutter while it is compensated, active length unit.
+    pub compensation_radius: f64,
+    /// Whether a tool length offset applies.
+    pub tool_length: Switch,
+    /// The tool offset that applies, active length unit; zero under G49.
+    pub tool_offset: Position,
+    /// Work coordinate system, 1 to 9 for G54 to G59.3.
+    pub work_offset: u32,
+    /// Offset of the work coordinate system, active length unit.
+    pub g5x_offset: Position,
+    /// Offset of G52 and G92, active length unit.
+    pub g92_offset: Position,
+    /// Rotation of the work coordinate system about Z, degrees.
+    pub rotation: f64,
+    /// Path control mode.
+    pub path: Path,
+    /// P of G64, active length unit; zero when not given.
+    pub blend_tolerance: f64,
+    /// Q of G64, active length unit; zero when not given.
+    pub naive_cam_tolerance: f64,
+    /// Diameter or radius programming of a lathe.
+    pub lathe: Lathe,
+    /// The spindles by number from 0; the machine has at least one.
+    pub spindles: Vec<Spindle>,
+    /// Mist coolant.
+    pub mist: Switch,
+    /// Flood coolant.
+    pub flood: Switch,
+    /// Whether the feed override control is enabled.
+    pub feed_override: Switch,
+    /// Whether the adaptive feed input is used.
+    pub adaptive_feed: Switch,
+    /// Whether the feed stop input is enabled.
+    pub feed_stop: Switch,
+    /// Mode of the controller: a program runs in auto mode, and its end leaves MDI mode.
+    pub controller_mode: ControllerMode,
+}
+
+/// A spindle as it was told to turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spindle {
+    /// S: revolutions per minute, or surface speed (feet or metres per minute) under constant surface speed.
+    pub speed: f64,
+    /// What S means.
+    pub mode: SpindleMode,
+    /// D of G96.
+    pub limit: SpindleLimit,
+    /// Whether it turns, and which way.
+    pub turn: SpindleTurn,
+    /// Whether its speed override control is enabled.
+    pub speed_override: Switch,
+}
+
+impl Spindle {
+    /// A spindle before the first block.
+    pub const AT_START: Self = Self {
+        speed: 0.0,
+        mode: SpindleMode::Rpm,
+        limit: SpindleLimit::None,
+        turn: SpindleTurn::Stopped,
+        speed_override: Switch::On,
+    };
+}
+
+impl Modes {
+    /// The modes before the first block.
+    ///
+    /// Rule modal-groups.initial-modes. XY plane, radius mode, incremental arc distance, and the coordinate system that
+    /// #5220 names. Motion mode and return mode are choices. The documents say no more; everything else begins as a controller is usually found: millimetres,
+    /// absolute distance, feed per minute, nothing on but overrides and feed stop.
+    pub fn new(machine: &Machine, readings: &Readings) -> Self {
+        let stored = |number: u32| machine.parameters.0.get(&number).copied().unwrap_or(0.0);
+        let mut modes = Self {
+            motion: match readings.choice("modal-groups.initial-motion") {
+                "feed" => Motion::Feed,
+                "traverse" => Motion::Traverse,
+                _ => Motion::None,
+            },
+            units: LengthUnit::Millimetre,
+            plane: Plane::Xy,
+            distance: Distance::Absolute,
+            arc_distance: Distance::Incremental,
+            feed_mode: FeedMode::PerMinute,
+            feed_rate: 0.0,
+            feed_awaited: false,
+            retract: match readings.choice("modal-groups.initial-retract") {
+                "old-z" => Retract::OldZ,
+                _ => Retract::RPlane,
+            },
+            compensation: Compensation::Off,
+            compensation_radius: 0.0,
+            tool_length: Switch::Off,
+            tool_offset: Position::default(),
+            work_offset: start_system(machine),
+            g5x_offset: Position::default(),
+            g92_offset: Position::default(),
+            rotation: 0.0,
+            path: Path::Continuous,
+            blend_tolerance: 0.0,
+            naive_cam_tolerance: 0.0,
+            lathe: Lathe::Radius,
+            spindles: vec![Spindle::AT_START; usize::from(machine.spindles.max(1))],
+            mist: Switch::Off,
+            flood: Switch::Off,
+            feed_override: Switch::On,
+            adaptive_feed: Switch::Off,
+            feed_stop: Switch::On,
+            controller_mode: ControllerMode::Auto,
+        };
+        modes.load_work_offset(stored, machine.length_unit);
+        modes.load_local_offset(stored, machine.length_unit);
+        modes
+    }
+}
+
+/// Rule offsets.start-system. #5220 names the coordinate system at the start; without a number from 1 to 9 it is the first.
+pub fn start_system(machine: &Machine) -> u32 {
+    let named = machine.parameters.0.get(&5220);
+    (1..=9).find(|system| named == Some(&f64::from(*system))).unwrap_or(1)
+}

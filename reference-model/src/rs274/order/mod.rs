@@ -1,0 +1,99 @@
+//! The fixed order of execution inside a block.
+
+mod phase;
+mod rules;
+
+pub use phase::{AXIS_LETTERS, Phase, has_axis_words};
+pub use rules::{ORDER_RULES, OrderRule};
+
+use super::machine::State;
+use super::read::Words;
+use super::refusal::Halt;
+use super::step;
+use super::task::Record;
+
+/// Whether the program goes on after a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flow {
+    /// With the next block.
+    Next,
+    /// Not at all: M2, M30.
+    ProgramEnd,
+}
+
+/// Executes the words of a block that [`check`](super::check::check) let pass, phase by phase.
+///
+/// # Errors
+/// A rule that depends on the modes in force when its phase comes.
+pub fn execute(words: &Words, state: &mut State, record: &mut Record) -> Result<Flow, Halt> {
+    for phase in Phase::ALL.iter().copied().filter(|phase| phase.is_in(words)) {
+        match perform(phase, words, state, record) {
+            Ok(Rest::Execute) => {}
+            Ok(Rest::Drop) => return Ok(Flow::Next),
+            Err(halt) => {
+                if matches!(halt, Halt::Refused(_)) {
+                    refused_at(phase, words, state);
+                }
+                return Err(halt);
+            }
+        }
+    }
+    for rule in ORDER_RULES.iter().filter(|rule| rule.concerns(words)) {
+        state.evidence.accepted(rule.id);
+    }
+    Ok(if Phase::Stop.is_in(words) { Flow::ProgramEnd } else { Flow::Next })
+}
+
+/// What becomes of the phases after one: a controller with a quirk can drop them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rest {
+    /// They are executed.
+    Execute,
+    /// They are not.
+    Drop,
+}
+
+/// Does what a block asks for in one phase.
+fn perform(
+    phase: Phase,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<Rest, Halt> {
+    match phase {
+        Phase::Comment => {
+            if let Some(comment) = &words.comment {
+                step::message::perform(comment, state, record)?;
+            }
+        }
+        Phase::FeedMode => step::feed::select_mode(words, state)?,
+        Phase::FeedRate => step::feed::set_rate(words, state)?,
+        Phase::SpindleSpeed => step::spindle::set_speed(words, state)?,
+        Phase::SelectTool => step::tool::select(words, state, record)?,
+        Phase::Spindle => step::spindle::turn(words, state)?,
+        Phase::SavedState => return step::saved_state::perform(words, state),
+        Phase::Coolant => step::coolant::perform(words, state),
+        Phase::Overrides => step::overrides::perform(words, state)?,
+        Phase::Dwell => step::dwell::perform(words, state, record)?,
+        Phase::Plane => step::units_planes::select_plane(words, state),
+        Phase::Units => step::units_planes::select_units(words, state),
+        Phase::Compensation => step::compensation::perform(words, state)?,
+        Phase::ToolLength => step::tool_length::perform(words, state)?,
+        Phase::WorkOffset => step::offsets::select(words, state)?,
+        Phase::Path => step::path::perform(words, state),
+        Phase::Distance => step::units_planes::select_distance(words, state),
+        Phase::Retract => step::units_planes::select_retract(words, state),
+        Phase::OffsetData => step::offsets::change(words, state)?,
+        Phase::Motion => step::motion::perform(words, state, record)?,
+        Phase::Stop => step::program_end::perform(words, state, record),
+    }
+    Ok(Rest::Execute)
+}
+
+/// A block was refused in a phase: the rules by which an earlier phase of the block made that so refuse it too.
+fn refused_at(phase: Phase, words: &Words, state: &mut State) {
+    let by_order = ORDER_RULES.iter().filter(|rule| rule.refuses && rule.later.contains(&phase));
+    for rule in by_order.filter(|rule| rule.concerns(words)) {
+        state.evidence.refused(rule.id);
+    }
+}

@@ -1,0 +1,140 @@
+//! The phases of a block and which of them a block has.
+
+use crate::rs274::modes::{ModalGroup, g_code, m_code};
+use crate::rs274::read::Words;
+
+/// A phase of a block. The order of the list is the order of execution.
+///
+/// The document's list leaves out the spindle mode, the lathe mode and the arc distance mode. The spindle mode goes with
+/// its S word, the others with the distance mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Phase {
+    /// The comment, when it is active.
+    Comment,
+    /// G93, G94, G95.
+    FeedMode,
+    /// F.
+    FeedRate,
+    /// S, and G96, G97.
+    SpindleSpeed,
+    /// T.
+    SelectTool,
+    /// M3, M4, M5.
+    Spindle,
+    /// M70, M71, M72, M73.
+    SavedState,
+    /// M7, M8, M9.
+    Coolant,
+    /// M48 to M53.
+    Overrides,
+    /// G4.
+    Dwell,
+    /// G17 to G19.1.
+    Plane,
+    /// G20, G21.
+    Units,
+    /// G40 to G42.1.
+    Compensation,
+    /// G43 to G49.
+    ToolLength,
+    /// G54 to G59.3.
+    WorkOffset,
+    /// G61, G61.1, G64.
+    Path,
+    /// G90, G91, G90.1, G91.1, G7, G8.
+    Distance,
+    /// G98, G99.
+    Retract,
+    /// G10, G52.
+    OffsetData,
+    /// G0, G1, G80, and axis words alone.
+    Motion,
+    /// M2, M30.
+    Stop,
+}
+
+impl Phase {
+    /// Every phase, in the order of execution.
+    pub const ALL: &'static [Self] = &[
+        Self::Comment,
+        Self::FeedMode,
+        Self::FeedRate,
+        Self::SpindleSpeed,
+        Self::SelectTool,
+        Self::Spindle,
+        Self::SavedState,
+        Self::Coolant,
+        Self::Overrides,
+        Self::Dwell,
+        Self::Plane,
+        Self::Units,
+        Self::Compensation,
+        Self::ToolLength,
+        Self::WorkOffset,
+        Self::Path,
+        Self::Distance,
+        Self::Retract,
+        Self::OffsetData,
+        Self::Motion,
+        Self::Stop,
+    ];
+
+    /// Whether a block has something to do in this phase.
+    pub fn is_in(self, words: &Words) -> bool {
+        let groups = |groups: &[ModalGroup]| has_group(words, groups);
+        let m = |low: u32, high: u32| words.m.iter().any(|code| (low..=high).contains(code));
+        match self {
+            Self::Comment => words.comment.is_some(),
+            Self::FeedMode => groups(&[ModalGroup::FeedMode]),
+            Self::FeedRate => words.letters.contains_key(&'f'),
+            Self::SpindleSpeed => {
+                words.letters.contains_key(&'s') || groups(&[ModalGroup::SpindleMode])
+            }
+            Self::SelectTool => words.letters.contains_key(&'t'),
+            Self::Spindle => groups(&[ModalGroup::Spindle]),
+            Self::SavedState => m(70, 73),
+            Self::Coolant => groups(&[ModalGroup::Coolant]),
+            Self::Overrides => m(48, 53),
+            Self::Dwell => words.g.contains(&40),
+            Self::Plane => groups(&[ModalGroup::Plane]),
+            Self::Units => groups(&[ModalGroup::Units]),
+            Self::Compensation => groups(&[ModalGroup::Compensation]),
+            Self::ToolLength => groups(&[ModalGroup::ToolLength]),
+            Self::WorkOffset => groups(&[ModalGroup::WorkOffset]),
+            Self::Path => groups(&[ModalGroup::Path]),
+            Self::Distance => {
+                groups(&[ModalGroup::Distance, ModalGroup::ArcDistance, ModalGroup::Lathe])
+            }
+            Self::Retract => groups(&[ModalGroup::Retract]),
+            Self::OffsetData => words.g.contains(&100) || words.g.contains(&520),
+            Self::Motion => {
+                groups(&[ModalGroup::Motion])
+                    || words.g.contains(&530)
+                    || moves_by_axis_words(words)
+            }
+            Self::Stop => m(2, 2) || m(30, 30),
+        }
+    }
+}
+
+fn has_group(words: &Words, groups: &[ModalGroup]) -> bool {
+    let g = words.g.iter().filter_map(|number| g_code(*number));
+    let m = words.m.iter().filter_map(|number| m_code(*number));
+    g.chain(m).any(|code| code.group.is_some_and(|group| groups.contains(&group)))
+}
+
+/// Whether axis words, polar ones too, stand in the block for no code that uses them: then the motion mode does.
+///
+/// Rule modal-groups.motion-suspended. A code of group 0 that uses axis words suspends the motion mode for its block.
+fn moves_by_axis_words(words: &Words) -> bool {
+    let used = words.g.iter().filter_map(|number| g_code(*number)).any(|code| code.axis_words);
+    has_axis_words(words) && !used
+}
+
+/// The letters of the axes, and the polar words that stand for X and Y.
+pub const AXIS_LETTERS: &str = "xyzabcuvw@^";
+
+/// Whether a block has axis words.
+pub fn has_axis_words(words: &Words) -> bool {
+    words.letters.keys().any(|letter| AXIS_LETTERS.contains(*letter))
+}

@@ -1,0 +1,204 @@
+//! Numbered and named parameters, scopes, the predefined ones.
+
+mod ini;
+mod numbered;
+mod predefined;
+mod rules;
+#[cfg(test)]
+mod tests;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock_trace::{FaultKind, Indexed, Machine};
+
+use super::machine::State;
+use super::readings::Readings;
+use super::refusal::{Halt, refuse};
+pub use numbered::{DEBUG_SWITCH, LAST, nonzero};
+pub use rules::{refused_too, rules_of, rules_of_existence};
+
+/// A parameter by number or by name.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Name {
+    /// `#31`: 1 to 5602.
+    Numbered(u32),
+    /// `#<name>`: lower case, without blanks; global when it begins with an underscore.
+    Named(String),
+}
+
+/// Global parameters. The local ones are in the frames.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Parameters {
+    /// Numbers 31 and up that were stored or set; coordinate systems in the machine's length unit.
+    numbered: BTreeMap<u32, f64>,
+    /// Global named parameters that the program has set.
+    named: BTreeMap<String, f64>,
+    /// Names that were local parameters somewhere: tells a deleted one from one that never was.
+    local_names: BTreeSet<String>,
+    /// Settings of the block that is being executed, which take effect at its end.
+    announced: Vec<(Name, f64)>,
+    /// `#<_value>`: what the last return gave; zero when nothing.
+    pub returned: f64,
+    /// `#<_value_returned>`: whether the last return gave a value.
+    pub has_returned: bool,
+}
+
+impl Parameters {
+    /// The parameters when a program starts: the stored ones, and 0 for all others except #5220 and #5599.
+    pub fn new(machine: &Machine, _readings: &Readings) -> Self {
+        Self { numbered: numbered::at_start(machine), ..Self::default() }
+    }
+
+    /// A numbered parameter as it is stored (coordinate systems: machine unit); zero when never set.
+    pub fn stored(&self, number: u32) -> f64 {
+        self.numbered.get(&number).copied().unwrap_or(0.0)
+    }
+
+    /// Stores a numbered parameter without any check.
+    pub fn store(&mut self, number: u32, value: f64) {
+        self.numbered.insert(number, value);
+    }
+
+    /// All stored numbered parameters that are not zero. The local ones are not among them: see [`nonzero`].
+    pub fn nonzero(&self) -> Indexed<u32, f64> {
+        self.numbered
+            .iter()
+            .filter(|(_, value)| value.abs() > 0.0)
+            .map(|(number, value)| (*number, *value))
+            .collect()
+    }
+
+    /// The settings of the block that is to be executed.
+    pub fn announce(&mut self, settings: &[(Name, f64)]) {
+        self.announced = settings.to_vec();
+    }
+
+    /// What the block that is being executed sets a parameter to, if it does.
+    pub fn announced(&self, name: &Name) -> Option<f64> {
+        self.announced
+            .iter()
+            .rev()
+            .find(|(announced, _)| announced == name)
+            .map(|(_, value)| *value)
+    }
+}
+
+/// The value of a parameter.
+///
+/// Rule parameters.unset-numbered. A numbered parameter that was never set is zero.
+/// Rule parameters.named-absent. A named parameter that does not exist is refused.
+/// Rule parameters.named-local. A local named parameter belongs to the scope that assigned it.
+/// Choice parameters.absent-global: whether a global one that was never set is refused or zero.
+///
+/// # Errors
+/// It does not exist, or its value is not specified.
+pub fn value(name: &Name, state: &State) -> Result<f64, Halt> {
+    let name = match name {
+        Name::Numbered(number) => return numbered::value(*number, state),
+        Name::Named(name) => name,
+    };
+    if let Some(value) = predefined::value(name, state) {
+        return value;
+    }
+    let set = if is_global(name) { &state.parameters.named } else { &state.frame().locals };
+    if let Some(value) = set.get(name) {
+        return Ok(*value);
+    }
+    if ini::is_outside(name) {
+        return ini::value(name, state);
+    }
+    if is_global(name) && state.readings.is("parameters.absent-global", "zero") {
+        return Ok(0.0);
+    }
+    let (rule, message) = if state.frames.iter().any(|frame| frame.locals.contains_key(name)) {
+        ("parameters.named-local", "belongs to another scope")
+    } else if state.parameters.local_names.contains(name) {
+        ("parameters.local-deleted", "was deleted when its subroutine returned")
+    } else {
+        ("parameters.named-absent", "does not exist")
+    };
+    Err(refuse(rule, FaultKind::NoSuchParameter, format!("the parameter #<{name}> {message}")))
+}
+
+/// Gives a parameter a value.
+///
+/// Rule parameters.named. A named parameter comes into existence when it is assigned for the first time.
+/// Rule parameters.named-global. A name that begins with an underscore is global: subs see and set it.
+/// Rule parameters.local-numbers. Parameters 1 to 30 are local to a subroutine; 31 and up are global.
+///
+/// # Errors
+/// It is read-only.
+pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), Halt> {
+    writable(name, state)?;
+    rules_of(name, state).into_iter().for_each(|rule| state.evidence.accepted(rule));
+    match name {
+        Name::Numbered(number) => numbered::assign(*number, value, state),
+        Name::Named(name) if is_global(name) => {
+            state.parameters.named.insert(name.clone(), value);
+        }
+        Name::Named(name) => {
+            state.parameters.local_names.insert(name.clone());
+            state.frame_mut().locals.insert(name.clone(), value);
+        }
+    }
+    Ok(())
+}
+
+/// Rule parameters.read-only. Assigning to a predefined named parameter is refused.
+/// Rule parameters.ini-read-only. Assigning to an INI or HAL parameter is refused.
+/// Choice parameters.read-only-numbered: whether 5400 to 5428 can be set.
+/// Quirk rs274.hal-assignment: a name of the form of a HAL item can be assigned.
+///
+/// # Errors
+/// It is read-only.
+pub fn writable(name: &Name, state: &State) -> Result<(), Halt> {
+    let (rule, name) = match name {
+        Name::Numbered(number) if numbered::is_computed(*number) => {
+            if state.readings.is("parameters.read-only-numbered", "written") {
+                return Ok(());
+            }
+            ("parameters.read-only", number.to_string())
+        }
+        Name::Named(name) if predefined::is_predefined(name) => {
+            ("parameters.read-only", format!("<{name}>"))
+        }
+        Name::Named(name) if ini::is_hal(name) && state.readings.quirk("rs274.hal-assignment") => {
+            return Ok(());
+        }
+        Name::Named(name) if ini::is_outside(name) => {
+            ("parameters.ini-read-only", format!("<{name}>"))
+        }
+        Name::Numbered(_) | Name::Named(_) => return Ok(()),
+    };
+    Err(refuse(rule, FaultKind::ReadOnlyParameter, format!("the parameter #{name} is read-only")))
+}
+
+/// Whether a parameter exists. Numbered ones always do.
+pub fn exists(name: &Name, state: &State) -> bool {
+    match name {
+        Name::Numbered(_) => true,
+        Name::Named(name) => {
+            predefined::is_predefined(name)
+                || state.parameters.named.contains_key(name)
+                || state.frame().locals.contains_key(name)
+                || ini::entry(name, state).is_some()
+        }
+    }
+}
+
+/// Quirk rs274.named-exists-early: a named parameter that a line creates exists already, as zero.
+pub fn create_early(name: &Name, state: &mut State) {
+    if let Name::Named(name) = name {
+        let set = if is_global(name) {
+            &mut state.parameters.named
+        } else {
+            &mut state.frame_mut().locals
+        };
+        set.entry(name.clone()).or_insert(0.0);
+    }
+}
+
+/// Rule parameters.named-global. A name that begins with an underscore is global.
+fn is_global(name: &str) -> bool {
+    name.starts_with('_')
+}

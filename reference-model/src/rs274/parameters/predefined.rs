@@ -1,0 +1,265 @@
+//! Predefined named parameters: what the state of machine and interpreter is.
+
+use gaugeblock_trace::{
+    Axis, Compensation, Distance, FeedMode, Lathe, LengthUnit, Motion, Plane, Retract, SpindleMode,
+    SpindleTurn, Switch,
+};
+
+use super::State;
+use crate::rs274::modes::Spindle;
+use crate::rs274::refusal::Halt;
+
+/// A predefined parameter: its name, the rule that states it, its value.
+struct Predefined(&'static str, &'static str, fn(&State) -> f64);
+
+/// Every predefined parameter but those of axes and pockets.
+const PREDEFINED: &[Predefined] = &[
+    Predefined("_vmajor", "parameters.version", |_| 2.9),
+    Predefined("_vminor", "parameters.version", |_| 0.0),
+    Predefined("_line", "parameters.line", |state| f64::from(state.line)),
+    Predefined("_motion_mode", "parameters.motion-mode", |state| motion(state.modes.motion)),
+    Predefined("_plane", "parameters.plane", |state| plane(state.modes.plane)),
+    Predefined("_ccomp", "parameters.compensation", compensation),
+    Predefined("_metric", "parameters.units", |state| {
+        flag(state.modes.units == LengthUnit::Millimetre)
+    }),
+    Predefined("_imperial", "parameters.units", |state| {
+        flag(state.modes.units == LengthUnit::Inch)
+    }),
+    Predefined("_absolute", "parameters.distance", |state| {
+        flag(state.modes.distance == Distance::Absolute)
+    }),
+    Predefined("_incremental", "parameters.distance", |state| {
+        flag(state.modes.distance == Distance::Incremental)
+    }),
+    Predefined("_inverse_time", "parameters.feed-mode", |state| {
+        flag(state.modes.feed_mode == FeedMode::InverseTime)
+    }),
+    Predefined("_units_per_minute", "parameters.feed-mode", |state| {
+        flag(state.modes.feed_mode == FeedMode::PerMinute)
+    }),
+    Predefined("_units_per_rev", "parameters.feed-mode", |state| {
+        flag(state.modes.feed_mode == FeedMode::PerRevolution)
+    }),
+    Predefined("_coord_system", "parameters.coordinate-system", |state| {
+        coordinate_system(state.modes.work_offset)
+    }),
+    Predefined("_tool_offset", "parameters.tool-offset", tool_offset),
+    Predefined("_retract_r_plane", "parameters.retract", |state| retract(state, Retract::RPlane)),
+    Predefined("_retract_old_z", "parameters.retract", |state| retract(state, Retract::OldZ)),
+    Predefined("_spindle_rpm_mode", "parameters.spindle-mode", |state| {
+        flag(spindle(state).mode == SpindleMode::Rpm)
+    }),
+    Predefined("_spindle_css_mode", "parameters.spindle-mode", |state| {
+        flag(spindle(state).mode == SpindleMode::SurfaceSpeed)
+    }),
+    Predefined("_ijk_absolute_mode", "parameters.arc-distance", |state| {
+        flag(state.modes.arc_distance == Distance::Absolute)
+    }),
+    Predefined("_lathe_diameter_mode", "parameters.lathe-mode", |state| {
+        lathe(state, Lathe::Diameter)
+    }),
+    Predefined("_lathe_radius_mode", "parameters.lathe-mode", |state| lathe(state, Lathe::Radius)),
+    Predefined("_spindle_on", "parameters.spindle-status", |state| {
+        flag(matches!(spindle(state).turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise))
+    }),
+    Predefined("_spindle_cw", "parameters.spindle-status", |state| {
+        flag(spindle(state).turn == SpindleTurn::Clockwise)
+    }),
+    Predefined("_mist", "parameters.coolant", |state| flag(state.modes.mist == Switch::On)),
+    Predefined("_flood", "parameters.coolant", |state| flag(state.modes.flood == Switch::On)),
+    Predefined("_feed_override", "parameters.override-flags", |state| override_flag(state, true)),
+    Predefined("_speed_override", "parameters.override-flags", |state| override_flag(state, false)),
+    Predefined("_adaptive_feed", "parameters.adaptive-feed", |state| {
+        flag(state.modes.adaptive_feed == Switch::On)
+    }),
+    Predefined("_feed_hold", "parameters.feed-hold", |state| {
+        flag(state.modes.feed_stop == Switch::On)
+    }),
+    Predefined("_feed", "parameters.feed", |state| state.modes.feed_rate),
+    Predefined("_rpm", "parameters.speed", |state| spindle(state).speed),
+    Predefined("_current_tool", "parameters.tool", |state| f64::from(state.tool)),
+    Predefined("_selected_tool", "parameters.tool", selected_tool),
+    Predefined("_value", "parameters.returned-value", |state| state.parameters.returned),
+    Predefined("_value_returned", "parameters.returned-value", |state| {
+        flag(state.parameters.has_returned)
+    }),
+    Predefined("_task", "parameters.task", |_| 0.0),
+    Predefined("_call_level", "parameters.call-level", |state| f64::from(state.call_level())),
+    Predefined("_remap_level", "parameters.remap-level", |_| 0.0),
+];
+
+/// Parameters of axes are the prefix and the axis' letter.
+///
+/// Rule parameters.position. `_x` to `_w` are the position in the active coordinate system with all offsets.
+/// Rule parameters.absolute-position. `_abs_x` to `_abs_c` are the position without offsets.
+fn of_axis(name: &str, state: &State) -> Option<(&'static str, f64)> {
+    let axis = |letter: &str| Axis::ALL.iter().find(|axis| axis.word() == letter);
+    if let Some(axis) = name.strip_prefix("_abs_").and_then(axis) {
+        let value = state.modes.machine_point(state.position).get(*axis);
+        return (*axis <= Axis::C).then_some(("parameters.absolute-position", value));
+    }
+    let axis = name.strip_prefix('_').and_then(axis)?;
+    Some(("parameters.position", state.position.get(*axis)))
+}
+
+/// Whether a name is that of a predefined parameter.
+pub(super) fn is_predefined(name: &str) -> bool {
+    let axis = name.strip_prefix("_abs_").filter(|letter| "xyzabc".contains(letter));
+    let axis =
+        axis.or_else(|| name.strip_prefix('_').filter(|letter| "xyzabcuvw".contains(letter)));
+    axis.is_some_and(|letter| letter.len() == 1) || is_pocket(name) || entry(name).is_some()
+}
+
+/// The value of a predefined parameter; `None` for another name.
+pub(super) fn value(name: &str, state: &State) -> Option<Result<f64, Halt>> {
+    if is_pocket(name) {
+        return Some(pocket(name, state));
+    }
+    let value = entry(name).map(|Predefined(_, _, value)| value(state));
+    value.or_else(|| of_axis(name, state).map(|(_, value)| value)).map(Ok)
+}
+
+/// The rule that states a predefined parameter.
+pub(super) fn rule(name: &str, state: &State) -> Option<&'static str> {
+    let rule = entry(name).map(|Predefined(_, rule, _)| *rule);
+    let rule = rule.or_else(|| of_axis(name, state).map(|(rule, _)| rule));
+    rule.or_else(|| is_pocket(name).then_some("parameters.tool"))
+}
+
+fn entry(name: &str) -> Option<&'static Predefined> {
+    PREDEFINED.iter().find(|Predefined(known, ..)| *known == name)
+}
+
+fn is_pocket(name: &str) -> bool {
+    matches!(name, "_current_pocket" | "_selected_pocket")
+}
+
+/// The index of a tool in the tool data. No document says how tools are counted there; without a tool it is said, -1
+/// for the selected one, and nothing is in the spindle's place.
+fn pocket(name: &str, state: &State) -> Result<f64, Halt> {
+    match name {
+        "_selected_pocket" if state.prepared_tool < 0 => Ok(-1.0),
+        "_current_pocket" if state.tool == 0 => Ok(0.0),
+        _ => Err(Halt::Unspecified(format!(
+            "#<{name}> is an index into tool data that no document describes"
+        ))),
+    }
+}
+
+fn flag(holds: bool) -> f64 {
+    if holds { 1.0 } else { 0.0 }
+}
+
+/// Values of spindle parameters are those of the first spindle.
+fn spindle(state: &State) -> Spindle {
+    state.modes.spindles.first().copied().unwrap_or(Spindle::AT_START)
+}
+
+/// Rule parameters.motion-mode. `_motion_mode` is ten times the number of the active motion code; 800 for G80.
+fn motion(motion: Motion) -> f64 {
+    f64::from(match motion {
+        Motion::Traverse => 0,
+        Motion::Feed => 10,
+        Motion::ArcClockwise => 20,
+        Motion::ArcCounterclockwise => 30,
+        Motion::CubicSpline => 50,
+        Motion::QuadraticSpline => 51,
+        Motion::Nurbs => 52,
+        Motion::SpindleSynchronised => 330,
+        Motion::RigidTap => 331,
+        Motion::ProbeTowardError => 382,
+        Motion::ProbeToward => 383,
+        Motion::ProbeAwayError => 384,
+        Motion::ProbeAway => 385,
+        Motion::Cycle73 => 730,
+        Motion::Cycle74 => 740,
+        Motion::Thread76 => 760,
+        Motion::None => 800,
+        Motion::Cycle81 => 810,
+        Motion::Cycle82 => 820,
+        Motion::Cycle83 => 830,
+        Motion::Cycle84 => 840,
+        Motion::Cycle85 => 850,
+        Motion::Cycle86 => 860,
+        Motion::Cycle87 => 870,
+        Motion::Cycle88 => 880,
+        Motion::Cycle89 => 890,
+    })
+}
+
+/// Rule parameters.plane. `_plane` is ten times the number of the active plane code.
+fn plane(plane: Plane) -> f64 {
+    f64::from(match plane {
+        Plane::Xy => 170,
+        Plane::Zx => 180,
+        Plane::Yz => 190,
+        Plane::Uv => 171,
+        Plane::Wu => 181,
+        Plane::Vw => 191,
+    })
+}
+
+/// Rule parameters.compensation. `_ccomp` is ten times the number of the active compensation code.
+/// Quirk rs274.dynamic-compensation-code: G41.1 and G42.1 look like G41 and G42.
+fn compensation(state: &State) -> f64 {
+    let known = !state.readings.quirk("rs274.dynamic-compensation-code");
+    f64::from(match state.modes.compensation {
+        Compensation::Off => 400,
+        Compensation::Left => 410,
+        Compensation::Right => 420,
+        Compensation::DynamicLeft => 410 + i32::from(known),
+        Compensation::DynamicRight => 420 + i32::from(known),
+    })
+}
+
+/// Rule parameters.coordinate-system. `_coord_system` is ten times the number of the active work offset code.
+fn coordinate_system(system: u32) -> f64 {
+    f64::from(if system <= 6 { 530 + 10 * system } else { 584 + system })
+}
+
+/// Rule parameters.tool-offset. `_tool_offset` is 1 while a tool offset is on, else 0.
+/// Quirk rs274.zero-tool-offset-off: it is 1 while an offset is not zero.
+fn tool_offset(state: &State) -> f64 {
+    if state.readings.quirk("rs274.zero-tool-offset-off") {
+        return flag(state.modes.tool_offset.to_array().iter().any(|offset| offset.abs() > 0.0));
+    }
+    flag(state.modes.tool_length == Switch::On)
+}
+
+/// Rule parameters.retract. `_retract_r_plane` and `_retract_old_z` tell the canned cycle return mode.
+/// Choice parameters.retract-names: each as it is named, or each under the other one's code.
+fn retract(state: &State, named: Retract) -> f64 {
+    let by_name = state.readings.is("parameters.retract-names", "by-name");
+    flag((state.modes.retract == named) == by_name)
+}
+
+/// Rule parameters.lathe-mode. `_lathe_diameter_mode` and `_lathe_radius_mode` are 1 under G7 and G8.
+/// Choice parameters.lathe-flags: on every machine or on a lathe only, which no machine of a scenario is.
+fn lathe(state: &State, mode: Lathe) -> f64 {
+    flag(state.modes.lathe == mode && state.readings.is("parameters.lathe-flags", "any-machine"))
+}
+
+/// Rule parameters.override-flags. `_feed_override` and `_speed_override` are 1 while that override is enabled.
+/// Choice parameters.override-names: each as it is named, or each under the other one's code.
+fn override_flag(state: &State, feed: bool) -> f64 {
+    let by_name = state.readings.is("parameters.override-names", "by-name");
+    let switch =
+        if feed == by_name { state.modes.feed_override } else { spindle(state).speed_override };
+    flag(switch == Switch::On)
+}
+
+/// Rule parameters.tool. `_selected_tool` is the tool of the last T, -1 before.
+/// Quirk rs274.selected-tool-zero: 0 before.
+fn selected_tool(state: &State) -> f64 {
+    if state.prepared_tool < 0 && state.readings.quirk("rs274.selected-tool-zero") {
+        return 0.0;
+    }
+    f64::from(state.prepared_tool)
+}
+
+/// The names of the predefined parameters but those of axes and pockets.
+#[cfg(test)]
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    PREDEFINED.iter().map(|Predefined(name, ..)| *name)
+}

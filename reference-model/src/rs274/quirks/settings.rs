@@ -1,0 +1,69 @@
+//! Quirks of modes, offsets, spindle, overrides and the program end.
+
+use gaugeblock_trace::{FaultKind, SpindleLimit, SpindleMode, Switch};
+
+use crate::rs274::machine::State;
+use crate::rs274::modes::ModalGroup;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+
+/// Quirk rs274.override-any-p. Any P but zero enables.
+pub(crate) fn switch_of_any_p(value: f64) -> Switch {
+    if value == 0.0 { Switch::Off } else { Switch::On }
+}
+
+/// Quirk rs274.override-dollar. M48 and M49 take no $.
+/// Quirk rs274.speed-override-dollar. M51 with P0 takes no $0.
+pub(crate) fn override_dollar(words: &Words, spindle: f64, state: &State) -> Result<(), Halt> {
+    let both = words.m.iter().any(|code| [48, 49].contains(code));
+    if both && state.readings.quirk("rs274.override-dollar") {
+        return Err(refuse("rs274.override-dollar", FaultKind::UnusedWord, "$ with M48 or M49"));
+    }
+    let disabling = words.letters.get(&'p') == Some(&0.0);
+    if disabling && spindle == 0.0 && state.readings.quirk("rs274.speed-override-dollar") {
+        let message = "M51 P0 with $0";
+        return Err(refuse("rs274.speed-override-dollar", FaultKind::SpindleOutOfRange, message));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.per-revolution-dollar. G95 does not use $, another code or S may.
+pub(crate) fn uses_dollar_of_feed_mode(state: &State) -> bool {
+    !state.readings.quirk("rs274.per-revolution-dollar")
+}
+
+/// Quirk rs274.spindle-number-cut. The fraction of $ is cut off.
+pub(crate) fn spindle_number(number: f64, state: &State) -> f64 {
+    if state.readings.quirk("rs274.spindle-number-cut") { number.trunc() } else { number }
+}
+
+/// Quirk rs274.origin-number-cut. A fraction of a half or more of P is cut off.
+pub(crate) fn origin_number(number: f64, state: &State) -> f64 {
+    let cut = state.readings.quirk("rs274.origin-number-cut");
+    if cut && number - number.floor() >= 0.5 { number.floor() } else { number }
+}
+
+/// Quirk rs274.save-in-spindle-group. M70 to M73 belong to the group of M3, M4 and M5.
+pub(crate) fn group_of(m_code: u32, state: &State) -> Option<ModalGroup> {
+    let saves = (70..=73).contains(&m_code);
+    (saves && state.readings.quirk("rs274.save-in-spindle-group")).then_some(ModalGroup::Spindle)
+}
+
+/// Quirk rs274.machine-under-zero-radius. A radius of zero is as good as no compensation.
+pub(crate) fn moves_as_without_radius(state: &State) -> bool {
+    state.modes.compensation_radius == 0.0
+        && state.readings.quirk("rs274.machine-under-zero-radius")
+}
+
+/// Quirks rs274.spindle-mode-at-end and rs274.feed-zero-at-end.
+pub(crate) fn program_end(state: &mut State) {
+    if state.readings.quirk("rs274.spindle-mode-at-end") {
+        for spindle in &mut state.modes.spindles {
+            spindle.mode = SpindleMode::Rpm;
+            spindle.limit = SpindleLimit::None;
+        }
+    }
+    if state.readings.quirk("rs274.feed-zero-at-end") {
+        state.modes.feed_rate = 0.0;
+    }
+}

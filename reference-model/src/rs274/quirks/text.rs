@@ -1,0 +1,1 @@
+//! Quirks of reading text, words and expressions.

@@ -1,0 +1,56 @@
+//! The numbers of G and M codes.
+
+use gaugeblock_trace::FaultKind;
+
+use crate::math;
+use crate::rs274::machine::State;
+use crate::rs274::modes;
+use crate::rs274::refusal::{Halt, refuse_at};
+use crate::rs274::syntax::{Expression, Word};
+
+/// Ten times the number of a G code.
+pub(super) fn g_code(word: &Word, value: f64, state: &mut State) -> Result<u32, Halt> {
+    let number = code(word, value * 10.0, "modal-groups.g-code-out-of-range", state)?;
+    if is_computed(word) && modes::g_code(number).is_none() {
+        state.evidence.refused("modal-groups.code-from-expression");
+    }
+    Ok(number)
+}
+
+/// The number of an M code.
+pub(super) fn m_code(word: &Word, value: f64, state: &mut State) -> Result<u32, Halt> {
+    code(word, value, "modal-groups.m-code-out-of-range", state)
+}
+
+/// Rules numbers.near-integer, numbers.not-near-integer and modal-groups.code-close-to-integer. An M number, and ten
+/// times a G number, must lie within 0.0001 of an integer.
+/// Rule modal-groups.code-from-expression. The number of a code may be an expression.
+///
+/// A code below zero is out of range; whether any other one exists is a matter of the table of codes.
+fn code(word: &Word, value: f64, range: &'static str, state: &mut State) -> Result<u32, Halt> {
+    let letter = word.letter.to_ascii_uppercase();
+    let Some(number) = math::near_integer(value) else {
+        state.evidence.refused("modal-groups.code-close-to-integer");
+        let message = format!("no integer is close enough to the number behind {letter}");
+        return Err(refuse_at(
+            "numbers.not-near-integer",
+            FaultKind::NotAnInteger,
+            word.span,
+            message,
+        ));
+    };
+    if number < 0 {
+        let message = format!("the number behind {letter} is below zero");
+        return Err(refuse_at(range, FaultKind::UnknownCode, word.span, message));
+    }
+    state.evidence.accepted("numbers.near-integer");
+    state.evidence.accepted("modal-groups.code-close-to-integer");
+    if is_computed(word) {
+        state.evidence.accepted("modal-groups.code-from-expression");
+    }
+    Ok(u32::try_from(number).unwrap_or(u32::MAX))
+}
+
+fn is_computed(word: &Word) -> bool {
+    !matches!(word.value, Expression::Number(_))
+}

@@ -1,0 +1,190 @@
+//! How the documents are read: the option of each choice, and each quirk, that this model knows.
+//!
+//! The sentences, sources and the programs that tell options apart are pages of the suite (`suite/choices`,
+//! `suite/quirks`); a test of the suite holds [`CHOICES`] and [`QUIRKS`] and those pages against each other.
+
+use std::collections::BTreeSet;
+
+use gaugeblock_trace::Options;
+
+/// Every choice that the model reads, with its options; the first is the default.
+pub const CHOICES: &[(&str, &[&str])] = &[
+    ("active-comments.absent-name", &["number-sign", "six-number-signs"]),
+    ("active-comments.default-format", &["six-decimals", "four-decimals"]),
+    ("active-comments.msg-without-comma", &["plain", "message"]),
+    ("active-comments.plain-f-format", &["four-decimals", "six-decimals"]),
+    ("active-comments.same-block-setting", &["new", "old"]),
+    ("control.comment-after-o-word", &["ignored", "refused"]),
+    ("control.do-label", &["each", "refused", "first"]),
+    ("control.ended-label", &["refused", "followed"]),
+    (
+        "control.repeat-fraction",
+        &["rounded", "rounded-to-even", "rounded-down", "rounded-up", "refused"],
+    ),
+    ("control.repeat-negative", &["none", "refused"]),
+    ("control.skipped-definition", &["counts", "does-not-count"]),
+    ("control.sub-number-as-label", &["refused", "accepted"]),
+    ("coolant.both-in-one-block", &["refused", "accepted"]),
+    ("expressions.arctangent-range", &["half-turns", "full-turn"]),
+    ("expressions.modulus-sign", &["not-negative", "dividend"]),
+    ("expressions.order-tolerance", &["exact", "tolerant"]),
+    ("expressions.round-half", &["away", "up", "even"]),
+    ("expressions.true-value", &["one", "minus-one"]),
+    ("expressions.unary-minus", &["accepted", "refused"]),
+    ("fanuc-subs.call-itself", &["refused", "allowed"]),
+    ("fanuc-subs.value-after-call", &["cleared", "kept"]),
+    ("modal-groups.initial-motion", &["none", "feed", "traverse"]),
+    ("modal-groups.initial-retract", &["r-plane", "old-z"]),
+    ("modal-groups.override-members", &["listed", "all"]),
+    ("motion.without-axis-words", &["nothing", "move-in-place"]),
+    ("offsets.machine-incremental", &["refused", "absolute"]),
+    ("overrides.under-compensation", &["accepted", "refused"]),
+    ("overrides.without-dollar", &["all", "first"]),
+    ("parameters.absent-global", &["refused", "zero"]),
+    ("parameters.lathe-flags", &["any-machine", "lathe-only"]),
+    ("parameters.override-names", &["by-name", "as-written"]),
+    ("parameters.read-only-numbered", &["refused", "written"]),
+    ("parameters.retract-names", &["by-name", "as-written"]),
+    ("program-end.spindles", &["all", "first"]),
+    ("saved-state.invalidate-nothing", &["accepted", "refused"]),
+    ("saved-state.listed-motion", &["listed", "every"]),
+    ("saved-state.motion-mode", &["not-restored", "restored"]),
+    ("spindle.minus-one", &["refused", "all"]),
+    ("spindle.rpm-mode-speed", &["optional", "required"]),
+    ("spindle.without-dollar", &["all", "first"]),
+    ("subroutines.return-label", &["any", "own"]),
+    ("text.comment-nested", &["refused", "plain"]),
+    ("text.line-end-counted", &["counted", "not-counted"]),
+    ("text.percent-alone", &["refused", "ends", "ignored"]),
+    ("text.percent-unclosed-ended", &["accepted", "refused"]),
+    ("units-planes.feed-over-unit-change", &["rescaled", "kept"]),
+];
+
+/// Every quirk that the model can show.
+pub const QUIRKS: &[&str] = &[
+    "rs274.additional-length-axes",
+    "rs274.blend-q-without-p",
+    "rs274.cancel-with-motion",
+    "rs274.dynamic-compensation-code",
+    "rs274.dynamic-compensation-restore",
+    "rs274.dynamic-length-with-motion",
+    "rs274.dynamic-length-without-axes",
+    "rs274.exists-numbered",
+    "rs274.fanuc-locals",
+    "rs274.fanuc-zero-loops",
+    "rs274.feed-lost-at-same-mode",
+    "rs274.feed-mode-feed",
+    "rs274.feed-speed-rounded",
+    "rs274.feed-zero-at-end",
+    "rs274.file-with-two-subs",
+    "rs274.first-spindle-saved",
+    "rs274.hal-assignment",
+    "rs274.last-parameter",
+    "rs274.later-conditions-evaluated",
+    "rs274.log-closed",
+    "rs274.lone-return",
+    "rs274.machine-under-zero-radius",
+    "rs274.message-blanks",
+    "rs274.named-exists-early",
+    "rs274.negative-dwell",
+    "rs274.nine-levels",
+    "rs274.off-not-restored",
+    "rs274.one-store-per-level",
+    "rs274.orientation-too-large",
+    "rs274.origin-number-cut",
+    "rs274.override-any-p",
+    "rs274.override-dollar",
+    "rs274.override-restore",
+    "rs274.per-revolution-dollar",
+    "rs274.repeat-counter-shared",
+    "rs274.repeated-signs",
+    "rs274.rest-of-restore-block",
+    "rs274.save-in-spindle-group",
+    "rs274.selected-tool-zero",
+    "rs274.semicolon-plain",
+    "rs274.shorter-lines",
+    "rs274.speed-override-at-end",
+    "rs274.speed-override-dollar",
+    "rs274.spindle-mode-at-end",
+    "rs274.spindle-number-cut",
+    "rs274.sub-found-later",
+    "rs274.surface-speed-restore",
+    "rs274.surface-speed-while-stopped",
+    "rs274.tool-offset-restore",
+    "rs274.unpassed-arguments-zero",
+    "rs274.value-cleared-at-return",
+    "rs274.wrong-format-sign",
+    "rs274.zero-tool-offset-off",
+];
+
+/// The options in force for a run.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Readings {
+    chosen: Vec<(&'static str, &'static str)>,
+    shown: BTreeSet<&'static str>,
+}
+
+impl Readings {
+    /// Takes over a scenario's options; what it does not list has its default.
+    ///
+    /// # Errors
+    /// An id or option that the model does not know, as a sentence.
+    pub fn new(options: &Options) -> Result<Self, String> {
+        let mut readings = Self::default();
+        for (id, option) in &options.0 {
+            if let Some((id, known)) = CHOICES.iter().find(|(choice, _)| choice == id) {
+                let option = known.iter().find(|known| *known == option);
+                let option = option.ok_or_else(|| {
+                    format!("the choice {id} has the options {}", known.join(", "))
+                })?;
+                readings.chosen.push((id, option));
+            } else if let Some(quirk) = QUIRKS.iter().find(|quirk| *quirk == id) {
+                match option.as_str() {
+                    "documented" => {}
+                    "observed" => {
+                        readings.shown.insert(quirk);
+                    }
+                    _ => {
+                        return Err(format!(
+                            "the quirk {id} is documented or observed, not {option}"
+                        ));
+                    }
+                }
+            } else {
+                return Err(format!("there is no choice or quirk {id}"));
+            }
+        }
+        Ok(readings)
+    }
+
+    /// The option of a choice.
+    ///
+    /// # Panics
+    /// The choice is not in [`CHOICES`]: a fault of the model.
+    pub fn choice(&self, id: &str) -> &'static str {
+        let listed =
+            self.chosen.iter().find(|(chosen, _)| *chosen == id).map(|(_, option)| *option);
+        listed.unwrap_or_else(|| {
+            let (_, options) = CHOICES
+                .iter()
+                .find(|(choice, _)| *choice == id)
+                .expect("model: a choice is in the register");
+            options[0]
+        })
+    }
+
+    /// Whether a choice has this option.
+    pub fn is(&self, id: &str, option: &str) -> bool {
+        debug_assert!(
+            CHOICES.iter().any(|(choice, options)| *choice == id && options.contains(&option)),
+            "model: {id} = {option} is not in the register"
+        );
+        self.choice(id) == option
+    }
+
+    /// Whether a quirk is shown.
+    pub fn quirk(&self, id: &str) -> bool {
+        debug_assert!(QUIRKS.contains(&id), "model: {id} is not in the register");
+        self.shown.contains(id)
+    }
+}

@@ -1,0 +1,42 @@
+//! Why a block does not go on: it is refused by a rule, or this model does not go there.
+
+use gaugeblock_trace::{FaultKind, Span};
+
+/// A block refused by a rule.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refusal {
+    /// The rule that refuses it.
+    pub rule: &'static str,
+    /// The kind of fault.
+    pub kind: FaultKind,
+    /// For people: what is wrong, in the field's words.
+    pub message: String,
+    /// The part of the line that it is about, where there is one.
+    pub span: Option<Span>,
+}
+
+/// Why a block does not go on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Halt {
+    /// It is refused.
+    Refused(Refusal),
+    /// It asks for something that this edition of the model does not specify yet.
+    Unsupported(String),
+    /// The documents leave it open, and no choice covers it; the sentence says what is open.
+    Unspecified(String),
+}
+
+/// A refusal by a rule, without a place in the line.
+pub fn refuse(rule: &'static str, kind: FaultKind, message: impl Into<String>) -> Halt {
+    Halt::Refused(Refusal { rule, kind, message: message.into(), span: None })
+}
+
+/// A refusal by a rule, about a part of the line.
+pub fn refuse_at(
+    rule: &'static str,
+    kind: FaultKind,
+    span: Span,
+    message: impl Into<String>,
+) -> Halt {
+    Halt::Refused(Refusal { rule, kind, message: message.into(), span: Some(span) })
+}

@@ -1,0 +1,35 @@
+//! G4.
+
+use gaugeblock_trace::{Effect, FaultKind};
+
+use super::{whole, word};
+use crate::rs274::machine::State;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::task::Record;
+
+/// Waits.
+///
+/// Rule dwell.seconds. P is the time in seconds; fractions count, and zero is no fault (dwell.zero-time).
+/// Rule dwell.changes-nothing. Nothing else is affected.
+///
+/// # Errors
+/// Rules dwell.needs-time and dwell.negative-time.
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    let Some(seconds) = word(words, 'p') else {
+        return Err(refuse("dwell.needs-time", FaultKind::MissingWord, "G4 needs P, the seconds"));
+    };
+    let any = whole(seconds) != Some(-1) && state.readings.quirk("rs274.negative-dwell");
+    if seconds < 0.0 && !any {
+        let message = format!("a dwell of {seconds} seconds");
+        return Err(refuse("dwell.negative-time", FaultKind::WordOutOfRange, message));
+    }
+    for rule in ["dwell.seconds", "dwell.changes-nothing", "dwell.once"] {
+        state.evidence.accepted(rule);
+    }
+    if seconds == 0.0 {
+        state.evidence.accepted("dwell.zero-time");
+    }
+    record.effect(state, Effect::Dwell { seconds });
+    Ok(())
+}

@@ -1,0 +1,73 @@
+//! G93, G94, G95 and F.
+
+use gaugeblock_trace::{FaultKind, FeedMode, Motion};
+
+use super::motion::motion_of;
+use super::spindle::number;
+use super::word;
+use crate::rs274::machine::State;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+
+/// Selects the feed mode.
+///
+/// Rules feed.inverse-time, feed.per-minute, feed.per-revolution.
+///
+/// # Errors
+/// Rule feed.per-revolution-spindle: $ of G95 names no spindle of the machine.
+pub fn select_mode(words: &Words, state: &mut State) -> Result<(), Halt> {
+    let (mode, rule) = if words.g.contains(&930) {
+        (FeedMode::InverseTime, "feed.inverse-time")
+    } else if words.g.contains(&940) {
+        (FeedMode::PerMinute, "feed.per-minute")
+    } else {
+        (FeedMode::PerRevolution, "feed.per-revolution")
+    };
+    if mode == FeedMode::PerRevolution
+        && let Some(spindle) = word(words, '$')
+    {
+        number(spindle, state, "feed.per-revolution-spindle")?;
+        state.evidence.accepted("feed.per-revolution-spindle");
+    }
+    state.evidence.accepted(rule);
+    change_mode(mode, state);
+    Ok(())
+}
+
+/// Rule feed.rate-after-mode-change. After a switch to G94 or G95 no feed rate is set until a new one is given.
+fn change_mode(mode: FeedMode, state: &mut State) {
+    let switched =
+        mode != state.modes.feed_mode || state.readings.quirk("rs274.feed-lost-at-same-mode");
+    if switched && mode != FeedMode::InverseTime {
+        state.modes.feed_rate = 0.0;
+        state.modes.feed_awaited = true;
+    }
+    state.modes.feed_mode = mode;
+}
+
+/// Sets the feed rate.
+///
+/// Rule feed.rate. F holds until another F, except under inverse time, where it counts for the feed move of its own block
+/// and is ignored in any other block (feed.inverse-time-stray-rate).
+///
+/// # Errors
+/// Rule feed.negative-rate.
+pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
+    let Some(rate) = word(words, 'f') else { return Ok(()) };
+    if rate < 0.0 {
+        let message = format!("a feed rate of {rate}");
+        return Err(refuse("feed.negative-rate", FaultKind::WordOutOfRange, message));
+    }
+    let motion = motion_of(words, state);
+    if state.modes.feed_mode == FeedMode::InverseTime && motion != Some(Motion::Feed) {
+        state.evidence.accepted("feed.inverse-time-stray-rate");
+        return Ok(());
+    }
+    state.evidence.accepted("feed.rate");
+    if motion.is_none() {
+        state.evidence.accepted("feed.rate-moves-nothing");
+    }
+    state.modes.feed_rate = rate;
+    state.modes.feed_awaited = false;
+    Ok(())
+}

@@ -1,0 +1,114 @@
+//! What makes a comment active.
+
+use crate::rs274::readings::Readings;
+
+/// What an active comment does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Active {
+    /// MSG: display a text.
+    Message,
+    /// DEBUG: display a text with values.
+    Debug,
+    /// PRINT: print a text with values.
+    Print,
+    /// LOG: write a text with values into the log file.
+    Log,
+    /// LOGOPEN: begin a log file.
+    LogOpen,
+    /// LOGAPPEND: go on with a log file.
+    LogAppend,
+    /// LOGCLOSE.
+    LogClose,
+    /// PROBEOPEN: begin a file for probed points.
+    ProbeOpen,
+    /// PROBECLOSE.
+    ProbeClose,
+    /// ABORT: end the program with an error.
+    Abort,
+}
+
+impl Active {
+    /// The rule that states what it does.
+    pub(super) fn rule(self) -> &'static str {
+        match self {
+            Self::Message => "active-comments.msg",
+            Self::Debug => "active-comments.debug",
+            Self::Print => "active-comments.print",
+            Self::Log => "active-comments.log",
+            Self::LogOpen | Self::LogAppend | Self::LogClose => "active-comments.log-open",
+            Self::ProbeOpen | Self::ProbeClose => "active-comments.probe-log",
+            Self::Abort => "active-comments.abort",
+        }
+    }
+}
+
+/// Keywords with a comma and a text behind them.
+const WITH_TEXT: [(&str, Active); 7] = [
+    ("msg", Active::Message),
+    ("debug", Active::Debug),
+    ("print", Active::Print),
+    ("log", Active::Log),
+    ("logopen", Active::LogOpen),
+    ("logappend", Active::LogAppend),
+    ("abort", Active::Abort),
+];
+
+/// What an active comment does and its text; `None` for a plain one.
+///
+/// Rule active-comments.msg-spelling. MSG may have blanks within and before it and lower case letters; the other keywords
+/// are read in the same way.
+/// Quirk rs274.message-blanks: blanks may only stand before it.
+/// Choice active-comments.msg-without-comma: whether MSG without a comma is a message.
+pub(super) fn active<'a>(comment: &'a str, readings: &Readings) -> Option<(Active, &'a str)> {
+    if let Some((before, text)) = comment.split_once(',') {
+        let keyword = if readings.quirk("rs274.message-blanks") {
+            before.trim_start().to_ascii_lowercase()
+        } else {
+            spelled(before)
+        };
+        if let Some((_, active)) = WITH_TEXT.iter().find(|(known, _)| *known == keyword) {
+            return Some((*active, text));
+        }
+    }
+    if spelled(comment) == "logclose" {
+        return Some((Active::LogClose, ""));
+    }
+    if spelled(comment) == "probeclose" {
+        return Some((Active::ProbeClose, ""));
+    }
+    if let Some(file) = behind(comment, "probeopen") {
+        return Some((Active::ProbeOpen, file));
+    }
+    if readings.is("active-comments.msg-without-comma", "message") {
+        return behind(comment, "msg").map(|text| (Active::Message, text));
+    }
+    None
+}
+
+/// Whether MSG and a comma stand in a comment behind other printing characters.
+pub(super) fn has_msg_inside(comment: &str) -> bool {
+    spelled(comment).contains("msg,")
+}
+
+/// A keyword without its blanks and in lower case.
+fn spelled(text: &str) -> String {
+    text.chars()
+        .filter(|character| !is_blank(*character))
+        .map(|character| character.to_ascii_lowercase())
+        .collect()
+}
+
+/// What stands behind a keyword, blanks not counted.
+fn behind<'a>(comment: &'a str, keyword: &str) -> Option<&'a str> {
+    let mut rest = comment;
+    for wanted in keyword.chars() {
+        rest = rest.trim_start_matches(is_blank);
+        let next = rest.chars().next().filter(|next| next.to_ascii_lowercase() == wanted)?;
+        rest = &rest[next.len_utf8()..];
+    }
+    Some(rest)
+}
+
+fn is_blank(character: char) -> bool {
+    matches!(character, ' ' | '\t')
+}

@@ -1,0 +1,108 @@
+//! Active comments.
+
+mod expand;
+mod keyword;
+#[cfg(test)]
+mod tests;
+
+use gaugeblock_trace::{Channel, Effect, FaultKind};
+
+use crate::rs274::machine::State;
+use crate::rs274::parameters::{self, Name};
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::syntax::Comment;
+use crate::rs274::task::Record;
+use expand::expand;
+use keyword::{Active, active};
+
+/// Says what an active comment says, before anything of its block is done.
+///
+/// Rule active-comments.plain. A comment that is none of the active ones does nothing.
+/// Rule active-comments.message-first. The message of a line comes before what its words do.
+///
+/// # Errors
+/// Rule active-comments.abort. ABORT ends the program with its text as an error, with the values of parameters in it.
+pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    let Some((active, text)) = active(&comment.text, &state.readings) else {
+        state.evidence.accepted(if keyword::has_msg_inside(&comment.text) {
+            "active-comments.msg-first"
+        } else {
+            "active-comments.plain"
+        });
+        return Ok(());
+    };
+    if active != Active::Abort {
+        state.evidence.accepted(active.rule());
+        state.evidence.accepted("active-comments.message-first");
+    }
+    match active {
+        Active::Message => msg(text, state, record),
+        Active::Debug => debug(text, state, record)?,
+        Active::Print => say(Channel::Print, text, state, record)?,
+        Active::Log => log(text, state, record)?,
+        Active::LogOpen | Active::LogAppend => {
+            state.log_open = true;
+            let append = active == Active::LogAppend;
+            record.effect(state, Effect::LogOpen { file: text.trim().to_owned(), append });
+        }
+        Active::LogClose => {
+            state.log_open = false;
+            record.effect(state, Effect::LogClose {});
+        }
+        Active::ProbeOpen => {
+            record.effect(state, Effect::ProbeLogOpen { file: text.trim().to_owned() })
+        }
+        Active::ProbeClose => record.effect(state, Effect::ProbeLogClose {}),
+        Active::Abort => {
+            let message = expand(text, state)?;
+            return Err(refuse("active-comments.abort", FaultKind::AbortedByProgram, message));
+        }
+    }
+    Ok(())
+}
+
+/// Rule active-comments.msg. MSG and a comma at the beginning of a comment display the rest of it.
+/// Rule active-comments.msg-verbatim. The text is displayed as it stands; parameters are not replaced.
+fn msg(text: &str, state: &mut State, record: &mut Record) {
+    state.evidence.accepted("active-comments.msg-verbatim");
+    state.evidence.accepted("active-comments.msg-spelling");
+    record.effect(state, Effect::Message { channel: Channel::Display, text: text.to_owned() });
+}
+
+/// Rule active-comments.debug. DEBUG displays a message with the values of parameters in it.
+/// Rule parameters.debug-switch. While 5599 is 0 the DEBUG comments say nothing.
+fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    state.evidence.accepted("parameters.debug-switch");
+    let switch = shown_value(&Name::Numbered(parameters::DEBUG_SWITCH), state)?;
+    if switch.abs() > 0.0 { say(Channel::Display, text, state, record) } else { Ok(()) }
+}
+
+/// Rule active-comments.log. LOG writes what follows its comma to the open log file.
+/// Rule active-comments.log-closed. LOG writes nothing while no log file is open.
+/// Quirk rs274.log-closed: it speaks all the same.
+fn log(text: &str, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    state.evidence.accepted("active-comments.log-closed");
+    if state.log_open || state.readings.quirk("rs274.log-closed") {
+        return say(Channel::Log, text, state, record);
+    }
+    Ok(())
+}
+
+/// Rule active-comments.print. PRINT writes a message with the values of parameters in it.
+fn say(channel: Channel, text: &str, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    let text = expand(text, state)?;
+    record.effect(state, Effect::Message { channel, text });
+    Ok(())
+}
+
+/// The value that a message shows of a parameter.
+///
+/// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value or
+/// its old one.
+fn shown_value(name: &Name, state: &State) -> Result<f64, Halt> {
+    let new = state.readings.is("active-comments.same-block-setting", "new");
+    match state.parameters.announced(name) {
+        Some(value) if new => Ok(value),
+        _ => parameters::value(name, state),
+    }
+}

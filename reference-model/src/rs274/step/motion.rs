@@ -1,0 +1,224 @@
+//! G0, G1, G80, and axis words alone.
+
+use gaugeblock_trace::{
+    Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Position, SpindleMode, SpindleTurn,
+};
+
+use super::target::{end_point, machine_end_point};
+use super::word;
+use crate::rs274::machine::State;
+use crate::rs274::modes::g_code;
+use crate::rs274::order::has_axis_words;
+use crate::rs274::quirks::settings as quirks;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::task::Record;
+
+/// What a block asks the machine to do.
+///
+/// Rule motion.mode-change. A motion code replaces the motion mode.
+/// Rule motion.mode-holds. Axis words alone repeat the motion mode, unless a code of the block uses them.
+pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
+    let programmed = words.g.iter().find_map(|code| match code {
+        0 => Some(Motion::Traverse),
+        10 => Some(Motion::Feed),
+        _ => None,
+    });
+    let cancelled = words.g.contains(&800);
+    let used = words.g.iter().filter_map(|code| g_code(*code)).any(|code| code.axis_words);
+    programmed.or(cancelled.then_some(Motion::None)).or_else(|| {
+        let implied = has_axis_words(words) && !used;
+        (implied || words.g.contains(&530)).then_some(state.modes.motion)
+    })
+}
+
+/// Moves, or sets the motion mode.
+///
+/// # Errors
+/// A move that the modes in force do not allow.
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    let Some(motion) = motion_of(words, state) else { return Ok(()) };
+    let programmed = words.g.iter().any(|code| [0, 10, 800].contains(code));
+    state.evidence.accepted(if programmed { "motion.mode-change" } else { "motion.mode-holds" });
+    if words.g.contains(&530) {
+        machine_coordinates_possible(motion, words, state)?;
+    }
+    if motion == Motion::None {
+        return cancel(words, programmed, state);
+    }
+    if !has_axis_words(words) {
+        return without_axis_words(motion, words, state, record);
+    }
+    move_to(motion, words, state, record)
+}
+
+/// Rule motion.cancel. G80 cancels the motion mode.
+/// Rule motion.cancel-with-axis-words. Axis words have no place in its block.
+/// Rule modal-groups.axis-words-without-mode and rule motion.axis-words-after-cancel. Nor have they in a block that does
+/// not use them while no motion mode is active.
+fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), Halt> {
+    if has_axis_words(words) && moves_by(words) {
+        let message = "axis words, and no motion mode";
+        if programmed {
+            return Err(refuse("motion.cancel-with-axis-words", FaultKind::AxisWords, message));
+        }
+        state.evidence.refused("motion.axis-words-after-cancel");
+        let rule = "modal-groups.axis-words-without-mode";
+        return Err(refuse(rule, FaultKind::AxisWords, message));
+    }
+    state.evidence.accepted("motion.cancel");
+    state.modes.motion = Motion::None;
+    Ok(())
+}
+
+/// Whether the axis words of a block are the motion's.
+fn moves_by(words: &Words) -> bool {
+    let others = words.g.iter().filter_map(|code| g_code(*code));
+    !others.filter(|code| ![0, 10].contains(&code.number)).any(|code| code.axis_words)
+}
+
+/// Rule motion.without-axis-words. Whether a motion code alone makes a move of no length is a choice.
+fn without_axis_words(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), Halt> {
+    state.evidence.accepted("motion.without-axis-words");
+    if state.readings.is("motion.without-axis-words", "move-in-place") {
+        return move_to(motion, words, state, record);
+    }
+    state.modes.motion = motion;
+    Ok(())
+}
+
+/// Rule motion.traverse. G0 moves at rapid speed to the point that the axis words name.
+/// Rule motion.feed. G1 moves there at the feed rate that is current (feed.applies-to-feed-moves).
+fn move_to(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), Halt> {
+    if state.modes.compensation != Compensation::Off && !quirks::moves_as_without_radius(state) {
+        return Err(Halt::Unsupported("a move under cutter compensation".to_owned()));
+    }
+    if motion == Motion::Feed {
+        feed_possible(words, state)?;
+    }
+    let end = if words.g.contains(&530) {
+        machine_end_point(words, state)
+    } else {
+        end_point(words, state)?
+    };
+    state.modes.motion = motion;
+    state.position = end;
+    accepted(motion, end, words, state);
+    let effect = if motion == Motion::Feed {
+        Effect::StraightFeed { end }
+    } else {
+        Effect::StraightTraverse { end }
+    };
+    record.effect(state, effect);
+    Ok(())
+}
+
+/// Rule offsets.machine-needs-motion. G53 needs G0 or G1 to be active, in its block or before (offsets.machine-motion).
+/// Rule offsets.machine-under-compensation. It is refused while cutter compensation is on.
+/// Rule offsets.machine-incremental. What it does in incremental distance mode is a choice.
+fn machine_coordinates_possible(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+) -> Result<(), Halt> {
+    if motion == Motion::None {
+        let rule = "offsets.machine-needs-motion";
+        return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
+    }
+    if state.modes.compensation != Compensation::Off && !quirks::moves_as_without_radius(state) {
+        let rule = "offsets.machine-under-compensation";
+        let message = "G53 while cutter compensation is on";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    let incremental = state.modes.distance == Distance::Incremental;
+    if incremental && state.readings.is("offsets.machine-incremental", "refused") {
+        let message = "G53 in incremental distance mode";
+        return Err(refuse("offsets.machine-incremental", FaultKind::ModalConflict, message));
+    }
+    state.evidence.accepted("offsets.machine-incremental");
+    if !words.g.iter().any(|code| [0, 10].contains(code)) {
+        state.evidence.accepted("offsets.machine-motion");
+    }
+    state.evidence.accepted("offsets.machine-coordinates");
+    state.evidence.accepted("offsets.machine-once");
+    Ok(())
+}
+
+/// Rule feed.inverse-time-needs-rate. Under inverse time a feed move needs F in its own block; one that stood elsewhere
+/// was ignored (feed.inverse-time-stray-rate).
+/// Rule feed.move-without-rate. Otherwise a feed rate must have been set, and again after a switch of the feed mode
+/// (feed.rate-after-mode-change).
+/// Rule spindle.surface-speed-while-stopped. Under constant surface speed the spindle must turn.
+fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt> {
+    if state.modes.feed_mode == FeedMode::InverseTime {
+        if word(words, 'f').is_none() {
+            state.evidence.refused("feed.inverse-time-stray-rate");
+            let message = "under inverse time a feed move needs F in its block";
+            return Err(refuse("feed.inverse-time-needs-rate", FaultKind::MissingWord, message));
+        }
+        state.evidence.accepted("feed.inverse-time-needs-rate");
+    }
+    if state.modes.feed_rate == 0.0 {
+        if state.modes.feed_awaited {
+            state.evidence.refused("feed.rate-after-mode-change");
+        }
+        let message = "a feed move, and no feed rate";
+        return Err(refuse("feed.move-without-rate", FaultKind::ZeroFeed, message));
+    }
+    state.evidence.accepted("feed.move-without-rate");
+    state.evidence.accepted("feed.rate-after-mode-change");
+    state.evidence.accepted("feed.applies-to-feed-moves");
+    let surface = |mode| mode == SpindleMode::SurfaceSpeed;
+    let mut spindles = state.modes.spindles.iter().filter(|spindle| surface(spindle.mode));
+    let standing = spindles.any(|spindle| spindle.turn == SpindleTurn::Stopped);
+    if standing && !state.readings.quirk("rs274.surface-speed-while-stopped") {
+        let rule = "spindle.surface-speed-while-stopped";
+        let message = "a feed move under constant surface speed while the spindle stands";
+        return Err(refuse(rule, FaultKind::ZeroSpeed, message));
+    }
+    state.evidence.accepted("spindle.surface-speed-while-stopped");
+    Ok(())
+}
+
+/// The rules that an accepted move follows, those on modes that held until it among them.
+fn accepted(motion: Motion, end: Position, words: &Words, state: &mut State) {
+    let mut rules = vec![
+        "modal-groups.one-in-force",
+        "modal-groups.non-modal-once",
+        "modal-groups.axis-words-without-mode",
+        "units-planes.motion-in-active-unit",
+        "path-control.mode-holds",
+        "offsets.select-holds",
+        "feed.mode-holds",
+    ];
+    if motion == Motion::Feed {
+        rules.push("motion.feed");
+    } else {
+        rules.push("motion.traverse");
+        if state.modes.feed_mode == FeedMode::InverseTime {
+            rules.push("feed.inverse-time-rapid");
+        }
+        if state.modes.feed_rate == 0.0 {
+            rules.push("feed.traverse-needs-none");
+        }
+    }
+    if [end.a, end.b, end.c].iter().any(|angle| *angle != 0.0) {
+        rules.push("motion.rotary-axes");
+    }
+    if words.letters.keys().any(|letter| "xyz".contains(*letter)) {
+        rules.push("motion.no-such-axis");
+    }
+    for rule in rules {
+        state.evidence.accepted(rule);
+    }
+}

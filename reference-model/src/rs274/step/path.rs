@@ -1,0 +1,52 @@
+//! G61, G61.1, G64.
+
+use gaugeblock_trace::Path;
+
+use super::word;
+use crate::rs274::machine::State;
+use crate::rs274::read::Words;
+
+/// Selects the path control mode.
+///
+/// Rules path-control.exact-path, path-control.exact-stop, path-control.continuous. A mode may be programmed while it is
+/// active (path-control.repeated).
+pub fn perform(words: &Words, state: &mut State) {
+    let before = state.modes.path;
+    let (path, rule) = if words.g.contains(&610) {
+        (Path::ExactPath, "path-control.exact-path")
+    } else if words.g.contains(&611) {
+        (Path::ExactStop, "path-control.exact-stop")
+    } else {
+        (Path::Continuous, "path-control.continuous")
+    };
+    state.evidence.accepted(rule);
+    if path == before {
+        state.evidence.accepted("path-control.repeated");
+    }
+    state.modes.path = path;
+    if path == Path::Continuous {
+        tolerances(words, state);
+    }
+}
+
+/// The tolerances of G64, in the active length unit.
+///
+/// Rule path-control.tolerance. P is the blend tolerance; without P there is none, whatever was set before
+/// (path-control.without-tolerance).
+/// Rule path-control.naive-cam. Q is the tolerance of the naive CAM detector and zero turns it off; without Q it is P
+/// (path-control.naive-cam-default).
+fn tolerances(words: &Words, state: &mut State) {
+    let (blend, naive_cam) = (word(words, 'p'), word(words, 'q'));
+    state.evidence.accepted(match blend {
+        Some(_) => "path-control.tolerance",
+        None => "path-control.without-tolerance",
+    });
+    if blend.is_some() {
+        state.evidence.accepted(match naive_cam {
+            Some(_) => "path-control.naive-cam",
+            None => "path-control.naive-cam-default",
+        });
+    }
+    state.modes.blend_tolerance = blend.unwrap_or(0.0);
+    state.modes.naive_cam_tolerance = naive_cam.or(blend).unwrap_or(0.0);
+}

@@ -1,0 +1,78 @@
+//! M2 and M30.
+
+use gaugeblock_trace::{
+    Compensation, ControllerMode, Distance, Effect, FeedMode, Motion, Plane, SpindleTurn, Switch,
+};
+
+use super::offsets::use_system;
+use super::spindle::all;
+use crate::rs274::machine::State;
+use crate::rs274::quirks::settings as quirks;
+use crate::rs274::read::Words;
+use crate::rs274::task::Record;
+
+/// Ends the program.
+///
+/// Rule program-end.pallet. M30 exchanges the pallet shuttles before it ends the program.
+/// Rule program-end.mode. The controller changes from auto mode to MDI mode.
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) {
+    if state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
+        state.evidence.accepted("saved-state.autorestore-program-end");
+    }
+    reset(state);
+    state.evidence.accepted("program-end.pallet");
+    if words.m.contains(&30) {
+        record.effect(state, Effect::PalletShuttle {});
+    }
+    state.evidence.accepted("program-end.mode");
+    state.modes.controller_mode = ControllerMode::Mdi;
+    record.effect(state, Effect::ChangeControllerMode { mode: ControllerMode::Mdi });
+    record.effect(state, Effect::ProgramEnd {});
+}
+
+/// The list of effects, in its order.
+///
+/// Rules program-end.work-offset, program-end.plane, program-end.distance, program-end.feed-mode, program-end.overrides,
+/// program-end.compensation, program-end.spindle, program-end.motion, program-end.coolant.
+/// On a machine with several spindles it is a choice which of them stop.
+/// Rules program-end.kept and program-end.feed-kept. What the list leaves out stays.
+fn reset(state: &mut State) {
+    for rule in [
+        "program-end.work-offset",
+        "program-end.plane",
+        "program-end.distance",
+        "program-end.feed-mode",
+        "program-end.overrides",
+        "program-end.compensation",
+        "program-end.spindle",
+        "program-end.motion",
+        "program-end.coolant",
+        "program-end.kept",
+        "program-end.feed-kept",
+        "program-end.parameters-kept",
+    ] {
+        state.evidence.accepted(rule);
+    }
+    use_system(1, state);
+    let every = state.readings.is("program-end.spindles", "all");
+    let stopped = if every { all(state) } else { vec![0] };
+    let speed_override = !state.readings.quirk("rs274.speed-override-at-end");
+    let modes = &mut state.modes;
+    modes.plane = Plane::Xy;
+    modes.distance = Distance::Absolute;
+    modes.feed_mode = FeedMode::PerMinute;
+    modes.feed_override = Switch::On;
+    if speed_override {
+        for spindle in &mut modes.spindles {
+            spindle.speed_override = Switch::On;
+        }
+    }
+    modes.compensation = Compensation::Off;
+    for place in stopped {
+        modes.spindles[place].turn = SpindleTurn::Stopped;
+    }
+    modes.motion = Motion::Feed;
+    modes.mist = Switch::Off;
+    modes.flood = Switch::Off;
+    quirks::program_end(state);
+}

@@ -1,0 +1,163 @@
+//! S, G96, G97, M3, M4, M5.
+
+use gaugeblock_trace::{FaultKind, SpindleLimit, SpindleMode, SpindleTurn};
+
+use super::{whole, word};
+use crate::rs274::machine::State;
+use crate::rs274::modes::Spindle;
+use crate::rs274::quirks::settings as quirks;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+
+/// Sets the spindle mode and the speed.
+///
+/// Rule spindle.speed. S holds until another S, and neither starts nor stops the spindle (spindle.speed-starts-nothing).
+/// Rule spindle.speed-selected. Without $ it is the speed of spindle 0.
+/// Rule spindle.surface-speed. G96 with S selects constant surface speed; G97 selects revolutions per minute
+/// (spindle.rpm-mode).
+///
+/// # Errors
+/// Rules spindle.speed-negative, spindle.surface-speed-needs-speed, spindle.out-of-range.
+pub fn set_speed(words: &Words, state: &mut State) -> Result<(), Halt> {
+    let speed = word(words, 's');
+    if let Some(speed) = speed.filter(|speed| *speed < 0.0) {
+        let message = format!("a spindle speed of {speed}");
+        return Err(refuse("spindle.speed-negative", FaultKind::WordOutOfRange, message));
+    }
+    let spindles = match word(words, '$') {
+        Some(number) => chosen(number, state)?,
+        None => vec![0],
+    };
+    let surface = words.g.contains(&960);
+    if surface {
+        surface_speed(words, speed, state)?;
+    }
+    let limit = word(words, 'd').filter(|_| surface).map_or(SpindleLimit::None, SpindleLimit::Rpm);
+    if words.g.contains(&970) {
+        rpm_mode(speed, state)?;
+    }
+    for place in spindles {
+        let spindle = &mut state.modes.spindles[place];
+        if surface {
+            *spindle = Spindle { mode: SpindleMode::SurfaceSpeed, limit, ..*spindle };
+        } else if words.g.contains(&970) {
+            *spindle = Spindle { mode: SpindleMode::Rpm, limit, ..*spindle };
+        }
+        if let Some(speed) = speed {
+            spindle.speed = speed;
+        }
+    }
+    if let Some(speed) = speed {
+        for rule in ["spindle.speed", "spindle.speed-selected", "spindle.speed-starts-nothing"] {
+            state.evidence.accepted(rule);
+        }
+        if speed == 0.0 {
+            state.evidence.accepted("spindle.speed-zero");
+        }
+    }
+    Ok(())
+}
+
+/// Rule spindle.rpm-mode-speed. Whether G97 needs S is a choice.
+fn rpm_mode(speed: Option<f64>, state: &mut State) -> Result<(), Halt> {
+    let rule = "spindle.rpm-mode-speed";
+    if speed.is_none() && state.readings.is(rule, "required") {
+        return Err(refuse(rule, FaultKind::MissingWord, "G97 needs S"));
+    }
+    state.evidence.accepted(rule);
+    state.evidence.accepted("spindle.rpm-mode");
+    Ok(())
+}
+
+/// Rule spindle.surface-speed-needs-speed. G96 needs S.
+/// Rule spindle.surface-speed-limit. D is the highest speed in revolutions per minute, and optional.
+fn surface_speed(words: &Words, speed: Option<f64>, state: &mut State) -> Result<(), Halt> {
+    if speed.is_none() {
+        let rule = "spindle.surface-speed-needs-speed";
+        return Err(refuse(rule, FaultKind::MissingWord, "G96 needs S"));
+    }
+    state.evidence.accepted("spindle.surface-speed-needs-speed");
+    state.evidence.accepted("spindle.surface-speed");
+    if word(words, 'd').is_some() {
+        state.evidence.accepted("spindle.surface-speed-limit");
+    }
+    if word(words, '$').is_some() {
+        state.evidence.accepted("spindle.surface-speed-selected");
+    }
+    Ok(())
+}
+
+/// Starts and stops spindles.
+///
+/// Rule spindle.start. M3 starts clockwise and M4 counterclockwise, at the S speed, which may be zero
+/// (spindle.start-at-zero). Rule spindle.stop. M5 stops. Each is allowed in any state (spindle.repeated).
+///
+/// # Errors
+/// Rules spindle.out-of-range and spindle.minus-one.
+pub fn turn(words: &Words, state: &mut State) -> Result<(), Halt> {
+    let (turn, rule) = if words.m.contains(&3) {
+        (SpindleTurn::Clockwise, "spindle.start")
+    } else if words.m.contains(&4) {
+        (SpindleTurn::Counterclockwise, "spindle.start")
+    } else {
+        (SpindleTurn::Stopped, "spindle.stop")
+    };
+    let spindles = match word(words, '$') {
+        Some(number) => chosen(number, state)?,
+        None => without_dollar(state),
+    };
+    state.evidence.accepted(rule);
+    for place in spindles {
+        let spindle = &mut state.modes.spindles[place];
+        let repeated = (spindle.turn == SpindleTurn::Stopped) == (turn == SpindleTurn::Stopped);
+        spindle.turn = turn;
+        let at_zero = turn != SpindleTurn::Stopped && spindle.speed == 0.0;
+        if repeated {
+            state.evidence.accepted("spindle.repeated");
+        }
+        if at_zero {
+            state.evidence.accepted("spindle.start-at-zero");
+        }
+    }
+    Ok(())
+}
+
+/// Rule spindle.without-dollar. Which spindles M3, M4 and M5 without $ act on is a choice.
+fn without_dollar(state: &mut State) -> Vec<usize> {
+    state.evidence.accepted("spindle.without-dollar");
+    if state.readings.is("spindle.without-dollar", "all") { all(state) } else { vec![0] }
+}
+
+/// Every spindle of the machine.
+pub(crate) fn all(state: &State) -> Vec<usize> {
+    (0..state.modes.spindles.len()).collect()
+}
+
+/// The spindles that $ names.
+///
+/// Rule spindle.minus-one. What -1 means is a choice. Rule spindle.selected. Any other number is that spindle.
+fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, Halt> {
+    if whole(number) == Some(-1) {
+        let rule = "spindle.minus-one";
+        if state.readings.is("spindle.minus-one", "all") {
+            state.evidence.accepted(rule);
+            return Ok(all(state));
+        }
+        return Err(refuse(rule, FaultKind::SpindleOutOfRange, "$-1 names no spindle"));
+    }
+    let place = self::number(number, state, "spindle.out-of-range")?;
+    state.evidence.accepted("spindle.out-of-range");
+    state.evidence.accepted("spindle.selected");
+    Ok(vec![place])
+}
+
+/// Rule spindle.out-of-range. $ must be the number of a spindle that the machine has, from 0; the rule that refuses it
+/// is given, since other chapters say the same.
+pub(crate) fn number(number: f64, state: &State, rule: &'static str) -> Result<usize, Halt> {
+    let number = quirks::spindle_number(number, state);
+    let place = whole(number).and_then(|whole| usize::try_from(whole).ok());
+    place.filter(|place| *place < state.modes.spindles.len()).ok_or_else(|| {
+        let message = format!("the machine has no spindle {number}");
+        refuse(rule, FaultKind::SpindleOutOfRange, message)
+    })
+}

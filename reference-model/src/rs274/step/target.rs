@@ -1,0 +1,125 @@
+//! Where axis words lead to.
+
+use gaugeblock_trace::{Axis, Distance, FaultKind, Lathe, Position};
+
+use super::word;
+use crate::math;
+use crate::rs274::machine::State;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+
+/// The axis words of a block with their values.
+pub(crate) fn axis_words(words: &Words) -> Vec<(Axis, f64)> {
+    let letters = Axis::ALL.iter().copied();
+    letters.filter_map(|axis| Some((axis, word(words, letter(axis))?))).collect()
+}
+
+/// The letter of an axis.
+pub(crate) fn letter(axis: Axis) -> char {
+    match axis {
+        Axis::X => 'x',
+        Axis::Y => 'y',
+        Axis::Z => 'z',
+        Axis::A => 'a',
+        Axis::B => 'b',
+        Axis::C => 'c',
+        Axis::U => 'u',
+        Axis::V => 'v',
+        Axis::W => 'w',
+    }
+}
+
+/// The axis words as a move reads them.
+///
+/// Rule units-planes.diameter. In diameter mode an X word is a diameter, and X moves half of it; no other axis is
+/// concerned (units-planes.diameter-x-only).
+fn moved(words: &Words, state: &State) -> Vec<(Axis, f64)> {
+    let mut values = axis_words(words);
+    if state.modes.lathe == Lathe::Diameter {
+        for (axis, value) in &mut values {
+            if *axis == Axis::X {
+                *value /= 2.0;
+            }
+        }
+    }
+    values
+}
+
+/// The end point of a move in program coordinates, active length unit.
+///
+/// Rule motion.omitted-axes. An axis without a word keeps its value.
+/// Rules units-planes.absolute and units-planes.incremental. A word is a position, or is added to the current one.
+///
+/// # Errors
+/// Rules motion.polar-mixed and motion.polar-from-origin.
+pub(crate) fn end_point(words: &Words, state: &mut State) -> Result<Position, Halt> {
+    let mut end = polar(words, state)?.unwrap_or(state.position);
+    let incremental = state.modes.distance == Distance::Incremental;
+    state.evidence.accepted(if incremental {
+        "units-planes.incremental"
+    } else {
+        "units-planes.absolute"
+    });
+    state.evidence.accepted("motion.omitted-axes");
+    let lathe = state.modes.lathe;
+    if lathe == Lathe::Diameter {
+        state.evidence.accepted("units-planes.diameter-x-only");
+    }
+    for (axis, value) in moved(words, state) {
+        let place = end.get_mut(axis);
+        *place = if incremental { *place + value } else { value };
+    }
+    Ok(end)
+}
+
+/// The end point of a move in machine coordinates, as program coordinates.
+///
+/// Rule offsets.machine-coordinates. The words of G53 are machine coordinates, whatever offsets are active.
+pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
+    let mut end = state.modes.machine_point(state.position);
+    for (axis, value) in moved(words, state) {
+        *end.get_mut(axis) = value;
+    }
+    state.modes.program_point(end)
+}
+
+/// The point that polar words name.
+///
+/// Rule motion.polar. @ is the distance from the XY origin, ^ the angle counterclockwise from the X axis.
+/// Rule motion.polar-partial. A word that is left out keeps its value.
+/// Rule motion.polar-incremental. In incremental mode both are added to those of the current point.
+/// Rule motion.polar-from-origin. Which has no angle at the origin.
+/// Rule motion.polar-mixed. X and Y have no place beside them.
+fn polar(words: &Words, state: &mut State) -> Result<Option<Position>, Halt> {
+    let (distance, angle) = (word(words, '@'), word(words, '^'));
+    if distance.is_none() && angle.is_none() {
+        return Ok(None);
+    }
+    if word(words, 'x').is_some() || word(words, 'y').is_some() {
+        let message = "polar words together with X or Y";
+        return Err(refuse("motion.polar-mixed", FaultKind::AxisWords, message));
+    }
+    let here = state.position;
+    let incremental = state.modes.distance == Distance::Incremental;
+    if incremental && here.x == 0.0 && here.y == 0.0 {
+        let message = "an incremental polar move from the origin, which has no angle";
+        return Err(refuse("motion.polar-from-origin", FaultKind::AxisWords, message));
+    }
+    let from = if incremental { 1.0 } else { 0.0 };
+    let current_distance = math::hypotenuse(here.x, here.y);
+    let current_angle = math::degrees_of(here.y, here.x);
+    let distance = distance.map_or(current_distance, |value| from * current_distance + value);
+    let angle = angle.map_or(current_angle, |value| from * current_angle + value);
+    state.evidence.accepted("motion.polar");
+    if incremental {
+        state.evidence.accepted("motion.polar-incremental");
+    }
+    if word(words, '@').is_none() || word(words, '^').is_none() {
+        state.evidence.accepted("motion.polar-partial");
+    }
+    Ok(Some(Position {
+        x: distance * math::cosine_of_degrees(angle),
+        y: distance * math::sine_of_degrees(angle),
+        ..here
+    }))
+}

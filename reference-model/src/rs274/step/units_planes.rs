@@ -1,0 +1,114 @@
+//! Planes, length units, distance modes, lathe modes and the return mode of canned cycles.
+
+use gaugeblock_trace::{Distance, FeedMode, Lathe, LengthUnit, Plane, Retract};
+
+use crate::rs274::machine::State;
+use crate::rs274::modes::{converted, unit_size};
+use crate::rs274::read::Words;
+
+/// Rules units-planes.plane and units-planes.secondary-planes. Selecting a plane moves nothing.
+pub fn select_plane(words: &Words, state: &mut State) {
+    let plane = words.g.iter().find_map(|code| match code {
+        170 => Some((Plane::Xy, "units-planes.plane")),
+        180 => Some((Plane::Zx, "units-planes.plane")),
+        190 => Some((Plane::Yz, "units-planes.plane")),
+        171 => Some((Plane::Uv, "units-planes.secondary-planes")),
+        181 => Some((Plane::Wu, "units-planes.secondary-planes")),
+        191 => Some((Plane::Vw, "units-planes.secondary-planes")),
+        _ => None,
+    });
+    if let Some((plane, rule)) = plane {
+        state.evidence.accepted(rule);
+        state.evidence.accepted("units-planes.plane-moves-nothing");
+        state.modes.plane = plane;
+    }
+}
+
+/// Rule units-planes.units. G20 makes inches and G21 millimetres the length unit.
+pub fn select_units(words: &Words, state: &mut State) {
+    state.evidence.accepted("units-planes.units");
+    let inch = words.g.contains(&200);
+    use_units(if inch { LengthUnit::Inch } else { LengthUnit::Millimetre }, state);
+}
+
+/// Tells everything that is a length in another unit; nothing moves and nothing is longer or shorter than before.
+///
+/// Rules units-planes.position-over-unit-change, units-planes.offsets-over-unit-change,
+/// units-planes.tool-offset-over-unit-change. Rotary axes stay (units-planes.rotary-axes).
+pub fn use_units(units: LengthUnit, state: &mut State) {
+    let before = state.modes.units;
+    if units == before {
+        return;
+    }
+    for rule in [
+        "units-planes.position-over-unit-change",
+        "units-planes.offsets-over-unit-change",
+        "units-planes.tool-offset-over-unit-change",
+        "units-planes.rotary-axes",
+    ] {
+        state.evidence.accepted(rule);
+    }
+    let modes = &mut state.modes;
+    modes.units = units;
+    state.position = converted(state.position, before, units);
+    modes.g5x_offset = converted(modes.g5x_offset, before, units);
+    modes.g92_offset = converted(modes.g92_offset, before, units);
+    modes.tool_offset = converted(modes.tool_offset, before, units);
+    let factor = unit_size(before) / unit_size(units);
+    modes.blend_tolerance *= factor;
+    modes.naive_cam_tolerance *= factor;
+    modes.compensation_radius *= factor;
+    convert_feed(factor, state);
+}
+
+/// Rule units-planes.feed-over-unit-change. What becomes of the feed is a choice; under inverse time it is no length.
+fn convert_feed(factor: f64, state: &mut State) {
+    state.evidence.accepted("units-planes.feed-over-unit-change");
+    let rescaled = state.readings.is("units-planes.feed-over-unit-change", "rescaled");
+    if rescaled && state.modes.feed_mode != FeedMode::InverseTime {
+        state.modes.feed_rate *= factor;
+    }
+}
+
+/// Rules units-planes.absolute, units-planes.incremental, units-planes.arc-distance, units-planes.diameter and
+/// units-planes.radius: what axis words and arc offsets count from. The distance mode and the arc distance mode do not
+/// influence each other, and changing them keeps the position.
+pub fn select_distance(words: &Words, state: &mut State) {
+    for code in &words.g {
+        let rule = match code {
+            900 => {
+                state.modes.distance = Distance::Absolute;
+                "units-planes.distance-change"
+            }
+            910 => {
+                state.modes.distance = Distance::Incremental;
+                "units-planes.distance-change"
+            }
+            901 => {
+                state.modes.arc_distance = Distance::Absolute;
+                "units-planes.arc-distance"
+            }
+            911 => {
+                state.modes.arc_distance = Distance::Incremental;
+                "units-planes.arc-distance"
+            }
+            70 => {
+                state.modes.lathe = Lathe::Diameter;
+                "units-planes.diameter"
+            }
+            80 => {
+                state.modes.lathe = Lathe::Radius;
+                "units-planes.radius"
+            }
+            _ => continue,
+        };
+        state.evidence.accepted(rule);
+        state.evidence.accepted("units-planes.arc-distance-apart");
+    }
+}
+
+/// G98 and G99: where canned cycles return to.
+pub fn select_retract(words: &Words, state: &mut State) {
+    let r_plane = words.g.contains(&990);
+    state.modes.retract = if r_plane { Retract::RPlane } else { Retract::OldZ };
+}

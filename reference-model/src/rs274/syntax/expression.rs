@@ -1,0 +1,161 @@
+//! Expressions in brackets: operands, operators and their precedence.
+
+use gaugeblock_trace::FaultKind;
+
+use super::parser::Parser;
+use super::value::Wanted;
+use super::{Expression, Operator};
+use crate::rs274::refusal::Halt;
+use crate::rs274::text::Glyph;
+
+const OPERATORS: [(&str, Operator); 15] = [
+    ("**", Operator::Power),
+    ("*", Operator::Multiply),
+    ("/", Operator::Divide),
+    ("mod", Operator::Modulus),
+    ("+", Operator::Add),
+    ("-", Operator::Subtract),
+    ("eq", Operator::Equal),
+    ("ne", Operator::NotEqual),
+    ("gt", Operator::Greater),
+    ("ge", Operator::GreaterOrEqual),
+    ("lt", Operator::Less),
+    ("le", Operator::LessOrEqual),
+    ("and", Operator::And),
+    ("or", Operator::Or),
+    ("xor", Operator::ExclusiveOr),
+];
+
+/// The operator that is next, with its spelling.
+pub(super) fn operator_at(parser: &Parser<'_>) -> Option<(&'static str, Operator)> {
+    OPERATORS.into_iter().find(|(spelling, _)| parser.sees(spelling))
+}
+
+/// Groups of operators in the order in which they are performed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Group {
+    Power,
+    Product,
+    Sum,
+    Comparison,
+    Logic,
+}
+
+impl Group {
+    const ALL: [Self; 5] = [Self::Power, Self::Product, Self::Sum, Self::Comparison, Self::Logic];
+
+    fn of(operator: Operator) -> Self {
+        match operator {
+            Operator::Power => Self::Power,
+            Operator::Multiply | Operator::Divide | Operator::Modulus => Self::Product,
+            Operator::Add | Operator::Subtract => Self::Sum,
+            Operator::Equal
+            | Operator::NotEqual
+            | Operator::Greater
+            | Operator::GreaterOrEqual
+            | Operator::Less
+            | Operator::LessOrEqual => Self::Comparison,
+            Operator::And | Operator::Or | Operator::ExclusiveOr => Self::Logic,
+        }
+    }
+
+    /// The rule that puts a group before all that follow it.
+    fn rule(self) -> &'static str {
+        match self {
+            Self::Power => "expressions.power-first",
+            Self::Product => "expressions.multiply-before-add",
+            Self::Sum => "expressions.add-before-compare",
+            Self::Comparison => "expressions.compare-before-logical",
+            Self::Logic => "expressions.left-first",
+        }
+    }
+}
+
+impl Parser<'_> {
+    /// An expression with its brackets.
+    ///
+    /// Rule expressions.nested. An expression may stand in an expression and gives its value there.
+    /// Rule expressions.unbalanced. An expression without its closing bracket is refused.
+    pub(super) fn bracketed(&mut self) -> Result<Expression, Halt> {
+        self.advance();
+        if self.peek() == Some('[') {
+            self.reach("expressions.nested");
+        }
+        let mut operands = vec![self.value(Wanted::Operand)?];
+        let mut operators = Vec::new();
+        while !self.take("]") {
+            let Some((spelling, operator)) = operator_at(self) else {
+                return Err(self.no_operator());
+            };
+            self.take(spelling);
+            operators.push(operator);
+            operands.push(self.value(Wanted::Operand)?);
+        }
+        self.reach_groups(&operators);
+        Ok(combine(operands, operators))
+    }
+
+    /// Which rule refuses what stands where an operator or the closing bracket should stand.
+    ///
+    /// Rule expressions.incomplete. An expression that lacks an operator is refused.
+    /// Rule expressions.unknown-operator. An operator that the table does not list is refused.
+    /// Rule numbers.no-exponent. What looks like an exponent is not part of a number and is refused.
+    fn no_operator(&self) -> Halt {
+        let next = self.peek();
+        let digit =
+            |character: Option<char>| character.is_some_and(|character| character.is_ascii_digit());
+        let exponent = digit(self.last()) && next == Some('e');
+        let (rule, kind, message) = match next {
+            None => ("expressions.unbalanced", FaultKind::BadExpression, "a bracket is not closed"),
+            Some(Glyph::COMMENT) => {
+                ("text.comment-inside-word", FaultKind::BadComment, "an expression goes on")
+            }
+            Some('[' | '#' | '0'..='9') => {
+                ("expressions.incomplete", FaultKind::BadExpression, "an operator is missing")
+            }
+            Some(_) if self.sees_function() => {
+                ("expressions.incomplete", FaultKind::BadExpression, "an operator is missing")
+            }
+            Some(_) if exponent => {
+                ("numbers.no-exponent", FaultKind::BadNumber, "a number has no exponent")
+            }
+            Some(_) => {
+                ("expressions.unknown-operator", FaultKind::BadExpression, "no such operator")
+            }
+        };
+        self.refuse(rule, kind, message)
+    }
+
+    /// The rules of precedence that an expression with these operators reaches.
+    fn reach_groups(&mut self, operators: &[Operator]) {
+        for group in Group::ALL {
+            let of_group =
+                operators.iter().filter(|operator| Group::of(**operator) == group).count();
+            if of_group > 1 {
+                self.reach("expressions.left-first");
+            }
+            if of_group > 0 && operators.iter().any(|operator| Group::of(*operator) > group) {
+                self.reach(group.rule());
+            }
+        }
+        if !operators.is_empty() {
+            self.reach("expressions.operators-in-brackets");
+        }
+    }
+}
+
+/// Operations of a group are performed before those of the groups that follow.
+///
+/// Rule expressions.left-first. Of operations of one group the one on the left comes first.
+fn combine(mut operands: Vec<Expression>, mut operators: Vec<Operator>) -> Expression {
+    for group in Group::ALL {
+        while let Some(index) = operators.iter().position(|operator| Group::of(*operator) == group)
+        {
+            let operator = operators.remove(index);
+            let right = operands.remove(index + 1);
+            let left = std::mem::replace(&mut operands[index], Expression::Number(0.0));
+            operands[index] = Expression::Binary(operator, Box::new(left), Box::new(right));
+        }
+    }
+    operands.swap_remove(0)
+}

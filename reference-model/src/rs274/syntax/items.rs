@@ -1,0 +1,217 @@
+//! Block delete, line number, words, settings, comments: the items of a line.
+
+use gaugeblock_trace::FaultKind;
+
+use super::expression::operator_at;
+use super::parser::Parser;
+use super::value::Wanted;
+use super::{Block, Comment, Setting, Word};
+use crate::rs274::refusal::Halt;
+use crate::rs274::text::Glyph;
+
+/// Rule text.word-letters. The letters of the table begin words; no other letter does.
+///
+/// E belongs to M66 to M68 (see `read`); `$` is a spindle, `@` and `^` are polar coordinates.
+const WORD_LETTERS: &str = "abcdefghijklmpqrstuvwxyz$@^";
+
+const AXIS_LETTERS: &str = "xyzabcuvw";
+
+impl Parser<'_> {
+    /// A whole block. Its order is: slash, line number, then an O-word or words, settings and comments.
+    pub(super) fn block(&mut self, comments: Vec<Comment>) -> Result<Block, Halt> {
+        let mut block = Block { block_delete: self.block_delete(), ..Block::default() };
+        block.line_number = self.line_number()?;
+        self.comments();
+        if self.peek() == Some('o') {
+            block.o_word = Some(self.o_word()?);
+        } else {
+            self.items(&mut block)?;
+        }
+        if comments.len() > 1 {
+            self.reach("active-comments.last-comment");
+        }
+        block.comment = self.active(comments);
+        self.reach_items(&block);
+        Ok(block)
+    }
+
+    /// Rule text.block-delete-off. While block delete is off, a line that begins with a slash is executed like any
+    /// other.
+    pub(super) fn block_delete(&mut self) -> bool {
+        let slash = self.take("/");
+        if slash {
+            self.reach("text.block-delete-off");
+            self.fail("text.block-delete-off");
+            self.reach("text.block-delete-place");
+        }
+        slash
+    }
+
+    /// Rule text.line-number. A line number is N and an unsigned integer, and may go on with a period and another
+    /// unsigned integer.
+    /// Rule text.line-number-form. One with a sign, without digits on either side of its period, or computed, is
+    /// refused.
+    pub(super) fn line_number(&mut self) -> Result<Option<String>, Halt> {
+        if !self.take("n") {
+            return Ok(None);
+        }
+        let wrong = |parser: &Self| {
+            Err(parser.refuse(
+                "text.line-number-form",
+                FaultKind::BadNumber,
+                "a line number is digits, no others stand",
+            ))
+        };
+        let mut number = self.take_while(|character| character.is_ascii_digit());
+        if number.is_empty() {
+            return wrong(self);
+        }
+        if self.take(".") {
+            let second = self.take_while(|character| character.is_ascii_digit());
+            if second.is_empty() || self.peek() == Some('.') {
+                return wrong(self);
+            }
+            number = format!("{number}.{second}");
+        }
+        self.reach("text.line-number");
+        self.reach("text.line-number-order");
+        Ok(Some(number))
+    }
+
+    /// Goes on behind comments.
+    pub(super) fn comments(&mut self) {
+        while self.peek() == Some(Glyph::COMMENT) {
+            self.advance();
+        }
+    }
+
+    /// Rule text.items-optional. A line needs neither words nor settings.
+    fn items(&mut self, block: &mut Block) -> Result<(), Halt> {
+        while let Some(next) = self.peek() {
+            match next {
+                Glyph::COMMENT => self.advance(),
+                '#' => block.settings.push(self.setting()?),
+                letter if WORD_LETTERS.contains(letter) => block.words.push(self.word(letter)?),
+                _ => return Err(self.misplaced(next)),
+            }
+        }
+        Ok(())
+    }
+
+    /// Rule text.word-value. A word is a letter and a number, or something that evaluates to a number.
+    /// Rule motion.axis-without-value. An axis letter without a number is refused.
+    fn word(&mut self, letter: char) -> Result<Word, Halt> {
+        let start = self.place();
+        self.advance();
+        let value = self.value(Wanted::Word);
+        if value.is_err() {
+            let stopped = self.place();
+            self.go_back(start);
+            if self.follows_value() && operator_at(self).is_some() {
+                return Err(self.operator_outside());
+            }
+            self.go_back(stopped);
+        }
+        if value.is_err() && AXIS_LETTERS.contains(letter) {
+            self.fail("motion.axis-without-value");
+        }
+        self.reach("text.word-letters");
+        self.reach("text.word-value");
+        Ok(Word { letter, value: value?, span: self.span_from(start) })
+    }
+
+    /// Rule parameters.assignment. The equals sign stores the number on its right in the parameter on its left.
+    /// Rule parameters.assignment-form. A parameter alone, or a setting without a value, is refused.
+    fn setting(&mut self) -> Result<Setting, Halt> {
+        let start = self.place();
+        let target = self.parameter()?;
+        if !self.take("=") {
+            let message = "a parameter alone: an equals sign is missing";
+            return Err(self.refuse("parameters.assignment-form", FaultKind::BadBlock, message));
+        }
+        let value = self.value(Wanted::Setting)?;
+        Ok(Setting { target, value, span: self.span_from(start) })
+    }
+
+    /// Rule text.illegal-item. What is neither a word, a parameter setting nor a comment is refused.
+    /// Rule text.illegal-input. Characters that no rule allows are refused.
+    ///
+    /// Other rules say more of what stands where an item should stand.
+    fn misplaced(&self, next: char) -> Halt {
+        let follows = self.follows_value();
+        let ends = matches!(self.peek_behind(1), None | Some(Glyph::COMMENT));
+        let (rule, kind, message) = match next {
+            '%' => (
+                "text.percent-line",
+                FaultKind::BadCharacter,
+                "a percent sign stands alone on its line, not",
+            ),
+            'o' => (
+                "control.unrelated-words",
+                FaultKind::BadBlock,
+                "other words stand before an O-word",
+            ),
+            'n' => {
+                ("text.line-number-place", FaultKind::BadBlock, "a line number stands first, not")
+            }
+            '.' => {
+                ("numbers.form", FaultKind::BadNumber, "a number has one decimal point, no other")
+            }
+            '+' | '-' if follows && ends => {
+                ("numbers.form", FaultKind::BadNumber, "a sign stands before its number, not")
+            }
+            '+' | '-' | '*' if follows => return self.operator_outside(),
+            '/' if follows
+                && self.peek_behind(1).is_some_and(|behind| "#[.0123456789".contains(behind)) =>
+            {
+                return self.operator_outside();
+            }
+            '/' => ("text.block-delete-place", FaultKind::BadBlock, "a slash stands first, not"),
+            ']' => ("expressions.unbalanced", FaultKind::BadExpression, "no bracket was opened"),
+            '[' | '=' | '<' | '>' | '+' | '-' | '*' | '0'..='9' => {
+                ("text.illegal-item", FaultKind::BadBlock, "no word, setting or comment begins")
+            }
+            '_' => ("text.word-letters", FaultKind::BadCharacter, "no word begins"),
+            _ => ("text.illegal-input", FaultKind::BadCharacter, "a character that is not allowed"),
+        };
+        self.refuse(rule, kind, message)
+    }
+
+    /// Whether a value ends before the next character.
+    fn follows_value(&self) -> bool {
+        self.last()
+            .is_some_and(|last| last.is_ascii_digit() || last == ']' || last == '>' || last == '.')
+    }
+
+    /// Rule expressions.operators-in-brackets. Binary operators stand inside expressions only.
+    fn operator_outside(&self) -> Halt {
+        let message = "an operator stands inside brackets only, not";
+        self.refuse("expressions.operators-in-brackets", FaultKind::BadExpression, message)
+    }
+
+    /// Rule active-comments.last-comment. Of several comments on a line only the last can be active.
+    /// Rule active-comments.semicolon. A semicolon comment is the last of its line and may be active.
+    /// Quirk rs274.semicolon-plain: it is never active, and does not silence an active comment before it.
+    fn active(&mut self, mut comments: Vec<Comment>) -> Option<Comment> {
+        if self.readings.quirk("rs274.semicolon-plain") {
+            comments.retain(|comment| !comment.semicolon);
+        } else if comments.last().is_some_and(|comment| comment.semicolon) {
+            self.reach("active-comments.semicolon");
+        }
+        comments.pop()
+    }
+
+    fn reach_items(&mut self, block: &Block) {
+        if block.words.is_empty() && block.settings.is_empty() && block.o_word.is_none() {
+            self.reach("text.items-optional");
+        }
+        if !block.words.is_empty() && !block.settings.is_empty() {
+            self.reach("text.item-order");
+            self.reach("parameters.setting-order");
+        }
+        if !block.settings.is_empty() {
+            self.reach("parameters.assignment");
+            self.reach("parameters.setting-last");
+        }
+    }
+}

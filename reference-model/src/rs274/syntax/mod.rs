@@ -1,0 +1,47 @@
+//! What a block may look like.
+//!
+//! A block is parsed when it is reached, not before: the errors of a block that is never reached do not count.
+
+mod block;
+mod expression;
+mod items;
+mod o_word;
+mod parser;
+#[cfg(test)]
+mod tests;
+mod value;
+
+pub use block::*;
+
+use super::machine::State;
+use super::refusal::Halt;
+use super::text::condense;
+use parser::Parser;
+
+/// Parses a line.
+///
+/// # Errors
+/// The line has not the form of a block.
+pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
+    let (glyphs, comments) = condense(line, state)?;
+    let mut parser = Parser::new(&glyphs, &state.readings);
+    let parsed = parser.block(comments);
+    let (reached, failed) = parser.into_rules();
+    if parsed.is_ok() {
+        reached.into_iter().for_each(|rule| state.evidence.accepted(rule));
+    } else {
+        failed.into_iter().for_each(|rule| state.evidence.refused(rule));
+    }
+    parsed
+}
+
+/// The O-word of a line that begins with one, as far as it can be read: for skipping and for finding labels.
+///
+/// Anything else is `None`; nothing is refused, and no rule is reached.
+pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
+    let before = state.evidence.clone();
+    let condensed = condense(line, state);
+    state.evidence = before;
+    let (glyphs, _) = condensed.ok()?;
+    Parser::new(&glyphs, &state.readings).leading_o_word()
+}

@@ -1,0 +1,151 @@
+//! O-words: a label, a keyword, values in brackets.
+
+use gaugeblock_trace::FaultKind;
+
+use super::parser::Parser;
+use super::value::Wanted;
+use super::{Expression, Keyword, Label, OWord};
+use crate::rs274::refusal::Halt;
+
+/// `elseif` stands before `else`, which it begins with.
+const KEYWORDS: [(&str, Keyword); 15] = [
+    ("sub", Keyword::Sub),
+    ("endsub", Keyword::EndSub),
+    ("call", Keyword::Call),
+    ("return", Keyword::Return),
+    ("if", Keyword::If),
+    ("elseif", Keyword::ElseIf),
+    ("else", Keyword::Else),
+    ("endif", Keyword::EndIf),
+    ("while", Keyword::While),
+    ("endwhile", Keyword::EndWhile),
+    ("do", Keyword::Do),
+    ("repeat", Keyword::Repeat),
+    ("endrepeat", Keyword::EndRepeat),
+    ("break", Keyword::Break),
+    ("continue", Keyword::Continue),
+];
+
+impl Parser<'_> {
+    /// An O-word and the end of its line.
+    ///
+    /// Rule control.unrelated-words. Other words on the line of an O-word are refused.
+    pub(super) fn o_word(&mut self) -> Result<OWord, Halt> {
+        let start = self.place();
+        let mut o_word = self.label_and_keyword()?;
+        while self.peek() == Some('[') && o_word.arguments.len() < most_arguments(o_word.keyword) {
+            o_word.arguments.push(self.bracketed()?);
+        }
+        if o_word.arguments.len() < fewest_arguments(o_word.keyword) {
+            let message = "a value in brackets is missing behind the keyword";
+            return Err(self.refuse("expressions.incomplete", FaultKind::BadExpression, message));
+        }
+        o_word.span = self.span_from(start);
+        if o_word.keyword == Keyword::Call && !o_word.arguments.is_empty() {
+            self.reach("subroutines.arguments-in-brackets");
+        }
+        self.comments();
+        match self.peek() {
+            None => Ok(o_word),
+            Some('0'..='9' | '#' | '.' | '+' | '-') if o_word.keyword == Keyword::Call => {
+                let message = "arguments stand in brackets, not";
+                Err(self.refuse("subroutines.arguments-in-brackets", FaultKind::BadBlock, message))
+            }
+            Some(_) => {
+                let message = "nothing else stands on the line of an O-word, not what begins";
+                Err(self.refuse("control.unrelated-words", FaultKind::BadBlock, message))
+            }
+        }
+    }
+
+    /// The O-word with which a line begins, as far as it can be read.
+    pub(super) fn leading_o_word(mut self) -> Option<OWord> {
+        self.block_delete();
+        self.line_number().ok()?;
+        self.comments();
+        if self.peek() != Some('o') {
+            return None;
+        }
+        let start = self.place();
+        let mut o_word = self.label_and_keyword().ok()?;
+        let alone = self.peek().is_none();
+        while self.peek() == Some('[') {
+            let Ok(argument) = self.bracketed() else { break };
+            o_word.arguments.push(argument);
+        }
+        self.comments();
+        let number_alone =
+            o_word.keyword != Keyword::ProgramNumber || alone || self.peek().is_none();
+        o_word.span = self.span_from(start);
+        number_alone.then_some(o_word)
+    }
+
+    /// Rule subroutines.numbered-o-words, subroutines.named-o-words, subroutines.computed-o-words: what stands behind
+    /// the letter O is a number, perhaps computed, or a name in angle brackets.
+    fn label_and_keyword(&mut self) -> Result<OWord, Halt> {
+        let start = self.place();
+        self.advance();
+        let label = if self.peek() == Some('<') {
+            Label::Name(self.name()?)
+        } else {
+            Label::Number(self.value(Wanted::Label)?)
+        };
+        let keyword = match KEYWORDS.iter().find(|(spelling, _)| self.sees(spelling)) {
+            Some((spelling, keyword)) => {
+                self.take(spelling);
+                *keyword
+            }
+            None if matches!(label, Label::Number(_)) => Keyword::ProgramNumber,
+            None => {
+                let message = "an O-word with a name has a keyword, which does not begin";
+                return Err(self.refuse("control.unrelated-words", FaultKind::BadBlock, message));
+            }
+        };
+        Ok(OWord {
+            label,
+            keyword,
+            arguments: Vec::<Expression>::new(),
+            span: self.span_from(start),
+        })
+    }
+}
+
+/// How many values in brackets a keyword needs.
+fn fewest_arguments(keyword: Keyword) -> usize {
+    match keyword {
+        Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Repeat => 1,
+        Keyword::Sub
+        | Keyword::EndSub
+        | Keyword::Call
+        | Keyword::Return
+        | Keyword::Else
+        | Keyword::EndIf
+        | Keyword::EndWhile
+        | Keyword::Do
+        | Keyword::EndRepeat
+        | Keyword::Break
+        | Keyword::Continue
+        | Keyword::ProgramNumber => 0,
+    }
+}
+
+/// How many values in brackets a keyword takes; how many a call may pass is a rule of calls.
+fn most_arguments(keyword: Keyword) -> usize {
+    match keyword {
+        Keyword::Call => usize::MAX,
+        Keyword::EndSub | Keyword::Return => 1,
+        Keyword::If
+        | Keyword::Sub
+        | Keyword::ElseIf
+        | Keyword::While
+        | Keyword::Repeat
+        | Keyword::Else
+        | Keyword::EndIf
+        | Keyword::EndWhile
+        | Keyword::Do
+        | Keyword::EndRepeat
+        | Keyword::Break
+        | Keyword::Continue
+        | Keyword::ProgramNumber => fewest_arguments(keyword),
+    }
+}

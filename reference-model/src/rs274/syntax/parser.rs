@@ -1,0 +1,124 @@
+//! The parser's place in a line.
+
+use std::collections::BTreeSet;
+
+use gaugeblock_trace::{FaultKind, Span};
+
+use crate::rs274::readings::Readings;
+use crate::rs274::refusal::{Halt, refuse_at};
+use crate::rs274::text::Glyph;
+
+/// A place in the characters of a line that count.
+///
+/// Recursion goes no deeper than the line is long, and lines are at most 256 characters long.
+#[derive(Debug)]
+pub(super) struct Parser<'a> {
+    glyphs: &'a [Glyph],
+    /// Index of the next character.
+    at: usize,
+    pub(super) readings: &'a Readings,
+    /// Rules that decided something; they count when the whole line is accepted.
+    reached: BTreeSet<&'static str>,
+    /// Rules that refuse the line besides the one that the refusal names.
+    failed: BTreeSet<&'static str>,
+}
+
+impl<'a> Parser<'a> {
+    pub(super) fn new(glyphs: &'a [Glyph], readings: &'a Readings) -> Self {
+        Self { glyphs, at: 0, readings, reached: BTreeSet::new(), failed: BTreeSet::new() }
+    }
+
+    /// A rule decided something.
+    pub(super) fn reach(&mut self, rule: &'static str) {
+        self.reached.insert(rule);
+    }
+
+    /// A rule refuses the line besides the one that the refusal names.
+    pub(super) fn fail(&mut self, rule: &'static str) {
+        self.failed.insert(rule);
+    }
+
+    /// The rules that decided something, for a line that is accepted and for one that is refused.
+    pub(super) fn into_rules(self) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
+        (self.reached, self.failed)
+    }
+
+    /// The next character, which stays where it is.
+    pub(super) fn peek(&self) -> Option<char> {
+        self.peek_behind(0)
+    }
+
+    /// The character behind some others.
+    pub(super) fn peek_behind(&self, others: usize) -> Option<char> {
+        self.glyphs.get(self.at + others).map(|glyph| glyph.character)
+    }
+
+    /// The character before the next one.
+    pub(super) fn last(&self) -> Option<char> {
+        Some(self.glyphs.get(self.at.checked_sub(1)?)?.character)
+    }
+
+    /// Whether the next characters are these.
+    pub(super) fn sees(&self, text: &str) -> bool {
+        text.chars()
+            .enumerate()
+            .all(|(index, character)| self.peek_behind(index) == Some(character))
+    }
+
+    /// Goes on behind these characters, if they are next.
+    pub(super) fn take(&mut self, text: &str) -> bool {
+        let seen = self.sees(text);
+        if seen {
+            self.at += text.chars().count();
+        }
+        seen
+    }
+
+    /// Goes on behind the next character.
+    pub(super) fn advance(&mut self) {
+        self.at += 1;
+    }
+
+    /// The characters up to the first that is not wanted; goes on behind them.
+    pub(super) fn take_while(&mut self, wanted: impl Fn(char) -> bool) -> String {
+        let taken: String = self.glyphs[self.at.min(self.glyphs.len())..]
+            .iter()
+            .map(|glyph| glyph.character)
+            .take_while(|character| wanted(*character))
+            .collect();
+        self.at += taken.chars().count();
+        taken
+    }
+
+    /// The place, for [`Self::span_from`] and for going back.
+    pub(super) fn place(&self) -> usize {
+        self.at
+    }
+
+    /// Goes back to a place.
+    pub(super) fn go_back(&mut self, place: usize) {
+        self.at = place;
+    }
+
+    /// The part of the line from a place to here.
+    pub(super) fn span_from(&self, place: usize) -> Span {
+        self.span(place, self.at.saturating_sub(1))
+    }
+
+    /// A refusal at the next character.
+    pub(super) fn refuse(&self, rule: &'static str, kind: FaultKind, message: &str) -> Halt {
+        let place = match self.peek() {
+            None => "at the end of the line".to_owned(),
+            Some(Glyph::COMMENT) => "before a comment".to_owned(),
+            Some(character) => format!("at {character:?}"),
+        };
+        refuse_at(rule, kind, self.span(self.at, self.at), format!("{message} {place}"))
+    }
+
+    /// The part of the line from one character to another; the end of the line where there are none.
+    fn span(&self, first: usize, last: usize) -> Span {
+        let end = self.glyphs.last().map_or(0, |glyph| glyph.end);
+        let start = self.glyphs.get(first).map_or(end, |glyph| glyph.start);
+        Span { start, end: self.glyphs.get(last.max(first)).map_or(end, |glyph| glyph.end) }
+    }
+}

@@ -1,0 +1,293 @@
+//! Values: numbers, parameters, functions, and expressions in brackets.
+
+use gaugeblock_trace::FaultKind;
+
+use super::expression::operator_at;
+use super::parser::Parser;
+use super::{Expression, Function, Parameter};
+use crate::rs274::refusal::Halt;
+use crate::rs274::text::Glyph;
+
+/// What a value is wanted for; it decides which rule refuses a missing one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// Behind a word's letter.
+    Word,
+    /// Behind the equals sign of a setting.
+    Setting,
+    /// Behind the number sign of a parameter.
+    ParameterNumber,
+    /// Within an expression.
+    Operand,
+    /// Behind the letter O.
+    Label,
+}
+
+const FUNCTIONS: [(&str, Function); 12] = [
+    ("abs", Function::Absolute),
+    ("acos", Function::ArcCosine),
+    ("asin", Function::ArcSine),
+    ("cos", Function::Cosine),
+    ("exp", Function::Exponential),
+    ("fix", Function::RoundDown),
+    ("fup", Function::RoundUp),
+    ("ln", Function::Logarithm),
+    ("round", Function::Round),
+    ("sin", Function::Sine),
+    ("sqrt", Function::SquareRoot),
+    ("tan", Function::Tangent),
+];
+
+impl Parser<'_> {
+    /// A number, a parameter, an expression or a function, perhaps behind a sign.
+    pub(super) fn value(&mut self, wanted: Wanted) -> Result<Expression, Halt> {
+        match self.peek() {
+            Some('+' | '-') => self.signed(wanted),
+            Some('0'..='9' | '.') => self.number().map(Expression::Number),
+            Some('#') => self.parameter().map(Expression::Parameter),
+            Some('[') => self.bracketed(),
+            Some(Glyph::COMMENT) => {
+                let message = "a value stands";
+                Err(self.refuse("text.comment-inside-word", FaultKind::BadComment, message))
+            }
+            _ => self.function(wanted),
+        }
+    }
+
+    /// Whether a value other than a number could begin here.
+    fn sees_value(&self) -> bool {
+        matches!(self.peek(), Some('#' | '[')) || self.sees_function()
+    }
+
+    /// Whether the name of a function is next.
+    pub(super) fn sees_function(&self) -> bool {
+        self.sees("atan")
+            || self.sees("exists")
+            || FUNCTIONS.iter().any(|(name, _)| self.sees(name))
+    }
+
+    /// Rule numbers.sign. A number may begin with a plus or minus sign; without one it is positive.
+    /// Rule numbers.form. A second sign is refused.
+    /// Quirk rs274.repeated-signs: each further minus sign negates.
+    /// Choice expressions.unary-minus: whether a sign may stand before a parameter, an expression or a function.
+    fn signed(&mut self, wanted: Wanted) -> Result<Expression, Halt> {
+        let minus = self.peek() == Some('-');
+        self.advance();
+        let value = match self.peek() {
+            Some('0'..='9' | '.') => {
+                self.reach("numbers.sign");
+                self.value(wanted)?
+            }
+            Some('+' | '-') if self.readings.quirk("rs274.repeated-signs") => self.value(wanted)?,
+            Some('+' | '-') => {
+                return Err(self.refuse(
+                    "numbers.form",
+                    FaultKind::BadNumber,
+                    "a number has one sign, no second one",
+                ));
+            }
+            Some(Glyph::COMMENT) => self.value(wanted)?,
+            _ if self.sees_value() => {
+                if self.readings.is("expressions.unary-minus", "refused") {
+                    let message = "a sign belongs to a number, which does not begin";
+                    return Err(self.refuse("numbers.form", FaultKind::BadExpression, message));
+                }
+                self.value(wanted)?
+            }
+            _ => {
+                return Err(self.refuse(
+                    "numbers.digits",
+                    FaultKind::BadNumber,
+                    "a sign without digits",
+                ));
+            }
+        };
+        if !minus {
+            return Ok(value);
+        }
+        Ok(match value {
+            Expression::Number(number) => Expression::Number(-number),
+            value @ (Expression::Parameter(_)
+            | Expression::Negate(_)
+            | Expression::Function(..)
+            | Expression::ArcTangent(..)
+            | Expression::Exists(_)
+            | Expression::Binary(..)) => Expression::Negate(Box::new(value)),
+        })
+    }
+
+    /// Rule numbers.digits. Digits may be left out before or after the decimal point, not on both sides.
+    /// Rule numbers.form. A second decimal point is refused.
+    /// Rule numbers.zeros. Leading and trailing zeros change no number.
+    /// Rule numbers.many-digits. A number may have any number of digits; about seventeen significant ones count.
+    fn number(&mut self) -> Result<f64, Halt> {
+        let mut text = self.take_while(|character| character.is_ascii_digit());
+        let whole = text.len();
+        if self.take(".") {
+            text.push('.');
+            text += &self.take_while(|character| character.is_ascii_digit());
+        }
+        if self.peek() == Some('.') {
+            return Err(self.refuse(
+                "numbers.form",
+                FaultKind::BadNumber,
+                "a number has one decimal point, no other",
+            ));
+        }
+        let Ok(number) = text.parse() else {
+            return Err(self.refuse(
+                "numbers.digits",
+                FaultKind::BadNumber,
+                "a decimal point without digits",
+            ));
+        };
+        if whole == 0 || text.ends_with('.') {
+            self.reach("numbers.digits");
+        }
+        if text.starts_with('0') || text.ends_with('0') {
+            self.reach("numbers.zeros");
+        }
+        if text.len() > 15 {
+            self.reach("numbers.many-digits");
+        }
+        Ok(number)
+    }
+
+    /// Rule parameters.indirect. The number sign may be repeated or stand before an expression: the value within is the
+    /// parameter's number.
+    /// Rule parameters.sign-first. The number sign binds closer than any operator.
+    /// Rule parameters.name-marks. A name stands between < and >.
+    pub(super) fn parameter(&mut self) -> Result<Parameter, Halt> {
+        self.advance();
+        if self.peek() == Some('<') {
+            return self.name().map(Parameter::Named);
+        }
+        if matches!(self.peek(), Some('#' | '[')) {
+            self.reach("parameters.indirect");
+        }
+        let number = self.value(Wanted::ParameterNumber)?;
+        self.reach("parameters.sign-first");
+        Ok(Parameter::Numbered(Box::new(number)))
+    }
+
+    /// Rule parameters.name-spelling. Case and blanks in a name do not count.
+    pub(super) fn name(&mut self) -> Result<String, Halt> {
+        self.advance();
+        let name = self.take_while(|character| character != '>' && character != Glyph::COMMENT);
+        if name.is_empty() || !self.take(">") {
+            let message = "a name stands between < and >, which is missing";
+            return Err(self.refuse("parameters.name-marks", FaultKind::BadBlock, message));
+        }
+        self.reach("parameters.name-spelling");
+        Ok(name)
+    }
+
+    /// Rule expressions.function-brackets. A function takes its argument in brackets.
+    fn function(&mut self, wanted: Wanted) -> Result<Expression, Halt> {
+        if self.take("exists") {
+            return self.exists();
+        }
+        if self.take("atan") {
+            return self.arc_tangent();
+        }
+        match FUNCTIONS.iter().find(|(name, _)| self.sees(name)) {
+            Some((name, function)) => {
+                self.take(name);
+                let argument = self.argument("expressions.function-brackets")?;
+                Ok(Expression::Function(*function, Box::new(argument)))
+            }
+            None => Err(self.missing(wanted)),
+        }
+    }
+
+    /// A function's argument.
+    fn argument(&mut self, rule: &'static str) -> Result<Expression, Halt> {
+        if self.peek() == Some('[') {
+            return self.bracketed();
+        }
+        Err(self.refuse(
+            rule,
+            FaultKind::BadExpression,
+            "the argument of a function stands in brackets, which do not begin",
+        ))
+    }
+
+    /// Rule expressions.arctangent. ATAN takes two bracketed arguments with a slash between them.
+    fn arc_tangent(&mut self) -> Result<Expression, Halt> {
+        const RULE: &str = "expressions.arctangent";
+        let opposite = self.argument(RULE)?;
+        if !self.take("/") {
+            return Err(self.refuse(
+                RULE,
+                FaultKind::BadExpression,
+                "ATAN has a slash behind its first argument, not",
+            ));
+        }
+        let adjacent = self.argument(RULE)?;
+        Ok(Expression::ArcTangent(Box::new(opposite), Box::new(adjacent)))
+    }
+
+    /// Rule expressions.exists-argument. EXISTS of a numbered parameter or of an expression is refused.
+    /// Quirk rs274.exists-numbered: EXISTS of a numbered parameter is accepted.
+    fn exists(&mut self) -> Result<Expression, Halt> {
+        let wrong = |parser: &Self| {
+            let message = "EXISTS takes one named parameter in brackets, not what stands";
+            Err(parser.refuse("expressions.exists-argument", FaultKind::BadExpression, message))
+        };
+        if !self.take("[") || self.peek() != Some('#') {
+            return wrong(self);
+        }
+        let numbered = self.peek_behind(1) != Some('<');
+        if numbered && !self.readings.quirk("rs274.exists-numbered") {
+            return wrong(self);
+        }
+        let parameter = self.parameter()?;
+        if !self.take("]") {
+            return wrong(self);
+        }
+        Ok(Expression::Exists(parameter))
+    }
+
+    /// Which rule misses a value.
+    fn missing(&self, wanted: Wanted) -> Halt {
+        let letter = self.peek().is_some_and(|next| next.is_ascii_lowercase());
+        let letters = (0..)
+            .take_while(|index| {
+                self.peek_behind(*index).is_some_and(|next| next.is_ascii_lowercase())
+            })
+            .count();
+        let called = letters > 1 && self.peek_behind(letters) == Some('[');
+        let (rule, kind, message) = match wanted {
+            Wanted::ParameterNumber if letter => {
+                ("parameters.name-marks", FaultKind::BadBlock, "a name stands between < and >, not")
+            }
+            Wanted::ParameterNumber if self.peek() == Some('=') => (
+                "parameters.assignment-form",
+                FaultKind::BadBlock,
+                "a parameter's number is missing",
+            ),
+            Wanted::Operand | Wanted::ParameterNumber if self.peek().is_none() => {
+                ("expressions.unbalanced", FaultKind::BadExpression, "a bracket is not closed")
+            }
+            _ if called => {
+                ("expressions.unknown-operator", FaultKind::BadExpression, "no such function")
+            }
+            Wanted::Operand if letter && operator_at(self).is_none() => {
+                ("expressions.unknown-operator", FaultKind::BadExpression, "no such function")
+            }
+            Wanted::Operand | Wanted::ParameterNumber => {
+                ("expressions.incomplete", FaultKind::BadExpression, "a value is missing")
+            }
+            Wanted::Word => ("text.word-value", FaultKind::BadNumber, "a word's value is missing"),
+            Wanted::Setting => {
+                ("parameters.assignment-form", FaultKind::BadBlock, "a setting's value is missing")
+            }
+            Wanted::Label => (
+                "control.unrelated-words",
+                FaultKind::BadBlock,
+                "the label of an O-word is missing",
+            ),
+        };
+        self.refuse(rule, kind, message)
+    }
+}

@@ -1,0 +1,119 @@
+//! What is observed of a run, block by block.
+
+use gaugeblock_trace::{
+    Block, Effect, End, Event, Indexed, Language, Outcome, Rs274State, Settings, Step,
+};
+
+use crate::rs274::machine::State;
+
+/// What has been observed so far.
+///
+/// Settings and states are recorded as what changed since they were recorded last.
+#[derive(Debug)]
+pub struct Record {
+    start: Settings,
+    steps: Vec<Step>,
+    /// Events of the block that is being executed.
+    events: Vec<Event>,
+    /// Settings as recorded last.
+    settings: Settings,
+    /// State as recorded last, without parameters.
+    state: Rs274State,
+    /// Effects so far.
+    effects: u32,
+    /// Virtual time, seconds: only dwells move it.
+    time: f64,
+}
+
+impl Record {
+    /// Nothing has happened yet; the settings in force are recorded in full.
+    pub fn new(state: &State) -> Self {
+        let start = state.settings();
+        Self {
+            settings: start.clone(),
+            start,
+            steps: Vec::new(),
+            events: Vec::new(),
+            state: Rs274State::default(),
+            effects: 0,
+            time: 0.0,
+        }
+    }
+
+    /// An effect, under the settings now in force.
+    pub fn effect(&mut self, state: &State, effect: Effect) {
+        self.settings(state);
+        if let Effect::Dwell { seconds } = &effect {
+            self.time += seconds;
+        }
+        self.effects = self.effects.saturating_add(1);
+        self.events.push(Event::Do(effect));
+    }
+
+    /// Records the settings that changed since they were recorded last.
+    fn settings(&mut self, state: &State) {
+        let settings = state.settings();
+        let changed = settings.since(&self.settings);
+        if !changed.is_empty() {
+            self.events.push(Event::Set(changed));
+            self.settings = settings;
+        }
+    }
+
+    /// Whether the block that is being executed has done nothing so far.
+    pub fn is_idle(&self, state: &State) -> bool {
+        self.events.is_empty() && state.settings() == self.settings
+    }
+
+    /// The end of a block after which the state is recorded.
+    pub fn step(&mut self, block: Block, state: &State, parameters: Indexed<String, f64>) {
+        self.settings(state);
+        let now = state.record();
+        let mut changed = now.since(&self.state);
+        self.state = now;
+        if !parameters.0.is_empty() {
+            changed.parameter = Some(parameters);
+        }
+        let events = std::mem::take(&mut self.events);
+        self.steps.push(Step {
+            block,
+            events,
+            state: Some(gaugeblock_trace::State::Rs274(changed)),
+        });
+    }
+
+    /// The end of a block after which no state is recorded: O-words, M98, M99, M2, M30.
+    pub fn step_without_state(&mut self, block: Block, state: &State) {
+        self.settings(state);
+        let events = std::mem::take(&mut self.events);
+        self.steps.push(Step { block, events, state: None });
+    }
+
+    /// Executed blocks so far.
+    pub fn steps(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// Effects so far.
+    pub fn effects(&self) -> u32 {
+        self.effects
+    }
+
+    /// Virtual time so far, seconds.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The whole outcome. What a refused block did before it was refused is not part of it.
+    pub fn finish(self, end: End, parameters: Indexed<u32, f64>) -> Outcome {
+        Outcome {
+            language: Language::Rs274,
+            start: self.start,
+            steps: self.steps,
+            end,
+            parameters: Some(parameters),
+            pins: Vec::new(),
+            samples: Vec::new(),
+        }
+    }
+}

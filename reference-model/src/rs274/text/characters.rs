@@ -1,0 +1,104 @@
+//! A line's characters as the parser sees them: without blanks, in lower case, comments split off.
+
+use gaugeblock_trace::{FaultKind, Span};
+
+use super::BLANKS;
+use super::comments::comment_at;
+use crate::rs274::machine::State;
+use crate::rs274::readings::Readings;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::syntax::Comment;
+
+/// A character that counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Glyph {
+    /// The character in lower case; for a whole comment, [`Glyph::COMMENT`].
+    pub character: char,
+    /// Its first byte in the line.
+    pub start: u32,
+    /// One past its last byte.
+    pub end: u32,
+}
+
+impl Glyph {
+    /// What stands for a whole comment: a left parenthesis, which stands nowhere else.
+    pub const COMMENT: char = '(';
+}
+
+/// The characters of a line that count, and its comments.
+///
+/// Rule text.blanks. Spaces and tabs are allowed anywhere, within words and numbers too, and change nothing.
+/// Rule text.case. A letter outside a comment means the same in upper and in lower case.
+/// Rule text.comment-verbatim. Inside a comment blanks and case stay as they are written.
+/// Rule text.comment-format-checked. Each of several comments on a line is checked, also those that are ignored.
+///
+/// # Errors
+/// The line is too long, or a comment is not closed.
+pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Comment>), Halt> {
+    line_length(line, &state.readings)?;
+    let mut glyphs = Vec::new();
+    let mut comments: Vec<Comment> = Vec::new();
+    let mut at = 0;
+    while let Some(character) = line[at..].chars().next() {
+        let mut end = at + character.len_utf8();
+        let comment = comment_at(line, at, &state.readings).inspect_err(|_| {
+            if !comments.is_empty() {
+                state.evidence.refused("text.comment-format-checked");
+            }
+        });
+        if let Some(comment) = comment? {
+            end = comment.span.end as usize;
+            glyphs.push(Glyph { character: Glyph::COMMENT, start: place(at), end: place(end) });
+            state.evidence.accepted(if comment.semicolon {
+                "text.comment-semicolon"
+            } else {
+                "text.comment-parentheses"
+            });
+            state.evidence.accepted("text.comment-verbatim");
+            comments.push(comment);
+        } else if BLANKS.contains(&character) {
+            state.evidence.accepted("text.blanks");
+        } else {
+            if character.is_ascii_uppercase() {
+                state.evidence.accepted("text.case");
+            }
+            let character = character.to_ascii_lowercase();
+            glyphs.push(Glyph { character, start: place(at), end: place(end) });
+        }
+        at = end;
+    }
+    state.evidence.accepted("text.line-length");
+    if comments.len() > 1 {
+        state.evidence.accepted("text.comment-format-checked");
+    }
+    Ok((glyphs, comments))
+}
+
+/// Rule text.line-length. A line has at most 256 characters; a longer one is refused.
+/// Choice text.line-end-counted: whether the line end is one of them.
+/// Quirk rs274.shorter-lines: 252 without the line end.
+fn line_length(line: &str, readings: &Readings) -> Result<(), Halt> {
+    let limit = if readings.quirk("rs274.shorter-lines") {
+        252
+    } else if readings.is("text.line-end-counted", "counted") {
+        255
+    } else {
+        256
+    };
+    let length = line.chars().count();
+    if length > limit {
+        let message = format!("the line has {length} characters; {limit} are allowed");
+        return Err(refuse("text.line-length", FaultKind::LineTooLong, message));
+    }
+    Ok(())
+}
+
+/// A place in a line, which has at most 256 characters.
+pub(super) fn place(byte: usize) -> u32 {
+    u32::try_from(byte).unwrap_or(u32::MAX)
+}
+
+/// A part of a line.
+pub(super) fn span(start: usize, end: usize) -> Span {
+    Span { start: place(start), end: place(end) }
+}

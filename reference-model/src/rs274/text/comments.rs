@@ -1,0 +1,45 @@
+//! Comments in parentheses and after a semicolon.
+
+use gaugeblock_trace::FaultKind;
+
+use super::characters::span;
+use crate::rs274::readings::Readings;
+use crate::rs274::refusal::{Halt, refuse_at};
+use crate::rs274::syntax::Comment;
+
+/// The comment that begins at a byte of the line, if one does.
+///
+/// Rule text.comment-semicolon. A semicolon begins a comment that takes the rest of the line, but not inside
+/// parentheses.
+/// Rule text.comment-unclosed. A comment whose right parenthesis is missing, and a right parenthesis without a comment,
+/// are refused.
+/// Choice text.comment-nested: whether a left parenthesis may stand within a comment.
+///
+/// # Errors
+/// It is not closed, or closed without having begun.
+pub(super) fn comment_at(
+    line: &str,
+    at: usize,
+    readings: &Readings,
+) -> Result<Option<Comment>, Halt> {
+    let wrong = |end: usize, message: &str| {
+        Err(refuse_at("text.comment-unclosed", FaultKind::BadComment, span(at, end), message))
+    };
+    let rest = &line[at..];
+    if let Some(text) = rest.strip_prefix(';') {
+        let span = span(at, line.len());
+        return Ok(Some(Comment { text: text.to_owned(), semicolon: true, span }));
+    }
+    if rest.starts_with(')') {
+        return wrong(at + 1, "a right parenthesis without a comment");
+    }
+    let Some(text) = rest.strip_prefix('(') else { return Ok(None) };
+    let Some((text, _)) = text.split_once(')') else {
+        return wrong(line.len(), "the comment is not closed");
+    };
+    let end = at + 1 + text.len() + 1;
+    if text.contains('(') && readings.is("text.comment-nested", "refused") {
+        return wrong(end, "a left parenthesis within a comment");
+    }
+    Ok(Some(Comment { text: text.to_owned(), semicolon: false, span: span(at, end) }))
+}

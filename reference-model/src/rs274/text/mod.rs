@@ -1,0 +1,128 @@
+//! Files, lines, characters: line ends, percent lines, block delete, blanks and case, comments split off.
+
+mod characters;
+mod comments;
+
+pub use characters::{Glyph, condense};
+
+use super::machine::State;
+use super::readings::Readings;
+use super::refusal::{Halt, refuse};
+use gaugeblock_trace::FaultKind;
+
+/// A file of program text, cut into lines.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// File name; the main program is `main.ngc`.
+    pub name: String,
+    /// Its lines without their line ends.
+    pub lines: Vec<String>,
+    /// Index in `lines` of the first useful line: behind the percent line where the file begins with one.
+    pub first: usize,
+    /// Whether the file begins with a percent line; then the next one ends it.
+    pub percent: bool,
+}
+
+/// What a line of a file is, before it is parsed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Line {
+    /// Nothing to execute: it is blank, or a slash skips it.
+    Nothing,
+    /// A percent line that ends the file.
+    End,
+    /// A block, perhaps one that will be refused.
+    Block(String),
+}
+
+impl Source {
+    /// Cuts a file into lines.
+    pub fn new(name: &str, text: &str, readings: &Readings) -> Self {
+        let lines = lines(text, readings);
+        let begins = lines.iter().position(|line| !is_blank(line));
+        let percent = begins.filter(|index| is_percent(&lines[*index]));
+        Self {
+            name: name.to_owned(),
+            first: percent.map_or(0, |index| index + 1),
+            percent: percent.is_some(),
+            lines,
+        }
+    }
+
+    /// What the line at an index of `lines` is; `None` behind the last line.
+    ///
+    /// Rule text.blank-lines. Blank lines are allowed and ignored.
+    /// Rule text.block-delete-on. While block delete is on, a line that begins with a slash is skipped unread.
+    /// Rule text.percent-file. In a file that begins with a percent line, the second one ends the program.
+    pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line> {
+        let line = self.lines.get(index)?;
+        state.evidence.accepted("text.line-end");
+        if is_blank(line) {
+            state.evidence.accepted("text.blank-lines");
+            return Some(Line::Nothing);
+        }
+        if block_delete && line.trim_start_matches(BLANKS).starts_with('/') {
+            state.evidence.accepted("text.block-delete-on");
+            state.evidence.accepted("text.block-delete-place");
+            return Some(Line::Nothing);
+        }
+        if is_percent(line) {
+            if self.percent {
+                state.evidence.accepted("text.percent-file");
+                state.evidence.accepted("text.percent-line");
+                return Some(Line::End);
+            }
+            match state.readings.choice("text.percent-alone") {
+                "ends" => return Some(Line::End),
+                "ignored" => return Some(Line::Nothing),
+                _ => {}
+            }
+        }
+        Some(Line::Block(line.clone()))
+    }
+
+    /// Rule text.percent-unclosed. A file with a percent line at its beginning, and neither another one nor a program
+    /// end, is refused. One without any percent line needs the program end as much: see `program-end`.
+    pub fn unclosed(&self) -> Halt {
+        refuse(
+            "text.percent-unclosed",
+            FaultKind::MissingEnd,
+            "the file ends without a second percent line or a program end",
+        )
+    }
+
+    /// Rule text.percent-optional. Percent lines are optional where the program has an M2 or M30.
+    /// Choice text.percent-unclosed-ended: whether a file that begins with a percent line needs the second one all
+    /// the same. Called at the program end.
+    ///
+    /// # Errors
+    /// The second percent line is missed.
+    pub fn program_ends(&self, state: &mut State) -> Result<(), Halt> {
+        let second = || self.lines[self.first..].iter().any(|line| is_percent(line));
+        if self.percent && state.readings.is("text.percent-unclosed-ended", "refused") && !second()
+        {
+            return Err(self.unclosed());
+        }
+        state.evidence.accepted("text.percent-optional");
+        Ok(())
+    }
+}
+
+/// What counts as blank within a line. A carriage return is one only where it does not end the line.
+pub(super) const BLANKS: [char; 3] = [' ', '\t', '\r'];
+
+fn is_blank(line: &str) -> bool {
+    line.chars().all(|character| BLANKS.contains(&character))
+}
+
+/// Rule text.percent-line. A percent line holds nothing else than the percent sign and blanks.
+fn is_percent(line: &str) -> bool {
+    line.trim_matches(BLANKS) == "%"
+}
+
+/// Rule text.line-end. A line ends with a carriage return, a line feed or both.
+/// Quirk rs274.lone-return: a carriage return alone does not end one.
+fn lines(text: &str, readings: &Readings) -> Vec<String> {
+    let text = text.replace("\r\n", "\n");
+    let text = if readings.quirk("rs274.lone-return") { text } else { text.replace('\r', "\n") };
+    text.lines().map(str::to_owned).collect()
+}

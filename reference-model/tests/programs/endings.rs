@@ -1,0 +1,55 @@
+//! How runs end.
+
+use gaugeblock_reference::run;
+use gaugeblock_trace::Scenario;
+
+use super::{ending, gives, outcome, outcome_under, refuses};
+
+#[test]
+fn a_program_ends_once() {
+    gives("#31 = 1\nm2\n#31 = 2\nno block ?!\n", &[(31, 1.0)]);
+    gives("o1 sub\n#31 = 1\nm2\n#31 = 2\no1 endsub\no1 call\n", &[(31, 1.0)]);
+}
+
+#[test]
+fn a_file_ends_by_a_program_end_or_between_percent_signs() {
+    assert_eq!(ending(&outcome("%\n#31 = 1\n%\n#31 = 2\n")), "percent_end");
+    refuses("#31 = 1\n", "missing_end at main.ngc:2");
+    refuses("", "missing_end at main.ngc:1");
+    refuses("%\n#31 = 1\n", "missing_end at main.ngc:3");
+    gives("%\n#31 = 1\nm2\n", &[(31, 1.0)]);
+}
+
+#[test]
+fn a_budget_ends_what_does_not_end() {
+    assert_eq!(ending(&outcome("o1 while [1]\no1 endwhile\nm2\n")), "budget of steps");
+    let mut scenario = Scenario::of("o1 while [1]\ng4 p1\no1 endwhile\nm2\n");
+    scenario.budget.time = 10.0;
+    assert_eq!(ending(&run(&scenario).0), "budget of time");
+    scenario.budget.effects = 5;
+    assert_eq!(ending(&run(&scenario).0), "budget of effects");
+}
+
+#[test]
+fn a_short_run_is_a_prefix_of_a_longer_one() {
+    let mut scenario = Scenario::of("o1 while [1]\n#31 = [#31 + 1]\ng0 x#31\no1 endwhile\nm2\n");
+    scenario.budget.steps = 50;
+    let short = run(&scenario).0;
+    scenario.budget.steps = 90;
+    let long = run(&scenario).0;
+    assert_eq!(short.steps.len(), 50);
+    assert_eq!(short.steps[..], long.steps[..50]);
+}
+
+#[test]
+fn an_option_that_nobody_knows_ends_the_run_before_it_begins() {
+    for options in [
+        [("control.colour", "red")],
+        [("control.ended-label", "red")],
+        [("rs274.nine-levels", "red")],
+    ] {
+        let outcome = outcome_under(&options, "m2\n");
+        assert_eq!(ending(&outcome), "unsupported at main.ngc:1");
+        assert!(outcome.steps.is_empty());
+    }
+}
