@@ -1,0 +1,5 @@
+//! Builds the suite into the program, anew whenever a page changes.
+
+fn main() {
+    println!("cargo::rerun-if-changed=suite");
+}

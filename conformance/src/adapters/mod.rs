@@ -1,0 +1,191 @@
+//! Adapters: each turns a scenario into an outcome by running one controller.
+//!
+//! **Invariant:** an adapter does nothing that an adapter in another language could not do: it knows the vocabulary and
+//! its controller, and no model of the language.
+
+pub mod reference;
+pub mod rs274;
+
+use std::collections::BTreeSet;
+use std::fmt;
+use std::ops::RangeInclusive;
+
+use gaugeblock_trace::{Effect, Outcome, Rs274State, Scenario, Settings};
+
+/// What a controller shows; declared before the run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Capabilities {
+    /// Name of the controller.
+    pub name: String,
+    /// Its version, as it tells it.
+    pub version: String,
+    /// Largest absolute error of the numbers that it prints, in program units.
+    pub resolution: f64,
+    /// Names of the settings and state fields that it shows, without index.
+    pub fields: BTreeSet<String>,
+    /// Those of them whose value is also known at each effect, not only after the block, and after the program's end.
+    pub fields_at_effects: BTreeSet<String>,
+    /// Names of the effects that it shows.
+    pub effects: BTreeSet<String>,
+    /// Whether its faults name their kind.
+    pub faults_have_kinds: bool,
+    /// Whether it shows all numbered parameters at the end.
+    pub final_parameters: bool,
+    /// Numbers of parameters that it does not show at the end.
+    pub hidden_parameters: Vec<RangeInclusive<u32>>,
+}
+
+impl Capabilities {
+    /// Everything, exactly: what an interpreter in this process shows.
+    pub fn everything(name: &str, version: &str) -> Self {
+        let fields = || {
+            let all = [Settings::FIELDS, Rs274State::FIELDS].concat();
+            all.into_iter().map(str::to_owned).collect()
+        };
+        Self {
+            name: name.to_owned(),
+            version: version.to_owned(),
+            resolution: 0.0,
+            fields: fields(),
+            fields_at_effects: fields(),
+            effects: Effect::NAMES.iter().map(|name| (*name).to_owned()).collect(),
+            faults_have_kinds: true,
+            final_parameters: true,
+            hidden_parameters: Vec::new(),
+        }
+    }
+
+    /// What this controller and another one both show.
+    pub fn and(&self, other: &Self) -> Self {
+        let both =
+            |a: &BTreeSet<String>, b: &BTreeSet<String>| a.intersection(b).cloned().collect();
+        Self {
+            name: self.name.clone(),
+            version: self.version.clone(),
+            resolution: self.resolution.max(other.resolution),
+            fields: both(&self.fields, &other.fields),
+            fields_at_effects: both(&self.fields_at_effects, &other.fields_at_effects),
+            effects: both(&self.effects, &other.effects),
+            faults_have_kinds: self.faults_have_kinds && other.faults_have_kinds,
+            final_parameters: self.final_parameters && other.final_parameters,
+            hidden_parameters: [self.hidden_parameters.clone(), other.hidden_parameters.clone()]
+                .concat(),
+        }
+    }
+}
+
+/// A controller under test, behind the vocabulary.
+pub trait Adapter: fmt::Debug + Send + Sync {
+    /// What it shows.
+    fn capabilities(&self) -> &Capabilities;
+
+    /// What it shows of this scenario; less than of others where, say, its stored data have another unit.
+    fn shows(&self, scenario: &Scenario) -> Capabilities {
+        let _same_for_all = scenario;
+        self.capabilities().clone()
+    }
+
+    /// Whether it can run the scenario at all.
+    ///
+    /// # Errors
+    /// The reason why it cannot; such a case counts as unsupported.
+    fn supports(&self, scenario: &Scenario) -> Result<(), String>;
+
+    /// Runs the scenario.
+    ///
+    /// # Errors
+    /// There is no outcome to judge: the controller crashed, hung, flooded, or was not understood.
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError>;
+}
+
+/// The controller cannot be used at all.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ControllerError {
+    /// It is not installed.
+    Missing {
+        /// What was looked for, and where.
+        sought: String,
+    },
+    /// It is there, but not the version that the adapter understands.
+    WrongVersion {
+        /// What it says of itself.
+        found: String,
+        /// What is needed.
+        wanted: &'static str,
+    },
+    /// It is there, but does not run.
+    Broken(HarnessError),
+}
+
+impl fmt::Display for ControllerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Missing { sought } => write!(f, "controller not found: {sought}"),
+            Self::WrongVersion { found, wanted } => {
+                write!(f, "controller of version {found}, but {wanted} is needed")
+            }
+            Self::Broken(error) => write!(f, "controller does not run: {error}"),
+        }
+    }
+}
+
+impl std::error::Error for ControllerError {}
+
+/// Why a run has no outcome. Never an outcome, never a pass.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum HarnessError {
+    /// The controller could not be started, or its private files not be written.
+    NotRun(String),
+    /// It was ended by a signal, or with a status that it does not document.
+    Crashed {
+        /// How it ended.
+        status: String,
+        /// The end of its error output.
+        stderr: String,
+    },
+    /// It did not end in time and was ended.
+    TimedOut {
+        /// Seconds that it had.
+        seconds: u64,
+    },
+    /// It wrote more than it may and was ended.
+    Flooded {
+        /// Bytes that it may write.
+        bytes: usize,
+    },
+    /// A line of its output was not understood.
+    Unreadable {
+        /// What is wrong.
+        what: String,
+        /// The line.
+        line: String,
+    },
+    /// An error message that no row of the fault table explains.
+    UnknownMessage(String),
+    /// The program did something else while it was observed: the first difference.
+    ObservationDisturbs {
+        /// What happened under observation.
+        observed: String,
+        /// What happened without.
+        unobserved: String,
+    },
+}
+
+impl fmt::Display for HarnessError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotRun(why) => write!(f, "not run: {why}"),
+            Self::Crashed { status, stderr } => write!(f, "crashed ({status}): {stderr}"),
+            Self::TimedOut { seconds } => write!(f, "no end after {seconds} s"),
+            Self::Flooded { bytes } => write!(f, "more than {bytes} bytes of output"),
+            Self::Unreadable { what, line } => write!(f, "unreadable output ({what}): {line}"),
+            Self::UnknownMessage(message) => write!(f, "unknown error message: {message}"),
+            Self::ObservationDisturbs { observed, unobserved } => write!(
+                f,
+                "observing changes the run: {observed:?} with probes, {unobserved:?} without"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for HarnessError {}

@@ -1,0 +1,31 @@
+//! The reference model as a controller.
+
+use gaugeblock_trace::{Outcome, Scenario};
+
+use super::{Adapter, Capabilities, HarnessError};
+
+/// The reference model.
+#[derive(Debug)]
+pub struct Reference {
+    capabilities: Capabilities,
+}
+
+impl Default for Reference {
+    fn default() -> Self {
+        Self { capabilities: Capabilities::everything("reference", env!("CARGO_PKG_VERSION")) }
+    }
+}
+
+impl Adapter for Reference {
+    fn capabilities(&self) -> &Capabilities {
+        &self.capabilities
+    }
+
+    fn supports(&self, _scenario: &Scenario) -> Result<(), String> {
+        Ok(())
+    }
+
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        Ok(gaugeblock_reference::run(scenario).0)
+    }
+}

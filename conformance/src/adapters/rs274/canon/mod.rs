@@ -1,0 +1,200 @@
+//! Canonical calls as settings and effects of the vocabulary.
+//!
+//! Moves and the feed are read here, modes and offsets in `settings`, spindles and switches in `spindles`, the rest
+//! in `effects`. Each hands on what it does not know; what nobody knows is an error.
+
+mod effects;
+mod settings;
+mod spindles;
+
+use gaugeblock_trace::{Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings};
+
+use super::lengths::Lengths;
+use super::output::Call;
+use super::source::code;
+use crate::adapters::HarnessError;
+
+/// What a call means for the run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Mark {
+    /// It goes on.
+    None,
+    /// M2 or M30 was executed.
+    ProgramEnd,
+    /// The second percent sign was read.
+    PercentEnd,
+    /// Something that the output shows too little of.
+    Unsupported(String),
+}
+
+/// What the calls so far have set, and the events since it was last asked.
+#[derive(Clone, Debug)]
+pub(super) struct Canon {
+    /// Settings in force.
+    pub(super) now: Settings,
+    /// Where the controlled point is, program coordinates.
+    pub(super) position: Position,
+    /// Tool in the spindle.
+    pub(super) tool: i32,
+    lengths: Lengths,
+    table: Vec<i32>,
+    events: Vec<Event>,
+    /// Feed rate of the next move under inverse time, where the calls show a speed in place of F.
+    speed: Option<f64>,
+    /// Code of the block that is executed, for what the calls leave out.
+    block: String,
+}
+
+type Done = Result<Mark, HarnessError>;
+
+impl Canon {
+    /// Nothing set yet.
+    pub(super) fn new(machine: &Machine) -> Self {
+        let number = |number: u32| i32::try_from(number).unwrap_or(i32::MAX);
+        Self {
+            now: Settings::default(),
+            position: Position::default(),
+            tool: 0,
+            lengths: Lengths::default(),
+            table: machine.tools.iter().map(|tool| number(tool.number)).collect(),
+            events: Vec::new(),
+            speed: None,
+            block: String::new(),
+        }
+    }
+
+    /// Which block comes next: the calls do not tell dynamic compensation from static, nor U, V and W planes from each
+    /// other; the block does.
+    pub(super) fn block(&mut self, line: &str) {
+        self.block = code(line);
+    }
+
+    /// The events since the last time.
+    pub(super) fn take_events(&mut self) -> Vec<Event> {
+        self.speed = None;
+        std::mem::take(&mut self.events)
+    }
+
+    /// Takes over a setting; an event only where it changes something.
+    pub(super) fn set(&mut self, change: Settings) {
+        let before = self.now.clone();
+        self.now.overlay(&change);
+        let change = self.now.since(&before);
+        if change.is_empty() {
+            return;
+        }
+        match self.events.last_mut() {
+            Some(Event::Set(last)) => last.overlay(&change),
+            Some(Event::Do(_)) | None => self.events.push(Event::Set(change)),
+        }
+    }
+
+    fn effect(&mut self, effect: Effect) -> Done {
+        self.events.push(Event::Do(effect));
+        Ok(Mark::None)
+    }
+
+    /// What the program printed.
+    pub(super) fn print(&mut self, text: &str) {
+        let text = text.to_owned();
+        self.events.push(Event::Do(Effect::Message { channel: Channel::Print, text }));
+    }
+
+    /// The program's end, when all that it resets is set.
+    pub(super) fn end(&mut self) {
+        self.events.push(Event::Do(Effect::ProgramEnd {}));
+    }
+
+    /// Takes over a call.
+    ///
+    /// # Errors
+    /// A call that is not known, or arguments that do not belong to it.
+    pub(super) fn call(&mut self, call: &Call) -> Done {
+        let numbers = call.numbers();
+        match (call.name.as_str(), numbers.as_slice()) {
+            ("STRAIGHT_TRAVERSE", &[x, y, z, a, b, c]) => {
+                let end = self.move_to([x, y, z, a, b, c]);
+                self.effect(Effect::StraightTraverse { end })
+            }
+            ("STRAIGHT_FEED", &[x, y, z, a, b, c]) => {
+                self.show_inverse_time([x, y, z, a, b, c]);
+                let end = self.move_to([x, y, z, a, b, c]);
+                self.effect(Effect::StraightFeed { end })
+            }
+            ("ARC_FEED", &[..]) => self.arc(call, &numbers),
+            ("RIGID_TAP", &[x, y, z]) => {
+                let Position { a, b, c, .. } = self.position;
+                let end = self.move_to([x, y, z, a, b, c]);
+                self.effect(Effect::RigidTap { end })
+            }
+            ("DWELL", &[seconds]) => self.effect(Effect::Dwell { seconds }),
+            ("SET_FEED_RATE", &[rate]) => {
+                self.feed_rate(rate);
+                Ok(Mark::None)
+            }
+            (
+                "STRAIGHT_PROBE" | "NURBS_FEED" | "START_SPEED_FEED_SYNC" | "SET_TOOL_TABLE_ENTRY",
+                _,
+            ) => {
+                Ok(Mark::Unsupported(format!("{} does not show what the effect needs", call.name)))
+            }
+            _ => self.setting(call, &numbers),
+        }
+    }
+
+    fn feed_rate(&mut self, rate: f64) {
+        if self.now.feed_mode == Some(FeedMode::InverseTime) && rate > 0.0 {
+            self.speed = Some(rate);
+        } else {
+            let change = self.lengths.feed(rate, self.now.feed_mode);
+            self.set(change);
+        }
+    }
+
+    /// Under inverse time the calls show the speed, length times F: F is had back from the move.
+    fn show_inverse_time(&mut self, end: [f64; 6]) {
+        let Some(speed) = self.speed else { return };
+        let from = self.position.to_array();
+        let squares = |axes: std::ops::Range<usize>| -> f64 {
+            axes.map(|axis| (end[axis] - from[axis]) * (end[axis] - from[axis])).sum()
+        };
+        let linear = squares(0..3).sqrt();
+        let length = if linear > 0.0 { linear } else { squares(3..6).sqrt() };
+        if length > 0.0 {
+            let change = self.lengths.feed(speed / length, Some(FeedMode::InverseTime));
+            self.set(change);
+        }
+    }
+
+    fn move_to(&mut self, [x, y, z, a, b, c]: [f64; 6]) -> Position {
+        self.position = Position { x, y, z, a, b, c, ..self.position };
+        self.position
+    }
+
+    fn arc(&mut self, call: &Call, numbers: &[f64]) -> Done {
+        let &[first, second, first_centre, second_centre, turns, along, a, b, c] = numbers else {
+            return Err(call.unreadable("arguments of an arc"));
+        };
+        let (x, y, z) = match self.now.plane {
+            Some(Plane::Zx) => (second, along, first),
+            Some(Plane::Yz) => (along, first, second),
+            Some(Plane::Xy | Plane::Uv | Plane::Wu | Plane::Vw) | None => (first, second, along),
+        };
+        let end = self.move_to([x, y, z, a, b, c]);
+        let turns = whole(call, turns)?;
+        self.effect(Effect::ArcFeed { end, first_centre, second_centre, turns })
+    }
+}
+
+/// A number that is printed as a whole one.
+fn whole(call: &Call, number: f64) -> Result<i32, HarnessError> {
+    if number.fract().abs() > 0.0 || number.abs() > f64::from(i32::MAX) {
+        return Err(call.unreadable("whole number"));
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "checked above")]
+    let whole = number as i32;
+    Ok(whole)
+}
+
+#[cfg(test)]
+mod tests;

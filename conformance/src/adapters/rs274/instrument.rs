@@ -1,0 +1,310 @@
+//! Makes a program tell where it is: probe lines after each line, tags on lines that a jump can reach.
+//!
+//! A probe line prints; it says file and line, and shows what parameters can show. What happens between two probes was
+//! done by the block between them. (DEBUG,…) would do as well, but a program can switch it off.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use super::source::{Form, Source, form};
+use super::workspace::LAST_PARAMETER;
+
+/// Longest line that the interpreter reads.
+pub(super) const LONGEST_LINE: usize = 252;
+
+/// Parameters that show a mode, printed as whole numbers.
+pub(super) const MODES: [&[&str]; 2] = [
+    &[
+        "_motion_mode",
+        "_plane",
+        "_metric",
+        "_absolute",
+        "_inverse_time",
+        "_units_per_minute",
+        "_ccomp",
+        "_coord_system",
+        "_retract_old_z",
+        "_ijk_absolute_mode",
+        "_lathe_diameter_mode",
+    ],
+    &[
+        "_mist",
+        "_flood",
+        "_feed_override",
+        "_speed_override",
+        "_adaptive_feed",
+        "_feed_hold",
+        "_spindle_css_mode",
+        "_spindle_on",
+        "_spindle_cw",
+        "_selected_tool",
+        "_selected_pocket",
+        "_call_level",
+    ],
+];
+
+/// Parameters that show a number, printed with nine decimals.
+pub(super) const NUMBERS: &[&str] = &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c"];
+
+/// How a program is observed.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    /// What each probe line begins with; it stands nowhere in the program.
+    pub(super) marker: String,
+    /// Parameters that are shown after each block, as they are written behind `#`.
+    pub(super) parameters: Vec<String>,
+}
+
+impl Plan {
+    /// A plan for a program: it shows the parameters that the text names, #1 to #30, and `more`.
+    pub(super) fn new(source: &Source, more: &BTreeSet<u32>) -> Self {
+        let named = source.parameters();
+        let mut numbers: BTreeSet<u32> =
+            (1..=30).chain(named.numbered).chain(more.iter().copied()).collect();
+        numbers.retain(|number| is_plain(*number));
+        let is_word = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
+        let own = |name: &&String| !PREDEFINED.contains(&name.as_str()) && is_word(name);
+        let names = named.named.iter().filter(own).map(|name| format!("<{name}>"));
+        // Where line numbers matter, what blocks compute under observation is not what they compute.
+        let parameters = if source.names_line() {
+            Vec::new()
+        } else {
+            numbers.iter().map(u32::to_string).chain(names).collect()
+        };
+        Self { marker: unused_marker(source), parameters }
+    }
+
+    /// The text of a file with probes and tags.
+    pub(super) fn probed(&self, file: usize, lines: &[String]) -> String {
+        let mut text = String::new();
+        let begins_with_percent = lines
+            .iter()
+            .find(|line| !line.trim().is_empty())
+            .is_some_and(|line| form(line) == Form::Percent);
+        if file == 0 && !begins_with_percent {
+            text.push_str(&self.probe(file, 0));
+        }
+        let mut begun = !begins_with_percent;
+        for (number, line) in (1_u32..).zip(lines) {
+            text.push_str(line);
+            text.push_str(&self.tag(file, number, line));
+            text.push('\n');
+            begun |= !line.trim().is_empty();
+            if begun {
+                text.push_str(&self.probe(file, number));
+            }
+        }
+        text
+    }
+
+    /// The text of a file, untouched but for an error after a line: the program stops there, its state alive.
+    pub(super) fn stopped(&self, lines: &[String], after: u32) -> String {
+        let mut text = String::new();
+        let stop = format!("(ABORT,{})\n", self.marker);
+        if after == 0 {
+            text.push_str(&stop);
+        }
+        for (number, line) in (1_u32..).zip(lines) {
+            text.push_str(line);
+            text.push('\n');
+            if number == after {
+                text.push_str(&stop);
+            }
+        }
+        text
+    }
+
+    /// The probe lines that stand after a line.
+    pub(super) fn probe(&self, file: usize, line: u32) -> String {
+        let mut text = String::new();
+        let shown =
+            |names: &[&str]| names.iter().map(|name| format!(" #<{name}>")).collect::<String>();
+        let mut part = 0;
+        let mut put = |format: &str, values: &str| {
+            let _never =
+                writeln!(text, "(PRINT,{} {file} {line} {part} {format}{values})", self.marker);
+            part += 1;
+        };
+        for names in MODES {
+            put("%d", &shown(names));
+        }
+        put("%.9f", &shown(NUMBERS));
+        for parameters in self.parameter_groups() {
+            put("%.9f", &parameters.iter().map(|name| format!(" #{name}")).collect::<String>());
+        }
+        text
+    }
+
+    /// The parameters that one probe line after another shows.
+    pub(super) fn parameter_groups(&self) -> Vec<&[String]> {
+        let mut groups = Vec::new();
+        let mut rest = self.parameters.as_slice();
+        while !rest.is_empty() {
+            let mut room = LONGEST_LINE - 60;
+            let fits = rest.iter().take_while(|name| {
+                let fits = room > name.len() + 2;
+                room = room.saturating_sub(name.len() + 2);
+                fits
+            });
+            let count = fits.count().max(1);
+            let (group, others) = rest.split_at(count);
+            groups.push(group);
+            rest = others;
+        }
+        groups
+    }
+
+    /// A tag that an error message shows, on lines that a jump can reach. It stands in a comment; comments of O-word
+    /// lines are never executed, so that it hides nothing.
+    fn tag(&self, file: usize, number: u32, line: &str) -> String {
+        if form(line) != Form::Control {
+            return String::new();
+        }
+        let tag = format!(";{}{file}.{number}", self.marker);
+        if line.len() + tag.len() > LONGEST_LINE { String::new() } else { tag }
+    }
+
+    /// Which line an error message's echo names by its tag.
+    pub(super) fn tagged(&self, echo: &str) -> Option<(usize, u32)> {
+        let at = echo.rfind(&format!(";{}", self.marker))?;
+        let tag = echo[at + 1..].strip_prefix(&self.marker)?;
+        let (file, line) = tag.trim().split_once('.')?;
+        Some((file.parse().ok()?, line.parse().ok()?))
+    }
+
+    /// A text without the tags and probes in it.
+    pub(super) fn untagged<'a>(&self, text: &'a str) -> &'a str {
+        text.find(&format!(";{}", self.marker)).map_or(text, |at| &text[..at])
+    }
+}
+
+/// Whether a numbered parameter is only written by the program: not offsets and predefined positions, whose unit is
+/// that of stored data, and not the position and the tool, which other fields show.
+pub(super) fn is_plain(number: u32) -> bool {
+    (1..=LAST_PARAMETER).contains(&number) && !(5161..=5428).contains(&number)
+}
+
+/// Named parameters that the interpreter provides.
+const PREDEFINED: &[&str] = &[
+    "_vmajor",
+    "_vminor",
+    "_metric_machine",
+    "_line",
+    "_motion_mode",
+    "_plane",
+    "_ccomp",
+    "_metric",
+    "_imperial",
+    "_absolute",
+    "_incremental",
+    "_inverse_time",
+    "_units_per_minute",
+    "_units_per_rev",
+    "_coord_system",
+    "_tool_offset",
+    "_retract_r_plane",
+    "_retract_old_z",
+    "_spindle_rpm_mode",
+    "_spindle_css_mode",
+    "_ijk_absolute_mode",
+    "_lathe_diameter_mode",
+    "_lathe_radius_mode",
+    "_spindle_on",
+    "_spindle_cw",
+    "_speed_override",
+    "_mist",
+    "_flood",
+    "_feed_override",
+    "_adaptive_feed",
+    "_feed_hold",
+    "_feed",
+    "_rpm",
+    "_current_tool",
+    "_current_pocket",
+    "_selected_pocket",
+    "_selected_tool",
+    "_x",
+    "_y",
+    "_z",
+    "_a",
+    "_b",
+    "_c",
+    "_u",
+    "_v",
+    "_w",
+    "_abs_x",
+    "_abs_y",
+    "_abs_z",
+    "_abs_a",
+    "_abs_b",
+    "_abs_c",
+    "_abs_u",
+    "_abs_v",
+    "_abs_w",
+    "_value",
+    "_value_returned",
+    "_task",
+    "_call_level",
+    "_remap_level",
+];
+
+fn unused_marker(source: &Source) -> String {
+    let text: String = source.all().map(|(_, _, line)| line.to_lowercase() + "\n").collect();
+    (0_u32..)
+        .map(|salt| format!("@gb{salt}@"))
+        .find(|marker| !text.contains(marker))
+        .expect("a finite text does not hold every marker")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gaugeblock_trace::Program;
+
+    fn plan(main: &str) -> (Plan, Source) {
+        let source = Source::new(&Program { main: main.to_owned(), ..Program::default() });
+        (Plan::new(&source, &BTreeSet::new()), source)
+    }
+
+    fn without_probes(main: &str) -> String {
+        let (plan, source) = plan(main);
+        let text = plan.probed(0, &source.files()[0].1);
+        let own = |line: &&str| !line.starts_with("(PRINT,@gb") || line.contains(" 0 %d");
+        let short = |line: &str| {
+            if line.starts_with("(PRINT") { "probe".to_owned() } else { line.to_owned() }
+        };
+        text.lines().filter(own).map(short).collect::<Vec<_>>().join("|")
+    }
+
+    #[test]
+    fn probes_stand_after_each_line_and_tags_on_control_lines() {
+        assert_eq!(
+            without_probes("o1 if [1] (c)\nx1 (msg,hi)\n"),
+            "probe|o1 if [1] (c);@gb0@0.1|probe|x1 (msg,hi)|probe"
+        );
+    }
+
+    #[test]
+    fn nothing_stands_before_or_on_a_percent_sign() {
+        assert_eq!(without_probes("\n%\nm2\n%"), "|%|probe|m2|probe|%|probe");
+    }
+
+    #[test]
+    fn no_line_becomes_too_long() {
+        let long = format!("o1 if [1{}]", " ".repeat(235));
+        let names: String =
+            (0..40).map(|n| format!("#<some_rather_long_name_{n}>=#{}\n", 4000 + n)).collect();
+        let (plan, source) = plan(&format!("{long}\n{names}"));
+        let text = plan.probed(99, &source.files()[0].1);
+        assert!(text.lines().all(|line| line.len() <= LONGEST_LINE), "{text}");
+        assert!(text.contains(&format!("{long}\n")));
+    }
+
+    #[test]
+    fn the_marker_stands_nowhere_in_the_program() {
+        let (plan, _) = plan("(print,@GB0@)\n");
+        assert_eq!(plan.marker, "@gb1@");
+        assert_eq!(plan.tagged("o1 endif;@gb1@2.17"), Some((2, 17)));
+        assert_eq!(plan.tagged("o1 endif;@gb0@2.17"), None);
+    }
+}

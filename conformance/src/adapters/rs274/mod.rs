@@ -1,0 +1,173 @@
+//! LinuxCNC's stand-alone interpreter `rs274`, version 2.9.
+//!
+//! It prints canonical calls, and what an error is, but neither blocks nor modes. The program is therefore run with a
+//! probe line after each line (`instrument`), which prints the place and the modes, and once more without, to see
+//! that observing changed nothing (`session`). Calls become settings and effects (`canon`), probes the rest of the state
+//! (`state`), the error message a fault (`refusal`, `faults`).
+//!
+//! What it cannot show: the tool length mode apart from the offset, F under inverse time (had back from the moves), and
+//! anything that it stubs: inputs, probing, user-defined codes, pauses, M99 in the main program.
+
+mod assemble;
+mod canon;
+mod faults;
+mod instrument;
+mod lengths;
+mod output;
+mod probe;
+mod process;
+mod refusal;
+mod session;
+mod source;
+mod state;
+mod supports;
+mod version;
+mod workspace;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use gaugeblock_trace::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settings};
+
+use super::{Adapter, Capabilities, ControllerError, HarnessError};
+use assemble::Seen;
+use process::{Limits, Stop};
+use session::Session;
+use source::Source;
+
+/// Wall time and output of one run; ordinary ones take ten milliseconds and some kilobytes.
+const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 };
+
+/// Exit status of a refused program.
+const REFUSED: i32 = 1;
+
+/// Fields that the output does not show.
+const HIDDEN_FIELDS: &[&str] = &["tool_length", "controller_mode"];
+
+/// Effects that the output does not show, or not all of.
+const HIDDEN_EFFECTS: &[&str] = &[
+    "nurbs_feed",
+    "straight_probe",
+    "start_spindle_synchronisation",
+    "stop_spindle_synchronisation",
+    "set_tool_entry",
+    "wait_input",
+    "user_code",
+    "controller_mode",
+    "probe_log_open",
+    "probe_log_close",
+];
+
+/// The controller.
+#[derive(Debug)]
+pub struct Rs274 {
+    binary: PathBuf,
+    capabilities: Capabilities,
+    limits: Limits,
+}
+
+impl Rs274 {
+    /// Finds the binary, at `path` or on the search path, and asks for its version.
+    ///
+    /// # Errors
+    /// It is missing, does not run, or is not of version 2.9.
+    pub fn find(path: Option<&Path>) -> Result<Self, ControllerError> {
+        let binary = version::find(path)?;
+        let version = version::ask(&binary, LIMITS)?;
+        Ok(Self { binary, capabilities: capabilities(version), limits: LIMITS })
+    }
+}
+
+impl Adapter for Rs274 {
+    fn capabilities(&self) -> &Capabilities {
+        &self.capabilities
+    }
+
+    /// Stored data of a millimetre machine stay hidden: this controller stores inches.
+    fn shows(&self, scenario: &Scenario) -> Capabilities {
+        let mut shows = self.capabilities.clone();
+        if scenario.machine.length_unit == LengthUnit::Millimetre {
+            shows.hidden_parameters.extend([5161..=5219, 5221..=5390]);
+        }
+        shows
+    }
+
+    fn supports(&self, scenario: &Scenario) -> Result<(), String> {
+        supports::supports(scenario)
+    }
+
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        // What is refused here could reach the host: it must not run even if nobody asked before.
+        self.supports(scenario).map_err(HarnessError::NotRun)?;
+        let source = Source::new(&scenario.program);
+        let session =
+            Session { binary: &self.binary, limits: self.limits, scenario, source: &source };
+        let observed = session.observe()?;
+        let status = match observed.output.stop {
+            Stop::Exited(status) => Some(status),
+            Stop::TimedOut | Stop::Flooded => None,
+        };
+        if let Some(status) = status.filter(|status| ![0, REFUSED].contains(status)) {
+            return Err(HarnessError::Crashed {
+                status: format!("exit status {status}"),
+                stderr: observed.output.stderr_tail(),
+            });
+        }
+        let seen = Seen {
+            lines: &observed.lines,
+            stderr: &observed.output.stderr,
+            plain_stderr: &observed.plain_stderr,
+            refused: status == Some(REFUSED),
+            cut_off: status.is_none(),
+            after_end: observed.after_end.as_ref(),
+        };
+        let parameters = status.is_some().then(|| shown_parameters(scenario, &observed.parameters));
+        let outcome = assemble::outcome(scenario, &source, &observed.plan, &seen, parameters);
+        match (outcome, observed.output.stop) {
+            (Err(_), Stop::TimedOut) => {
+                Err(HarnessError::TimedOut { seconds: self.limits.time.as_secs() })
+            }
+            (Err(_), Stop::Flooded) => Err(HarnessError::Flooded { bytes: self.limits.bytes }),
+            (outcome, _) => outcome,
+        }
+    }
+}
+
+/// Parameters at the end, without those that only repeat position and tool, and without stored lengths on a machine
+/// whose unit is not the one in which this controller stores them.
+fn shown_parameters(scenario: &Scenario, parameters: &BTreeMap<u32, f64>) -> BTreeMap<u32, f64> {
+    let inch = scenario.machine.length_unit == LengthUnit::Inch;
+    let shown = |number: &u32| match *number {
+        5400..=5428 => false,
+        5220 => true,
+        5161..=5390 => inch,
+        _ => true,
+    };
+    parameters
+        .iter()
+        .filter(|(number, _)| shown(number))
+        .map(|(number, value)| (*number, *value))
+        .collect()
+}
+
+fn capabilities(version: String) -> Capabilities {
+    let owned = |names: &[&str], hidden: &[&str]| -> BTreeSet<String> {
+        names.iter().filter(|name| !hidden.contains(name)).map(|name| (*name).to_owned()).collect()
+    };
+    let fields = [Settings::FIELDS, Rs274State::FIELDS].concat();
+    Capabilities {
+        name: "rs274".to_owned(),
+        version,
+        resolution: 5.0e-5,
+        fields: owned(&fields, HIDDEN_FIELDS),
+        effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
+        faults_have_kinds: true,
+        final_parameters: true,
+        fields_at_effects: owned(Settings::FIELDS, HIDDEN_FIELDS),
+        hidden_parameters: vec![5400..=5428],
+    }
+}
+
+#[cfg(test)]
+mod tests;

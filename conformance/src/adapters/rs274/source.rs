@@ -1,0 +1,279 @@
+//! The little that the adapter must know of a program's text: which lines can jump, end, or reach the host, and which
+//! parameters are named.
+
+use std::collections::BTreeSet;
+
+use gaugeblock_trace::{Block, Program};
+
+/// A program as the controller gets it: file names and lines, the main program first.
+#[derive(Clone, Debug)]
+pub(super) struct Source {
+    files: Vec<(String, Vec<String>)>,
+}
+
+/// What kind of block a line holds, as far as it matters for observing it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// Nothing but blanks and comments.
+    Empty,
+    /// A percent sign.
+    Percent,
+    /// An O-word, or M98: a call.
+    Call,
+    /// Any other O-word.
+    Control,
+    /// M99.
+    Return,
+    /// M2 or M30.
+    End,
+    /// Anything else.
+    Other,
+}
+
+impl Source {
+    /// The lines of all files.
+    pub(super) fn new(program: &Program) -> Self {
+        let main = std::iter::once((Program::MAIN, &program.main));
+        let subs = program.files.iter().map(|(name, text)| (name.as_str(), text));
+        let files = main.chain(subs).map(|(name, text)| (name.to_owned(), lines(text))).collect();
+        Self { files }
+    }
+
+    /// Names and lines of all files, the main program first.
+    pub(super) fn files(&self) -> &[(String, Vec<String>)] {
+        &self.files
+    }
+
+    /// The text of a line, from 1; empty where there is none.
+    pub(super) fn line(&self, file: usize, line: u32) -> &str {
+        let index = usize::try_from(line).ok().and_then(|line| line.checked_sub(1));
+        let lines = self.files.get(file).map(|(_, lines)| lines);
+        index.zip(lines).and_then(|(index, lines)| lines.get(index)).map_or("", String::as_str)
+    }
+
+    /// The block at a line.
+    pub(super) fn block(&self, file: usize, line: u32) -> Block {
+        Block::new(self.files.get(file).map_or("", |(name, _)| name.as_str()), line)
+    }
+
+    /// The only line with this text, blanks at its ends aside.
+    pub(super) fn only_line(&self, text: &str) -> Option<(usize, u32)> {
+        let mut found = self.all().filter(|(_, _, line)| line.trim() == text.trim());
+        let first = found.next()?;
+        found.next().is_none().then_some((first.0, first.1))
+    }
+
+    /// All lines with file and number.
+    pub(super) fn all(&self) -> impl Iterator<Item = (usize, u32, &str)> {
+        self.files.iter().enumerate().flat_map(|(file, (_, lines))| {
+            (1_u32..).zip(lines).map(move |(number, line)| (file, number, line.as_str()))
+        })
+    }
+
+    /// Which parameters the text names.
+    pub(super) fn parameters(&self) -> Parameters {
+        let mut parameters = Parameters::default();
+        for (_, _, line) in self.all() {
+            parameters.scan(&compact(line));
+        }
+        parameters
+    }
+
+    /// Whether the program asks for line numbers, which probes change.
+    pub(super) fn names_line(&self) -> bool {
+        self.all().any(|(_, _, line)| compact(line).contains("#<_line>"))
+    }
+
+    /// A line that would reach beyond the interpreter: it runs Python, or looks for a sub outside of the directory.
+    pub(super) fn reaches_host(&self) -> Option<Block> {
+        let escapes = |line: &str| {
+            let text = compact(line);
+            let name = text.find("o<").map(|at| &text[at..]).unwrap_or_default();
+            let name = name.split('>').next().unwrap_or_default();
+            text.contains("(py") || text.contains(";py") || name.contains(['/', '\\'])
+        };
+        self.all()
+            .find(|(_, _, line)| escapes(line))
+            .map(|(file, number, _)| self.block(file, number))
+    }
+}
+
+/// Lines without their ends; text after the last line break counts if there is any.
+fn lines(text: &str) -> Vec<String> {
+    text.split_terminator('\n').map(|line| line.trim_end_matches('\r').to_owned()).collect()
+}
+
+/// Without blanks, in lower case: how the interpreter reads a line.
+fn compact(line: &str) -> String {
+    line.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_lowercase()).collect()
+}
+
+/// A line without comments and blanks, in lower case.
+pub(super) fn code(line: &str) -> String {
+    let mut code = String::new();
+    let mut in_comment = false;
+    for c in line.chars() {
+        match c {
+            ')' if in_comment => in_comment = false,
+            _ if in_comment => {}
+            '(' => in_comment = true,
+            ';' => break,
+            c if c.is_whitespace() => {}
+            c => code.push(c.to_ascii_lowercase()),
+        }
+    }
+    code
+}
+
+/// The text of the last comment in parentheses, if nothing but blanks or a semicolon comment follows the block.
+pub(super) fn last_comment(line: &str) -> Option<&str> {
+    let start = line.rfind('(')?;
+    let rest = &line[start + 1..];
+    rest.find(')').map(|end| &rest[..end])
+}
+
+/// Whether a line begins with a slash, and would be skipped under block delete.
+pub(super) fn has_slash(line: &str) -> bool {
+    line.trim_start().starts_with('/')
+}
+
+/// What kind of block a line holds.
+pub(super) fn form(line: &str) -> Form {
+    let code = code(line);
+    let code = code.strip_prefix('/').unwrap_or(&code);
+    let numbered = code.strip_prefix('n');
+    let code = numbered
+        .map_or(code, |rest| rest.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.'));
+    if code.is_empty() {
+        let acts = numbered.is_some() || logs_probing(line);
+        return if acts { Form::Other } else { Form::Empty };
+    }
+    if code.starts_with('%') {
+        return Form::Percent;
+    }
+    if let Some(rest) = code.strip_prefix('o') {
+        let command = if rest.starts_with('<') {
+            rest.split_once('>').map_or("", |(_, rest)| rest)
+        } else {
+            rest
+        };
+        return if command.contains("call") { Form::Call } else { Form::Control };
+    }
+    let code = without_names(code);
+    let has = |wanted: &[u32]| m_codes(&code).any(|code| wanted.contains(&code));
+    if has(&[98]) {
+        Form::Call
+    } else if has(&[2, 30]) {
+        Form::End
+    } else if has(&[99]) {
+        Form::Return
+    } else {
+        Form::Other
+    }
+}
+
+/// Whether the line ends in (PROBEOPEN …) or (PROBECLOSE), which print no call.
+fn logs_probing(line: &str) -> bool {
+    let comment = last_comment(line).map(compact).unwrap_or_default();
+    comment.starts_with("probeopen") || comment == "probeclose"
+}
+
+/// Without what stands between `<` and `>`.
+fn without_names(code: &str) -> String {
+    let parts = code.split('<').enumerate();
+    let outside = parts.map(|(index, part)| {
+        if index == 0 { part } else { part.split_once('>').map_or("", |(_, rest)| rest) }
+    });
+    outside.collect()
+}
+
+/// Numbers that directly follow an M.
+fn m_codes(code: &str) -> impl Iterator<Item = u32> {
+    code.split('m').skip(1).filter_map(|rest| {
+        let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+        rest[..end].parse().ok()
+    })
+}
+
+/// Parameters that a program names.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Parameters {
+    /// Numbers that stand behind a `#`.
+    pub(super) numbered: BTreeSet<u32>,
+    /// Names between `#<` and `>`, in lower case without blanks.
+    pub(super) named: BTreeSet<String>,
+    /// Whether a number is computed somewhere.
+    pub(super) indirect: bool,
+}
+
+impl Parameters {
+    fn scan(&mut self, compact: &str) {
+        for rest in compact.split('#').skip(1) {
+            if let Some(rest) = rest.strip_prefix('<') {
+                if let Some((name, _)) = rest.split_once('>') {
+                    self.named.insert(name.to_owned());
+                }
+            } else {
+                let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+                match rest[..end].parse() {
+                    Ok(number) => {
+                        self.numbered.insert(number);
+                    }
+                    Err(_) => self.indirect = true,
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forms() {
+        for (line, expected) in [
+            ("", Form::Empty),
+            ("  (only a comment) ; m2", Form::Empty),
+            (" %", Form::Percent),
+            ("o100 sub", Form::Control),
+            ("N5 O100 CALL [1]", Form::Call),
+            ("o<call> endsub", Form::Control),
+            ("o [100] c a l l", Form::Call),
+            ("/m98 p5", Form::Call),
+            ("g0 x1 m99", Form::Return),
+            ("m02", Form::End),
+            ("m20 g1", Form::Other),
+            ("n10", Form::Other),
+            ("(PROBEOPEN points.txt)", Form::Other),
+            ("#<m2> = 5", Form::Other),
+        ] {
+            assert_eq!(form(line), expected, "{line}");
+        }
+    }
+
+    #[test]
+    fn named_parameters_are_found() {
+        let program =
+            Program { main: "#1=#<_A b>\n#[31]=2 (print,#32)\n".to_owned(), ..Program::default() };
+        let parameters = Source::new(&program).parameters();
+        assert_eq!(parameters.numbered, BTreeSet::from([1, 32]));
+        assert_eq!(parameters.named, BTreeSet::from(["_ab".to_owned()]));
+        assert!(parameters.indirect);
+    }
+
+    #[test]
+    fn lines_that_reach_the_host_are_found() {
+        let reaches = |line: &str| {
+            let program = Program { main: format!("g0\n{line}\n"), ..Program::default() };
+            Source::new(&program).reaches_host().is_some()
+        };
+        assert!(
+            reaches("( P Y , x)")
+                && reaches("g0 ;py,x")
+                && reaches("o<../x> call")
+                && reaches("o</etc/x> call")
+        );
+        assert!(!reaches("(copy) o1 if [6/3 gt 1]"));
+    }
+}

@@ -1,0 +1,87 @@
+//! Which scenarios the controller can run.
+
+use std::path::{Component, Path};
+
+use gaugeblock_trace::scenario::{Bench, Start};
+use gaugeblock_trace::{Axis, Language, LengthUnit, Machine, Program, Scenario};
+
+use super::source::Source;
+use super::workspace::{INI, LAST_PARAMETER, PARAMETERS, TOOLS};
+
+/// The bench that answers as this controller does.
+const OWN_BENCH: &str = "stand-alone rs274";
+
+/// Axes that it has, whatever the machine.
+const AXES: [Axis; 6] = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C];
+
+/// Whether the controller can run a scenario.
+///
+/// # Errors
+/// The reason why not.
+pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
+    program(&scenario.program)?;
+    machine(&scenario.machine)?;
+    if !scenario.operator.is_empty() {
+        return Err("it has no operator".to_owned());
+    }
+    let own = scenario.bench.name.as_deref() == Some(OWN_BENCH);
+    if scenario.bench != Bench::default() && !own {
+        return Err("the outside always answers in the same way".to_owned());
+    }
+    Ok(())
+}
+
+fn program(program: &Program) -> Result<(), String> {
+    if program.language != Language::Rs274 {
+        return Err(format!("it does not speak {}", program.language));
+    }
+    if program.start == Start::Mdi {
+        return Err("O-words do not work by hand".to_owned());
+    }
+    let own = [Program::MAIN, INI, TOOLS, PARAMETERS];
+    for name in program.files.keys() {
+        let mut parts = Path::new(name).components();
+        let plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
+        if !plain || own.contains(&name.as_str()) || name.starts_with('.') {
+            return Err(format!("{name:?} is no file name for a sub"));
+        }
+    }
+    match Source::new(program).reaches_host() {
+        Some(block) => {
+            Err(format!("{block} would reach beyond the program's files, or run Python"))
+        }
+        None => Ok(()),
+    }
+}
+
+fn machine(machine: &Machine) -> Result<(), String> {
+    if machine.axes != AXES {
+        return Err("its axes are always X Y Z A B C".to_owned());
+    }
+    if !machine.limits.is_empty() {
+        return Err("it knows no limits".to_owned());
+    }
+    if machine.random_tool_changer {
+        return Err("its tools do not change places".to_owned());
+    }
+    if !(1..=8).contains(&machine.spindles) {
+        return Err("1 to 8 spindles".to_owned());
+    }
+    if let Some(number) =
+        machine.parameters.0.keys().find(|number| !(1..=LAST_PARAMETER).contains(number))
+    {
+        return Err(format!("#{number} cannot be stored"));
+    }
+    let is_length = |number: &u32| (5161..=5390).contains(number) && *number != 5220;
+    let stores_lengths = !machine.tools.is_empty() || machine.parameters.0.keys().any(is_length);
+    if stores_lengths && machine.length_unit != LengthUnit::Inch {
+        return Err("it reads stored lengths in inches".to_owned());
+    }
+    let is_plain = |name: &str| {
+        name.starts_with('[') && name.contains(']') && !name.contains(char::is_control)
+    };
+    if let Some(name) = machine.ini.keys().find(|name| !is_plain(name)) {
+        return Err(format!("{name:?} is no [SECTION]NAME"));
+    }
+    Ok(())
+}

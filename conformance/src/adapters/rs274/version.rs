@@ -1,0 +1,56 @@
+//! Finds the binary and asks it for its version.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use super::process::{Limits, Stop, run};
+use super::workspace::Workspace;
+use crate::adapters::ControllerError;
+
+/// The versions that this adapter understands.
+const WANTED: &str = "2.9";
+
+/// Prints the version. There is no option that does.
+const QUESTION: &str = "(PRINT,version %.2f #<_vmajor> %d #<_vminor>)\nM2\n";
+
+/// The binary, from a given path or from the search path.
+///
+/// # Errors
+/// It is nowhere.
+pub(super) fn find(given: Option<&Path>) -> Result<PathBuf, ControllerError> {
+    if let Some(given) = given {
+        // It runs in a directory of its own, where a relative path leads nowhere.
+        return fs::canonicalize(given).map_err(|error| ControllerError::Missing {
+            sought: format!("{}: {error}", given.display()),
+        });
+    }
+    let paths = env::var_os("PATH").unwrap_or_default();
+    let found = env::split_paths(&paths).map(|path| path.join("rs274")).find(|path| path.is_file());
+    found.ok_or_else(|| ControllerError::Missing {
+        sought: "no rs274 on the search path (Debian package linuxcnc-uspace)".to_owned(),
+    })
+}
+
+/// The version, such as `2.9.0`.
+///
+/// # Errors
+/// It does not run, or is of another version.
+pub(super) fn ask(binary: &Path, limits: Limits) -> Result<String, ControllerError> {
+    let workspace = Workspace::new().map_err(ControllerError::Broken)?;
+    workspace.write("main.ngc", QUESTION).map_err(ControllerError::Broken)?;
+    let arguments = ["-g".into(), "main.ngc".into()];
+    let output =
+        run(binary, &arguments, workspace.path(), "", limits).map_err(ControllerError::Broken)?;
+    let wrong =
+        |found: &str| ControllerError::WrongVersion { found: found.to_owned(), wanted: "2.9.x" };
+    let answer = output.stdout.lines().find_map(|line| line.strip_prefix("version "));
+    let Some(answer) = answer.filter(|_| output.stop == Stop::Exited(0)) else {
+        return Err(wrong("unknown"));
+    };
+    let mut words = answer.split_whitespace();
+    let (Some(major), Some(minor)) = (words.next(), words.next()) else {
+        return Err(wrong(answer));
+    };
+    let version = format!("{}.{minor}", major.trim_end_matches('0'));
+    if major.trim_end_matches('0') == WANTED { Ok(version) } else { Err(wrong(&version)) }
+}

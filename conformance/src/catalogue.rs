@@ -1,0 +1,83 @@
+//! What the suite itself must satisfy: every declared outcome is reached, every golden is what the model does.
+
+use std::collections::BTreeSet;
+
+use gaugeblock_trace::Outcome;
+
+use crate::certify::scenario_of;
+use crate::suite::{Case, Edition, Rule, RuleOutcome, Suite};
+
+/// The editions in which a case runs, the default edition first.
+pub fn editions_of<'a>(suite: &'a Suite, rule: &Rule, case: &Case) -> Vec<&'a Edition> {
+    let runs = |edition: &&Edition| {
+        !rule.void.contains_key(&edition.id)
+            && (case.editions.is_empty() || case.editions.contains(&edition.id))
+    };
+    let mut editions: Vec<_> = suite.editions.iter().filter(runs).collect();
+    editions.sort_by_key(|edition| edition.id != crate::suite::DEFAULT_EDITION);
+    editions
+}
+
+/// What the model does in a case under an edition, and the rules that it reached.
+pub fn model_run(
+    suite: &Suite,
+    case: &Case,
+    edition: &Edition,
+) -> (Outcome, BTreeSet<(String, RuleOutcome)>) {
+    let scenario = scenario_of(case, &suite.options(edition), edition);
+    let (outcome, evidence) = gaugeblock_reference::run(&scenario);
+    let reached = evidence.iter().map(|(rule, reached)| {
+        let outcome = match reached {
+            gaugeblock_reference::RuleOutcome::Accepted => RuleOutcome::Accepted,
+            gaugeblock_reference::RuleOutcome::Refused => RuleOutcome::Refused,
+        };
+        (rule.to_owned(), outcome)
+    });
+    (outcome, reached.collect())
+}
+
+/// The outcomes of a rule that its own cases reach in the model, in any edition.
+pub fn reached(suite: &Suite, rule: &Rule) -> BTreeSet<RuleOutcome> {
+    let mut reached = BTreeSet::new();
+    for case in &rule.cases {
+        for edition in editions_of(suite, rule, case) {
+            let (_, evidence) = model_run(suite, case, edition);
+            reached.extend(evidence.into_iter().filter(|(id, _)| *id == rule.id).map(|(_, o)| o));
+            if rule.outcomes.iter().all(|outcome| reached.contains(outcome)) {
+                return reached;
+            }
+        }
+    }
+    reached
+}
+
+/// Every sentence in which the suite is not what it must be; nothing when it is.
+pub fn faults(suite: &Suite) -> Vec<String> {
+    let mut faults = Vec::new();
+    for rule in &suite.rules {
+        let reached = reached(suite, rule);
+        for outcome in rule.outcomes.iter().filter(|outcome| !reached.contains(outcome)) {
+            faults.push(format!("{}: no case of its own reaches the outcome {outcome:?}", rule.id));
+        }
+        for case in &rule.cases {
+            faults.extend(golden_fault(suite, rule, case));
+        }
+    }
+    faults
+}
+
+/// The text that a case's golden must be.
+pub fn golden(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
+    let edition = editions_of(suite, rule, case).into_iter().next()?;
+    Some(model_run(suite, case, edition).0.to_text())
+}
+
+fn golden_fault(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
+    let Some(golden_text) = &case.golden else {
+        return Some(format!("{} / {}: it has no golden", rule.id, case.name));
+    };
+    let expected = golden(suite, rule, case)?;
+    (expected != *golden_text).then(|| {
+        format!("{} / {}: the model no longer does what its golden says", rule.id, case.name)
+    })
+}

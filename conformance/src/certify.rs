@@ -1,0 +1,280 @@
+//! The suite run against a controller: a verdict for each case, in any order and in parallel with the same result.
+
+use std::collections::BTreeSet;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use gaugeblock_trace::{End, Options, Outcome, Scenario};
+
+use crate::adapters::Adapter;
+use crate::compare::compare;
+use crate::judge::{Finding, judge};
+use crate::observe::Observed;
+use crate::suite::{Assertion, Case, ChoiceKind, Edition, Rule, Suite};
+
+/// What came of a case.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Everything that could be compared is as the documents say.
+    Pass,
+    /// The controller does something else.
+    Diverges(Departure),
+    /// Not run: the controller declared not to have this, or not to show it.
+    Unsupported(String),
+    /// Nothing can be said, and why. Never a pass.
+    Inconclusive(String),
+    /// The controller crashed, hung or was not understood. Never a pass.
+    NotJudged(String),
+}
+
+/// What a controller does otherwise, in words that stay the same from run to run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Departure {
+    /// The first assertion that does not hold, as it is written, with what was found.
+    pub assertion: Option<(String, String)>,
+    /// The first divergence from the model's outcome.
+    pub divergence: Option<String>,
+    /// The quirk, or the other option of a choice, that alone explains it, if one does.
+    pub explanation: Option<String>,
+}
+
+impl Departure {
+    /// In one line, as expectations name it.
+    pub fn line(&self) -> String {
+        match (&self.assertion, &self.divergence) {
+            (Some((assertion, found)), _) => format!("{assertion} | found {found}"),
+            (None, Some(divergence)) => divergence.clone(),
+            (None, None) => String::new(),
+        }
+    }
+}
+
+/// A case, run.
+#[derive(Clone, Debug)]
+pub struct CaseResult<'a> {
+    /// The rule.
+    pub rule: &'a Rule,
+    /// Its case.
+    pub case: &'a Case,
+    /// What came of it.
+    pub verdict: Verdict,
+    /// Fields, effects and assertions that the controller does not show.
+    pub masked: BTreeSet<String>,
+    /// How many values and assertions were compared.
+    pub compared: usize,
+}
+
+/// The suite, run.
+#[derive(Clone, Debug)]
+pub struct Run<'a> {
+    /// The edition that the controller was held to.
+    pub edition: &'a Edition,
+    /// Cases in the order of rules and pages.
+    pub cases: Vec<CaseResult<'a>>,
+    /// Rules that do not exist in the edition, and why.
+    pub void: Vec<(&'a Rule, &'a str)>,
+}
+
+/// What is run, and how.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan<'a> {
+    /// The suite.
+    pub suite: &'a Suite,
+    /// The edition that the controller is held to.
+    pub edition: &'a Edition,
+    /// Only rules whose id begins with one of these; all when empty.
+    pub only: &'a [String],
+    /// How many cases run at once.
+    pub jobs: NonZero<usize>,
+}
+
+/// Runs the suite; `done` is told of each finished case.
+pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + Sync)) -> Run<'a> {
+    let options = plan.suite.options(plan.edition);
+    let (void, cases) = select(plan);
+    let results: Mutex<Vec<Option<CaseResult<'a>>>> = Mutex::new(vec![None; cases.len()]);
+    let next = AtomicUsize::new(0);
+    std::thread::scope(|scope| {
+        for _ in 0..plan.jobs.get().min(cases.len()) {
+            scope.spawn(|| {
+                loop {
+                    let place = next.fetch_add(1, Ordering::Relaxed);
+                    let Some((rule, case)) = cases.get(place) else { break };
+                    let result = run_case(plan, &options, controller, rule, case);
+                    let mut results = results.lock().unwrap_or_else(PoisonError::into_inner);
+                    results[place] = Some(result);
+                    done();
+                }
+            });
+        }
+    });
+    let results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+    Run { edition: plan.edition, cases: results.into_iter().flatten().collect(), void }
+}
+
+/// How many cases a plan runs.
+pub fn count(plan: Plan<'_>) -> usize {
+    select(plan).1.len()
+}
+
+type Selected<'a> = (Vec<(&'a Rule, &'a str)>, Vec<(&'a Rule, &'a Case)>);
+
+fn select(plan: Plan<'_>) -> Selected<'_> {
+    let edition = &plan.edition.id;
+    let mut void = Vec::new();
+    let mut cases = Vec::new();
+    let wanted = |rule: &&Rule| {
+        plan.only.is_empty() || plan.only.iter().any(|p| rule.id.starts_with(p.as_str()))
+    };
+    for rule in plan.suite.rules.iter().filter(wanted) {
+        if let Some(why) = rule.void.get(edition) {
+            void.push((rule, why.as_str()));
+            continue;
+        }
+        let runs = |case: &&Case| case.editions.is_empty() || case.editions.contains(edition);
+        cases.extend(rule.cases.iter().filter(runs).map(|case| (rule, case)));
+    }
+    (void, cases)
+}
+
+fn run_case<'a>(
+    plan: Plan<'_>,
+    options: &Options,
+    controller: &dyn Adapter,
+    rule: &'a Rule,
+    case: &'a Case,
+) -> CaseResult<'a> {
+    let scenario = scenario_of(case, options, plan.edition);
+    let mut result =
+        CaseResult { rule, case, verdict: Verdict::Pass, masked: BTreeSet::new(), compared: 0 };
+    if let Err(reason) = controller.supports(&scenario) {
+        result.verdict = Verdict::Unsupported(reason);
+        return result;
+    }
+    let expected = gaugeblock_reference::run(&scenario).0;
+    match &expected.end {
+        End::Unsupported { what, .. } => {
+            result.verdict =
+                Verdict::Inconclusive(format!("the model does not specify it yet: {what}"));
+            return result;
+        }
+        End::Unspecified { why, .. } => {
+            result.verdict = Verdict::Inconclusive(format!("the documents leave it open: {why}"));
+            return result;
+        }
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::Endless
+        | End::Paused
+        | End::Aborted
+        | End::Fault(_)
+        | End::BudgetExhausted { .. } => {}
+    }
+    let found = match controller.run(&scenario) {
+        Ok(found) => found,
+        Err(error) => {
+            result.verdict = Verdict::NotJudged(error.to_string());
+            return result;
+        }
+    };
+    if let End::Unsupported { what, .. } = &found.end {
+        result.verdict = Verdict::Unsupported(what.clone());
+        return result;
+    }
+    let against = Against { scenario: &scenario, edition: &plan.edition.id, controller };
+    if let Some(departure) = against.departure(case, &expected, &found, &mut result) {
+        let explained = departure.divergence.as_ref();
+        let explanation =
+            explained.and_then(|_| explain(plan.suite, rule, &scenario, &found, controller));
+        result.verdict = Verdict::Diverges(Departure { explanation, ..departure });
+    }
+    result
+}
+
+/// The scenario of a case under an edition.
+pub fn scenario_of(case: &Case, options: &Options, edition: &Edition) -> Scenario {
+    let mut scenario = case.setup.scenario(&case.program, options);
+    if scenario.bench.name.is_none() {
+        scenario.bench.name.clone_from(&edition.bench);
+    }
+    scenario
+}
+
+/// Whether an assertion is made under these options.
+pub fn applies(assertion: &Assertion, options: &Options, edition: &str) -> bool {
+    assertion.guard.as_ref().is_none_or(|(id, option)| match id.as_str() {
+        "edition" => option == edition,
+        _ => options.is(id, option),
+    })
+}
+
+struct Against<'a> {
+    scenario: &'a Scenario,
+    edition: &'a str,
+    controller: &'a dyn Adapter,
+}
+
+impl Against<'_> {
+    fn departure(
+        &self,
+        case: &Case,
+        expected: &Outcome,
+        found: &Outcome,
+        result: &mut CaseResult<'_>,
+    ) -> Option<Departure> {
+        let shows = self.controller.shows(self.scenario);
+        let (expected, found) = (Observed::of(expected), Observed::of(found));
+        let mut assertion = None;
+        for claim in
+            case.parsed().iter().filter(|a| applies(a, &self.scenario.options, self.edition))
+        {
+            match judge(claim, &found, &shows) {
+                Finding::Holds => result.compared += 1,
+                Finding::Masked(what) => {
+                    result.masked.insert(what);
+                }
+                Finding::Fails(what) => {
+                    assertion.get_or_insert((claim.text.clone(), what));
+                }
+            }
+        }
+        let comparison = compare(&expected, &found, &shows);
+        result.masked.extend(comparison.masked);
+        result.compared += comparison.compared;
+        let divergence = comparison.divergence.map(|divergence| divergence.to_string());
+        let departs = assertion.is_some() || divergence.is_some();
+        departs.then_some(Departure { assertion, divergence, explanation: None })
+    }
+}
+
+/// The one quirk, or the one other option of a choice, under which the model does what the controller did.
+///
+/// Those that the rule names are tried first. Nothing is explained where the outcomes are equal and an assertion fails.
+fn explain(
+    suite: &Suite,
+    rule: &Rule,
+    scenario: &Scenario,
+    found: &Outcome,
+    controller: &dyn Adapter,
+) -> Option<String> {
+    let found = Observed::of(found);
+    let shows = controller.shows(scenario);
+    let named = suite.choices.iter().filter(|choice| rule.options.contains(&choice.id));
+    let quirks = suite.choices.iter().filter(|choice| choice.kind == ChoiceKind::Quirk);
+    let others = quirks.filter(|choice| !rule.options.contains(&choice.id));
+    let candidates = named.chain(others).flat_map(|choice| {
+        let other =
+            |option: &&crate::suite::ChoiceOption| !scenario.options.is(&choice.id, &option.name);
+        choice.options.iter().filter(other).map(move |option| (choice, &option.name))
+    });
+    candidates.into_iter().find_map(|(choice, option)| {
+        let mut tried = scenario.clone();
+        tried.options.0.insert(choice.id.clone(), option.clone());
+        let expected = Observed::of(&gaugeblock_reference::run(&tried).0);
+        compare(&expected, &found, &shows).divergence.is_none().then(|| match choice.kind {
+            ChoiceKind::Quirk => choice.id.clone(),
+            ChoiceKind::Choice => format!("{} = {option}", choice.id),
+        })
+    })
+}

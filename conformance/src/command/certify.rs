@@ -1,0 +1,156 @@
+//! `gaugeblock certify`.
+
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::{Format, Refused, controller, place, write_out};
+use crate::adapters::Capabilities;
+use crate::certify::{Plan, Run, certify as run_suite, count};
+use crate::expectations::Expectations;
+use crate::report::{Report, json, junit, terminal};
+use crate::suite::Suite;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock certify rs274
+      hold LinuxCNC's interpreter to its own manual: each deviating rule, with its program
+  gaugeblock certify rs274 --expectations conformance/expectations/rs274-2.9.toml
+      only what is new or has changed
+  gaugeblock certify rs274 --edition rs274-2.9-observed --report out
+      hold it to what is known of it; write out/report.json, out/junit.xml, out/report.txt
+  gaugeblock certify reference --edition m70-draft --only saved-state
+      hold the specification to one chapter of an edition";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The controller under test
+    #[arg(value_name = "CONTROLLER", default_value = "reference", long_help = controller::NAMES)]
+    controller: String,
+    /// The edition of the documents that it is held to [default: its own]
+    #[arg(long, value_name = "EDITION")]
+    edition: Option<String>,
+    /// Only rules whose id begins so, such as `saved-state` or `feed.zero`; may be repeated
+    #[arg(long, value_name = "PREFIX")]
+    only: Vec<String>,
+    /// What the controller is known to do otherwise; anything else fails
+    #[arg(long, value_name = "FILE")]
+    expectations: Option<PathBuf>,
+    /// Write what it does otherwise as a file of expectations, to be read before it is used
+    #[arg(long, value_name = "FILE")]
+    write_expectations: Option<PathBuf>,
+    /// Write report.json, junit.xml and report.txt into this folder
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
+    /// What to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// How many cases run at once [default: the number of processors]
+    #[arg(long, short, value_name = "N")]
+    jobs: Option<NonZero<usize>>,
+    /// Show known divergences too, and count what was not shown
+    #[arg(long, short)]
+    verbose: bool,
+}
+
+pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let own = controller::own_edition(&arguments.controller);
+    let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    let expectations = arguments.expectations.as_deref().map(read).transpose()?;
+    if let Some(folder) = &arguments.report {
+        place::folder(folder)?;
+    }
+    let controller = controller::controller(&arguments.controller)?;
+    if let Some(expectations) = &expectations {
+        fits(expectations, controller.capabilities(), &edition.id)?;
+    }
+    let plan = Plan { suite, edition, only: &arguments.only, jobs: super::jobs(arguments.jobs) };
+    let cases = count(plan);
+    if cases == 0 {
+        return Err(Refused::wrong(
+            "no case is selected",
+            "`gaugeblock rules` lists the rules' ids",
+        ));
+    }
+    let bar = progress(cases);
+    let run = run_suite(plan, controller.as_ref(), &|| bar.inc(1));
+    bar.finish_and_clear();
+    let whole = arguments.only.is_empty();
+    let troubles = expectations.map(|expectations| expectations.hold(&run, whole));
+    let report = Report { run: &run, controller: controller.capabilities(), troubles };
+    if let Some(file) = &arguments.write_expectations {
+        write_expectations(file, &run, controller.capabilities())?;
+    }
+    if let Some(folder) = &arguments.report {
+        write_report(folder, &report)?;
+    }
+    match arguments.format {
+        Format::Text => write_out(&terminal::terminal(&report, arguments.verbose)),
+        Format::Json => write_out(&format!("{:#}\n", json::json(&report))),
+    }
+    Ok(report.exit_status())
+}
+
+/// A bar on a terminal, nothing in a pipe.
+fn progress(cases: usize) -> indicatif::ProgressBar {
+    let cases = u64::try_from(cases).unwrap_or(u64::MAX);
+    let style = indicatif::ProgressStyle::with_template("{bar:32} {pos}/{len} cases, {elapsed}");
+    let bar = indicatif::ProgressBar::new(cases);
+    match style {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
+
+fn read(path: &Path) -> Result<Expectations, Refused> {
+    let name = path.display();
+    let text = std::fs::read_to_string(path).map_err(|error| {
+        Refused::wrong(format!("{name}: {error}"), "--write-expectations makes such a file")
+    })?;
+    Expectations::read(&text).map_err(|error| {
+        Refused::wrong(
+            format!("{name}: {}", error.trim_end()),
+            "--write-expectations makes such a file",
+        )
+    })
+}
+
+fn fits(expectations: &Expectations, shows: &Capabilities, edition: &str) -> Result<(), Refused> {
+    let (name, version) = (&shows.name, &shows.version);
+    if &expectations.controller != name || expectations.edition != edition {
+        return Err(Refused::wrong(
+            format!(
+                "these expectations are of {} held to {}, not of {name} held to {edition}",
+                expectations.controller, expectations.edition
+            ),
+            "name the expectations of this controller and edition",
+        ));
+    }
+    if &expectations.version != version {
+        return Err(Refused::unfinished(
+            format!(
+                "these expectations are of version {}, the controller is of {version}",
+                expectations.version
+            ),
+            "look at what the new version does, then --write-expectations",
+        ));
+    }
+    Ok(())
+}
+
+fn write_expectations(file: &Path, run: &Run<'_>, shows: &Capabilities) -> Result<(), Refused> {
+    let text = Expectations::of(run, &shows.name, &shows.version)
+        .to_text()
+        .map_err(|error| Refused::unfinished(error, "this is a fault of gaugeblock"))?;
+    place::write_whole(file, &text)
+}
+
+fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Refused> {
+    let xml = junit::junit(report)
+        .map_err(|error| Refused::unfinished(error, "this is a fault of gaugeblock"))?;
+    let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();
+    place::write_whole(&folder.join("report.json"), &format!("{:#}\n", json::json(report)))?;
+    place::write_whole(&folder.join("junit.xml"), &xml)?;
+    place::write_whole(&folder.join("report.txt"), &text)
+}

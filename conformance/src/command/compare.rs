@@ -1,0 +1,131 @@
+//! `gaugeblock compare`.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use clap::Args;
+use gaugeblock_trace::End;
+use serde_json::json;
+
+use super::run::How;
+use super::{Format, Refused, controller, write_out};
+use crate::adapters::Adapter;
+use crate::compare::{Comparison, compare as compare_runs};
+use crate::observe::Observed;
+use crate::suite::Suite;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock compare part.ngc --iut rs274
+  gaugeblock compare *.ngc --iut rs274 --edition rs274-2.9-observed
+  gaugeblock compare part.ngc --iut rs274 --against reference --format json";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The programs
+    #[arg(value_name = "FILE", required = true)]
+    files: Vec<PathBuf>,
+    /// The controller under test
+    #[arg(long, value_name = "CONTROLLER", long_help = controller::NAMES)]
+    iut: String,
+    /// The controller that it is compared with
+    #[arg(long, value_name = "CONTROLLER", default_value = "reference")]
+    against: String,
+    #[command(flatten)]
+    how: How,
+    /// What to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let scenarios = arguments
+        .files
+        .iter()
+        .map(|file| Ok((file, arguments.how.scenario(suite, file)?)))
+        .collect::<Result<Vec<_>, Refused>>()?;
+    let found_by = controller::controller(&arguments.iut)?;
+    let expected_by = controller::controller(&arguments.against)?;
+    let mut status = 0;
+    let mut text = String::new();
+    let mut results = Vec::new();
+    for (file, scenario) in scenarios {
+        let name = file.display().to_string();
+        let words = match both(found_by.as_ref(), expected_by.as_ref(), &scenario) {
+            Ok(Comparison { divergence: None, compared, masked }) => {
+                results.push(
+                    json!({ "file": name, "equal": true, "compared": compared, "masked": masked }),
+                );
+                format!("{name}: no difference in {compared} values")
+            }
+            Ok(Comparison { divergence: Some(divergence), .. }) => {
+                status = status.max(1);
+                let source = divergence.block.as_ref().and_then(|block| {
+                    let line = usize::try_from(block.line).ok()?.checked_sub(1)?;
+                    let text = if block.file == gaugeblock_trace::Program::MAIN {
+                        &scenario.program.main
+                    } else {
+                        scenario.program.files.get(&block.file)?
+                    };
+                    text.lines().nth(line)
+                });
+                results.push(json!({
+                    "file": name, "equal": false, "block": divergence.block, "source": source,
+                    "field": divergence.field, "expected": divergence.expected, "found": divergence.found,
+                }));
+                let place = divergence
+                    .block
+                    .as_ref()
+                    .map_or_else(String::new, |block| format!(":{}", block.line));
+                let (against, iut) = (&arguments.against, &arguments.iut);
+                let width = against.len().max(iut.len());
+                format!(
+                    "{name}{place}: {}\n      | {}\n  {against:width$}  {}\n  {iut:width$}  {}",
+                    divergence.field,
+                    source.unwrap_or("(the end)"),
+                    divergence.expected,
+                    divergence.found
+                )
+            }
+            Err(why) => {
+                status = 3;
+                results.push(json!({ "file": name, "not_compared": why }));
+                format!("{name}: not compared: {why}")
+            }
+        };
+        let _infallible = writeln!(text, "{words}");
+    }
+    match arguments.format {
+        Format::Text => write_out(&text),
+        Format::Json => {
+            write_out(&format!("{:#}\n", json!({ "gaugeblock": "comparison", "files": results })))
+        }
+    }
+    Ok(status)
+}
+
+fn both(
+    found_by: &dyn Adapter,
+    expected_by: &dyn Adapter,
+    scenario: &gaugeblock_trace::Scenario,
+) -> Result<Comparison, String> {
+    let run = |controller: &dyn Adapter| {
+        let name = controller.capabilities().name.clone();
+        controller.supports(scenario).map_err(|why| format!("{name} does not run this: {why}"))?;
+        let outcome = controller.run(scenario).map_err(|error| format!("{name}: {error}"))?;
+        match &outcome.end {
+            End::Unsupported { what, .. } => Err(format!("{name} does not support this: {what}")),
+            End::Unspecified { why, .. } => Err(format!("{name}: not specified: {why}")),
+            End::ProgramEnd
+            | End::PercentEnd
+            | End::Endless
+            | End::Paused
+            | End::Aborted
+            | End::Fault(_)
+            | End::BudgetExhausted { .. } => Ok(Observed::of(&outcome)),
+        }
+    };
+    let (found, expected) = (run(found_by)?, run(expected_by)?);
+    let shows = found_by.shows(scenario).and(&expected_by.shows(scenario));
+    Ok(compare_runs(&expected, &found, &shows))
+}

@@ -1,0 +1,52 @@
+//! A controller by the name that a person writes.
+
+use std::path::Path;
+
+use super::Refused;
+use crate::adapters::reference::Reference;
+use crate::adapters::rs274::Rs274;
+use crate::adapters::{Adapter, ControllerError};
+
+/// The names, as the help tells them.
+pub(super) const NAMES: &str = "reference: the specification itself; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary";
+
+/// The controller of a name.
+pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
+    match name.split_once(':') {
+        None if name == "reference" => Ok(Box::new(Reference::default())),
+        None if name == "rs274" => rs274(None),
+        Some(("rs274", path)) => rs274(Some(Path::new(path))),
+        _ if ["production", "linuxcnc"].contains(&name) || name.starts_with("exec:") => {
+            Err(Refused::unfinished(
+                format!("the controller `{name}` is not there yet"),
+                format!("one of {NAMES}"),
+            ))
+        }
+        _ => Err(Refused::wrong(
+            format!("there is no controller `{name}`"),
+            format!("one of {NAMES}"),
+        )),
+    }
+}
+
+fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, Refused> {
+    match Rs274::find(path) {
+        Ok(found) => Ok(Box::new(found)),
+        Err(error @ ControllerError::Missing { .. }) => Err(Refused::unfinished(
+            error.to_string(),
+            "install it (Debian: apt-get install linuxcnc-uspace), or name its binary: rs274:PATH",
+        )),
+        Err(error @ ControllerError::WrongVersion { .. }) => Err(Refused::unfinished(
+            error.to_string(),
+            "results of another version would be charged to the wrong documents",
+        )),
+        Err(error @ ControllerError::Broken(_)) => {
+            Err(Refused::unfinished(error.to_string(), "run it by hand: rs274 -g FILE"))
+        }
+    }
+}
+
+/// The edition that a controller is held to where none is named.
+pub(super) fn own_edition(name: &str) -> &'static str {
+    if name.starts_with("rs274") { "linuxcnc-2.9" } else { crate::suite::DEFAULT_EDITION }
+}

@@ -1,0 +1,82 @@
+//! `gaugeblock fingerprint`.
+
+use std::fmt::Write as _;
+
+use clap::Args;
+use serde_json::json;
+
+use super::{Format, Refused, controller, write_out};
+use crate::fingerprint::{Shown, fingerprint as take, nearest};
+use crate::suite::Suite;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock fingerprint rs274
+  gaugeblock fingerprint reference --edition m70-draft
+  gaugeblock fingerprint rs274 --format json";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The controller
+    #[arg(value_name = "CONTROLLER", long_help = controller::NAMES)]
+    controller: String,
+    /// The edition whose options a controller that takes options is given
+    #[arg(long, value_name = "EDITION")]
+    edition: Option<String>,
+    /// What to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+pub(super) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let own = controller::own_edition(&arguments.controller);
+    let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    let controller = controller::controller(&arguments.controller)?;
+    let options = suite.options(edition);
+    let shown = take(suite, &options, edition.bench.as_deref(), controller.as_ref());
+    let nearest = nearest(suite, &shown);
+    let known = shown.iter().filter(|(_, shown)| matches!(shown, Shown::Option(_))).count();
+    match arguments.format {
+        Format::Json => {
+            let options: serde_json::Map<_, _> =
+                shown.iter().map(|(choice, shown)| (choice.id.clone(), value(shown))).collect();
+            let editions: Vec<_> = nearest
+                .iter()
+                .map(|(id, agree)| json!({ "edition": id, "agree": agree }))
+                .collect();
+            let document = json!({
+                "gaugeblock": "fingerprint", "controller": controller.capabilities().name,
+                "version": controller.capabilities().version, "options": options, "shown": known, "nearest": editions,
+            });
+            write_out(&format!("{document:#}\n"));
+        }
+        Format::Text => {
+            let mut text = String::new();
+            for (choice, shown) in &shown {
+                let words = match shown {
+                    Shown::Option(option) => option.clone(),
+                    Shown::Nothing(why) => format!("none of the options: {}", why.join("; ")),
+                    Shown::Several(options) => format!("cannot be told: {}", options.join(" or ")),
+                    Shown::NotRun(why) => format!("not run: {why}"),
+                };
+                let _infallible = writeln!(text, "{:<40} {words}", choice.id);
+            }
+            if let Some((id, agree)) = nearest.first() {
+                let _infallible =
+                    writeln!(text, "\nnearest edition: {id} ({agree} of {known} shown options)");
+            }
+            write_out(&text);
+        }
+    }
+    let unknown = shown.iter().any(|(_, shown)| matches!(shown, Shown::Nothing(_)));
+    Ok(if unknown { 3 } else { 0 })
+}
+
+fn value(shown: &Shown) -> serde_json::Value {
+    match shown {
+        Shown::Option(option) => json!({ "option": option }),
+        Shown::Nothing(why) => json!({ "none": why }),
+        Shown::Several(options) => json!({ "any_of": options }),
+        Shown::NotRun(why) => json!({ "not_run": why }),
+    }
+}

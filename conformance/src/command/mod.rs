@@ -1,0 +1,205 @@
+//! The command line `gaugeblock`.
+
+mod certify;
+mod compare;
+mod controller;
+mod fingerprint;
+mod place;
+mod rules;
+mod run;
+mod schema;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+use crate::suite::{Edition, Suite, files};
+
+/// Why a command does not go on, in one message.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refused {
+    /// 2: the call or its input is wrong. 3: it could not finish.
+    pub status: u8,
+    /// What is wrong, with its place.
+    pub message: String,
+    /// What to do.
+    pub hint: Option<String>,
+}
+
+impl Refused {
+    /// The call or its input is wrong.
+    pub fn wrong(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { status: 2, message: message.into(), hint: Some(hint.into()) }
+    }
+
+    /// It could not finish.
+    pub fn unfinished(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { status: 3, message: message.into(), hint: Some(hint.into()) }
+    }
+}
+
+/// The exit statuses, as the help tells them.
+const EXIT: &str = "Exit status:
+  0  every case passes, is a known divergence, or is unsupported by what the controller declared before
+  1  a divergence, a stale expectation, or a known divergence that changed
+  2  the call or its input is wrong
+  3  could not finish: controller missing or of an unknown version, crash, time-out, inconclusive";
+
+/// Holds a CNC controller to the documents of its language, rule by rule.
+#[derive(Debug, Parser)]
+#[command(name = "gaugeblock", version, after_help = EXIT, arg_required_else_help = true, max_term_width = 110)]
+struct Call {
+    /// A folder of suite pages instead of the suite that is built in
+    #[arg(long, global = true, value_name = "DIR")]
+    suite: Option<PathBuf>,
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// What to print.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For a person
+    Text,
+    /// One JSON document
+    Json,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Run the suite against a controller: a verdict per rule
+    Certify(certify::Arguments),
+    /// Show what a program does on a controller: effects, settings, states
+    Run(run::Arguments),
+    /// Show where two controllers first differ on programs
+    Compare(compare::Arguments),
+    /// Tell which option of each choice, and which quirk, a controller shows
+    Fingerprint(fingerprint::Arguments),
+    /// List the rules: sentences, sources, cases; check or bless the suite
+    Rules(rules::Arguments),
+    /// Print the JSON schema of a scenario or an outcome
+    Schema(schema::Arguments),
+}
+
+/// Runs the command line and tells the exit status.
+pub fn main() -> ExitCode {
+    let call = match Call::try_parse() {
+        Ok(call) => call,
+        Err(error) => {
+            let _closed_pipe = error.print();
+            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+        }
+    };
+    let done = match &call.command {
+        Command::Certify(arguments) => {
+            suite(&call).and_then(|suite| certify::certify(arguments, &suite))
+        }
+        Command::Run(arguments) => suite(&call).and_then(|suite| run::run(arguments, &suite)),
+        Command::Compare(arguments) => {
+            suite(&call).and_then(|suite| compare::compare(arguments, &suite))
+        }
+        Command::Fingerprint(arguments) => {
+            suite(&call).and_then(|suite| fingerprint::fingerprint(arguments, &suite))
+        }
+        Command::Rules(arguments) => rules::rules(arguments, call.suite.as_deref()),
+        Command::Schema(arguments) => schema::schema(arguments),
+    };
+    match done {
+        Ok(status) => ExitCode::from(status),
+        Err(refused) => {
+            let bold = anstyle::AnsiColor::Red.on_default().bold();
+            write_error(&format!("{bold}error{bold:#}: {}", refused.message));
+            if let Some(hint) = refused.hint {
+                write_error(&format!("hint: {hint}"));
+            }
+            ExitCode::from(refused.status)
+        }
+    }
+}
+
+fn suite(call: &Call) -> Result<Suite, Refused> {
+    read_suite(call.suite.as_deref())
+}
+
+fn read_suite(folder: Option<&std::path::Path>) -> Result<Suite, Refused> {
+    let files = match folder {
+        Some(folder) => files::of_folder(folder).map_err(|error| {
+            Refused::wrong(error, "--suite takes a folder like conformance/suite; leave it out for the suite built in")
+        })?,
+        None => files::built_in(),
+    };
+    Suite::read(&files).map_err(|errors| {
+        let count = errors.len();
+        let shown: Vec<_> = errors.into_iter().take(20).collect();
+        let more = if count > shown.len() {
+            format!("\n… {} more", count - shown.len())
+        } else {
+            String::new()
+        };
+        Refused::wrong(
+            format!("the suite is not in its form, {count} times:\n{}{more}", shown.join("\n")),
+            "the form of a page is described in the suite's README.md",
+        )
+    })
+}
+
+/// The edition of an id.
+fn edition<'a>(suite: &'a Suite, id: &str) -> Result<&'a Edition, Refused> {
+    suite.edition(id).ok_or_else(|| {
+        let known: Vec<_> = suite.editions.iter().map(|edition| edition.id.as_str()).collect();
+        Refused::wrong(
+            format!("there is no edition `{id}`"),
+            format!("one of: {}", known.join(", ")),
+        )
+    })
+}
+
+/// Options of an edition with `id=option` changes on top.
+fn options_with(
+    suite: &Suite,
+    edition: &Edition,
+    changes: &[String],
+) -> Result<gaugeblock_trace::Options, Refused> {
+    let mut options = suite.options(edition);
+    for change in changes {
+        let (id, option) = change.split_once('=').ok_or_else(|| {
+            Refused::wrong(
+                format!("`{change}` is not CHOICE=OPTION"),
+                "as in --option saved-state.motion-mode=restored",
+            )
+        })?;
+        let choice = suite.choices.iter().find(|choice| choice.id == id).ok_or_else(|| {
+            Refused::wrong(
+                format!("there is no choice or quirk `{id}`"),
+                "`gaugeblock rules --choices` lists them",
+            )
+        })?;
+        if !choice.options.iter().any(|known| known.name == option) {
+            let known: Vec<_> = choice.options.iter().map(|known| known.name.as_str()).collect();
+            return Err(Refused::wrong(
+                format!("`{id}` has no option `{option}`"),
+                format!("one of: {}", known.join(", ")),
+            ));
+        }
+        options.0.insert(id.to_owned(), option.to_owned());
+    }
+    Ok(options)
+}
+
+/// Writes to standard output; a reader that went away is no error.
+fn write_out(text: &str) {
+    use std::io::Write as _;
+    let _closed_pipe = anstream::stdout().write_all(text.as_bytes());
+}
+
+fn write_error(text: &str) {
+    use std::io::Write as _;
+    let _closed_pipe = anstream::stderr().write_all(format!("{text}\n").as_bytes());
+}
+
+/// How many runs at once: the processors, unless it is said.
+fn jobs(asked: Option<std::num::NonZero<usize>>) -> std::num::NonZero<usize> {
+    let processors = std::thread::available_parallelism();
+    asked.or_else(|| processors.ok()).unwrap_or(std::num::NonZero::<usize>::MIN)
+}

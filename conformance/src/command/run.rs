@@ -1,0 +1,157 @@
+//! `gaugeblock run`.
+
+use std::path::{Path, PathBuf};
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use clap::Args;
+use gaugeblock_trace::{End, Outcome, Program, Scenario};
+
+use super::{Format, Refused, controller, place, write_error, write_out};
+use crate::suite::Suite;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock run part.ngc
+  gaugeblock run part.ngc --iut rs274
+  gaugeblock run part.ngc --scenario mill.toml --format json
+  gaugeblock run part.ngc --option saved-state.motion-mode=restored
+
+Subroutine files (*.ngc) beside the program are found by their names. The exit status is 0 also when the program
+faults: that is the answer.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The program
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    #[command(flatten)]
+    how: How,
+    /// The controller that runs it
+    #[arg(long, value_name = "CONTROLLER", default_value = "reference", long_help = controller::NAMES)]
+    iut: String,
+    /// What to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// How programs are run.
+#[derive(Debug, Args)]
+pub(super) struct How {
+    /// The edition of the documents that applies
+    #[arg(long, value_name = "EDITION", default_value = crate::suite::DEFAULT_EDITION)]
+    edition: String,
+    /// Another option of a choice or quirk; may be repeated
+    #[arg(long, value_name = "CHOICE=OPTION")]
+    option: Vec<String>,
+    /// Machine, bench, operator and budget, as a TOML file (`gaugeblock schema scenario`)
+    #[arg(long, value_name = "FILE")]
+    scenario: Option<PathBuf>,
+    /// Skip blocks that begin with a slash
+    #[arg(long)]
+    block_delete: bool,
+}
+
+impl How {
+    /// The scenario of a program file, with the subroutine files beside it.
+    pub(super) fn scenario(&self, suite: &Suite, file: &Path) -> Result<Scenario, Refused> {
+        let edition = super::edition(suite, &self.edition)?;
+        let mut scenario = match &self.scenario {
+            Some(path) => {
+                let text = place::program(path)?;
+                Scenario::from_text(&text).map_err(|error| {
+                    let message = format!("{}: {}", path.display(), error.message.trim_end());
+                    Refused::wrong(message, "`gaugeblock schema scenario` prints the form")
+                })?
+            }
+            None => Scenario::default(),
+        };
+        scenario.program = Program {
+            main: place::program(file)?,
+            files: beside(file),
+            block_delete: self.block_delete || scenario.program.block_delete,
+            ..scenario.program
+        };
+        scenario.options = super::options_with(suite, edition, &self.option)?;
+        if scenario.bench.name.is_none() {
+            scenario.bench.name.clone_from(&edition.bench);
+        }
+        Ok(scenario)
+    }
+}
+
+/// The other programs of the same folder; what is no readable text is left out, since it may never be called.
+fn beside(file: &Path) -> std::collections::BTreeMap<String, String> {
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let entries =
+        std::fs::read_dir(folder.unwrap_or(Path::new("."))).into_iter().flatten().flatten();
+    entries
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "ngc"))
+        .filter(|path| path.file_name() != file.file_name())
+        .filter_map(|path| {
+            let name = path.file_name()?.to_str()?.to_owned();
+            Some((name, place::program(&path).ok()?))
+        })
+        .collect()
+}
+
+pub(super) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let scenario = arguments.how.scenario(suite, &arguments.file)?;
+    let controller = controller::controller(&arguments.iut)?;
+    controller.supports(&scenario).map_err(|why| {
+        Refused::unfinished(
+            format!("{} does not run this: {why}", arguments.iut),
+            "try --iut reference",
+        )
+    })?;
+    let outcome = controller
+        .run(&scenario)
+        .map_err(|error| Refused::unfinished(error.to_string(), "try --iut reference"))?;
+    match arguments.format {
+        Format::Text => write_out(&outcome.to_text()),
+        Format::Json => {
+            let text = serde_json::to_string_pretty(&outcome).map_err(|error| {
+                Refused::unfinished(error.to_string(), "this is a fault of gaugeblock")
+            })?;
+            write_out(&format!("{text}\n"));
+        }
+    }
+    if let Some(pointer) = point_at(&outcome, &scenario, &arguments.file) {
+        write_error(&pointer);
+    }
+    Ok(0)
+}
+
+/// Where a run did not go on, with the line of the program.
+pub(super) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> Option<String> {
+    let (block, span, message) = match &outcome.end {
+        End::Fault(fault) => (fault.block.as_ref()?, fault.span, fault.message.clone()),
+        End::Unsupported { block, what } => (block, None, format!("not supported: {what}")),
+        End::Unspecified { block, why } => (block, None, format!("not specified: {why}")),
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::Endless
+        | End::Paused
+        | End::Aborted
+        | End::BudgetExhausted { .. } => return None,
+    };
+    let (name, text) = if block.file == Program::MAIN {
+        (file.display().to_string(), scenario.program.main.as_str())
+    } else {
+        (block.file.clone(), scenario.program.files.get(&block.file)?.as_str())
+    };
+    let line = usize::try_from(block.line).ok()?;
+    let source = text.lines().nth(line.checked_sub(1)?)?;
+    let whole = 0..source.len();
+    let range = span.map_or(whole.clone(), |span| {
+        let place = |at: u32| usize::try_from(at).unwrap_or(usize::MAX).min(source.len());
+        place(span.start)..place(span.end).max(place(span.start))
+    });
+    let range = if source.get(range.clone()).is_some() { range } else { whole };
+    let snippet = Snippet::source(source)
+        .line_start(line)
+        .path(name)
+        .annotation(AnnotationKind::Primary.span(range));
+    let group = Level::ERROR.primary_title(&*message).element(snippet);
+    Some(Renderer::styled().render(&[group]))
+}

@@ -1,0 +1,30 @@
+//! `gaugeblock schema`.
+
+use clap::{Args, ValueEnum};
+
+use super::{Refused, write_out};
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum What {
+    /// All that a run depends on
+    Scenario,
+    /// What can be observed of a run
+    Outcome,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  gaugeblock schema outcome > outcome.schema.json")]
+pub(super) struct Arguments {
+    /// Of what
+    #[arg(value_enum)]
+    what: What,
+}
+
+pub(super) fn schema(arguments: &Arguments) -> Result<u8, Refused> {
+    let schema = match arguments.what {
+        What::Scenario => gaugeblock_trace::schema::scenario(),
+        What::Outcome => gaugeblock_trace::schema::outcome(),
+    };
+    write_out(&format!("{:#}\n", schema.as_value()));
+    Ok(0)
+}

@@ -1,0 +1,313 @@
+//! Two outcomes side by side: the first divergence, and what could not be compared.
+
+pub mod tolerance;
+
+use std::collections::BTreeSet;
+
+use gaugeblock_trace::{Block, End, Entry, Fault, Settings, Value};
+
+use crate::adapters::Capabilities;
+use crate::observe::{Observed, ObservedEffect, ObservedStep};
+
+/// The first point at which two runs differ.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Divergence {
+    /// The block at which it shows, where one can be named.
+    pub block: Option<Block>,
+    /// What is compared: `effect`, `end`, or a field's name.
+    pub field: String,
+    /// What the specification has.
+    pub expected: String,
+    /// What the controller did.
+    pub found: String,
+}
+
+impl std::fmt::Display for Divergence {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if let Some(block) = &self.block {
+            write!(f, "{block}: ")?;
+        }
+        write!(f, "{}: expected {}, found {}", self.field, self.expected, self.found)
+    }
+}
+
+/// How two runs compare.
+#[derive(Clone, Debug, Default)]
+pub struct Comparison {
+    /// The first difference.
+    pub divergence: Option<Divergence>,
+    /// Fields and effects that the controller does not show, so that they were not compared.
+    pub masked: BTreeSet<String>,
+    /// How many values were compared.
+    pub compared: usize,
+}
+
+/// Compares what a controller did with what the specification says, on what the controller shows.
+///
+/// Linear in the length of both runs.
+pub fn compare(expected: &Observed, found: &Observed, shows: &Capabilities) -> Comparison {
+    let mut walk = Walk { shows, comparison: Comparison::default() };
+    let effects = walk.effects(expected, found);
+    let states = walk.states(expected, found);
+    let earlier = match (effects, states) {
+        (Some((at_effect, effect)), Some((at_state, state))) => {
+            Some(if at_effect <= at_state { effect } else { state })
+        }
+        (Some((_, divergence)), None) | (None, Some((_, divergence))) => Some(divergence),
+        (None, None) => None,
+    };
+    let end = walk.end(&expected.end, &found.end);
+    walk.comparison.divergence = match (earlier, end) {
+        // A run that went on where it should have been refused, or was refused where it should have gone on, says more.
+        (Some(earlier), Some(end)) if earlier.field == "run" => Some(end),
+        (Some(earlier), _) => Some(earlier),
+        (None, Some(end)) => Some(end),
+        (None, None) => walk.last(expected, found),
+    };
+    walk.comparison
+}
+
+struct Walk<'a> {
+    shows: &'a Capabilities,
+    comparison: Comparison,
+}
+
+impl Walk<'_> {
+    /// The first effect that differs, and its step.
+    fn effects(&mut self, expected: &Observed, found: &Observed) -> Option<(usize, Divergence)> {
+        for observed in &expected.effects {
+            if !self.shows.effects.contains(observed.effect.name()) {
+                self.comparison.masked.insert(observed.effect.name().to_owned());
+            }
+        }
+        let shown =
+            |observed: &&ObservedEffect| self.shows.effects.contains(observed.effect.name());
+        let left: Vec<_> = expected.effects.iter().filter(shown).collect();
+        let right: Vec<_> = found.effects.iter().filter(shown).collect();
+        for place in 0..left.len().max(right.len()) {
+            match (left.get(place), right.get(place)) {
+                (Some(a), Some(b)) => {
+                    let block = &expected.steps[a.step].block;
+                    if let Some(divergence) = self.effect(block, a, b) {
+                        return Some((a.step, divergence));
+                    }
+                }
+                (Some(a), None) => {
+                    let block = expected.steps[a.step].block.clone();
+                    return Some((
+                        a.step,
+                        missing(Some(block), describe(a), "no further effect".to_owned()),
+                    ));
+                }
+                (None, Some(b)) => {
+                    let block = found.steps.get(b.step).map(|step| step.block.clone());
+                    return Some((
+                        usize::MAX,
+                        missing(block, "no further effect".to_owned(), describe(b)),
+                    ));
+                }
+                (None, None) => {}
+            }
+        }
+        None
+    }
+
+    fn effect(
+        &mut self,
+        block: &Block,
+        a: &ObservedEffect,
+        b: &ObservedEffect,
+    ) -> Option<Divergence> {
+        let same_name = a.effect.name() == b.effect.name();
+        let (left, right) = (a.effect.arguments(), b.effect.arguments());
+        let same = same_name
+            && left.len() == right.len()
+            && left.iter().zip(&right).all(|((name, a), (other, b))| {
+                name == other && tolerance::values(a, b, self.shows.resolution)
+            });
+        self.comparison.compared += 1 + left.len();
+        if !same {
+            return Some(missing(Some(block.clone()), describe(a), describe(b)));
+        }
+        let shown = self.shows.fields_at_effects.clone();
+        self.fields(block, &a.settings.entries(), &b.settings.entries(), &shown)
+    }
+
+    /// The first state that differs, and its step.
+    fn states(&mut self, expected: &Observed, found: &Observed) -> Option<(usize, Divergence)> {
+        let recorded = |run: &Observed| -> Vec<(usize, ObservedStep)> {
+            let steps = run.steps.iter().cloned().enumerate();
+            steps.filter(|(_, step)| step.state.is_some()).collect()
+        };
+        let (left, right) = (recorded(expected), recorded(found));
+        for place in 0..left.len().max(right.len()) {
+            let (Some((at, a)), Some((_, b))) = (left.get(place), right.get(place)) else {
+                let name = |step: Option<&(usize, ObservedStep)>| {
+                    step.map_or_else(|| "no further block".to_owned(), |(_, s)| s.block.to_string())
+                };
+                let at = left.get(place).map_or(usize::MAX, |(at, _)| *at);
+                let block =
+                    left.get(place).or(right.get(place)).map(|(_, step)| step.block.clone());
+                let (expected, found) = (name(left.get(place)), name(right.get(place)));
+                return Some((at, Divergence { block, field: "run".to_owned(), expected, found }));
+            };
+            if a.block != b.block {
+                let (expected, found) = (a.block.to_string(), b.block.to_string());
+                let block = Some(a.block.clone());
+                return Some((*at, Divergence { block, field: "run".to_owned(), expected, found }));
+            }
+            if let Some(divergence) = self.step(a, b) {
+                return Some((*at, divergence));
+            }
+        }
+        None
+    }
+
+    fn step(&mut self, a: &ObservedStep, b: &ObservedStep) -> Option<Divergence> {
+        let entries = |step: &ObservedStep| {
+            let mut entries = step.settings.entries();
+            entries.extend(step.state.iter().flat_map(gaugeblock_trace::State::entries));
+            entries.retain(|entry| entry.field != "parameter");
+            entries
+        };
+        let shown = self.shows.fields.clone();
+        self.fields(&a.block, &entries(a), &entries(b), &shown)
+    }
+
+    fn fields(
+        &mut self,
+        block: &Block,
+        expected: &[Entry],
+        found: &[Entry],
+        shown: &BTreeSet<String>,
+    ) -> Option<Divergence> {
+        for entry in expected {
+            let other =
+                found.iter().find(|other| other.field == entry.field && other.index == entry.index);
+            let (true, Some(other)) = (shown.contains(entry.field), other) else {
+                self.comparison.masked.insert(entry.field.to_owned());
+                continue;
+            };
+            self.comparison.compared += 1;
+            if !tolerance::values(&entry.value, &other.value, self.shows.resolution) {
+                return Some(Divergence {
+                    block: Some(block.clone()),
+                    field: entry.name(),
+                    expected: rounded(&entry.value),
+                    found: rounded(&other.value),
+                });
+            }
+        }
+        None
+    }
+
+    fn end(&mut self, expected: &End, found: &End) -> Option<Divergence> {
+        self.comparison.compared += 1;
+        let same = match (expected, found) {
+            (End::Fault(a), End::Fault(b)) => same_fault(a, b),
+            (a, b) => a.name() == b.name(),
+        };
+        (!same).then(|| Divergence {
+            block: if let End::Fault(fault) = expected { fault.block.clone() } else { None },
+            field: "end".to_owned(),
+            expected: end_text(expected),
+            found: end_text(found),
+        })
+    }
+
+    /// What is left to compare at the end: settings that effects would show, and numbered parameters.
+    fn last(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
+        let block = expected.steps.last()?.block.clone();
+        let shown = self.shows.fields_at_effects.clone();
+        let entries = |settings: &Settings| settings.entries();
+        let settings = self.fields(
+            &block,
+            &entries(expected.last_settings()),
+            &entries(found.last_settings()),
+            &shown,
+        );
+        settings.or_else(|| self.parameters(expected, found))
+    }
+
+    fn parameters(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
+        let (Some(left), Some(right)) = (&expected.parameters, &found.parameters) else {
+            self.comparison.masked.insert("parameters at the end".to_owned());
+            return None;
+        };
+        let numbers: BTreeSet<u32> = left.0.keys().chain(right.0.keys()).copied().collect();
+        for number in numbers {
+            if self.shows.hidden_parameters.iter().any(|hidden| hidden.contains(&number)) {
+                self.comparison.masked.insert("some parameters at the end".to_owned());
+                continue;
+            }
+            let value = |side: &gaugeblock_trace::Indexed<u32, f64>| {
+                side.0.get(&number).copied().unwrap_or_default()
+            };
+            let (a, b) = (value(left), value(right));
+            self.comparison.compared += 1;
+            if !tolerance::numbers(a, b, self.shows.resolution) {
+                return Some(Divergence {
+                    block: None,
+                    field: format!("#{number} at the end"),
+                    expected: rounded(&Value::Number(a)),
+                    found: rounded(&Value::Number(b)),
+                });
+            }
+        }
+        None
+    }
+}
+
+/// Two faults are the same when they are at the same block; kinds are judged by assertions, where a document names them.
+fn same_fault(a: &Fault, b: &Fault) -> bool {
+    match (&a.block, &b.block) {
+        (Some(a), Some(b)) => a == b,
+        _ => true,
+    }
+}
+
+fn missing(block: Option<Block>, expected: String, found: String) -> Divergence {
+    Divergence { block, field: "effect".to_owned(), expected, found }
+}
+
+fn describe(observed: &ObservedEffect) -> String {
+    let mut text = observed.effect.name().to_owned();
+    for (name, value) in observed.effect.arguments() {
+        text.push_str(&format!(" {name}={}", rounded(&value)));
+    }
+    text
+}
+
+/// A value without the noise of the last bits.
+pub fn rounded(value: &Value) -> String {
+    let tidy = |number: f64| {
+        let rounded = (number * 1e6).round() / 1e6;
+        if rounded.is_finite() { rounded + 0.0 } else { number }
+    };
+    match value {
+        Value::Number(number) => tidy(*number).to_string(),
+        Value::Position(position) => {
+            gaugeblock_trace::Position::from(position.to_array().map(tidy)).to_string()
+        }
+        Value::Word(_) | Value::Text(_) => value.to_string(),
+    }
+}
+
+/// An end in a few words.
+pub fn end_text(end: &End) -> String {
+    match end {
+        End::Fault(fault) => {
+            let kind = fault.kind.map_or_else(String::new, |kind| format!(" ({kind})"));
+            match &fault.block {
+                Some(block) => format!("refused at {block}{kind}"),
+                None => format!("refused{kind}"),
+            }
+        }
+        End::Unsupported { block, what } => format!("unsupported at {block}: {what}"),
+        End::Unspecified { block, why } => format!("unspecified at {block}: {why}"),
+        End::BudgetExhausted { bound } => format!("budget exhausted ({bound})"),
+        End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused | End::Aborted => {
+            end.name().replace('_', " ")
+        }
+    }
+}

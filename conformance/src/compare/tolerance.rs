@@ -1,0 +1,91 @@
+//! When two values count as equal. Version 0 of the table.
+//!
+//! | observable | tolerance |
+//! | --- | --- |
+//! | positions, settings, arguments of effects | 1e-6 absolute, 1e-9 relative |
+//! | numbers inside messages | 2e-6 absolute: they are written with six decimals |
+//! | all | plus the resolution that the controller declares |
+//!
+//! A case never carries a tolerance of its own.
+
+use gaugeblock_trace::{Axis, Position, Value};
+
+/// Version of the table.
+pub const VERSION: u32 = 0;
+
+const ABSOLUTE: f64 = 1e-6;
+const RELATIVE: f64 = 1e-9;
+const IN_MESSAGES: f64 = 2e-6;
+
+/// Whether two numbers are equal for a controller of this resolution.
+pub fn numbers(a: f64, b: f64, resolution: f64) -> bool {
+    (a - b).abs() <= ABSOLUTE + resolution + RELATIVE * a.abs().max(b.abs())
+}
+
+/// Whether two positions are equal, axis by axis.
+pub fn positions(a: &Position, b: &Position, resolution: f64) -> bool {
+    Axis::ALL.iter().all(|axis| numbers(a.get(*axis), b.get(*axis), resolution))
+}
+
+/// Whether two values are equal.
+pub fn values(a: &Value, b: &Value, resolution: f64) -> bool {
+    match (a, b) {
+        (Value::Number(a), Value::Number(b)) => numbers(*a, *b, resolution),
+        (Value::Position(a), Value::Position(b)) => positions(a, b, resolution),
+        (Value::Text(a), Value::Text(b)) => texts(a, b),
+        (Value::Word(a), Value::Word(b)) => a == b,
+        _ => false,
+    }
+}
+
+/// Whether two texts are equal when the numbers in them are compared as numbers.
+pub fn texts(a: &str, b: &str) -> bool {
+    a == b || {
+        let (a, b) = (parts(a), parts(b));
+        a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| part(a, b))
+    }
+}
+
+fn part(a: &str, b: &str) -> bool {
+    let number = |text: &str| text.parse::<f64>().ok().filter(|number| number.is_finite());
+    match (number(a), number(b)) {
+        (Some(a), Some(b)) => (a - b).abs() <= IN_MESSAGES + RELATIVE * a.abs().max(b.abs()),
+        _ => a == b,
+    }
+}
+
+/// Splits a text into numbers and what is between them.
+fn parts(text: &str) -> Vec<&str> {
+    let of_number = |place: usize, c: char| {
+        let next_is_digit =
+            || text[place + c.len_utf8()..].starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        c.is_ascii_digit() || c == '.' || (c == '-' && next_is_digit())
+    };
+    let mut parts = Vec::new();
+    let mut start = 0;
+    let mut in_number = None;
+    for (place, c) in text.char_indices() {
+        let now = of_number(place, c);
+        if in_number.is_some_and(|before| before != now) {
+            parts.push(&text[start..place]);
+            start = place;
+        }
+        in_number = Some(now);
+    }
+    parts.push(&text[start..]);
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_in_texts_are_compared_as_numbers() {
+        assert!(texts("a=1.000000 b=-2", "a=1 b=-2.000001"));
+        assert!(!texts("a=1.000000", "a=1.001"));
+        assert!(!texts("a=1", "b=1"));
+        assert!(!texts("a=1 ", "a=1"));
+        assert!(texts("", ""));
+    }
+}

@@ -1,0 +1,181 @@
+//! Expectations: what a named controller is known to do otherwise. Strict, never stale.
+//!
+//! A known divergence names rule, case and what is found. It is a failure when the controller does something else, when it
+//! has been mended, and when it is not listed.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::{Deserialize, Serialize};
+
+use crate::certify::{Run, Verdict};
+
+/// A divergence that is known.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Known {
+    /// The rule.
+    pub rule: String,
+    /// Its case.
+    pub case: String,
+    /// What is found, as the report words it.
+    pub found: String,
+    /// The quirk, or the other option of a choice, that explains it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub explanation: Option<String>,
+}
+
+/// What a controller is known to do otherwise when it is held to an edition.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Expectations {
+    /// The controller.
+    pub controller: String,
+    /// Its version.
+    pub version: String,
+    /// The edition that it is held to.
+    pub edition: String,
+    /// The divergences, ordered by rule and case.
+    #[serde(default)]
+    pub known: Vec<Known>,
+}
+
+/// How a run and the expectations disagree.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "trouble", rename_all = "snake_case")]
+pub enum Trouble {
+    /// A divergence that is not listed.
+    New {
+        /// The rule.
+        rule: String,
+        /// Its case.
+        case: String,
+        /// What is found.
+        found: String,
+    },
+    /// A listed divergence that is another one now.
+    Changed {
+        /// The rule.
+        rule: String,
+        /// Its case.
+        case: String,
+        /// What is listed.
+        listed: String,
+        /// What is found.
+        found: String,
+    },
+    /// A listed divergence of a case that passes now, or was not judged.
+    Stale {
+        /// The rule.
+        rule: String,
+        /// Its case.
+        case: String,
+        /// Why it is stale.
+        why: String,
+    },
+}
+
+impl std::fmt::Display for Trouble {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::New { rule, case, found } => write!(f, "not listed: {rule} / {case}: {found}"),
+            Self::Changed { rule, case, listed, found } => {
+                write!(f, "changed: {rule} / {case}: listed {listed}; now {found}")
+            }
+            Self::Stale { rule, case, why } => write!(f, "stale: {rule} / {case}: {why}"),
+        }
+    }
+}
+
+impl Expectations {
+    /// Reads a file of expectations.
+    ///
+    /// # Errors
+    /// It is not in the form; the message has line and column.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let read: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+        let mut seen = BTreeSet::new();
+        for known in &read.known {
+            if !seen.insert((&known.rule, &known.case)) {
+                return Err(format!("{} / {} is listed twice", known.rule, known.case));
+            }
+        }
+        Ok(read)
+    }
+
+    /// What a run shows, as expectations.
+    pub fn of(run: &Run<'_>, controller: &str, version: &str) -> Self {
+        let known = run.cases.iter().filter_map(|result| match &result.verdict {
+            Verdict::Diverges(departure) => Some(Known {
+                rule: result.rule.id.clone(),
+                case: result.case.name.clone(),
+                found: departure.line(),
+                explanation: departure.explanation.clone(),
+            }),
+            Verdict::Pass
+            | Verdict::Unsupported(_)
+            | Verdict::Inconclusive(_)
+            | Verdict::NotJudged(_) => None,
+        });
+        Self {
+            controller: controller.to_owned(),
+            version: version.to_owned(),
+            edition: run.edition.id.clone(),
+            known: known.collect(),
+        }
+    }
+
+    /// The text of a file of expectations.
+    ///
+    /// # Errors
+    /// A text that TOML cannot hold.
+    pub fn to_text(&self) -> Result<String, String> {
+        toml::to_string(self).map_err(|error| error.to_string())
+    }
+
+    /// Where a run and these expectations disagree; nothing when the run shows exactly what is listed.
+    ///
+    /// A listed case that the run did not select is stale only when `whole` says that everything was selected.
+    pub fn hold<'a>(&'a self, run: &'a Run<'_>, whole: bool) -> Vec<Trouble> {
+        let mut listed: BTreeMap<(&str, &str), &Known> = self
+            .known
+            .iter()
+            .map(|known| ((known.rule.as_str(), known.case.as_str()), known))
+            .collect();
+        let mut troubles = Vec::new();
+        for result in &run.cases {
+            let (rule, case) = (result.rule.id.clone(), result.case.name.clone());
+            let known = listed.remove(&(result.rule.id.as_str(), result.case.name.as_str()));
+            match (&result.verdict, known) {
+                (Verdict::Diverges(departure), None) => {
+                    troubles.push(Trouble::New { rule, case, found: departure.line() });
+                }
+                (Verdict::Diverges(departure), Some(known)) if departure.line() != known.found => {
+                    let (listed, found) = (known.found.clone(), departure.line());
+                    troubles.push(Trouble::Changed { rule, case, listed, found });
+                }
+                (Verdict::Diverges(_), Some(_)) | (_, None) => {}
+                (Verdict::Pass, Some(_)) => {
+                    let why = "the case passes: take the entry out".to_owned();
+                    troubles.push(Trouble::Stale { rule, case, why });
+                }
+                (
+                    Verdict::Unsupported(why)
+                    | Verdict::Inconclusive(why)
+                    | Verdict::NotJudged(why),
+                    Some(_),
+                ) => {
+                    let why = format!("the case is not judged: {why}");
+                    troubles.push(Trouble::Stale { rule, case, why });
+                }
+            }
+        }
+        for known in listed.into_values().filter(|_| whole) {
+            troubles.push(Trouble::Stale {
+                rule: known.rule.clone(),
+                case: known.case.clone(),
+                why: "the suite has no such case in this edition".to_owned(),
+            });
+        }
+        troubles
+    }
+}

@@ -1,0 +1,251 @@
+//! Assertions held against what was observed.
+
+use gaugeblock_trace::{Effect, End, Entry, Language, Settings, State, Value};
+
+use crate::adapters::Capabilities;
+use crate::compare::{end_text, rounded, tolerance};
+use crate::observe::{Observed, ObservedEffect, ObservedStep, value_of};
+use crate::suite::assertion::{Assertion, Claim, Expected, Place, is_accepted};
+
+/// What an assertion comes to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Finding {
+    /// It holds.
+    Holds,
+    /// It does not; the sentence says what was found.
+    Fails(String),
+    /// The controller does not show what it is about.
+    Masked(String),
+}
+
+/// Holds an assertion against a run, on what the controller shows.
+pub fn judge(assertion: &Assertion, run: &Observed, shows: &Capabilities) -> Finding {
+    let judge = Judge { run, shows };
+    match &assertion.claim {
+        Claim::Accepted => ok(is_accepted(&run.end), || end_text(&run.end)),
+        Claim::Refused(place) => judge.refused(place.as_ref()),
+        Claim::Kind(kind) => {
+            let End::Fault(fault) = &run.end else { return Finding::Fails(end_text(&run.end)) };
+            match fault.kind {
+                Some(found) => ok(found == *kind, || format!("kind {found}")),
+                None => Finding::Masked("kind".to_owned()),
+            }
+        }
+        Claim::Ends(name) => ok(run.end.name() == name, || end_text(&run.end)),
+        Claim::After(place, fields) => judge.after(place, fields),
+        Claim::AtEnd(fields) => judge.at_end(fields),
+        Claim::AtEffect(name, count, fields) => judge.at_effect(name, *count, fields),
+        Claim::EffectsAt(place, effects) => match judge.step(place) {
+            Some(step) => judge.effects(effects, &run.effects[step.effects.clone()], true),
+            None => Finding::Fails(format!("block {place} was not executed")),
+        },
+        Claim::Effects(effects) => judge.effects(effects, &run.effects, false),
+        Claim::Count(name, count) => judge.count(name, *count),
+        Claim::Messages(texts) => judge.messages(texts),
+    }
+}
+
+fn ok(holds: bool, found: impl FnOnce() -> String) -> Finding {
+    if holds { Finding::Holds } else { Finding::Fails(found()) }
+}
+
+struct Judge<'a> {
+    run: &'a Observed,
+    shows: &'a Capabilities,
+}
+
+impl Judge<'_> {
+    fn refused(&self, place: Option<&Place>) -> Finding {
+        let End::Fault(fault) = &self.run.end else {
+            return Finding::Fails(end_text(&self.run.end));
+        };
+        match (place, &fault.block) {
+            (None, _) => Finding::Holds,
+            (Some(_), None) => Finding::Masked("the block of a fault".to_owned()),
+            (Some(place), Some(block)) => {
+                let same = place.file == block.file && place.line == block.line;
+                ok(same, || end_text(&self.run.end))
+            }
+        }
+    }
+
+    fn step(&self, place: &Place) -> Option<&ObservedStep> {
+        self.run.steps.iter().rev().find(|step| {
+            step.block.file == place.file
+                && step.block.line == place.line
+                && place.execution.is_none_or(|execution| execution == step.execution)
+        })
+    }
+
+    fn after(&self, place: &Place, fields: &[Expected]) -> Finding {
+        let Some(step) = self.step(place) else {
+            return Finding::Fails(format!("block {place} was not executed"));
+        };
+        let mut entries = step.settings.entries();
+        entries.extend(step.state.iter().flat_map(State::entries));
+        self.fields(fields, &entries, |field| self.shows.fields.contains(field))
+    }
+
+    /// After the last block no state is recorded, so that only what effects show is judged, and parameters.
+    fn at_end(&self, fields: &[Expected]) -> Finding {
+        let stated = self.run.steps.last().is_some_and(|step| step.state.is_some());
+        let mut entries = self.run.last_settings().entries();
+        entries.extend(self.run.last_state().iter().flat_map(|state| state.entries()));
+        entries.retain(|entry| entry.field != "parameter");
+        let (parameters, others): (Vec<_>, Vec<_>) =
+            fields.iter().cloned().partition(|field| field.field == "parameter");
+        let finding = self.fields(&others, &entries, |field| {
+            self.shows.fields_at_effects.contains(field)
+                || stated && self.shows.fields.contains(field)
+        });
+        if matches!(finding, Finding::Fails(_)) || parameters.is_empty() {
+            return finding;
+        }
+        match (self.parameters(&parameters), finding) {
+            (Finding::Holds, masked @ Finding::Masked(_)) => masked,
+            (of_parameters, _) => of_parameters,
+        }
+    }
+
+    fn parameters(&self, fields: &[Expected]) -> Finding {
+        for field in fields {
+            let name = field.index.as_deref().unwrap_or_default();
+            let (Some(shown), Ok(number)) = (&self.run.parameters, name.parse::<u32>()) else {
+                return Finding::Masked(format!("#{name} at the end"));
+            };
+            if self.shows.hidden_parameters.iter().any(|hidden| hidden.contains(&number)) {
+                return Finding::Masked(format!("#{name} at the end"));
+            }
+            let found = shown.0.get(&number).copied().unwrap_or_default();
+            let expected = field.value.parse().unwrap_or(f64::NAN);
+            if !tolerance::numbers(expected, found, self.shows.resolution) {
+                return Finding::Fails(format!("#{number} = {}", rounded(&Value::Number(found))));
+            }
+        }
+        Finding::Holds
+    }
+
+    fn at_effect(&self, name: &str, count: u32, fields: &[Expected]) -> Finding {
+        if !self.shows.effects.contains(name) {
+            return Finding::Masked(name.to_owned());
+        }
+        let mut named = self.run.effects.iter().filter(|observed| observed.effect.name() == name);
+        let place = usize::try_from(count.saturating_sub(1)).unwrap_or(usize::MAX);
+        match named.nth(place) {
+            Some(observed) => self.fields(fields, &observed.settings.entries(), |field| {
+                self.shows.fields_at_effects.contains(field)
+            }),
+            None => Finding::Fails(format!("no {name} number {count}")),
+        }
+    }
+
+    fn fields(
+        &self,
+        fields: &[Expected],
+        entries: &[Entry],
+        shown: impl Fn(&str) -> bool,
+    ) -> Finding {
+        let mut masked = None;
+        for field in fields {
+            let index = field.index.as_deref();
+            if !shown(&field.field) {
+                masked = Some(Finding::Masked(field.field.clone()));
+                continue;
+            }
+            match value_of(entries, &field.field, index) {
+                None => masked = Some(Finding::Masked(field.field.clone())),
+                Some(found) => {
+                    let expected = expected_value(field);
+                    if !expected
+                        .is_some_and(|e| tolerance::values(&e, &found, self.shows.resolution))
+                    {
+                        let index = index.map_or_else(String::new, |index| format!("[{index}]"));
+                        let found = rounded(&found);
+                        return Finding::Fails(format!("{}{index} = {found}", field.field));
+                    }
+                }
+            }
+        }
+        masked.unwrap_or(Finding::Holds)
+    }
+
+    fn effects(
+        &self,
+        expected: &[Effect],
+        found: &[ObservedEffect],
+        with_messages: bool,
+    ) -> Finding {
+        if let Some(hidden) = expected.iter().find(|e| !self.shows.effects.contains(e.name())) {
+            return Finding::Masked(hidden.name().to_owned());
+        }
+        let counts = |effect: &Effect| {
+            let is_message = matches!(effect, Effect::Message { .. });
+            let is_end =
+                matches!(effect, Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. });
+            self.shows.effects.contains(effect.name()) && (with_messages || !(is_message || is_end))
+        };
+        let found: Vec<&Effect> =
+            found.iter().map(|observed| &observed.effect).filter(|effect| counts(effect)).collect();
+        let same = expected.len() == found.len()
+            && expected.iter().zip(&found).all(|(a, b)| self.same_effect(a, b));
+        ok(same, || {
+            let texts: Vec<_> = found.iter().map(|effect| effect_text(effect)).collect();
+            if texts.is_empty() { "no effects".to_owned() } else { texts.join("; ") }
+        })
+    }
+
+    fn same_effect(&self, a: &Effect, b: &Effect) -> bool {
+        let (left, right) = (a.arguments(), b.arguments());
+        a.name() == b.name()
+            && left.len() == right.len()
+            && left.iter().zip(&right).all(|((name, a), (other, b))| {
+                name == other && tolerance::values(a, b, self.shows.resolution)
+            })
+    }
+
+    fn count(&self, name: &str, count: usize) -> Finding {
+        if !self.shows.effects.contains(name) {
+            return Finding::Masked(name.to_owned());
+        }
+        let found = self.run.effects.iter().filter(|o| o.effect.name() == name).count();
+        ok(found == count, || format!("{found} of {name}"))
+    }
+
+    fn messages(&self, texts: &[String]) -> Finding {
+        if !self.shows.effects.contains("message") {
+            return Finding::Masked("message".to_owned());
+        }
+        let found = self.run.messages();
+        let same = texts.len() == found.len()
+            && texts.iter().zip(&found).all(|(a, b)| tolerance::texts(a.trim(), b.trim()));
+        ok(same, || {
+            if found.is_empty() {
+                "no messages".to_owned()
+            } else {
+                format!("messages: {}", found.join(" | "))
+            }
+        })
+    }
+}
+
+/// The value that is written, read as the field's type.
+fn expected_value(field: &Expected) -> Option<Value> {
+    let index = field.index.as_deref();
+    let mut settings = Settings::default();
+    let entries = if settings.read(&field.field, index, &field.value).is_ok() {
+        settings.entries()
+    } else {
+        let mut state = State::empty(Language::Rs274);
+        state.read(&field.field, index, &field.value).ok()?;
+        state.entries()
+    };
+    entries.into_iter().next().map(|entry| entry.value)
+}
+
+fn effect_text(effect: &Effect) -> String {
+    let mut text = effect.name().to_owned();
+    for (name, value) in effect.arguments() {
+        text.push_str(&format!(" {name}={}", rounded(&value)));
+    }
+    text
+}

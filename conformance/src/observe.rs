@@ -1,0 +1,130 @@
+//! An outcome as it is compared: settings in force at each effect, settings and state after each block.
+//!
+//! An outcome records changes; here they are folded, so that a setting repeated, or reordered between two effects, is
+//! no difference.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_trace::{
+    Block, Effect, End, Entry, Event, Indexed, Outcome, Settings, State, Value,
+};
+
+/// An effect and the settings in force at it.
+#[derive(Clone, Debug)]
+pub struct ObservedEffect {
+    /// What was done.
+    pub effect: Effect,
+    /// The settings in force.
+    pub settings: Settings,
+    /// The block that did it, as a place among the steps.
+    pub step: usize,
+}
+
+/// An executed block.
+#[derive(Clone, Debug)]
+pub struct ObservedStep {
+    /// The block.
+    pub block: Block,
+    /// Its k-th execution, from 1.
+    pub execution: u32,
+    /// Its effects, as places among all effects.
+    pub effects: std::ops::Range<usize>,
+    /// The settings after it.
+    pub settings: Settings,
+    /// The state after it, where one is recorded, with all parameters that were seen to change so far.
+    pub state: Option<State>,
+}
+
+/// A whole run as it is compared. Memory is linear in the executed blocks.
+#[derive(Clone, Debug)]
+pub struct Observed {
+    /// Settings before the first block.
+    pub start: Settings,
+    /// Executed blocks in order.
+    pub steps: Vec<ObservedStep>,
+    /// Effects in order.
+    pub effects: Vec<ObservedEffect>,
+    /// How it ended.
+    pub end: End,
+    /// Numbered parameters that are not zero at the end, where the controller shows them.
+    pub parameters: Option<Indexed<u32, f64>>,
+}
+
+impl Observed {
+    /// Folds an outcome. What a refused block did before it was refused is left out: it is unspecified.
+    pub fn of(outcome: &Outcome) -> Self {
+        let mut settings = outcome.start.clone();
+        let mut state = State::empty(outcome.language);
+        let mut executions: BTreeMap<&Block, u32> = BTreeMap::new();
+        let mut observed = Self {
+            start: outcome.start.clone(),
+            steps: Vec::new(),
+            effects: Vec::new(),
+            end: outcome.end.clone(),
+            parameters: outcome.parameters.clone(),
+        };
+        let counted = match (&outcome.end, outcome.steps.last()) {
+            (End::Fault(fault), Some(last))
+                if fault.block.as_ref() == Some(&last.block) && last.state.is_none() =>
+            {
+                outcome.steps.len() - 1
+            }
+            _ => outcome.steps.len(),
+        };
+        for (place, step) in outcome.steps[..counted].iter().enumerate() {
+            let first = observed.effects.len();
+            for event in &step.events {
+                match event {
+                    Event::Set(change) => settings.overlay(change),
+                    Event::Do(effect) => observed.effects.push(ObservedEffect {
+                        effect: effect.clone(),
+                        settings: settings.clone(),
+                        step: place,
+                    }),
+                }
+            }
+            if let Some(change) = &step.state {
+                state.overlay(change);
+            }
+            let execution = executions.entry(&step.block).or_default();
+            *execution += 1;
+            observed.steps.push(ObservedStep {
+                block: step.block.clone(),
+                execution: *execution,
+                effects: first..observed.effects.len(),
+                settings: settings.clone(),
+                state: step.state.as_ref().map(|_| state.clone()),
+            });
+        }
+        observed
+    }
+
+    /// Settings in force at the end.
+    pub fn last_settings(&self) -> &Settings {
+        self.steps.last().map_or(&self.start, |step| &step.settings)
+    }
+
+    /// The last state that was recorded.
+    pub fn last_state(&self) -> Option<&State> {
+        self.steps.iter().rev().find_map(|step| step.state.as_ref())
+    }
+
+    /// The texts of all messages in order.
+    pub fn messages(&self) -> Vec<&str> {
+        self.effects
+            .iter()
+            .filter_map(|observed| {
+                let Effect::Message { text, .. } = &observed.effect else { return None };
+                Some(text.as_str())
+            })
+            .collect()
+    }
+}
+
+/// The value of a field among entries.
+pub fn value_of(entries: &[Entry], field: &str, index: Option<&str>) -> Option<Value> {
+    entries
+        .iter()
+        .find(|entry| entry.field == field && entry.index.as_deref() == index)
+        .map(|entry| entry.value.clone())
+}

@@ -1,0 +1,80 @@
+//! The report as one JSON document; its form is version 0 until the adapter protocol is frozen.
+
+use serde_json::{Value, json};
+
+use super::Report;
+use crate::certify::Verdict;
+
+/// The report as JSON.
+pub fn json(report: &Report<'_>) -> Value {
+    let counts = report.counts();
+    let rules: Vec<Value> = report
+        .rules()
+        .into_iter()
+        .map(|(rule, verdict, counts)| {
+            json!({
+                "rule": rule.id,
+                "sentence": rule.sentence,
+                "profile": rule.profile,
+                "sources": rule.sources,
+                "verdict": verdict.word(),
+                "cases": counts.all(),
+            })
+        })
+        .collect();
+    let cases: Vec<Value> = report
+        .run
+        .cases
+        .iter()
+        .map(|result| {
+            let mut case = json!({
+                "rule": result.rule.id,
+                "case": result.case.name,
+                "compared": result.compared,
+                "masked": result.masked,
+            });
+            let (verdict, more) = match &result.verdict {
+                Verdict::Pass => ("pass", json!(null)),
+                Verdict::Diverges(departure) => (
+                    "diverges",
+                    json!({
+                        "found": departure.line(),
+                        "divergence": departure.divergence,
+                        "explanation": departure.explanation,
+                        "program": result.case.program,
+                    }),
+                ),
+                Verdict::Unsupported(why) => ("unsupported", json!({ "reason": why })),
+                Verdict::Inconclusive(why) => ("inconclusive", json!({ "reason": why })),
+                Verdict::NotJudged(why) => ("not judged", json!({ "reason": why })),
+            };
+            case["verdict"] = json!(verdict);
+            if !more.is_null() {
+                case["why"] = more;
+            }
+            case
+        })
+        .collect();
+    let void: Vec<Value> =
+        report.run.void.iter().map(|(rule, why)| json!({ "rule": rule.id, "why": why })).collect();
+    json!({
+        "gaugeblock": "report",
+        "schema": gaugeblock_trace::schema::VERSION,
+        "tolerances": crate::compare::tolerance::VERSION,
+        "controller": report.controller.name,
+        "version": report.controller.version,
+        "edition": report.run.edition.id,
+        "exit_status": report.exit_status(),
+        "counts": {
+            "cases": counts.all(),
+            "pass": counts.pass,
+            "diverges": counts.diverges,
+            "unsupported": counts.unsupported,
+            "not_judged": counts.not_judged,
+        },
+        "rules": rules,
+        "void": void,
+        "cases": cases,
+        "expectations": report.troubles,
+    })
+}

@@ -1,0 +1,158 @@
+//! What a run of the suite comes to: counts, a verdict per rule, an exit status.
+
+pub mod json;
+pub mod junit;
+pub mod terminal;
+
+use std::collections::BTreeMap;
+
+use crate::adapters::Capabilities;
+use crate::certify::{CaseResult, Run, Verdict};
+use crate::expectations::Trouble;
+use crate::suite::Rule;
+
+/// A verdict on a whole rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum RuleVerdict {
+    /// Every case that was judged passes, and at least one was.
+    Pass,
+    /// A case diverges.
+    Diverges,
+    /// No case could be run on this controller.
+    Unsupported,
+    /// A case was not judged, or inconclusive.
+    NotJudged,
+}
+
+impl RuleVerdict {
+    /// In a word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Diverges => "diverges",
+            Self::Unsupported => "unsupported",
+            Self::NotJudged => "not judged",
+        }
+    }
+}
+
+/// A run with what it is held against.
+#[derive(Clone, Debug)]
+pub struct Report<'a> {
+    /// The run.
+    pub run: &'a Run<'a>,
+    /// The controller.
+    pub controller: &'a Capabilities,
+    /// Where it disagrees with the expectations, if there are any.
+    pub troubles: Option<Vec<Trouble>>,
+}
+
+/// How many cases came to what.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Cases that pass.
+    pub pass: usize,
+    /// Cases that diverge.
+    pub diverges: usize,
+    /// Cases that the controller does not support.
+    pub unsupported: usize,
+    /// Cases that were not judged or are inconclusive.
+    pub not_judged: usize,
+}
+
+impl Counts {
+    fn add(&mut self, verdict: &Verdict) {
+        match verdict {
+            Verdict::Pass => self.pass += 1,
+            Verdict::Diverges(_) => self.diverges += 1,
+            Verdict::Unsupported(_) => self.unsupported += 1,
+            Verdict::Inconclusive(_) | Verdict::NotJudged(_) => self.not_judged += 1,
+        }
+    }
+
+    /// All cases.
+    pub fn all(self) -> usize {
+        self.pass + self.diverges + self.unsupported + self.not_judged
+    }
+
+    fn verdict(self) -> RuleVerdict {
+        if self.diverges > 0 {
+            RuleVerdict::Diverges
+        } else if self.not_judged > 0 {
+            RuleVerdict::NotJudged
+        } else if self.pass > 0 {
+            RuleVerdict::Pass
+        } else {
+            RuleVerdict::Unsupported
+        }
+    }
+}
+
+impl<'a> Report<'a> {
+    /// Counts over all cases.
+    pub fn counts(&self) -> Counts {
+        let mut counts = Counts::default();
+        for result in &self.run.cases {
+            counts.add(&result.verdict);
+        }
+        counts
+    }
+
+    /// Each rule with its verdict and counts, in order.
+    pub fn rules(&self) -> Vec<(&'a Rule, RuleVerdict, Counts)> {
+        let mut rules: Vec<(&'a Rule, Counts)> = Vec::new();
+        for result in &self.run.cases {
+            match rules.last_mut() {
+                Some((rule, counts)) if rule.id == result.rule.id => counts.add(&result.verdict),
+                _ => {
+                    let mut counts = Counts::default();
+                    counts.add(&result.verdict);
+                    rules.push((result.rule, counts));
+                }
+            }
+        }
+        rules.into_iter().map(|(rule, counts)| (rule, counts.verdict(), counts)).collect()
+    }
+
+    /// Cases that diverge, in order.
+    pub fn divergences(&self) -> Vec<&CaseResult<'a>> {
+        let diverges = |result: &&CaseResult<'a>| matches!(result.verdict, Verdict::Diverges(_));
+        self.run.cases.iter().filter(diverges).collect()
+    }
+
+    /// Fields and effects that were not shown, with the number of cases.
+    pub fn masked(&self) -> BTreeMap<&str, usize> {
+        let mut masked = BTreeMap::new();
+        for field in self.run.cases.iter().flat_map(|result| &result.masked) {
+            *masked.entry(field.as_str()).or_default() += 1;
+        }
+        masked
+    }
+
+    /// Reasons why cases are not supported, with the number of cases.
+    pub fn unsupported(&self) -> BTreeMap<&str, usize> {
+        let mut reasons = BTreeMap::new();
+        for result in &self.run.cases {
+            if let Verdict::Unsupported(reason) = &result.verdict {
+                *reasons.entry(reason.as_str()).or_default() += 1;
+            }
+        }
+        reasons
+    }
+
+    /// The exit status: 0 all as documented or known, 1 a divergence or a wrong expectation, 3 not finished.
+    pub fn exit_status(&self) -> u8 {
+        let counts = self.counts();
+        let wrong = match &self.troubles {
+            Some(troubles) => !troubles.is_empty(),
+            None => counts.diverges > 0,
+        };
+        if wrong {
+            1
+        } else if counts.not_judged > 0 || counts.all() == 0 {
+            3
+        } else {
+            0
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! The report as a person reads it on a terminal.
+
+use std::fmt::Write as _;
+
+use anstyle::{AnsiColor, Style};
+
+use super::{Report, RuleVerdict};
+use crate::certify::{CaseResult, Verdict};
+
+const BOLD: Style = Style::new().bold();
+const RED: Style = AnsiColor::Red.on_default().bold();
+const GREEN: Style = AnsiColor::Green.on_default().bold();
+const YELLOW: Style = AnsiColor::Yellow.on_default().bold();
+const DIM: Style = Style::new().dimmed();
+
+fn styled(style: Style, text: &str) -> String {
+    format!("{style}{text}{style:#}")
+}
+
+macro_rules! line {
+    ($text:expr) => { line!($text, "") };
+    ($text:expr, $($words:tt)*) => {{
+        let _infallible = writeln!($text, $($words)*);
+    }};
+}
+
+/// The report, with every divergence in full unless they are all known.
+pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
+    let mut text = String::new();
+    head(&mut text, report);
+    chapters(&mut text, report);
+    let known = report.troubles.is_some();
+    if !known || verbose {
+        for result in report.divergences() {
+            divergence(&mut text, result);
+        }
+    }
+    not_judged(&mut text, report);
+    troubles(&mut text, report);
+    unseen(&mut text, report, verbose);
+    verdict(&mut text, report);
+    text
+}
+
+fn head(text: &mut String, report: &Report<'_>) {
+    let controller = format!("{} {}", report.controller.name, report.controller.version);
+    line!(text, "{} held to {}", styled(BOLD, &controller), styled(BOLD, &report.run.edition.id));
+    line!(text, "{}", styled(DIM, &report.run.edition.sentence));
+    line!(text);
+}
+
+fn chapters(text: &mut String, report: &Report<'_>) {
+    let rules = report.rules();
+    line!(
+        text,
+        "{:<18}{:>6}{:>7}{:>10}{:>13}{:>12}",
+        "chapter",
+        "rules",
+        "pass",
+        "diverges",
+        "unsupported",
+        "not judged"
+    );
+    let mut chapters: Vec<&str> = rules.iter().map(|(rule, ..)| rule.chapter()).collect();
+    chapters.dedup();
+    for chapter in chapters {
+        let count = |wanted: Option<RuleVerdict>| {
+            let of_chapter = rules.iter().filter(|(rule, ..)| rule.chapter() == chapter);
+            of_chapter.filter(|(_, verdict, _)| wanted.is_none_or(|w| w == *verdict)).count()
+        };
+        let shown = |count: usize, style: Style, width: usize| match count {
+            0 => styled(DIM, &format!("{:>width$}", "·")),
+            _ => styled(style, &format!("{count:>width$}")),
+        };
+        line!(
+            text,
+            "{chapter:<18}{:>6}{}{}{}{}",
+            count(None),
+            shown(count(Some(RuleVerdict::Pass)), GREEN, 7),
+            shown(count(Some(RuleVerdict::Diverges)), RED, 10),
+            shown(count(Some(RuleVerdict::Unsupported)), YELLOW, 13),
+            shown(count(Some(RuleVerdict::NotJudged)), YELLOW, 12)
+        );
+    }
+    line!(text);
+    if !report.run.void.is_empty() {
+        line!(text, "void in this edition:");
+        for (rule, why) in &report.run.void {
+            line!(text, "  {:<36} {}", rule.id, styled(DIM, why));
+        }
+        line!(text);
+    }
+}
+
+/// A divergence: the rule, where it stands, the program, what was expected and found.
+fn divergence(text: &mut String, result: &CaseResult<'_>) {
+    let Verdict::Diverges(departure) = &result.verdict else { return };
+    line!(
+        text,
+        "{} {} / {}",
+        styled(RED, "diverges"),
+        styled(BOLD, &result.rule.id),
+        result.case.name
+    );
+    line!(text, "  {}", result.rule.sentence);
+    for source in &result.rule.sources {
+        line!(text, "  {}", styled(DIM, &format!("{source}")));
+    }
+    program(text, result);
+    if let Some((assertion, found)) = &departure.assertion {
+        line!(text, "  expected  {}", styled(GREEN, assertion));
+        line!(text, "  found     {}", styled(RED, found));
+    }
+    if let Some(divergence) = &departure.divergence {
+        line!(text, "  first difference  {divergence}");
+    }
+    if let Some(explanation) = &departure.explanation {
+        line!(text, "  explained by {}", styled(YELLOW, explanation));
+    }
+    line!(text);
+}
+
+fn program(text: &mut String, result: &CaseResult<'_>) {
+    let lines: Vec<&str> = result.case.program.lines().collect();
+    const SHOWN: usize = 24;
+    for (place, line) in lines.iter().take(SHOWN).enumerate() {
+        let line: String = line.chars().take(100).collect();
+        line!(text, "  {} {line}", styled(DIM, &format!("{:>4} |", place + 1)));
+    }
+    if lines.len() > SHOWN {
+        line!(text, "  {}", styled(DIM, &format!("     | … {} more lines", lines.len() - SHOWN)));
+    }
+}
+
+fn not_judged(text: &mut String, report: &Report<'_>) {
+    for result in &report.run.cases {
+        let (word, why) = match &result.verdict {
+            Verdict::Inconclusive(why) => ("inconclusive", why),
+            Verdict::NotJudged(why) => ("not judged", why),
+            Verdict::Pass | Verdict::Diverges(_) | Verdict::Unsupported(_) => continue,
+        };
+        line!(text, "{} {} / {}: {why}", styled(YELLOW, word), result.rule.id, result.case.name);
+    }
+}
+
+fn troubles(text: &mut String, report: &Report<'_>) {
+    for trouble in report.troubles.iter().flatten() {
+        line!(text, "{} {trouble}", styled(RED, "expectation"));
+    }
+}
+
+fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
+    let unsupported = report.unsupported();
+    if !unsupported.is_empty() {
+        line!(text, "unsupported, by reason:");
+        for (reason, cases) in unsupported {
+            line!(text, "  {cases:>5}  {reason}");
+        }
+    }
+    let masked = report.masked();
+    if !masked.is_empty() {
+        if verbose {
+            line!(text, "not shown by this controller, by number of cases:");
+            for (field, cases) in masked {
+                line!(text, "  {cases:>5}  {field}");
+            }
+        } else {
+            let names: Vec<_> = masked.keys().copied().collect();
+            line!(text, "not shown by this controller: {} (-v counts them)", names.join(", "));
+        }
+    }
+    line!(text);
+}
+
+fn verdict(text: &mut String, report: &Report<'_>) {
+    let counts = report.counts();
+    let compared: usize = report.run.cases.iter().map(|result| result.compared).sum();
+    line!(
+        text,
+        "{} cases: {} pass, {} diverge, {} unsupported, {} not judged; {compared} values compared",
+        counts.all(),
+        counts.pass,
+        counts.diverges,
+        counts.unsupported,
+        counts.not_judged
+    );
+    let (style, words) = match (report.exit_status(), &report.troubles) {
+        (0, Some(_)) => (GREEN, "as the documents say, apart from what is known"),
+        (0, None) => (GREEN, "as the documents say"),
+        (1, Some(_)) => (RED, "the expectations do not hold"),
+        (1, None) => (RED, "departs from its documents"),
+        _ => (YELLOW, "not finished: some cases were not judged"),
+    };
+    line!(text, "{}", styled(style, words));
+}

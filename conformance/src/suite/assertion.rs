@@ -1,0 +1,287 @@
+//! Assertions: what a person wrote that must be observed.
+
+use std::fmt;
+use std::str::FromStr;
+
+use gaugeblock_trace::{
+    Effect, End, FaultKind, Language, Rs274State, Scalar, Settings, State, TextError,
+    text::Arguments,
+};
+
+/// A block of a program, and perhaps one of its executions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// File; the main program's when not written.
+    pub file: String,
+    /// Line, from 1.
+    pub line: u32,
+    /// Its k-th execution, from 1; the last one when not written.
+    pub execution: Option<u32>,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.file != gaugeblock_trace::Program::MAIN {
+            write!(f, "{}:", self.file)?;
+        }
+        write!(f, "{}", self.line)?;
+        self.execution.map_or(Ok(()), |execution| write!(f, "@{execution}"))
+    }
+}
+
+/// A field and the value that it must have, as written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expected {
+    /// Field name.
+    pub field: String,
+    /// Index, of a spindle or a parameter.
+    pub index: Option<String>,
+    /// Value in text form.
+    pub value: String,
+}
+
+/// What must be observed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Claim {
+    /// The run ended without a fault.
+    Accepted,
+    /// It ended by a fault, at this block where one is named.
+    Refused(Option<Place>),
+    /// The fault's kind.
+    Kind(FaultKind),
+    /// How it ended, by the end's name.
+    Ends(String),
+    /// Fields after a block.
+    After(Place, Vec<Expected>),
+    /// Fields at the end.
+    AtEnd(Vec<Expected>),
+    /// Settings in force at the k-th effect of a name.
+    AtEffect(String, u32, Vec<Expected>),
+    /// The effects of a block.
+    EffectsAt(Place, Vec<Effect>),
+    /// The effects of the whole run, without messages and the program's end.
+    Effects(Vec<Effect>),
+    /// How many effects of a name.
+    Count(String, usize),
+    /// The texts of all messages.
+    Messages(Vec<String>),
+}
+
+/// A claim, and the option or edition under which it is made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assertion {
+    /// `choice = option` or `edition = id`, where it is made under that only.
+    pub guard: Option<(String, String)>,
+    /// What must be observed.
+    pub claim: Claim,
+    /// As it was written.
+    pub text: String,
+}
+
+impl FromStr for Assertion {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let trimmed = text.trim();
+        let (guard, rest) = match trimmed.strip_prefix("when ") {
+            Some(rest) => {
+                let (guard, rest) =
+                    rest.split_once(": ").ok_or("after `when choice = option` comes `: `")?;
+                let (id, option) =
+                    guard.split_once('=').ok_or("a guard is `when choice = option: …`")?;
+                (Some((id.trim().to_owned(), option.trim().to_owned())), rest)
+            }
+            None => (None, trimmed),
+        };
+        let claim = claim(rest.trim())?;
+        Ok(Self { guard, claim, text: trimmed.to_owned() })
+    }
+}
+
+fn claim(text: &str) -> Result<Claim, String> {
+    let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
+    let rest = rest.trim();
+    match word {
+        "accepted" if rest.is_empty() => Ok(Claim::Accepted),
+        "refused" if rest.is_empty() => Ok(Claim::Refused(None)),
+        "refused" => {
+            let place = rest.strip_prefix("at ").ok_or("refused stands alone or with `at LINE`")?;
+            Ok(Claim::Refused(Some(place_of(place)?)))
+        }
+        "kind" => Ok(Claim::Kind(FaultKind::from_text(rest).map_err(|error| error.message)?)),
+        "ends" => ends(rest),
+        "after" => {
+            let (place, fields) = rest.split_once(' ').ok_or("`after LINE field = value`")?;
+            Ok(Claim::After(place_of(place)?, fields_of(fields)?))
+        }
+        "at" => {
+            let (what, fields) = rest.split_once(' ').ok_or("`at EFFECT@K field = value`")?;
+            if what == "end" {
+                return Ok(Claim::AtEnd(fields_of(fields)?));
+            }
+            let (name, count) = what.split_once('@').unwrap_or((what, "1"));
+            let count = count.parse().map_err(|_| format!("not a count: {count}"))?;
+            Ok(Claim::AtEffect(effect_name(name)?, count, fields_of(fields)?))
+        }
+        "effects:" => Ok(Claim::Effects(effects(rest)?)),
+        "effects" => {
+            let rest = rest.strip_prefix("at ").ok_or("`effects: …` or `effects at LINE: …`")?;
+            let (place, list) = rest.split_once(": ").ok_or("`effects at LINE: …`")?;
+            Ok(Claim::EffectsAt(place_of(place)?, effects(list)?))
+        }
+        "count" => {
+            let (name, count) = rest.split_once('=').ok_or("`count EFFECT = K`")?;
+            let count = count.trim().parse().map_err(|_| format!("not a count: {count}"))?;
+            Ok(Claim::Count(effect_name(name.trim())?, count))
+        }
+        "messages:" if rest == "none" => Ok(Claim::Messages(Vec::new())),
+        "messages:" => {
+            Ok(Claim::Messages(rest.split(" | ").map(|m| m.trim().to_owned()).collect()))
+        }
+        _ => Err(format!("no assertion begins with `{word}`")),
+    }
+}
+
+fn ends(name: &str) -> Result<Claim, String> {
+    let name = if name == "budget" { "budget_exhausted" } else { name };
+    let known = ["program_end", "percent_end", "endless", "paused", "aborted", "budget_exhausted"];
+    if known.contains(&name) {
+        Ok(Claim::Ends(name.to_owned()))
+    } else {
+        Err(format!("a run does not end as `{name}`, but as one of {}", known.join(", ")))
+    }
+}
+
+fn effect_name(name: &str) -> Result<String, String> {
+    if Effect::NAMES.contains(&name) {
+        Ok(name.to_owned())
+    } else {
+        Err(format!("there is no effect named `{name}`"))
+    }
+}
+
+fn place_of(text: &str) -> Result<Place, String> {
+    let (at, execution) = match text.split_once('@') {
+        Some((at, k)) => (at, Some(k.parse().map_err(|_| format!("not an execution: {k}"))?)),
+        None => (text, None),
+    };
+    let (file, line) = at.rsplit_once(':').unwrap_or((gaugeblock_trace::Program::MAIN, at));
+    let line = line.parse().map_err(|_| format!("not a line: {line}"))?;
+    Ok(Place { file: file.to_owned(), line, execution })
+}
+
+/// Splits at a separator outside of parentheses and quotes.
+fn split(text: &str, separator: char) -> Vec<&str> {
+    let (mut depth, mut quoted, mut start) = (0_u32, false, 0);
+    let mut parts = Vec::new();
+    for (place, c) in text.char_indices() {
+        match c {
+            '"' => quoted = !quoted,
+            '(' if !quoted => depth += 1,
+            ')' if !quoted => depth = depth.saturating_sub(1),
+            _ if c == separator && depth == 0 && !quoted => {
+                parts.push(text[start..place].trim());
+                start = place + c.len_utf8();
+            }
+            _ => {}
+        }
+    }
+    parts.push(text[start..].trim());
+    parts
+}
+
+fn fields_of(text: &str) -> Result<Vec<Expected>, String> {
+    split(text, ',').into_iter().map(field_of).collect()
+}
+
+fn field_of(text: &str) -> Result<Expected, String> {
+    let (name, value) = text.split_once('=').ok_or(format!("`field = value`, not `{text}`"))?;
+    let (name, value) = (name.trim(), value.trim());
+    let (field, index) = if let Some(parameter) = name.strip_prefix('#') {
+        let inner = parameter.strip_prefix('<').and_then(|rest| rest.strip_suffix('>'));
+        ("parameter".to_owned(), Some(inner.unwrap_or(parameter).to_owned()))
+    } else if let Some((field, index)) = name.split_once('[') {
+        (field.to_owned(), Some(index.trim_end_matches(']').to_owned()))
+    } else {
+        (name.to_owned(), None)
+    };
+    let expected = Expected { field, index, value: value.to_owned() };
+    expected.check().map_err(|error| format!("{name}: {}", error.message))?;
+    Ok(expected)
+}
+
+impl Expected {
+    /// Whether field, index and value are readable.
+    fn check(&self) -> Result<(), TextError> {
+        let index = self.index.as_deref();
+        if Settings::FIELDS.contains(&self.field.as_str()) {
+            return Settings::default().read(&self.field, index, &self.value);
+        }
+        if Rs274State::FIELDS.contains(&self.field.as_str()) {
+            return State::empty(Language::Rs274).read(&self.field, index, &self.value);
+        }
+        Err(TextError::new(format!("there is no field named {}", self.field)))
+    }
+}
+
+fn effects(text: &str) -> Result<Vec<Effect>, String> {
+    if text == "none" {
+        return Ok(Vec::new());
+    }
+    split(text, ';').into_iter().map(effect).collect()
+}
+
+fn effect(text: &str) -> Result<Effect, String> {
+    let (name, rest) = text.split_once(' ').unwrap_or((text, ""));
+    Arguments::parse(rest)
+        .and_then(|arguments| Effect::read(name, arguments))
+        .map_err(|error| format!("effect `{text}`: {}", error.message))
+}
+
+/// Whether an end is no fault and not one of ours.
+pub fn is_accepted(end: &End) -> bool {
+    matches!(end, End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused | End::Aborted)
+}
+
+#[cfg(test)]
+mod tests {
+    use gaugeblock_trace::Position;
+
+    use super::*;
+
+    #[test]
+    fn reads_each_form() {
+        for text in [
+            "accepted",
+            "refused",
+            "refused at 2",
+            "refused at cave.ngc:3@2",
+            "kind nothing_saved",
+            "ends program_end",
+            "after 3@1 units = inch, position = (x1 y2), spindle[0] = clockwise",
+            "at end plane = xy, #31 = 5, #<_a> = 2",
+            "at straight_feed@2 feed_rate = 100",
+            "effects at 4: straight_feed end=(x1 y2); dwell seconds=2",
+            "effects: none",
+            "count straight_feed = 3",
+            "messages: a=1 | b=2",
+            "when saved-state.motion-mode = restored: after 5 motion = feed",
+        ] {
+            assert!(text.parse::<Assertion>().is_ok(), "{text}: {:?}", text.parse::<Assertion>());
+        }
+        let effect = "effects: straight_feed end=()".parse::<Assertion>().expect("readable");
+        assert_eq!(
+            effect.claim,
+            Claim::Effects(vec![Effect::StraightFeed { end: Position::default() }])
+        );
+    }
+
+    #[test]
+    fn refuses_what_is_none() {
+        for text in
+            ["", "excepted", "after units = inch", "at end unit = mm", "ends well", "kind odd"]
+        {
+            assert!(text.parse::<Assertion>().is_err(), "{text}");
+        }
+    }
+}

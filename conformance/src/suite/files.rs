@@ -1,0 +1,60 @@
+//! Where the suite's pages come from: the copy that is built into the program, or a folder.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use include_dir::{Dir, include_dir};
+
+static BUILT_IN: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/suite");
+
+/// The text of every TOML file of the suite, by path within it, with `/` between folders.
+pub type Files = BTreeMap<String, String>;
+
+/// The copy that is built in.
+pub fn built_in() -> Files {
+    let mut files = Files::new();
+    let mut folders = vec![&BUILT_IN];
+    while let Some(folder) = folders.pop() {
+        folders.extend(folder.dirs());
+        for file in folder.files() {
+            let name = file.path().to_string_lossy().replace('\\', "/");
+            if let (true, Some(text)) = (name.ends_with(".toml"), file.contents_utf8()) {
+                files.insert(name, text.to_owned());
+            }
+        }
+    }
+    files
+}
+
+/// A folder of pages.
+///
+/// # Errors
+/// It is missing, unreadable, or a file of it is not UTF-8; the message names the path.
+pub fn of_folder(root: &Path) -> Result<Files, String> {
+    let mut files = Files::new();
+    let mut folders = vec![root.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        let entries =
+            std::fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+        for entry in entries {
+            let path = entry.map_err(|error| format!("{}: {error}", folder.display()))?.path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "toml") {
+                files.insert(name_within(root, &path), read(&path)?);
+            }
+        }
+    }
+    if files.is_empty() {
+        return Err(format!("{}: no TOML file in this folder", root.display()));
+    }
+    Ok(files)
+}
+
+fn read(path: &PathBuf) -> Result<String, String> {
+    std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))
+}
+
+fn name_within(root: &Path, path: &Path) -> String {
+    path.strip_prefix(root).unwrap_or(path).to_string_lossy().replace('\\', "/")
+}

@@ -1,0 +1,226 @@
+//! The suite: rules with their cases, choices, quirks, editions. Data, read and checked before anything runs.
+
+pub mod assertion;
+pub mod files;
+pub mod ledger;
+mod page;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock_trace::Options;
+
+pub use assertion::Assertion;
+pub use files::Files;
+pub use page::{Case, Choice, ChoiceKind, ChoiceOption, Edition, Rule, RuleOutcome, Setup, Source};
+
+/// The suite as it is read.
+#[derive(Clone, Debug)]
+pub struct Suite {
+    /// Rules, ordered by id.
+    pub rules: Vec<Rule>,
+    /// Choices and quirks, ordered by id.
+    pub choices: Vec<Choice>,
+    /// Editions in the order of their file.
+    pub editions: Vec<Edition>,
+    /// Path of each rule's page within the suite.
+    pub paths: BTreeMap<String, String>,
+}
+
+/// The edition that applies where none is named.
+pub const DEFAULT_EDITION: &str = "linuxcnc-2.8";
+
+impl Suite {
+    /// Reads all pages.
+    ///
+    /// # Errors
+    /// Every page that is not in the form, each with path, place and reason.
+    pub fn read(files: &Files) -> Result<Self, Vec<String>> {
+        let mut suite = Self {
+            rules: Vec::new(),
+            choices: Vec::new(),
+            editions: Vec::new(),
+            paths: BTreeMap::new(),
+        };
+        let mut errors = Vec::new();
+        for (path, text) in files {
+            if let Err(error) = suite.add(path, text) {
+                errors.push(format!("{path}: {error}"));
+            }
+        }
+        suite.rules.sort_by(|a, b| a.id.cmp(&b.id));
+        suite.choices.sort_by(|a, b| a.id.cmp(&b.id));
+        suite.check(&mut errors);
+        if errors.is_empty() { Ok(suite) } else { Err(errors) }
+    }
+
+    fn add(&mut self, path: &str, text: &str) -> Result<(), String> {
+        let parsed = |error: toml::de::Error| error.to_string().trim_end().to_owned();
+        let (folder, name) = path.rsplit_once('/').unwrap_or(("", path));
+        match folder {
+            "" if name == "editions.toml" => {
+                #[derive(serde::Deserialize)]
+                #[serde(deny_unknown_fields)]
+                struct Page {
+                    edition: Vec<Edition>,
+                }
+                self.editions = toml::from_str::<Page>(text).map_err(parsed)?.edition;
+            }
+            "" | "documents" => {}
+            "choices" | "quirks" => {
+                let choice: Choice = toml::from_str(text).map_err(parsed)?;
+                expect_id(&choice.id, name.trim_end_matches(".toml"))?;
+                for option in &choice.options {
+                    assertions(&option.assertions)?;
+                }
+                self.choices.push(choice);
+            }
+            chapter => {
+                let rule: Rule = toml::from_str(text).map_err(parsed)?;
+                expect_id(&rule.id, &format!("{chapter}.{}", name.trim_end_matches(".toml")))?;
+                for case in &rule.cases {
+                    assertions(&case.assertions)
+                        .map_err(|error| format!("case `{}`: {error}", case.name))?;
+                }
+                self.paths.insert(rule.id.clone(), path.to_owned());
+                self.rules.push(rule);
+            }
+        }
+        Ok(())
+    }
+
+    fn check(&self, errors: &mut Vec<String>) {
+        let options: BTreeMap<&str, BTreeSet<&str>> = self
+            .choices
+            .iter()
+            .map(|choice| {
+                (choice.id.as_str(), choice.options.iter().map(|o| o.name.as_str()).collect())
+            })
+            .collect();
+        let known = |id: &str, option: &str| match options.get(id) {
+            None => Err(format!("there is no choice or quirk `{id}`")),
+            Some(names) if !names.contains(option) => {
+                Err(format!("`{id}` has no option `{option}`"))
+            }
+            Some(_) => Ok(()),
+        };
+        for edition in &self.editions {
+            for (id, option) in &edition.options {
+                if let Err(error) = known(id, option) {
+                    errors.push(format!("editions.toml: edition {}: {error}", edition.id));
+                }
+            }
+            if edition.base.as_ref().is_some_and(|base| self.edition(base).is_none()) {
+                errors.push(format!(
+                    "editions.toml: edition {}: its base does not exist",
+                    edition.id
+                ));
+            }
+        }
+        for rule in &self.rules {
+            let path = &self.paths[&rule.id];
+            for problem in self.problems_of(rule, &known) {
+                errors.push(format!("{path}: {problem}"));
+            }
+        }
+    }
+
+    fn problems_of(
+        &self,
+        rule: &Rule,
+        known: &dyn Fn(&str, &str) -> Result<(), String>,
+    ) -> Vec<String> {
+        let mut problems = Vec::new();
+        if rule.cases.is_empty() || rule.sources.is_empty() || rule.outcomes.is_empty() {
+            problems.push("a rule has sources, outcomes and cases".to_owned());
+        }
+        let editions = rule.void.keys().chain(rule.cases.iter().flat_map(|case| &case.editions));
+        for edition in editions.filter(|id| self.edition(id).is_none()) {
+            problems.push(format!("there is no edition `{edition}`"));
+        }
+        let mut names = BTreeSet::new();
+        for case in &rule.cases {
+            if !names.insert(case.name.as_str()) {
+                problems.push(format!("two cases are named `{}`", case.name));
+            }
+            for (id, option) in case.parsed().into_iter().filter_map(|assertion| assertion.guard) {
+                let fits = match id.as_str() {
+                    "edition" => {
+                        self.edition(&option).map(|_| ()).ok_or(format!("no edition `{option}`"))
+                    }
+                    _ => known(&id, &option),
+                };
+                if let Err(error) = fits {
+                    problems.push(format!("case `{}`: {error}", case.name));
+                }
+            }
+        }
+        for id in &rule.options {
+            if !self.choices.iter().any(|choice| choice.id == *id) {
+                problems.push(format!("there is no choice or quirk `{id}`"));
+            }
+        }
+        problems
+    }
+
+    /// The edition of an id.
+    pub fn edition(&self, id: &str) -> Option<&Edition> {
+        self.editions.iter().find(|edition| edition.id == id)
+    }
+
+    /// All options of an edition: its own, its base's, and each choice's default.
+    pub fn options(&self, edition: &Edition) -> Options {
+        let mut options: BTreeMap<String, String> = self
+            .choices
+            .iter()
+            .filter_map(|choice| Some((choice.id.clone(), choice.options.first()?.name.clone())))
+            .collect();
+        let mut chain = vec![edition];
+        while let Some(base) = chain.last().and_then(|last| self.edition(last.base.as_deref()?)) {
+            if chain.len() > self.editions.len() {
+                break;
+            }
+            chain.push(base);
+        }
+        for edition in chain.into_iter().rev() {
+            options.extend(edition.options.clone());
+        }
+        Options(options)
+    }
+
+    /// The rule of an id.
+    pub fn rule(&self, id: &str) -> Option<&Rule> {
+        self.rules.iter().find(|rule| rule.id == id)
+    }
+}
+
+impl Case {
+    /// Its assertions, which were checked when the page was read.
+    pub fn parsed(&self) -> Vec<Assertion> {
+        self.assertions.iter().filter_map(|text| text.parse().ok()).collect()
+    }
+}
+
+impl ChoiceOption {
+    /// Its assertions, which were checked when the page was read.
+    pub fn parsed(&self) -> Vec<Assertion> {
+        self.assertions.iter().filter_map(|text| text.parse().ok()).collect()
+    }
+}
+
+fn expect_id(id: &str, expected: &str) -> Result<(), String> {
+    if id == expected {
+        Ok(())
+    } else {
+        Err(format!("its id is `{id}`, its place says `{expected}`"))
+    }
+}
+
+fn assertions(texts: &[String]) -> Result<(), String> {
+    if texts.is_empty() {
+        return Err("it asserts nothing".to_owned());
+    }
+    for text in texts {
+        text.parse::<Assertion>().map_err(|error| format!("assertion `{text}`: {error}"))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,202 @@
+//! A rule page and a choice page as they stand in TOML.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_trace::scenario::{Bench, Budget, Machine, OperatorEvent, Program, Scenario};
+use serde::{Deserialize, Serialize};
+
+/// Where a document says something.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Source {
+    /// Document, such as `linuxcnc-2.8`.
+    pub document: String,
+    /// Section by its heading.
+    pub section: String,
+    /// Sentence, list item or table row within the section, from 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ordinal: Option<u32>,
+    /// What it says, in our own words, where the place is hard to find.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub says: Option<String>,
+}
+
+impl std::fmt::Display for Source {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}, {}", self.document, self.section)?;
+        match self.ordinal {
+            Some(ordinal) => write!(f, " ({ordinal})"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// What a rule can say about a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RuleOutcome {
+    /// The block is allowed.
+    Accepted,
+    /// The block is refused.
+    Refused,
+}
+
+/// A rule and its cases.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rule {
+    /// `<chapter>.<rule>`.
+    pub id: String,
+    /// What it demands, in our own words.
+    pub sentence: String,
+    /// Which documents demand it.
+    pub sources: Vec<Source>,
+    /// The outcomes that it can have.
+    pub outcomes: Vec<RuleOutcome>,
+    /// The profile that it belongs to.
+    pub profile: String,
+    /// The choices and quirks on which its cases depend.
+    #[serde(default)]
+    pub options: Vec<String>,
+    /// Editions in which it does not exist, and why.
+    #[serde(default)]
+    pub void: BTreeMap<String, String>,
+    /// Its cases.
+    #[serde(rename = "case")]
+    pub cases: Vec<Case>,
+}
+
+impl Rule {
+    /// The chapter: the part of the id before the point.
+    pub fn chapter(&self) -> &str {
+        self.id.split('.').next().unwrap_or_default()
+    }
+}
+
+/// A program and what must be observed of it.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Case {
+    /// Its name within the rule.
+    pub name: String,
+    /// Why it is there, where the name does not say it.
+    #[serde(default)]
+    pub why: String,
+    /// The main program.
+    pub program: String,
+    /// What must be observed, by hand, from the sentence.
+    #[serde(rename = "assert")]
+    pub assertions: Vec<String>,
+    /// The whole outcome in text form, blessed from the model.
+    #[serde(default)]
+    pub golden: Option<String>,
+    /// Only in these editions; all when empty.
+    #[serde(default)]
+    pub editions: Vec<String>,
+    /// What else the run depends on.
+    #[serde(flatten)]
+    pub setup: Setup,
+}
+
+/// What a run depends on besides its main program.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default)]
+pub struct Setup {
+    /// Subroutine files.
+    pub files: BTreeMap<String, String>,
+    /// The machine.
+    pub machine: Machine,
+    /// How the outside answers.
+    pub bench: Bench,
+    /// What a person does.
+    pub operator: Vec<OperatorEvent>,
+    /// When to stop.
+    pub budget: Budget,
+    /// Whether blocks that begin with a slash are skipped.
+    pub block_delete: bool,
+}
+
+impl Setup {
+    /// The scenario of a main program; options are those of the edition.
+    pub fn scenario(&self, program: &str, options: &gaugeblock_trace::Options) -> Scenario {
+        Scenario {
+            program: Program {
+                main: program.to_owned(),
+                files: self.files.clone(),
+                block_delete: self.block_delete,
+                ..Program::default()
+            },
+            options: options.clone(),
+            machine: self.machine.clone(),
+            bench: self.bench.clone(),
+            operator: self.operator.clone(),
+            budget: self.budget,
+        }
+    }
+}
+
+/// Whether documents differ, or a controller departs from its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ChoiceKind {
+    /// Documents differ or leave it open.
+    Choice,
+    /// A controller departs from its own document.
+    Quirk,
+}
+
+/// A named point where documents differ or leave open, or where a controller departs from its own.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Choice {
+    /// Its id.
+    pub id: String,
+    /// Choice or quirk.
+    pub kind: ChoiceKind,
+    /// What is chosen.
+    pub sentence: String,
+    /// Where the documents differ or are silent.
+    pub sources: Vec<Source>,
+    /// A program that tells the options apart.
+    pub program: String,
+    /// The options; the first is the default.
+    #[serde(rename = "option")]
+    pub options: Vec<ChoiceOption>,
+    /// What else the run depends on.
+    #[serde(flatten)]
+    pub setup: Setup,
+}
+
+/// One way to read the documents.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ChoiceOption {
+    /// Its name.
+    pub name: String,
+    /// What it means.
+    pub means: String,
+    /// What must be observed of the program under it.
+    #[serde(rename = "assert")]
+    pub assertions: Vec<String>,
+}
+
+/// A set of documents with an option for each choice.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Edition {
+    /// Its id.
+    pub id: String,
+    /// What it is.
+    pub sentence: String,
+    /// Its documents, its own first.
+    pub documents: Vec<String>,
+    /// The edition whose options it takes over.
+    #[serde(default)]
+    pub base: Option<String>,
+    /// Named bench that it is run on.
+    #[serde(default)]
+    pub bench: Option<String>,
+    /// Options that differ from its base's.
+    #[serde(default)]
+    pub options: BTreeMap<String, String>,
+}

@@ -1,0 +1,50 @@
+//! Each rule, under each edition, held against the model: a test per rule and edition.
+
+use gaugeblock::adapters::reference::Reference;
+use gaugeblock::certify::{Plan, Verdict, certify};
+use gaugeblock::suite::{Suite, files};
+use libtest_mimic::{Arguments, Failed, Trial};
+
+fn main() {
+    let arguments = Arguments::from_args();
+    let suite: &'static Suite = match Suite::read(&files::built_in()) {
+        Ok(suite) => Box::leak(Box::new(suite)),
+        Err(errors) => panic!("{}", errors.join("\n")),
+    };
+    let trials = suite
+        .editions
+        .iter()
+        .flat_map(|edition| suite.rules.iter().map(move |rule| (edition, rule)))
+        .map(|(edition, rule)| {
+            let name = format!("{}::{}", edition.id, rule.id);
+            Trial::test(name, move || holds(suite, &edition.id, &rule.id))
+        })
+        .collect();
+    libtest_mimic::run(&arguments, trials).exit();
+}
+
+fn holds(suite: &Suite, edition: &str, rule: &str) -> Result<(), Failed> {
+    let only = [rule.to_owned()];
+    let plan = Plan {
+        suite,
+        edition: suite.edition(edition).expect("an edition of the suite"),
+        only: &only,
+        jobs: std::num::NonZero::<usize>::MIN,
+    };
+    let run = certify(plan, &Reference::default(), &|| {});
+    let wrong: Vec<_> = run
+        .cases
+        .iter()
+        .filter(|result| result.rule.id == rule)
+        .filter_map(|result| match &result.verdict {
+            Verdict::Pass => None,
+            Verdict::Diverges(departure) => {
+                Some(format!("{}: {}", result.case.name, departure.line()))
+            }
+            Verdict::Unsupported(why) | Verdict::Inconclusive(why) | Verdict::NotJudged(why) => {
+                Some(format!("{}: {why}", result.case.name))
+            }
+        })
+        .collect();
+    if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n").into()) }
+}

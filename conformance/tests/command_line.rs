@@ -1,0 +1,140 @@
+//! The command line: one clear message for each wrong call, and the exit status that the help promises.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn gaugeblock(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
+        .args(arguments)
+        .env("NO_COLOR", "1")
+        .output()
+        .expect("the command runs")
+}
+
+/// A folder of its own for each test.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&folder).expect("a folder for the test");
+    folder
+}
+
+fn file(folder: &Path, name: &str, bytes: &[u8]) -> String {
+    let path = folder.join(name);
+    std::fs::write(&path, bytes).expect("a file for the test");
+    path.to_str().expect("a path in UTF-8").to_owned()
+}
+
+/// Refused with this status, one message that has all of the words, a hint, and no backtrace.
+#[track_caller]
+fn refused(arguments: &[&str], status: i32, words: &[&str]) {
+    let output = gaugeblock(arguments);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}: {message}");
+    for word in words {
+        assert!(message.contains(word), "{arguments:?}: {word:?} is not in: {message}");
+    }
+    assert!(!message.contains("panicked") && !message.contains("RUST_BACKTRACE"), "{message}");
+    assert!(output.stdout.is_empty(), "{}", String::from_utf8_lossy(&output.stdout));
+}
+
+#[test]
+fn wrong_input_is_told_with_its_place() {
+    let here = folder("wrong-input");
+    let directory = here.to_str().expect("UTF-8");
+    refused(&["run", "no-such-file.ngc"], 2, &["no-such-file.ngc", "hint:"]);
+    refused(&["run", directory], 2, &["is a directory", "hint:"]);
+    let binary = file(&here, "binary.ngc", b"g21\ng1 \xff\xfe x1\n");
+    refused(&["run", &binary], 2, &["line 2", "hint:"]);
+    let program = file(&here, "good.ngc", b"g21\nm2\n");
+    refused(&["run", &program, "--edition", "linuxcnc-9"], 2, &["linuxcnc-9", "linuxcnc-2.8"]);
+    refused(&["run", &program, "--option", "no.such=thing"], 2, &["no.such", "--choices"]);
+    refused(
+        &["run", &program, "--option", "saved-state.motion-mode=maybe"],
+        2,
+        &["maybe", "restored"],
+    );
+    refused(&["run", &program, "--iut", "mill"], 2, &["mill", "reference"]);
+    let scenario = file(&here, "scenario.toml", b"[machine]\nspindels = 2\n");
+    refused(&["run", &program, "--scenario", &scenario], 2, &["scenario.toml", "spindels"]);
+    refused(&["certify", "reference", "--only", "no-such-rule"], 2, &["no case is selected"]);
+}
+
+#[test]
+fn a_wrong_suite_is_told_with_its_page() {
+    let here = folder("wrong-suite");
+    std::fs::create_dir_all(here.join("feed")).expect("a folder for the test");
+    file(&here.join("feed"), "odd.toml", b"id = \"feed.odd\"\nsentence = \"x\"\ncolour = 3\n");
+    let path = here.to_str().expect("UTF-8");
+    refused(&["--suite", path, "certify", "reference"], 2, &["feed/odd.toml", "colour", "hint:"]);
+    refused(&["--suite", "no-such-folder", "rules"], 2, &["no-such-folder", "hint:"]);
+}
+
+#[test]
+fn an_absent_controller_could_not_finish() {
+    refused(&["certify", "rs274:/no/such/rs274"], 3, &["/no/such/rs274", "hint:"]);
+    refused(&["certify", "production"], 3, &["not there yet"]);
+}
+
+#[test]
+fn a_report_folder_that_cannot_be_written_is_told_before_anything_runs() {
+    let here = folder("report");
+    let blocked = file(&here, "a-file", b"");
+    let inside = format!("{blocked}/report");
+    refused(
+        &["certify", "reference", "--only", "coolant", "--report", &inside],
+        2,
+        &["a-file", "--report"],
+    );
+}
+
+#[test]
+fn a_report_is_written_whole() {
+    let here = folder("written").join("new");
+    let path = here.to_str().expect("UTF-8");
+    let output = gaugeblock(&["certify", "reference", "--only", "coolant", "--report", path]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = |name: &str| std::fs::read_to_string(here.join(name)).expect("written");
+    let report: serde_json::Value = serde_json::from_str(&read("report.json")).expect("JSON");
+    assert_eq!(report["counts"]["diverges"], 0);
+    assert!(read("junit.xml").contains("<testsuite "));
+    assert!(!read("report.txt").contains('\u{1b}'), "no colours in a file");
+}
+
+#[test]
+fn a_program_that_faults_is_an_answer() {
+    let here = folder("faults");
+    let program = file(&here, "fault.ngc", b"g21\nm72\nm2\n");
+    let output = gaugeblock(&["run", &program]);
+    assert_eq!(output.status.code(), Some(0));
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.contains("end fault kind=nothing_saved"), "{text}");
+    let pointer = String::from_utf8_lossy(&output.stderr);
+    assert!(pointer.contains("fault.ngc:2"), "{pointer}");
+}
+
+#[test]
+fn a_run_is_the_same_each_time_in_both_forms() {
+    let here = folder("twice");
+    let program = file(
+        &here,
+        "program.ngc",
+        b"g21 f100\no1 repeat [3]\ng91 g1 x[sin[30]] (print,x=#<_x>)\no1 endrepeat\nm2\n",
+    );
+    for format in ["text", "json"] {
+        let once = || gaugeblock(&["run", &program, "--format", format]).stdout;
+        assert_eq!(once(), once());
+    }
+    let json = gaugeblock(&["run", &program, "--format", "json"]).stdout;
+    let outcome: gaugeblock_trace::Outcome = serde_json::from_slice(&json).expect("an outcome");
+    let text = gaugeblock(&["run", &program]).stdout;
+    assert_eq!(outcome.to_text().as_bytes(), text);
+}
+
+#[test]
+fn each_command_has_help_with_examples() {
+    for command in ["certify", "run", "compare", "fingerprint", "rules", "schema"] {
+        let output = gaugeblock(&[command, "--help"]);
+        assert_eq!(output.status.code(), Some(0));
+        assert!(String::from_utf8_lossy(&output.stdout).contains("Example"), "{command}");
+    }
+}

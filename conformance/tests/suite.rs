@@ -1,0 +1,85 @@
+//! The suite as it is built in: in its form, complete, and in agreement with the model's register.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock::adapters::reference::Reference;
+use gaugeblock::catalogue;
+use gaugeblock::fingerprint::{Shown, fingerprint};
+use gaugeblock::suite::{ChoiceKind, Suite, files};
+
+fn suite() -> Suite {
+    Suite::read(&files::built_in()).unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
+}
+
+#[test]
+fn every_declared_outcome_is_reached_and_every_golden_is_current() {
+    let faults = catalogue::faults(&suite());
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn the_model_reads_exactly_the_choices_of_the_pages() {
+    let suite = suite();
+    let of_pages: BTreeMap<&str, Vec<&str>> = suite
+        .choices
+        .iter()
+        .filter(|choice| choice.kind == ChoiceKind::Choice)
+        .map(|choice| {
+            (choice.id.as_str(), choice.options.iter().map(|o| o.name.as_str()).collect())
+        })
+        .collect();
+    let of_model: BTreeMap<&str, Vec<&str>> = gaugeblock_reference::rs274::readings::CHOICES
+        .iter()
+        .map(|(id, options)| (*id, options.to_vec()))
+        .collect();
+    assert_eq!(of_pages, of_model);
+    let quirks: BTreeSet<&str> = suite
+        .choices
+        .iter()
+        .filter(|choice| choice.kind == ChoiceKind::Quirk)
+        .map(|choice| choice.id.as_str())
+        .collect();
+    let known: BTreeSet<&str> =
+        gaugeblock_reference::rs274::readings::QUIRKS.iter().copied().collect();
+    assert_eq!(quirks, known);
+}
+
+#[test]
+fn the_model_shows_each_option_that_it_is_given() {
+    let suite = suite();
+    let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
+    let controller = Reference::default();
+    let mut wrong = Vec::new();
+    for choice in &suite.choices {
+        for option in &choice.options {
+            let mut options = suite.options(edition);
+            options.0.insert(choice.id.clone(), option.name.clone());
+            let prerequisite = (choice.id == "saved-state.listed-motion")
+                .then_some(("saved-state.motion-mode", "restored"));
+            if let Some((id, option)) = prerequisite {
+                options.0.insert(id.to_owned(), option.to_owned());
+            }
+            let mut alone = suite.clone();
+            alone.choices.retain(|other| other.id == choice.id);
+            for (_, shown) in fingerprint(&alone, &options, None, &controller) {
+                if shown != Shown::Option(option.name.clone()) {
+                    wrong.push(format!("{} = {}: shows {shown:?}", choice.id, option.name));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} options:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+fn refused_cases_are_as_many_as_the_rules_that_can_refuse() {
+    let suite = suite();
+    let refused = suite
+        .rules
+        .iter()
+        .flat_map(|rule| &rule.cases)
+        .filter(|case| case.assertions.iter().any(|text| text.contains("refused")))
+        .count();
+    let all: usize = suite.rules.iter().map(|rule| rule.cases.len()).sum();
+    assert!(refused * 4 >= all, "{refused} of {all} cases are refused");
+}
