@@ -1,0 +1,43 @@
+//! What must hold for every scenario, whatever its program says.
+
+use gaugeblock_trace::{Bound, End, Event, Outcome, Scenario};
+
+/// Runs the model and checks that it keeps its promises.
+///
+/// * It ends with an outcome, within the budget; a panic is the caller's to see.
+/// * Two runs give the same outcome and the same evidence.
+/// * The outcome stands in text form without loss.
+///
+/// # Errors
+/// The promise that was broken, and the outcome.
+pub fn model_keeps_its_promises(scenario: &Scenario) -> Result<Outcome, String> {
+    let (outcome, evidence) = gaugeblock_reference::run(scenario);
+    let broken = |promise: &str| Err(format!("{promise}:\n{}", outcome.to_text()));
+    if let Some(bound) = beyond_budget(scenario, &outcome) {
+        return broken(&format!("the budget is kept, in {bound}"));
+    }
+    if gaugeblock_reference::run(scenario) != (outcome.clone(), evidence) {
+        return broken("two runs give the same");
+    }
+    match Outcome::from_text(&outcome.to_text()) {
+        Ok(read) if read == outcome => Ok(outcome),
+        Ok(_) => broken("the text form loses nothing"),
+        Err(error) => broken(&format!("the text form can be read ({error})")),
+    }
+}
+
+/// The bound of the budget that an outcome is beyond. The block at which a budget runs out may stand in the trace.
+fn beyond_budget(scenario: &Scenario, outcome: &Outcome) -> Option<Bound> {
+    let steps = outcome.steps.len();
+    let events = outcome.steps.iter().flat_map(|step| &step.events);
+    let effects = events.filter(|event| matches!(event, Event::Do(_))).count();
+    let within = |count: usize, bound: u32| u32::try_from(count).is_ok_and(|count| count <= bound);
+    let exhausted = |bound| outcome.end == End::BudgetExhausted { bound };
+    if !within(steps, scenario.budget.steps.saturating_add(1)) {
+        Some(Bound::Steps)
+    } else if !within(effects, scenario.budget.effects) && !exhausted(Bound::Effects) {
+        Some(Bound::Effects)
+    } else {
+        None
+    }
+}

@@ -1,0 +1,48 @@
+//! Why a call of this crate came back without what was asked for.
+
+use alloc::boxed::Box;
+use core::fmt;
+
+use gaugeblock_trace::{Block, Fault};
+
+use crate::limits::Limit;
+use crate::source::Unreadable;
+
+/// Why the interpreter or the planner does not go on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Error {
+    /// This version does not do it yet; what, for people.
+    NotYet(&'static str),
+    /// The program is refused at a block: the answer of the documents.
+    Fault(Box<Fault>),
+    /// The program needs more than [`crate::Limits`] allows.
+    Beyond {
+        /// Which bound.
+        limit: Limit,
+        /// Where.
+        block: Block,
+    },
+    /// The source could not be read.
+    Unreadable(Unreadable),
+    /// A value of the machine or of the options is not usable; which and why, for people.
+    Configuration(&'static str),
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotYet(what) => write!(f, "not done yet: {what}"),
+            Self::Fault(fault) => match &fault.block {
+                Some(block) => write!(f, "{block}: {}", fault.message),
+                None => f.write_str(&fault.message),
+            },
+            Self::Beyond { limit, block } => write!(f, "{block}: too many {limit}"),
+            Self::Unreadable(unreadable) => {
+                write!(f, "{}: {}", unreadable.file, unreadable.message)
+            }
+            Self::Configuration(what) => f.write_str(what),
+        }
+    }
+}
+
+impl core::error::Error for Error {}

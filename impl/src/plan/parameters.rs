@@ -1,0 +1,81 @@
+//! What a servo cycle takes and gives.
+
+/// A value per axis, in the order X Y Z A B C U V W; millimetres for linear axes, degrees for rotary ones.
+pub type Axes = [f64; 9];
+
+/// Whether the machine shall come to rest on its path.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Hold {
+    /// Go on.
+    #[default]
+    Run,
+    /// Come to rest and keep the queue.
+    Hold,
+    /// Come to rest and forget the queue.
+    Abort,
+}
+
+/// What the outside wants in this cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InputParameter {
+    /// Feed override, 0 and up; 1 is the programmed feed.
+    pub feed_override: f64,
+    /// Rapid override, 0 to 1.
+    pub rapid_override: f64,
+    /// Adaptive feed, -1 to 1; negative runs back along the path.
+    pub adaptive_feed: f64,
+    /// Feed hold, or abort.
+    pub hold: Hold,
+    /// Turns of the spindle since the start, for segments that follow it.
+    pub spindle_turns: f64,
+    /// Whether the probe touches.
+    pub probe: bool,
+}
+
+impl Default for InputParameter {
+    fn default() -> Self {
+        Self {
+            feed_override: 1.0,
+            rapid_override: 1.0,
+            adaptive_feed: 1.0,
+            hold: Hold::Run,
+            spindle_turns: 0.0,
+            probe: false,
+        }
+    }
+}
+
+/// What the planner is doing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Phase {
+    /// At rest, and the queue is empty.
+    #[default]
+    Idle,
+    /// Moving along the path.
+    Moving,
+    /// Waiting: a dwell, or the spindle.
+    Waiting,
+    /// Coming to rest or at rest by hold or abort, on the path.
+    Holding,
+    /// At rest because the queue ran short; it goes on when a segment comes.
+    Starved,
+}
+
+/// Where the machine shall be at the end of this cycle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct OutputParameter {
+    /// Machine position.
+    pub position: Axes,
+    /// Velocity, per second.
+    pub velocity: Axes,
+    /// Acceleration, per second squared.
+    pub acceleration: Axes,
+    /// What the planner is doing.
+    pub phase: Phase,
+    /// Caller's number of the segment that is being executed.
+    pub segment: u64,
+    /// Feed along the path after all overrides, millimetres or degrees per second.
+    pub actual_feed: f64,
+    /// Millimetres or degrees that are left of the segment.
+    pub to_go: f64,
+}
