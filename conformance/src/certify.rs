@@ -20,6 +20,9 @@ pub enum Verdict {
     Pass,
     /// The controller does something else.
     Diverges(Departure),
+    /// The case's own assertions hold, and the one difference is a quirk that this rule is not about: it is charged to
+    /// the rules that name the quirk. Everything else is as the documents say.
+    ChargedElsewhere(Departure),
     /// Not run: the controller declared not to have this, or not to show it.
     Unsupported(String),
     /// Nothing can be said, and why. Never a pass.
@@ -187,7 +190,12 @@ fn run_case<'a>(
         let explained = departure.divergence.as_ref();
         let explanation =
             explained.and_then(|_| explain(plan.suite, rule, &scenario, &found, controller));
-        result.verdict = Verdict::Diverges(Departure { explanation, ..departure });
+        let departure = Departure { explanation, ..departure };
+        result.verdict = if is_charged_elsewhere(plan.suite, rule, &departure) {
+            Verdict::ChargedElsewhere(departure)
+        } else {
+            Verdict::Diverges(departure)
+        };
     }
     result
 }
@@ -246,6 +254,15 @@ impl Against<'_> {
         let departs = assertion.is_some() || divergence.is_some();
         departs.then_some(Departure { assertion, divergence, explanation: None })
     }
+}
+
+/// Whether all assertions hold and the difference is a quirk of other rules.
+fn is_charged_elsewhere(suite: &Suite, rule: &Rule, departure: &Departure) -> bool {
+    let named = |rule: &Rule, quirk: &String| rule.options.contains(quirk);
+    departure.assertion.is_none()
+        && departure.explanation.as_ref().is_some_and(|quirk| {
+            !named(rule, quirk) && suite.rules.iter().any(|other| named(other, quirk))
+        })
 }
 
 /// The one quirk, or the one other option of a choice, under which the model does what the controller did.

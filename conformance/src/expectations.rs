@@ -112,6 +112,7 @@ impl Expectations {
                 explanation: departure.explanation.clone(),
             }),
             Verdict::Pass
+            | Verdict::ChargedElsewhere(_)
             | Verdict::Unsupported(_)
             | Verdict::Inconclusive(_)
             | Verdict::NotJudged(_) => None,
@@ -141,6 +142,8 @@ impl Expectations {
             .iter()
             .map(|known| ((known.rule.as_str(), known.case.as_str()), known))
             .collect();
+        let explained: BTreeSet<&Option<String>> =
+            self.known.iter().map(|known| &known.explanation).filter(|e| e.is_some()).collect();
         let mut troubles = Vec::new();
         for result in &run.cases {
             let (rule, case) = (result.rule.id.clone(), result.case.name.clone());
@@ -153,8 +156,13 @@ impl Expectations {
                     let (listed, found) = (known.found.clone(), departure.line());
                     troubles.push(Trouble::Changed { rule, case, listed, found });
                 }
+                (Verdict::ChargedElsewhere(departure), None)
+                    if !explained.contains(&departure.explanation) =>
+                {
+                    troubles.push(Trouble::New { rule, case, found: departure.line() });
+                }
                 (Verdict::Diverges(_), Some(_)) | (_, None) => {}
-                (Verdict::Pass, Some(_)) => {
+                (Verdict::Pass | Verdict::ChargedElsewhere(_), Some(_)) => {
                     let why = "the case passes: take the entry out".to_owned();
                     troubles.push(Trouble::Stale { rule, case, why });
                 }

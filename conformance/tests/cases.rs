@@ -38,7 +38,7 @@ fn holds(suite: &Suite, edition: &str, rule: &str) -> Result<(), Failed> {
         .filter(|result| result.rule.id == rule)
         .filter_map(|result| match &result.verdict {
             Verdict::Pass => None,
-            Verdict::Diverges(departure) => {
+            Verdict::Diverges(departure) | Verdict::ChargedElsewhere(departure) => {
                 Some(format!("{}: {}", result.case.name, departure.line()))
             }
             Verdict::Unsupported(why) | Verdict::Inconclusive(why) | Verdict::NotJudged(why) => {

@@ -2,7 +2,7 @@
 
 use gaugeblock_reference::run;
 use gaugeblock_trace::{
-    End, Event, Machine, Motion, Options, Outcome, Scenario, Settings, State, Value,
+    End, Event, Machine, Motion, Options, Outcome, Path, Scenario, Settings, State, Value,
 };
 use proptest::prelude::{Just, ProptestConfig, Strategy, any, proptest};
 use proptest::{collection, prop_oneof};
@@ -32,11 +32,13 @@ fn settings_after(outcome: &Outcome, line: u32) -> Settings {
     settings
 }
 
-/// The settings, numbers rounded so far that units changed there and back make no difference.
+/// The settings without the tolerances of G64 in another mode, numbers rounded so far that units changed there and back make no difference.
 fn shown(settings: &Settings) -> Vec<String> {
     let entries = settings.entries();
+    let continuous = settings.path == Some(Path::Continuous);
     entries
         .iter()
+        .filter(|entry| continuous || !entry.field.ends_with("tolerance"))
         .map(|entry| match &entry.value {
             Value::Number(number) => format!("{} {number:.6}", entry.name()),
             Value::Position(position) => {

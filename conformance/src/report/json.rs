@@ -44,6 +44,10 @@ pub fn json(report: &Report<'_>) -> Value {
                         "program": result.case.program,
                     }),
                 ),
+                Verdict::ChargedElsewhere(departure) => (
+                    "charged elsewhere",
+                    json!({ "found": departure.line(), "explanation": departure.explanation }),
+                ),
                 Verdict::Unsupported(why) => ("unsupported", json!({ "reason": why })),
                 Verdict::Inconclusive(why) => ("inconclusive", json!({ "reason": why })),
                 Verdict::NotJudged(why) => ("not judged", json!({ "reason": why })),
@@ -69,6 +73,7 @@ pub fn json(report: &Report<'_>) -> Value {
             "cases": counts.all(),
             "pass": counts.pass,
             "diverges": counts.diverges,
+            "charged_elsewhere": counts.charged_elsewhere,
             "unsupported": counts.unsupported,
             "not_judged": counts.not_judged,
         },

@@ -14,7 +14,7 @@ use crate::suite::Rule;
 /// A verdict on a whole rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RuleVerdict {
-    /// Every case that was judged passes, and at least one was.
+    /// Every case that was judged passes, or passes but for a quirk of other rules, and at least one was.
     Pass,
     /// A case diverges.
     Diverges,
@@ -54,6 +54,8 @@ pub struct Counts {
     pub pass: usize,
     /// Cases that diverge.
     pub diverges: usize,
+    /// Cases that pass but for a quirk that is charged to other rules.
+    pub charged_elsewhere: usize,
     /// Cases that the controller does not support.
     pub unsupported: usize,
     /// Cases that were not judged or are inconclusive.
@@ -65,6 +67,7 @@ impl Counts {
         match verdict {
             Verdict::Pass => self.pass += 1,
             Verdict::Diverges(_) => self.diverges += 1,
+            Verdict::ChargedElsewhere(_) => self.charged_elsewhere += 1,
             Verdict::Unsupported(_) => self.unsupported += 1,
             Verdict::Inconclusive(_) | Verdict::NotJudged(_) => self.not_judged += 1,
         }
@@ -72,7 +75,7 @@ impl Counts {
 
     /// All cases.
     pub fn all(self) -> usize {
-        self.pass + self.diverges + self.unsupported + self.not_judged
+        self.pass + self.diverges + self.charged_elsewhere + self.unsupported + self.not_judged
     }
 
     fn verdict(self) -> RuleVerdict {
@@ -80,7 +83,7 @@ impl Counts {
             RuleVerdict::Diverges
         } else if self.not_judged > 0 {
             RuleVerdict::NotJudged
-        } else if self.pass > 0 {
+        } else if self.pass + self.charged_elsewhere > 0 {
             RuleVerdict::Pass
         } else {
             RuleVerdict::Unsupported
@@ -145,7 +148,7 @@ impl<'a> Report<'a> {
         let counts = self.counts();
         let wrong = match &self.troubles {
             Some(troubles) => !troubles.is_empty(),
-            None => counts.diverges > 0,
+            None => counts.diverges + counts.charged_elsewhere > 0,
         };
         if wrong {
             1

@@ -137,7 +137,10 @@ fn not_judged(text: &mut String, report: &Report<'_>) {
         let (word, why) = match &result.verdict {
             Verdict::Inconclusive(why) => ("inconclusive", why),
             Verdict::NotJudged(why) => ("not judged", why),
-            Verdict::Pass | Verdict::Diverges(_) | Verdict::Unsupported(_) => continue,
+            Verdict::Pass
+            | Verdict::Diverges(_)
+            | Verdict::ChargedElsewhere(_)
+            | Verdict::Unsupported(_) => continue,
         };
         line!(text, "{} {} / {}: {why}", styled(YELLOW, word), result.rule.id, result.case.name);
     }
@@ -177,9 +180,10 @@ fn verdict(text: &mut String, report: &Report<'_>) {
     let compared: usize = report.run.cases.iter().map(|result| result.compared).sum();
     line!(
         text,
-        "{} cases: {} pass, {} diverge, {} unsupported, {} not judged; {compared} values compared",
+        "{} cases: {} pass, {} pass but for a quirk of other rules, {} diverge, {} unsupported, {} not judged; {compared} values compared",
         counts.all(),
         counts.pass,
+        counts.charged_elsewhere,
         counts.diverges,
         counts.unsupported,
         counts.not_judged

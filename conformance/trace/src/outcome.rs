@@ -33,7 +33,7 @@ pub struct Step {
     pub block: Block,
     /// Settings and effects in order.
     pub events: Vec<Event>,
-    /// State after the block; absent for blocks after which none is recorded (O-words, M98, M99, M2, M30).
+    /// State after the block; absent for blocks after which none is recorded (O-words, M98, M99).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub state: Option<State>,
 }

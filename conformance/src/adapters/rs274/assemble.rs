@@ -190,10 +190,12 @@ impl Assembly<'_> {
             self.unsupported("an end whose state cannot be asked for".to_owned());
             return Ok(());
         };
-        state::settle(&mut self.canon, probe)?;
-        self.canon.end();
+        self.canon.end(|canon| state::settle(canon, probe))?;
         let events = self.canon.take_events();
-        self.step(next, events, None);
+        let shown = state::state(probe, self.canon.tool, self.plan)?;
+        let mut changes = state::changes(&self.known, &shown);
+        changes.parameter = None;
+        self.step(next, events, Some(State::Rs274(changes)));
         self.end = Some(End::ProgramEnd);
         Ok(())
     }

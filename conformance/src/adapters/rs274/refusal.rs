@@ -41,8 +41,10 @@ pub(super) fn fault(
         None
     } else if kind == FaultKind::LineTooLong {
         next.and_then(|next| too_long(source, next))
-    } else if kind == FaultKind::UnknownSub || message.starts_with("M7x:") {
-        // The echo is the last line that a call sought through, or what a restore tried.
+    } else if matches!(kind, FaultKind::UnknownSub | FaultKind::MixedStyles)
+        || message.starts_with("M7x:")
+    {
+        // The echo is the last line that a call sought through, or the definition that it found, or what a restore tried.
         next
     } else {
         refused_line(echo, source, plan, next)

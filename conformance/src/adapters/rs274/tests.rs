@@ -88,6 +88,17 @@ fn what_the_end_resets_is_seen() {
 }
 
 #[test]
+fn pallets_are_exchanged_after_the_reset() {
+    let Some(outcome) = run("g91\nm30\n") else { return };
+    let names = |event: &Event| match event {
+        Event::Set(_) => "set".to_owned(),
+        Event::Do(effect) => effect.name().to_owned(),
+    };
+    let events: Vec<_> = outcome.steps[1].events.iter().map(names).collect();
+    assert_eq!(events, ["set", "pallet_shuttle", "program_end"]);
+}
+
+#[test]
 fn loops_and_calls_show_every_execution() {
     let program = "o1 sub\ng0 x#1\no1 endsub\n#5=0\no2 while [#5 lt 2]\n#5=[#5+1]\no1 call [#5]\no2 endwhile\nm2\n";
     let Some(outcome) = run(program) else { return };

@@ -58,6 +58,7 @@ impl Control {
         state.evidence.accepted("control.loop-again");
         let ends = &[Keyword::EndWhile];
         let line = self.end_of_skipped(label, ends, self.place.line, state)?;
+        quirks::control::while_ends(self, label, line, state);
         Ok(Next::At(self.line(line + 1)))
     }
 
@@ -69,7 +70,8 @@ impl Control {
         values: &[Expression],
         state: &mut State,
     ) -> Result<Next, Halt> {
-        if condition("control.do-while", values, state)? {
+        let again = condition("control.do-while", values, state)?;
+        if !quirks::control::do_ends(self) && again {
             return Ok(Next::At(self.line(first + 1)));
         }
         self.leave(label, is_do, state)?;
@@ -146,7 +148,8 @@ impl Control {
             }
             Structure::Repeat { .. } | Structure::If { .. } | Structure::While | Structure::Do => {
                 self.leave(label, is_repeat, state)?;
-                Ok(Next::Following)
+                let again = quirks::control::begins_again(self);
+                Ok(if again { Next::At(self.line(first)) } else { Next::Following })
             }
         }
     }
@@ -163,7 +166,10 @@ impl Control {
     }
 
     /// Goes on after the endrepeat.
-    pub(crate) fn past_repeat(&self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    pub(crate) fn past_repeat(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        if quirks::control::begins_again(self) {
+            return Ok(Next::At(self.place));
+        }
         let line = self.end_of_skipped(label, &[Keyword::EndRepeat], self.place.line, state)?;
         Ok(Next::At(self.line(line + 1)))
     }
@@ -177,6 +183,8 @@ impl Control {
         }
         left.into_iter().for_each(|open| state.frame_mut().end(open));
         let ends = if structure == Structure::Do { Keyword::While } else { Keyword::EndWhile };
+        self.break_remembered |=
+            structure == Structure::While && state.readings.quirk("rs274.break-remembered");
         let line = self.end_of_skipped(label, &[ends], first, state)?;
         state.evidence.accepted("control.break");
         Ok(Next::At(self.line(line + 1)))
@@ -188,6 +196,7 @@ impl Control {
         state.frame_mut().open.truncate(place + 1);
         state.evidence.accepted("control.continue");
         if structure == Structure::Do {
+            self.continue_remembered = state.readings.quirk("rs274.continue-remembered");
             let line = self.end_of_skipped(label, &[Keyword::While], first, state)?;
             return Ok(Next::At(self.line(line)));
         }

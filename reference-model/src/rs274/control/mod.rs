@@ -50,6 +50,12 @@ pub struct Control {
     called: BTreeSet<Place>,
     /// Quirk rs274.repeat-counter-shared: turns left of each repeat.
     pub(crate) shared_counters: BTreeMap<Place, u64>,
+    /// Quirk rs274.fanuc-changes-at-end: #1 to #30 of the main program at its last O-word call.
+    pub(crate) at_last_call: [f64; 30],
+    /// Quirk rs274.continue-remembered: whether a do loop was continued since the last loop of another kind ended.
+    pub(crate) continue_remembered: bool,
+    /// Quirk rs274.break-remembered: whether a while was broken since the last do loop tested its condition.
+    pub(crate) break_remembered: bool,
     /// Whether a block with words, or an O-word that does something, was executed.
     begun: bool,
 }
@@ -77,6 +83,9 @@ impl Control {
             defined: BTreeMap::new(),
             called: BTreeSet::new(),
             shared_counters: BTreeMap::new(),
+            at_last_call: [0.0; 30],
+            continue_remembered: false,
+            break_remembered: false,
             begun: false,
         }
     }
@@ -121,7 +130,7 @@ impl Control {
             state.evidence.accepted("control.named-labels");
         }
         let label = label_of(&word.label, state)?;
-        let next = self.perform(&label, word, block, state, record)?;
+        let next = self.perform(&label, word, state, record)?;
         self.begun |= word.keyword != Keyword::Sub;
         Ok(next)
     }
@@ -130,7 +139,6 @@ impl Control {
         &mut self,
         label: &str,
         word: &OWord,
-        block: &Block,
         state: &mut State,
         record: &mut Record,
     ) -> Result<Next, Halt> {
@@ -140,7 +148,7 @@ impl Control {
             Keyword::EndSub => self.end_sub(label, values, state, record),
             Keyword::Return => self.return_(label, values, state, record),
             Keyword::Call => self.call(label, word, state),
-            Keyword::ProgramNumber => self.program_number(block, state),
+            Keyword::ProgramNumber => self.program_number(state),
             Keyword::If => self.if_(label, values, state),
             Keyword::ElseIf => self.else_if(label, values, state),
             Keyword::Else => self.else_(label, state),
@@ -156,7 +164,7 @@ impl Control {
     }
 
     /// Line of the next block after `after` in this sub that has the label and one of the keywords.
-    fn find(
+    pub(crate) fn find(
         &self,
         label: &str,
         keywords: &[Keyword],

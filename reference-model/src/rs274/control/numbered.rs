@@ -10,7 +10,6 @@ use crate::rs274::quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::saved_state;
-use crate::rs274::syntax::Block;
 use crate::rs274::task::Record;
 
 impl Control {
@@ -18,11 +17,7 @@ impl Control {
     /// meaning.
     ///
     /// A numbered program that is reached otherwise than by M98 is not in the documents.
-    pub(super) fn program_number(
-        &mut self,
-        _block: &Block,
-        state: &mut State,
-    ) -> Result<Next, Halt> {
+    pub(super) fn program_number(&self, state: &mut State) -> Result<Next, Halt> {
         if self.begun || state.call_level() > 0 {
             let why = "a numbered program that is reached without a call";
             return Err(Halt::Unspecified(why.to_owned()));

@@ -30,6 +30,9 @@ impl Control {
             return Err(refuse("subroutines.unique-name", FaultKind::DuplicateSub, message));
         }
         let end = self.define(label, self.place, state)?;
+        if state.readings.quirk("rs274.value-at-definition") {
+            quirks::control::value_at_definition(self, end, state)?;
+        }
         state.evidence.accepted("subroutines.body-skipped");
         state.evidence.accepted("subroutines.unique-name");
         Ok(Next::At(Place { line: end + 1, ..self.place }))
@@ -122,6 +125,9 @@ impl Control {
         }
         state.evidence.accepted("subroutines.call");
         state.evidence.accepted("subroutines.call-level");
+        if state.call_level() == 0 {
+            self.at_last_call = state.frame().arguments;
+        }
         let back = Place { line: self.place.line + 1, ..self.place };
         let call = Call { label: label.to_owned(), back, style: Style::OWord };
         let frame =

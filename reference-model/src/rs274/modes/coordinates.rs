@@ -68,8 +68,12 @@ impl Modes {
 
     /// Rule offsets.local-parameters. #5211 to #5219 are the local offset while #5210 is 1.
     pub(crate) fn load_local_offset(&mut self, stored: impl Fn(u32) -> f64, unit: LengthUnit) {
-        let applies = math::near_integer(stored(5210)) == Some(1);
-        let offset = if applies { nine(|place| stored(5211 + place)) } else { Position::default() };
+        self.local_applies = math::near_integer(stored(5210)) == Some(1);
+        let offset = if self.local_applies {
+            nine(|place| stored(5211 + place))
+        } else {
+            Position::default()
+        };
         self.g92_offset = converted(offset, unit, self.units);
     }
 }

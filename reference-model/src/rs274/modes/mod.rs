@@ -38,6 +38,8 @@ pub struct Modes {
     pub feed_mode: FeedMode,
     /// F in the active length unit per minute or per revolution, or in 1/min under inverse time; zero until set.
     pub feed_rate: f64,
+    /// F as it was programmed, in the unit of that time; only a quirk asks for it.
+    pub feed_number: f64,
     /// Whether F is awaited since a switch to G94 or G95.
     pub feed_awaited: bool,
     /// Return mode of canned cycles.
@@ -50,12 +52,16 @@ pub struct Modes {
     pub tool_length: Switch,
     /// The tool offset that applies, active length unit; zero under G49.
     pub tool_offset: Position,
+    /// The length unit in which it was programmed; only a quirk asks for it.
+    pub tool_offset_unit: LengthUnit,
     /// Work coordinate system, 1 to 9 for G54 to G59.3.
     pub work_offset: u32,
     /// Offset of the work coordinate system, active length unit.
     pub g5x_offset: Position,
     /// Offset of G52 and G92, active length unit.
     pub g92_offset: Position,
+    /// Whether an offset of G52 or G92 applies, be it zero.
+    pub local_applies: bool,
     /// Rotation of the work coordinate system about Z, degrees.
     pub rotation: f64,
     /// Path control mode.
@@ -64,6 +70,8 @@ pub struct Modes {
     pub blend_tolerance: f64,
     /// Q of G64, active length unit; zero when not given.
     pub naive_cam_tolerance: f64,
+    /// The length unit in which they were programmed; only a quirk asks for it.
+    pub tolerance_unit: LengthUnit,
     /// Diameter or radius programming of a lathe.
     pub lathe: Lathe,
     /// The spindles by number from 0; the machine has at least one.
@@ -128,6 +136,7 @@ impl Modes {
             arc_distance: Distance::Incremental,
             feed_mode: FeedMode::PerMinute,
             feed_rate: 0.0,
+            feed_number: 0.0,
             feed_awaited: false,
             retract: match readings.choice("modal-groups.initial-retract") {
                 "old-z" => Retract::OldZ,
@@ -137,13 +146,16 @@ impl Modes {
             compensation_radius: 0.0,
             tool_length: Switch::Off,
             tool_offset: Position::default(),
+            tool_offset_unit: LengthUnit::Millimetre,
             work_offset: start_system(machine),
             g5x_offset: Position::default(),
             g92_offset: Position::default(),
+            local_applies: false,
             rotation: 0.0,
             path: Path::Continuous,
             blend_tolerance: 0.0,
             naive_cam_tolerance: 0.0,
+            tolerance_unit: LengthUnit::Millimetre,
             lathe: Lathe::Radius,
             spindles: vec![Spindle::AT_START; usize::from(machine.spindles.max(1))],
             mist: Switch::Off,

@@ -14,7 +14,7 @@ use gaugeblock_trace::{FaultKind, Indexed, Machine};
 use super::machine::State;
 use super::readings::Readings;
 use super::refusal::{Halt, refuse};
-pub use numbered::{DEBUG_SWITCH, LAST, nonzero};
+pub use numbered::{DEBUG_SWITCH, last};
 pub use rules::{refused_too, rules_of, rules_of_existence};
 
 /// A parameter by number or by name.
@@ -59,7 +59,8 @@ impl Parameters {
         self.numbered.insert(number, value);
     }
 
-    /// All stored numbered parameters that are not zero. The local ones are not among them: see [`nonzero`].
+    /// All stored numbered parameters that are not zero. The local ones are not among them: they are in the
+    /// frames.
     pub fn nonzero(&self) -> Indexed<u32, f64> {
         self.numbered
             .iter()
@@ -183,18 +184,6 @@ pub fn exists(name: &Name, state: &State) -> bool {
                 || state.frame().locals.contains_key(name)
                 || ini::entry(name, state).is_some()
         }
-    }
-}
-
-/// Quirk rs274.named-exists-early: a named parameter that a line creates exists already, as zero.
-pub fn create_early(name: &Name, state: &mut State) {
-    if let Name::Named(name) = name {
-        let set = if is_global(name) {
-            &mut state.parameters.named
-        } else {
-            &mut state.frame_mut().locals
-        };
-        set.entry(name.clone()).or_insert(0.0);
     }
 }
 

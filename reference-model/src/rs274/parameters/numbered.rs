@@ -2,14 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::{Axis, Indexed, Machine};
+use gaugeblock_trace::{Axis, Machine};
 
 use super::State;
 use crate::rs274::modes::start_system;
+use crate::rs274::quirks::text as quirks;
+use crate::rs274::readings::Readings;
 use crate::rs274::refusal::Halt;
 
 /// The greatest number of a parameter.
-pub const LAST: u32 = 5602;
+const LAST: u32 = 5602;
 
 /// While this parameter is 0 the DEBUG comments say nothing.
 pub const DEBUG_SWITCH: u32 = 5599;
@@ -69,12 +71,10 @@ pub(super) fn assign(number: u32, value: f64, state: &mut State) {
     }
 }
 
-/// All numbered parameters that are not zero: the stored ones and those of the call in progress.
-pub fn nonzero(state: &State) -> Indexed<u32, f64> {
-    let mut nonzero = state.parameters.nonzero();
-    let local = (1..).zip(state.frame().arguments).filter(|(_, value)| value.abs() > 0.0);
-    nonzero.0.extend(local);
-    nonzero
+/// Rule parameters.range. The greatest number of a parameter is 5602.
+/// Quirk rs274.last-parameter: it is one less.
+pub fn last(readings: &Readings) -> u32 {
+    if readings.quirk("rs274.last-parameter") { quirks::LAST_PARAMETER } else { LAST }
 }
 
 /// Whether the machine's state decides a parameter's value.

@@ -7,6 +7,7 @@ use gaugeblock_trace::{
 
 use super::State;
 use crate::rs274::modes::Spindle;
+use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::Halt;
 
 /// A predefined parameter: its name, the rule that states it, its value.
@@ -203,13 +204,16 @@ fn plane(plane: Plane) -> f64 {
 /// Rule parameters.compensation. `_ccomp` is ten times the number of the active compensation code.
 /// Quirk rs274.dynamic-compensation-code: G41.1 and G42.1 look like G41 and G42.
 fn compensation(state: &State) -> f64 {
-    let known = !state.readings.quirk("rs274.dynamic-compensation-code");
-    f64::from(match state.modes.compensation {
+    let compensation = state.modes.compensation;
+    if state.readings.quirk("rs274.dynamic-compensation-code") {
+        return f64::from(quirks::compensation_code(compensation));
+    }
+    f64::from(match compensation {
         Compensation::Off => 400,
         Compensation::Left => 410,
         Compensation::Right => 420,
-        Compensation::DynamicLeft => 410 + i32::from(known),
-        Compensation::DynamicRight => 420 + i32::from(known),
+        Compensation::DynamicLeft => 411,
+        Compensation::DynamicRight => 421,
     })
 }
 
@@ -222,7 +226,7 @@ fn coordinate_system(system: u32) -> f64 {
 /// Quirk rs274.zero-tool-offset-off: it is 1 while an offset is not zero.
 fn tool_offset(state: &State) -> f64 {
     if state.readings.quirk("rs274.zero-tool-offset-off") {
-        return flag(state.modes.tool_offset.to_array().iter().any(|offset| offset.abs() > 0.0));
+        return flag(quirks::has_tool_offset(state));
     }
     flag(state.modes.tool_length == Switch::On)
 }
@@ -252,8 +256,8 @@ fn override_flag(state: &State, feed: bool) -> f64 {
 /// Rule parameters.tool. `_selected_tool` is the tool of the last T, -1 before.
 /// Quirk rs274.selected-tool-zero: 0 before.
 fn selected_tool(state: &State) -> f64 {
-    if state.prepared_tool < 0 && state.readings.quirk("rs274.selected-tool-zero") {
-        return 0.0;
+    if state.readings.quirk("rs274.selected-tool-zero") {
+        return f64::from(quirks::selected_tool(state));
     }
     f64::from(state.prepared_tool)
 }

@@ -2,9 +2,11 @@
 
 use crate::rs274::control::{Control, Frame, Next, Place, Structure, turns};
 use crate::rs274::machine::State;
+use crate::rs274::parameters::{self, Name};
 use crate::rs274::read;
 use crate::rs274::refusal::Halt;
-use crate::rs274::syntax::Expression;
+use crate::rs274::syntax::{self, Expression, Keyword, Parameter};
+use crate::rs274::text::Line;
 
 /// Quirk rs274.later-conditions-evaluated. The condition of an elseif is evaluated even after a true one.
 ///
@@ -44,6 +46,68 @@ pub fn shared_repeat(
 pub fn level_left_behind(control: &Control, frame: Frame, state: &mut State) -> Next {
     state.frames.push(frame);
     Next::At(Place { line: control.place.line + 1, ..control.place })
+}
+
+/// Quirk rs274.continue-remembered. A continue in a do loop is remembered until a while or repeat ends; whether this one
+/// begins again. A while tests its condition once more, which changes nothing.
+pub fn begins_again(control: &mut Control) -> bool {
+    std::mem::take(&mut control.continue_remembered)
+}
+
+/// Quirk rs274.break-remembered. A break of a while is remembered until a do loop tests its condition; whether this one
+/// ends.
+pub fn do_ends(control: &mut Control) -> bool {
+    std::mem::take(&mut control.break_remembered)
+}
+
+/// Quirks rs274.continue-remembered and rs274.break-remembered. A while ends whose endwhile stands on line `end`: a
+/// continue is forgotten, and a break in what is skipped counts.
+pub fn while_ends(control: &mut Control, label: &str, end: u32, state: &mut State) {
+    control.continue_remembered = false;
+    if state.readings.quirk("rs274.break-remembered") {
+        let skipped = control.find(label, &[Keyword::Break], control.place.line, state);
+        control.break_remembered |= skipped.is_some_and(|line| line < end);
+    }
+}
+
+/// Quirk rs274.value-at-definition. The value of an endsub is evaluated where the sub is defined; named parameters that
+/// do not exist there count as zero.
+///
+/// # Errors
+/// The endsub is refused, or its value.
+pub fn value_at_definition(control: &mut Control, end: u32, state: &mut State) -> Result<(), Halt> {
+    control.place.line = end;
+    let Some(Line::Block(text)) = control.files.line(control.place, state) else { return Ok(()) };
+    let values = syntax::parse(&text, state)?.o_word.map_or_else(Vec::new, |word| word.arguments);
+    let value = values.first().map(|value| with_zeros(value, state));
+    let value = value.map(|value| read::evaluate(&value, state)).transpose()?;
+    state.parameters.returned = value.unwrap_or(0.0);
+    state.parameters.has_returned = value.is_some();
+    Ok(())
+}
+
+/// An expression with zero for each named parameter that does not exist.
+fn with_zeros(expression: &Expression, state: &State) -> Expression {
+    let inside = |inner: &Expression| Box::new(with_zeros(inner, state));
+    match expression {
+        Expression::Parameter(Parameter::Named(name))
+            if !parameters::exists(&Name::Named(name.clone()), state) =>
+        {
+            Expression::Number(0.0)
+        }
+        Expression::Parameter(Parameter::Numbered(number)) => {
+            Expression::Parameter(Parameter::Numbered(inside(number)))
+        }
+        Expression::Negate(inner) => Expression::Negate(inside(inner)),
+        Expression::Function(function, inner) => Expression::Function(*function, inside(inner)),
+        Expression::ArcTangent(y, x) => Expression::ArcTangent(inside(y), inside(x)),
+        Expression::Binary(operator, left, right) => {
+            Expression::Binary(*operator, inside(left), inside(right))
+        }
+        Expression::Number(_)
+        | Expression::Parameter(Parameter::Named(_))
+        | Expression::Exists(_) => expression.clone(),
+    }
 }
 
 /// Quirk rs274.fanuc-zero-loops. Whether what is executed may belong to a level left behind, where the labels of the

@@ -2,11 +2,13 @@
 //!
 //! `rs274` restores by programming codes again, for what it takes to be different: what such codes cannot say is lost.
 
-use gaugeblock_trace::{Compensation, FaultKind, FeedMode, SpindleLimit, SpindleMode, Switch};
+use gaugeblock_trace::{
+    Compensation, FaultKind, FeedMode, Path, Position, SpindleLimit, SpindleMode, Switch,
+};
 
 use crate::rs274::control::Frame;
 use crate::rs274::machine::State;
-use crate::rs274::modes::{Modes, SavedState, Spindle};
+use crate::rs274::modes::{Modes, SavedState, Spindle, unit_size};
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::restore::same;
 use crate::rs274::step::tool_length::{apply, table_offset};
@@ -32,6 +34,18 @@ pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), Halt> 
     Ok(())
 }
 
+/// Quirk rs274.local-offset-restore. A local offset that did not apply at the save does not apply after the restore; its
+/// parameters stay.
+pub(crate) fn local_offset(saved: &Modes, state: &mut State) {
+    if state.modes.local_applies && !saved.local_applies {
+        let machine = state.modes.machine_point(state.position);
+        state.modes.local_applies = false;
+        state.modes.g92_offset = Position::default();
+        state.position = state.modes.program_point(machine);
+        state.parameters.store(5210, 0.0);
+    }
+}
+
 /// Quirk rs274.dynamic-compensation-restore. G41.1 comes back as G41 and G42.1 as G42, by the tool in the spindle.
 pub(crate) fn compensation(saved: &Modes, state: &mut State) {
     let by_tool = |compensation| match compensation {
@@ -45,22 +59,28 @@ pub(crate) fn compensation(saved: &Modes, state: &mut State) {
     }
 }
 
+/// The quirks that concern the feed.
+pub(crate) const FEED: &[&str] =
+    &["rs274.feed-mode-feed", "rs274.feed-speed-rounded", "rs274.feed-unit"];
+
 /// Quirk rs274.feed-speed-rounded. A feed that changed comes back with one decimal.
 /// Quirk rs274.feed-mode-feed. With another mode it does not come back: F is ignored under inverse time, and G94 and G95
 /// leave no feed when F is not programmed again, because it is the same.
+/// Quirk rs274.feed-unit. F comes back as the number that was programmed, whatever the length unit was.
 pub(crate) fn feed(saved: &Modes, state: &mut State) {
-    let now = state.modes.feed_rate;
-    let is_same = same(now, saved.feed_rate);
+    let by_number = state.readings.quirk("rs274.feed-unit");
+    let number = |modes: &Modes| if by_number { modes.feed_number } else { modes.feed_rate };
+    let is_same = same(number(&state.modes), number(saved));
     let rounded = state.readings.quirk("rs274.feed-speed-rounded");
-    let programmed = if rounded { decimals(saved.feed_rate, 1) } else { saved.feed_rate };
+    let programmed = if rounded { decimals(number(saved), 1) } else { number(saved) };
     let mode_changed = saved.feed_mode != state.modes.feed_mode;
-    let lost = mode_changed && state.readings.quirk("rs274.feed-mode-feed");
-    state.modes.feed_rate = match (lost, saved.feed_mode) {
-        (true, FeedMode::InverseTime) => now,
-        (true, FeedMode::PerMinute | FeedMode::PerRevolution) if is_same => 0.0,
-        _ if is_same => now,
-        _ => programmed,
-    };
+    let lost = state.readings.quirk("rs274.feed-mode-feed");
+    let ignored = lost && saved.feed_mode == FeedMode::InverseTime;
+    if !ignored && (!is_same || lost && mode_changed) {
+        let number = if is_same { 0.0 } else { programmed };
+        state.modes.feed_rate = number;
+        state.modes.feed_number = number;
+    }
     state.modes.feed_mode = saved.feed_mode;
     state.modes.feed_awaited = saved.feed_awaited;
 }
@@ -111,6 +131,77 @@ fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Hal
 /// A number as it is written with so many decimals.
 fn decimals(number: f64, count: usize) -> f64 {
     format!("{number:.count$}").parse().unwrap_or(number)
+}
+
+/// Quirk rs274.tolerance-unit. The tolerances of G64 come back as the numbers that were programmed, in whatever unit.
+pub(crate) fn path(saved: &Modes, state: &mut State) {
+    if programs_path(saved, &state.modes) && saved.path == Path::Continuous {
+        let factor = unit_size(saved.units) / unit_size(saved.tolerance_unit);
+        state.modes.blend_tolerance = saved.blend_tolerance * factor;
+        state.modes.naive_cam_tolerance = saved.naive_cam_tolerance * factor;
+        state.modes.tolerance_unit = saved.units;
+    }
+    state.modes.path = saved.path;
+}
+
+/// Whether a restore programs the path control mode again.
+fn programs_path(saved: &Modes, now: &Modes) -> bool {
+    let programmed = |modes: &Modes| {
+        let factor = unit_size(modes.units) / unit_size(modes.tolerance_unit);
+        (modes.blend_tolerance * factor, modes.naive_cam_tolerance * factor)
+    };
+    let ((blend, naive_cam), (blend_now, naive_cam_now)) = (programmed(saved), programmed(now));
+    saved.path != now.path || !same(blend, blend_now) || !same(naive_cam, naive_cam_now)
+}
+
+/// A control that a restore can only enable, by an M code without P.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Control {
+    /// M51.
+    SpeedOverride,
+    /// M52.
+    AdaptiveFeed,
+    /// M53.
+    FeedStop,
+}
+
+/// Quirk rs274.shared-p. The first M code that a restore programs stands in a block with the G codes, and takes the P of
+/// G64 as its own: the control that P0 disables in that way, if there is one.
+pub(crate) fn disabled_by_path(saved: &Modes, now: &Modes, state: &State) -> Option<Control> {
+    let has_p = saved.path == Path::Continuous && programs_path(saved, now);
+    let is_zero = same(saved.blend_tolerance, 0.0);
+    if !(has_p && is_zero && state.readings.quirk("rs274.shared-p")) {
+        return None;
+    }
+    let comes_on = |saved: Switch, now: Switch| saved == Switch::On && now == Switch::Off;
+    let none = |modes: &Modes| modes.mist == Switch::Off && modes.flood == Switch::Off;
+    let earlier = saved.spindles[0].turn != now.spindles[0].turn
+        || comes_on(saved.mist, now.mist)
+        || comes_on(saved.flood, now.flood)
+        || none(saved) && !none(now);
+    if earlier {
+        None
+    } else if saved.feed_override != now.feed_override {
+        (saved.feed_override == Switch::Off).then_some(Control::SpeedOverride)
+    } else if comes_on(saved.adaptive_feed, now.adaptive_feed) {
+        Some(Control::AdaptiveFeed)
+    } else {
+        comes_on(saved.feed_stop, now.feed_stop).then_some(Control::FeedStop)
+    }
+}
+
+/// Quirk rs274.shared-p. That control is disabled.
+pub(crate) fn disable(control: Control, state: &mut State) {
+    let modes = &mut state.modes;
+    match control {
+        Control::SpeedOverride => {
+            for spindle in &mut modes.spindles {
+                spindle.speed_override = Switch::Off;
+            }
+        }
+        Control::AdaptiveFeed => modes.adaptive_feed = Switch::Off,
+        Control::FeedStop => modes.feed_stop = Switch::Off,
+    }
 }
 
 /// Quirk rs274.off-not-restored. What was on is switched on; nothing is switched off, but both coolants by M9.

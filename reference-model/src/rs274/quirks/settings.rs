@@ -3,7 +3,7 @@
 use gaugeblock_trace::{FaultKind, SpindleLimit, SpindleMode, Switch};
 
 use crate::rs274::machine::State;
-use crate::rs274::modes::ModalGroup;
+use crate::rs274::modes::{ModalGroup, converted};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 
@@ -41,6 +41,14 @@ pub(crate) fn spindle_number(number: f64, state: &State) -> f64 {
 pub(crate) fn origin_number(number: f64, state: &State) -> f64 {
     let cut = state.readings.quirk("rs274.origin-number-cut");
     if cut && number - number.floor() >= 0.5 { number.floor() } else { number }
+}
+
+/// Quirk rs274.tool-offset-unit. A change of the length unit leaves the number of the tool offset, and a later change of the
+/// offset takes that number off the position.
+pub(crate) fn tool_offset_as_programmed(state: &mut State) {
+    let modes = &mut state.modes;
+    modes.tool_offset = converted(modes.tool_offset, modes.units, modes.tool_offset_unit);
+    modes.tool_offset_unit = modes.units;
 }
 
 /// Quirk rs274.save-in-spindle-group. M70 to M73 belong to the group of M3, M4 and M5.

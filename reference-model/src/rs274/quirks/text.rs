@@ -1,1 +1,59 @@
-//! Quirks of reading text, words and expressions.
+//! Quirks of reading text, words, parameters and comments.
+//!
+//! Some have nothing of their own and stand where they are decided: rs274.lone-return (`text`), rs274.repeated-signs and
+//! rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`step::message`).
+
+use gaugeblock_trace::Compensation;
+
+use crate::rs274::machine::State;
+use crate::rs274::parameters::{self, Name};
+use crate::rs274::syntax::Comment;
+
+/// Quirk rs274.shorter-lines: a line has at most so many characters without its line end.
+pub(crate) const LONGEST_LINE: usize = 252;
+
+/// Quirk rs274.last-parameter: the greatest number of a parameter.
+pub(crate) const LAST_PARAMETER: u32 = 5601;
+
+/// Quirk rs274.semicolon-plain: the comment that may be active is the last one in parentheses.
+pub(crate) fn active_comment(comments: Vec<Comment>) -> Option<Comment> {
+    comments.into_iter().rfind(|comment| !comment.semicolon)
+}
+
+/// Quirk rs274.message-blanks: blanks may only stand before the keyword of an active comment.
+pub(crate) fn keyword(text: &str) -> String {
+    text.trim_start().to_ascii_lowercase()
+}
+
+/// Quirk rs274.wrong-format-sign: what begins like a format with decimals and is none loses its percent sign.
+pub(crate) fn loses_percent_sign(text: &str) -> bool {
+    text.starts_with("%.")
+}
+
+/// Quirk rs274.named-exists-early: a named parameter that a line creates exists already, as zero, for the values behind
+/// it on that line, and stays when the line is refused.
+pub(crate) fn create_early(name: &Name, state: &mut State) {
+    if !parameters::exists(name, state) {
+        let created = parameters::assign(name, 0.0, state);
+        debug_assert!(created.is_ok(), "read: the parameter is writable");
+    }
+}
+
+/// Quirk rs274.dynamic-compensation-code: `_ccomp` does not tell G41.1 and G42.1 from G41 and G42.
+pub(crate) fn compensation_code(compensation: Compensation) -> u32 {
+    match compensation {
+        Compensation::Off => 400,
+        Compensation::Left | Compensation::DynamicLeft => 410,
+        Compensation::Right | Compensation::DynamicRight => 420,
+    }
+}
+
+/// Quirk rs274.zero-tool-offset-off: `_tool_offset` tells whether an offset is not zero.
+pub(crate) fn has_tool_offset(state: &State) -> bool {
+    state.modes.tool_offset.to_array().iter().any(|offset| offset.abs() > 0.0)
+}
+
+/// Quirk rs274.selected-tool-zero: `_selected_tool` is 0 before the first T.
+pub(crate) fn selected_tool(state: &State) -> i32 {
+    state.prepared_tool.max(0)
+}

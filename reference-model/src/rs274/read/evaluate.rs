@@ -58,7 +58,7 @@ pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, Hal
         let message = format!("the number of a parameter is an integer, not {value}");
         return Err(refuse("parameters.index-integer", FaultKind::ParameterNotInteger, message));
     };
-    let last = if state.readings.quirk("rs274.last-parameter") { 5601 } else { parameters::LAST };
+    let last = parameters::last(&state.readings);
     match u32::try_from(number) {
         Ok(number) if (1..=last).contains(&number) => {
             state.evidence.accepted("parameters.range");

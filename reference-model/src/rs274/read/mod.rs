@@ -12,6 +12,7 @@ use gaugeblock_trace::{Axis, FaultKind};
 
 use super::machine::State;
 use super::parameters::{self, Name};
+use super::quirks::text as quirks;
 use super::refusal::{Halt, refuse_at};
 use super::syntax::{Block, Comment, Expression, Setting, Word};
 pub use evaluate::evaluate;
@@ -85,7 +86,7 @@ fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), Hal
     let name = evaluate::name(&setting.target, state)?;
     parameters::writable(&name, state)?;
     if state.readings.quirk("rs274.named-exists-early") {
-        parameters::create_early(&name, state);
+        quirks::create_early(&name, state);
     }
     let value = evaluate(&setting.value, state)?;
     if !matches!(setting.value, Expression::Number(_)) {

@@ -40,6 +40,7 @@ fn change_mode(mode: FeedMode, state: &mut State) {
         mode != state.modes.feed_mode || state.readings.quirk("rs274.feed-lost-at-same-mode");
     if switched && mode != FeedMode::InverseTime {
         state.modes.feed_rate = 0.0;
+        state.modes.feed_number = 0.0;
         state.modes.feed_awaited = true;
     }
     state.modes.feed_mode = mode;
@@ -68,6 +69,7 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
         state.evidence.accepted("feed.rate-moves-nothing");
     }
     state.modes.feed_rate = rate;
+    state.modes.feed_number = rate;
     state.modes.feed_awaited = false;
     Ok(())
 }

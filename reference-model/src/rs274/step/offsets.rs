@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::{Axis, Compensation, FaultKind, Motion};
 
-use super::target::axis_words;
+use super::target::offset_words;
 use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, first_parameter};
@@ -82,7 +82,7 @@ fn set_origin(words: &Words, state: &mut State) -> Result<(), Halt> {
     kind(words)?;
     let system = system(words, state)?;
     let first = first_parameter(system);
-    for (axis, value) in axis_words(words) {
+    for (axis, value) in offset_words(words, state) {
         store_length(first, axis, value, state);
     }
     if let Some(rotation) = word(words, 'r') {
@@ -168,10 +168,11 @@ fn set_local(words: &Words, state: &mut State) -> Result<(), Halt> {
     }
     let machine = state.modes.machine_point(state.position);
     let mut offset = state.modes.g92_offset;
-    for (axis, value) in axis_words(words) {
+    for (axis, value) in offset_words(words, state) {
         *offset.get_mut(axis) = value;
     }
     state.modes.g92_offset = offset;
+    state.modes.local_applies = true;
     state.position = state.modes.program_point(machine);
     for axis in Axis::ALL.iter().copied() {
         store_length(5211, axis, offset.get(axis), state);

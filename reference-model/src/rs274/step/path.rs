@@ -48,5 +48,6 @@ fn tolerances(words: &Words, state: &mut State) {
         });
     }
     state.modes.blend_tolerance = blend.unwrap_or(0.0);
+    state.modes.tolerance_unit = state.modes.units;
     state.modes.naive_cam_tolerance = naive_cam.or(blend).unwrap_or(0.0);
 }

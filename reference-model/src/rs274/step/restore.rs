@@ -1,13 +1,13 @@
 //! What a restore brings back, item by item.
 
-use gaugeblock_trace::{Motion, Switch};
+use gaugeblock_trace::{Motion, Path, Switch};
 
 use super::offsets::use_system;
 use super::tool_length::apply;
 use super::units_planes::use_units;
 use crate::rs274::machine::State;
 use crate::rs274::modes::{Modes, Spindle};
-use crate::rs274::quirks::saved_state as quirks;
+use crate::rs274::quirks::{saved_state as quirks, settings};
 use crate::rs274::refusal::Halt;
 
 /// Brings back the saved state.
@@ -26,6 +26,7 @@ pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), Halt> {
         state.evidence.accepted(rule);
     }
     use_units(saved.units, state);
+    let disabled = quirks::disabled_by_path(saved, &state.modes, state);
     coordinates(saved, state)?;
     state.modes.plane = saved.plane;
     state.modes.distance = saved.distance;
@@ -38,6 +39,9 @@ pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     spindles(saved, state)?;
     coolant(saved, state);
     overrides(saved, state);
+    if let Some(control) = disabled {
+        quirks::disable(control, state);
+    }
     motion(saved, state);
     state.evidence.accepted("saved-state.all-restored");
     state.evidence.accepted("saved-state.not-listed");
@@ -103,6 +107,13 @@ fn coordinates(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     if state.modes.work_offset != saved.work_offset {
         use_system(saved.work_offset, state);
     }
+    if state.readings.quirk("rs274.local-offset-restore") {
+        quirks::local_offset(saved, state);
+    }
+    let cancelled = saved.tool_length == Switch::Off;
+    if cancelled && state.readings.quirk("rs274.tool-offset-unit") {
+        settings::tool_offset_as_programmed(state);
+    }
     if state.readings.quirk("rs274.tool-offset-restore") {
         return quirks::tool_offset(saved, state);
     }
@@ -110,11 +121,18 @@ fn coordinates(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Rules saved-state.path and saved-state.path-tolerances. The mode comes back with both tolerances.
+/// Rule saved-state.path. The mode comes back.
+/// Rule saved-state.path-tolerances. G64 comes back with both tolerances; the other modes have none.
 fn path(saved: &Modes, state: &mut State) {
+    if state.readings.quirk("rs274.tolerance-unit") {
+        return quirks::path(saved, state);
+    }
     state.modes.path = saved.path;
-    state.modes.blend_tolerance = saved.blend_tolerance;
-    state.modes.naive_cam_tolerance = saved.naive_cam_tolerance;
+    if saved.path == Path::Continuous {
+        state.modes.blend_tolerance = saved.blend_tolerance;
+        state.modes.naive_cam_tolerance = saved.naive_cam_tolerance;
+        state.modes.tolerance_unit = saved.tolerance_unit;
+    }
 }
 
 /// Rule saved-state.compensation. Off, left and right come back, dynamic or not.
@@ -130,11 +148,12 @@ fn compensation(saved: &Modes, state: &mut State) {
 /// Rule saved-state.feed-of-feed-mode. The feed comes back together with the mode in which it was given.
 fn feed(saved: &Modes, state: &mut State) {
     let readings = &state.readings;
-    if readings.quirk("rs274.feed-mode-feed") || readings.quirk("rs274.feed-speed-rounded") {
+    if quirks::FEED.iter().any(|quirk| readings.quirk(quirk)) {
         return quirks::feed(saved, state);
     }
     state.modes.feed_mode = saved.feed_mode;
     state.modes.feed_rate = saved.feed_rate;
+    state.modes.feed_number = saved.feed_number;
     state.modes.feed_awaited = saved.feed_awaited;
 }
 

@@ -9,9 +9,23 @@ use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 
 /// The axis words of a block with their values.
-pub(crate) fn axis_words(words: &Words) -> Vec<(Axis, f64)> {
+fn axis_words(words: &Words) -> Vec<(Axis, f64)> {
     let letters = Axis::ALL.iter().copied();
     letters.filter_map(|axis| Some((axis, word(words, letter(axis))?))).collect()
+}
+
+/// The axis words of a block as values of an offset.
+///
+/// Rule units-planes.diameter-offsets. Whether diameter mode halves X there too is a choice: the documents speak of moves.
+pub(crate) fn offset_words(words: &Words, state: &mut State) -> Vec<(Axis, f64)> {
+    let rule = "units-planes.diameter-offsets";
+    if state.modes.lathe == Lathe::Diameter {
+        state.evidence.accepted(rule);
+        if state.readings.is(rule, "every-word") {
+            return moved(words, state);
+        }
+    }
+    axis_words(words)
 }
 
 /// The letter of an axis.

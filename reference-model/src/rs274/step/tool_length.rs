@@ -2,12 +2,13 @@
 
 use gaugeblock_trace::{FaultKind, Position, Switch};
 
-use super::target::axis_words;
+use super::target::offset_words;
 use super::tool::named;
 use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, each};
 use crate::rs274::order::has_axis_words;
+use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 
@@ -19,6 +20,9 @@ use crate::rs274::refusal::{Halt, refuse};
 /// # Errors
 /// A tool or a word that the code does not allow.
 pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
+    if state.readings.quirk("rs274.tool-offset-unit") {
+        quirks::tool_offset_as_programmed(state);
+    }
     let offset = if words.g.contains(&490) {
         state.evidence.accepted("tool.length-off");
         None
@@ -40,6 +44,7 @@ pub(crate) fn apply(offset: Option<Position>, state: &mut State) {
     let machine = state.modes.machine_point(state.position);
     state.modes.tool_length = if offset.is_some() { Switch::On } else { Switch::Off };
     state.modes.tool_offset = offset.unwrap_or_default();
+    state.modes.tool_offset_unit = state.modes.units;
     state.position = state.modes.program_point(machine);
 }
 
@@ -69,7 +74,7 @@ fn dynamic(words: &Words, state: &mut State) -> Result<Position, Halt> {
     }
     state.evidence.accepted("tool.dynamic-length");
     let mut offset = state.modes.tool_offset;
-    for (axis, value) in axis_words(words) {
+    for (axis, value) in offset_words(words, state) {
         *offset.get_mut(axis) = value;
     }
     Ok(offset)
@@ -103,7 +108,7 @@ fn additional(words: &Words, state: &mut State) -> Result<Position, Halt> {
         }
         (None, true) => {
             let mut more = Position::default();
-            for (axis, value) in axis_words(words) {
+            for (axis, value) in offset_words(words, state) {
                 *more.get_mut(axis) = value;
             }
             more

@@ -6,6 +6,7 @@ use super::expression::operator_at;
 use super::parser::Parser;
 use super::value::Wanted;
 use super::{Block, Comment, Setting, Word};
+use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::Halt;
 use crate::rs274::text::Glyph;
 
@@ -194,8 +195,9 @@ impl Parser<'_> {
     /// Quirk rs274.semicolon-plain: it is never active, and does not silence an active comment before it.
     fn active(&mut self, mut comments: Vec<Comment>) -> Option<Comment> {
         if self.readings.quirk("rs274.semicolon-plain") {
-            comments.retain(|comment| !comment.semicolon);
-        } else if comments.last().is_some_and(|comment| comment.semicolon) {
+            return quirks::active_comment(comments);
+        }
+        if comments.last().is_some_and(|comment| comment.semicolon) {
             self.reach("active-comments.semicolon");
         }
         comments.pop()

@@ -183,7 +183,7 @@ impl Run<'_> {
         let flow = self.execute(&words)?;
         if flow == Flow::ProgramEnd {
             self.ended(block.block_delete)?;
-            self.record.step_without_state(place, &self.state);
+            self.record.step(place, &self.state, gaugeblock_trace::Indexed::default());
             return Ok(Next::End(End::ProgramEnd));
         }
         let changed = self.changed(&before);
@@ -270,8 +270,16 @@ impl Run<'_> {
     fn parameters(&self) -> Indexed<u32, f64> {
         let mut all = self.state.parameters.nonzero();
         let frames = &self.state.frames;
-        let shared = frames.iter().skip(1).take_while(|frame| frame.shares_parameters()).last();
-        let local = (1..).zip(shared.unwrap_or(&frames[0]).arguments);
+        let shares = |frame: &&Frame| frame.shares_parameters();
+        let shared = frames.iter().skip(1).take_while(shares).last();
+        let arguments = match shared {
+            Some(_) if self.state.readings.quirk("rs274.fanuc-changes-at-end") => {
+                self.control.at_last_call
+            }
+            Some(frame) => frame.arguments,
+            None => frames[0].arguments,
+        };
+        let local = (1..).zip(arguments);
         all.0.extend(local.filter(|(_, value)| value.abs() > 0.0));
         all
     }

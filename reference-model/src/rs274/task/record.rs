@@ -82,7 +82,7 @@ impl Record {
         });
     }
 
-    /// The end of a block after which no state is recorded: O-words, M98, M99, M2, M30.
+    /// The end of a block after which no state is recorded: O-words, M98, M99.
     pub fn step_without_state(&mut self, block: Block, state: &State) {
         self.settings(state);
         let events = std::mem::take(&mut self.events);

@@ -5,6 +5,7 @@ use gaugeblock_trace::{FaultKind, Span};
 use super::BLANKS;
 use super::comments::comment_at;
 use crate::rs274::machine::State;
+use crate::rs274::quirks::text as quirks;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::syntax::Comment;
@@ -79,7 +80,7 @@ pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Commen
 /// Quirk rs274.shorter-lines: 252 without the line end.
 fn line_length(line: &str, readings: &Readings) -> Result<(), Halt> {
     let limit = if readings.quirk("rs274.shorter-lines") {
-        252
+        quirks::LONGEST_LINE
     } else if readings.is("text.line-end-counted", "counted") {
         255
     } else {

@@ -2,6 +2,8 @@
 
 mod characters;
 mod comments;
+#[cfg(test)]
+mod tests;
 
 pub use characters::{Glyph, condense};
 

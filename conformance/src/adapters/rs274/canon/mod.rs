@@ -100,9 +100,21 @@ impl Canon {
         self.events.push(Event::Do(Effect::Message { channel: Channel::Print, text }));
     }
 
-    /// The program's end, when all that it resets is set.
-    pub(super) fn end(&mut self) {
+    /// The program's end. What it resets without a call is reset before M30 exchanges pallets, as what it resets by
+    /// calls is.
+    ///
+    /// # Errors
+    /// Those of `reset`, which sets what was shown afterwards.
+    pub(super) fn end(
+        &mut self,
+        reset: impl FnOnce(&mut Self) -> Result<(), HarnessError>,
+    ) -> Result<(), HarnessError> {
+        let is_shuttle = |event: &mut Event| matches!(event, Event::Do(Effect::PalletShuttle {}));
+        let shuttle = self.events.pop_if(is_shuttle);
+        reset(self)?;
+        self.events.extend(shuttle);
         self.events.push(Event::Do(Effect::ProgramEnd {}));
+        Ok(())
     }
 
     /// Takes over a call.

@@ -3,6 +3,7 @@
 use super::shown_value;
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
+use crate::rs274::quirks::text as quirks;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::Halt;
 
@@ -64,7 +65,7 @@ fn format_at<'a>(text: &'a str, state: &mut State) -> Option<(usize, &'a str)> {
 /// Rule active-comments.wrong-format. What is not a format is shown as it stands.
 /// Quirk rs274.wrong-format-sign: one with a period loses its percent sign.
 fn wrong_format(text: &str, readings: &Readings) -> bool {
-    text.starts_with("%.") && readings.quirk("rs274.wrong-format-sign")
+    readings.quirk("rs274.wrong-format-sign") && quirks::loses_percent_sign(text)
 }
 
 /// A parameter, or `None` for a number that none has, and what stands behind it.
@@ -88,11 +89,7 @@ fn parameter_at<'a>(text: &'a str, state: &mut State) -> Option<(Option<Name>, &
         return None;
     }
     state.evidence.accepted("active-comments.numbered");
-    let last = if state.readings.quirk("rs274.last-parameter") {
-        parameters::LAST - 1
-    } else {
-        parameters::LAST
-    };
+    let last = parameters::last(&state.readings);
     let number = number.parse().ok().filter(|number| (1..=last).contains(number));
     Some((number.map(Name::Numbered), behind))
 }

@@ -1,5 +1,6 @@
 //! What makes a comment active.
 
+use crate::rs274::quirks::text as quirks;
 use crate::rs274::readings::Readings;
 
 /// What an active comment does.
@@ -62,7 +63,7 @@ const WITH_TEXT: [(&str, Active); 7] = [
 pub(super) fn active<'a>(comment: &'a str, readings: &Readings) -> Option<(Active, &'a str)> {
     if let Some((before, text)) = comment.split_once(',') {
         let keyword = if readings.quirk("rs274.message-blanks") {
-            before.trim_start().to_ascii_lowercase()
+            quirks::keyword(before)
         } else {
             spelled(before)
         };

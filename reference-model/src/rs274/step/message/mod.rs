@@ -50,7 +50,7 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
             record.effect(state, Effect::LogClose {});
         }
         Active::ProbeOpen => {
-            record.effect(state, Effect::ProbeLogOpen { file: text.trim().to_owned() })
+            record.effect(state, Effect::ProbeLogOpen { file: text.trim().to_owned() });
         }
         Active::ProbeClose => record.effect(state, Effect::ProbeLogClose {}),
         Active::Abort => {

@@ -106,3 +106,11 @@ fn abort_is_an_error_with_values() {
     };
     assert_eq!((message.as_str(), kind), ("a 0", FaultKind::AbortedByProgram));
 }
+
+proptest::proptest! {
+    #[test]
+    fn no_comment_panics(text in "(print|msg|log|logopen|probeopen|m s g)?,?[-#<>%.dfl0-9a-z_\\[\\] \t\\PC]{0,40}") {
+        let mut state = State::under(&[("active-comments.msg-without-comma", "message")]);
+        drop(messages(&text, &mut state));
+    }
+}
