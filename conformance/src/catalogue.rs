@@ -59,6 +59,9 @@ pub fn faults(suite: &Suite) -> Vec<String> {
         for outcome in rule.outcomes.iter().filter(|outcome| !reached.contains(outcome)) {
             faults.push(format!("{}: no case of its own reaches the outcome {outcome:?}", rule.id));
         }
+        if rule.cases.first().is_some_and(|case| case.golden.is_none()) {
+            faults.push(format!("{}: its first case has no golden", rule.id));
+        }
         for case in &rule.cases {
             faults.extend(golden_fault(suite, rule, case));
         }
@@ -73,9 +76,7 @@ pub fn golden(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
 }
 
 fn golden_fault(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
-    let Some(golden_text) = &case.golden else {
-        return Some(format!("{} / {}: it has no golden", rule.id, case.name));
-    };
+    let golden_text = case.golden.as_ref()?;
     let expected = golden(suite, rule, case)?;
     (expected != *golden_text).then(|| {
         format!("{} / {}: the model no longer does what its golden says", rule.id, case.name)

@@ -219,7 +219,7 @@ fn bless(suite: &Suite, folder: &Path, arguments: &Arguments) -> Result<u8, Refu
     Ok(0)
 }
 
-/// The page with the golden of each case as the model has it now.
+/// The page with the golden of its first case, and of each that has one, as the model has it now.
 fn with_goldens(suite: &Suite, rule: &Rule, page: &str) -> Result<String, String> {
     let mut document: DocumentMut =
         page.parse().map_err(|error: toml_edit::TomlError| error.to_string())?;
@@ -227,7 +227,10 @@ fn with_goldens(suite: &Suite, rule: &Rule, page: &str) -> Result<String, String
         .get_mut("case")
         .and_then(Item::as_array_of_tables_mut)
         .ok_or("its cases are not written as [[case]]")?;
-    for (table, case) in cases.iter_mut().zip(&rule.cases) {
+    for (place, (table, case)) in cases.iter_mut().zip(&rule.cases).enumerate() {
+        if place > 0 && case.golden.is_none() {
+            continue;
+        }
         let Some(golden) = catalogue::golden(suite, rule, case) else { continue };
         if case.golden.as_ref() == Some(&golden) {
             continue;

@@ -26,11 +26,11 @@ fn a_setting_stands_before_the_effect_that_it_governs() {
 }
 
 #[test]
-fn blocks_of_control_and_the_end_have_no_state() {
+fn blocks_of_control_have_no_state() {
     let outcome = outcome("o1 if [1]\ng0 x1\no1 endif\nm98 p5\nm2\no5\nm99\n");
     let states: Vec<_> =
         outcome.steps.iter().map(|step| (step.block.line, step.state.is_some())).collect();
-    assert_eq!(states, [(1, false), (2, true), (3, false), (4, false), (7, false), (5, false)]);
+    assert_eq!(states, [(1, false), (2, true), (3, false), (4, false), (7, false), (5, true)]);
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn a_state_tells_which_parameters_the_block_changed() {
     };
     assert_eq!(
         changed,
-        [named(&[("31", 5.0), ("_depth", 2.0)]), named(&[]), named(&[("width", 1.0)])]
+        [named(&[("31", 5.0), ("_depth", 2.0)]), named(&[]), named(&[("width", 1.0)]), named(&[])]
     );
 }
 
@@ -73,5 +73,5 @@ fn the_call_level_is_that_after_the_block() {
             levels.push((step.block.line, level));
         }
     }
-    assert_eq!(levels, [(4, Some(0)), (2, Some(1)), (6, Some(0))]);
+    assert_eq!(levels, [(4, Some(0)), (2, Some(1)), (6, Some(0)), (7, Some(0))]);
 }

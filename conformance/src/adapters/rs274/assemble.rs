@@ -193,8 +193,9 @@ impl Assembly<'_> {
         self.canon.end(|canon| state::settle(canon, probe))?;
         let events = self.canon.take_events();
         let shown = state::state(probe, self.canon.tool, self.plan)?;
-        let mut changes = state::changes(&self.known, &shown);
+        let mut changes = shown.since(&self.known);
         changes.parameter = None;
+        changes.call_level = None;
         self.step(next, events, Some(State::Rs274(changes)));
         self.end = Some(End::ProgramEnd);
         Ok(())

@@ -175,7 +175,7 @@ impl Control {
         if labels.is_shared(label) {
             state.evidence.accepted("control.labels-in-subs");
         }
-        let scope = labels.scope(here);
+        let scope = labels.scope(state.frame().numbered_line().unwrap_or(here));
         let counts = state.readings.is("control.skipped-definition", "counts");
         let in_text = labels.definitions(label, here).first().map(|definition| definition.line);
         let earlier = in_text.filter(|line| counts && *line < here);

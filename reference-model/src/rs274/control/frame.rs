@@ -114,6 +114,14 @@ impl Frame {
         self.call.is_some() && !self.is_sub()
     }
 
+    /// The first line of the numbered subprogram that it is a call of.
+    pub fn numbered_line(&self) -> Option<u32> {
+        match self.call.as_ref().map(|call| &call.style) {
+            Some(Style::Numbered { first, .. }) => Some(first.line),
+            Some(Style::OWord) | None => None,
+        }
+    }
+
     /// Whether it is a call of this sub.
     pub fn is_called(&self, label: &str) -> bool {
         self.call.as_ref().is_some_and(|call| call.label == label)

@@ -196,8 +196,8 @@ impl Control {
         state.frame_mut().open.truncate(place + 1);
         state.evidence.accepted("control.continue");
         if structure == Structure::Do {
-            self.continue_remembered = state.readings.quirk("rs274.continue-remembered");
             let line = self.end_of_skipped(label, &[Keyword::While], first, state)?;
+            quirks::control::do_continues(self, label, line, state);
             return Ok(Next::At(self.line(line)));
         }
         Ok(Next::At(self.line(first)))

@@ -64,6 +64,17 @@ pub fn do_ends(control: &mut Control) -> bool {
 /// continue is forgotten, and a break in what is skipped counts.
 pub fn while_ends(control: &mut Control, label: &str, end: u32, state: &mut State) {
     control.continue_remembered = false;
+    breaks_skipped(control, label, end, state);
+}
+
+/// Quirk rs274.continue-remembered, and rs274.break-remembered for a break that is skipped: a do loop is continued whose
+/// while stands on line `end`.
+pub fn do_continues(control: &mut Control, label: &str, end: u32, state: &mut State) {
+    control.continue_remembered = state.readings.quirk("rs274.continue-remembered");
+    breaks_skipped(control, label, end, state);
+}
+
+fn breaks_skipped(control: &mut Control, label: &str, end: u32, state: &mut State) {
     if state.readings.quirk("rs274.break-remembered") {
         let skipped = control.find(label, &[Keyword::Break], control.place.line, state);
         control.break_remembered |= skipped.is_some_and(|line| line < end);

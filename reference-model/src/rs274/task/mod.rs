@@ -183,7 +183,7 @@ impl Run<'_> {
         let flow = self.execute(&words)?;
         if flow == Flow::ProgramEnd {
             self.ended(block.block_delete)?;
-            self.record.step(place, &self.state, gaugeblock_trace::Indexed::default());
+            self.record.last_step(place, &self.state);
             return Ok(Next::End(End::ProgramEnd));
         }
         let changed = self.changed(&before);
@@ -265,23 +265,26 @@ impl Run<'_> {
         after.collect()
     }
 
-    /// Rule program-end.parameters-kept. All numbered parameters that are not zero. With the run every call is over, so
-    /// that #1 to #30 are the main program's, which a numbered subprogram shares.
+    /// Rule program-end.parameters-kept. All numbered parameters that are not zero.
     fn parameters(&self) -> Indexed<u32, f64> {
         let mut all = self.state.parameters.nonzero();
+        let local = (1..).zip(self.arguments());
+        all.0.extend(local.filter(|(_, value)| value.abs() > 0.0));
+        all
+    }
+
+    /// Parameters #1 to #30 once the run is over. With it every call is over, so that they are the main program's, which a
+    /// numbered subprogram shares.
+    fn arguments(&self) -> [f64; 30] {
         let frames = &self.state.frames;
         let shares = |frame: &&Frame| frame.shares_parameters();
-        let shared = frames.iter().skip(1).take_while(shares).last();
-        let arguments = match shared {
+        match frames.iter().skip(1).take_while(shares).last() {
             Some(_) if self.state.readings.quirk("rs274.fanuc-changes-at-end") => {
                 self.control.at_last_call
             }
             Some(frame) => frame.arguments,
             None => frames[0].arguments,
-        };
-        let local = (1..).zip(arguments);
-        all.0.extend(local.filter(|(_, value)| value.abs() > 0.0));
-        all
+        }
     }
 
     /// How a run ends whose block does not go on.

@@ -82,6 +82,16 @@ impl Record {
         });
     }
 
+    /// The end of the block that ends the program: it has left every call.
+    pub fn last_step(&mut self, block: Block, state: &State) {
+        self.step(block, state, Indexed::default());
+        if let Some(Step { state: Some(gaugeblock_trace::State::Rs274(state)), .. }) =
+            self.steps.last_mut()
+        {
+            state.call_level = None;
+        }
+    }
+
     /// The end of a block after which no state is recorded: O-words, M98, M99.
     pub fn step_without_state(&mut self, block: Block, state: &State) {
         self.settings(state);
