@@ -98,7 +98,7 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     match arguments.format {
         Format::Text => write_out(&text),
         Format::Json => {
-            write_out(&format!("{:#}\n", json!({ "gaugeblock": "comparison", "files": results })))
+            write_out(&format!("{:#}\n", json!({ "gaugeblock": "comparison", "files": results })));
         }
     }
     Ok(status)

@@ -17,7 +17,10 @@ pub const CHOICES: &[(&str, &[&str])] = &[
     ("control.comment-after-o-word", &["ignored", "refused"]),
     ("control.do-label", &["each", "refused", "first"]),
     ("control.ended-label", &["refused", "followed"]),
-    ("control.repeat-fraction", &["rounded", "rounded-to-even", "rounded-down", "rounded-up", "refused"]),
+    (
+        "control.repeat-fraction",
+        &["rounded", "rounded-to-even", "rounded-down", "rounded-up", "refused"],
+    ),
     ("control.repeat-negative", &["none", "refused"]),
     ("control.skipped-definition", &["counts", "does-not-count"]),
     ("control.sub-number-as-label", &["refused", "accepted"]),
