@@ -72,7 +72,7 @@ fn the_model_shows_each_option_that_it_is_given() {
 }
 
 #[test]
-fn refused_cases_are_as_many_as_the_rules_that_can_refuse() {
+fn at_least_a_quarter_of_the_cases_are_refused() {
     let suite = suite();
     let refused = suite
         .rules
