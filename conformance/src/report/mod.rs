@@ -2,9 +2,12 @@
 
 pub mod json;
 pub mod junit;
+pub mod profiles;
 pub mod terminal;
 
 use std::collections::BTreeMap;
+
+pub use profiles::ProfileResult;
 
 use crate::adapters::Capabilities;
 use crate::certify::{CaseResult, Run, Verdict};
@@ -43,6 +46,8 @@ pub struct Report<'a> {
     pub run: &'a Run<'a>,
     /// The controller.
     pub controller: &'a Capabilities,
+    /// Each profile that the edition has rules of.
+    pub profiles: Vec<ProfileResult<'a>>,
     /// Where it disagrees with the expectations, if there are any.
     pub troubles: Option<Vec<Trouble>>,
 }
@@ -103,18 +108,7 @@ impl<'a> Report<'a> {
 
     /// Each rule with its verdict and counts, in order.
     pub fn rules(&self) -> Vec<(&'a Rule, RuleVerdict, Counts)> {
-        let mut rules: Vec<(&'a Rule, Counts)> = Vec::new();
-        for result in &self.run.cases {
-            match rules.last_mut() {
-                Some((rule, counts)) if rule.id == result.rule.id => counts.add(&result.verdict),
-                _ => {
-                    let mut counts = Counts::default();
-                    counts.add(&result.verdict);
-                    rules.push((result.rule, counts));
-                }
-            }
-        }
-        rules.into_iter().map(|(rule, counts)| (rule, counts.verdict(), counts)).collect()
+        verdicts(self.run)
     }
 
     /// Cases that diverge, in order.
@@ -143,14 +137,16 @@ impl<'a> Report<'a> {
         reasons
     }
 
-    /// The exit status: 0 all as documented or known, 1 a divergence or a wrong expectation, 3 not finished.
+    /// The exit status: 0 all as documented or known, 1 a divergence, a wrong expectation or a claimed profile that
+    /// it does not pass, 3 not finished.
     pub fn exit_status(&self) -> u8 {
         let counts = self.counts();
         let wrong = match &self.troubles {
             Some(troubles) => !troubles.is_empty(),
             None => counts.diverges + counts.charged_elsewhere > 0,
         };
-        if wrong {
+        let fails = self.profiles.iter().any(|profile| profile.claimed && !profile.passes());
+        if wrong || fails {
             1
         } else if counts.not_judged > 0 || counts.all() == 0 {
             3
@@ -158,4 +154,20 @@ impl<'a> Report<'a> {
             0
         }
     }
+}
+
+/// Each rule of a run with its verdict and counts, in order.
+fn verdicts<'a>(run: &Run<'a>) -> Vec<(&'a Rule, RuleVerdict, Counts)> {
+    let mut rules: Vec<(&'a Rule, Counts)> = Vec::new();
+    for result in &run.cases {
+        match rules.last_mut() {
+            Some((rule, counts)) if rule.id == result.rule.id => counts.add(&result.verdict),
+            _ => {
+                let mut counts = Counts::default();
+                counts.add(&result.verdict);
+                rules.push((result.rule, counts));
+            }
+        }
+    }
+    rules.into_iter().map(|(rule, counts)| (rule, counts.verdict(), counts)).collect()
 }

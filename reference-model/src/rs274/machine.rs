@@ -4,6 +4,7 @@ use gaugeblock_trace::{Machine, Position, Rs274State, Settings};
 
 use super::control::Frame;
 use super::modes::Modes;
+use super::outside::Outside;
 use super::parameters::Parameters;
 use super::readings::Readings;
 use crate::Evidence;
@@ -31,8 +32,45 @@ pub struct State {
     pub line: u32,
     /// Whether a log file is open.
     pub log_open: bool,
+    /// What the operator has set at the panel.
+    pub panel: Panel,
+    /// What is outside of the controller: clock, pins, bench.
+    pub outside: Outside,
     /// The rules reached so far.
     pub evidence: Evidence,
+}
+
+/// Switches and overrides that the operator sets, in every mode of the controller.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// The optional-stop switch.
+    pub optional_stop: bool,
+    /// Feed override; 1 is 100 %.
+    pub feed_override: f64,
+    /// Rapid override; 1 is 100 %.
+    pub rapid_override: f64,
+    /// Speed override of each spindle by its number; 1 is 100 %.
+    pub spindle_overrides: Vec<f64>,
+    /// Feed hold.
+    pub feed_hold: bool,
+}
+
+impl Panel {
+    /// Before the operator has touched anything: no optional stop, no feed hold, every override at 100 %.
+    pub fn new(machine: &Machine) -> Self {
+        Self {
+            optional_stop: false,
+            feed_override: 1.0,
+            rapid_override: 1.0,
+            spindle_overrides: vec![1.0; usize::from(machine.spindles.max(1))],
+            feed_hold: false,
+        }
+    }
+
+    /// The speed override of a spindle; 1 for one that the machine does not have.
+    pub fn spindle_override(&self, number: u16) -> f64 {
+        self.spindle_overrides.get(usize::from(number)).copied().unwrap_or(1.0)
+    }
 }
 
 impl State {
@@ -98,6 +136,8 @@ impl State {
             frames: vec![Frame::default()],
             line: 1,
             log_open: false,
+            panel: Panel::new(&Machine::default()),
+            outside: Outside::new(&gaugeblock_trace::scenario::Bench::default()),
             evidence: Evidence::default(),
         }
     }

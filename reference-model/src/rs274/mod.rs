@@ -12,7 +12,8 @@
 //! | [`order`] | the fixed order of execution inside a block |
 //! | [`step`] | what each phase does |
 //! | [`control`] | O-words, calls, M98 and M99: which block comes next |
-//! | [`task`] | the run: start, blocks, budget, record, end |
+//! | [`outside`] | the clock, the pins, how the bench answers |
+//! | [`task`] | the run: modes of the controller, operator, start, blocks, budget, record, end |
 //! | [`quirks`] | where a real controller departs from its own document; off the main path |
 
 pub mod check;
@@ -20,6 +21,7 @@ pub mod control;
 pub mod machine;
 pub mod modes;
 pub mod order;
+pub mod outside;
 pub mod parameters;
 pub mod quirks;
 pub mod read;

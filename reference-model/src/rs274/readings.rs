@@ -9,6 +9,8 @@ use gaugeblock_trace::Options;
 
 /// Every choice that the model reads, with its options; the first is the default.
 pub const CHOICES: &[(&str, &[&str])] = &[
+    ("abort.read-ahead", &["none", "read-on"]),
+    ("abort.spindle-and-coolant", &["switched-off", "left-alone"]),
     ("active-comments.absent-name", &["number-sign", "six-number-signs"]),
     ("active-comments.default-format", &["six-decimals", "four-decimals"]),
     ("active-comments.msg-without-comma", &["plain", "message"]),
@@ -45,6 +47,8 @@ pub const CHOICES: &[(&str, &[&str])] = &[
     ("parameters.override-names", &["by-name", "as-written"]),
     ("parameters.read-only-numbered", &["refused", "written"]),
     ("parameters.retract-names", &["by-name", "as-written"]),
+    ("pause.cycle-start", &["refused", "goes-on"]),
+    ("pause.pallet-codes", &["sections", "table"]),
     ("program-end.spindles", &["all", "first"]),
     ("saved-state.invalidate-nothing", &["accepted", "refused"]),
     ("saved-state.listed-motion", &["listed", "every"]),
@@ -53,6 +57,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
     ("spindle.rpm-mode-speed", &["optional", "required"]),
     ("spindle.without-dollar", &["all", "first"]),
     ("subroutines.return-label", &["any", "own"]),
+    ("task.mdi-in-manual", &["refused", "executed"]),
     ("text.comment-nested", &["refused", "plain"]),
     ("text.line-end-counted", &["counted", "not-counted"]),
     ("text.percent-alone", &["refused", "ends", "ignored"]),
@@ -63,6 +68,9 @@ pub const CHOICES: &[(&str, &[&str])] = &[
 
 /// Every quirk that the model can show.
 pub const QUIRKS: &[&str] = &[
+    "linuxcnc.auto-after-program-end",
+    "linuxcnc.cycle-start-while-paused",
+    "linuxcnc.modes-of-last-motion",
     "rs274.additional-length-axes",
     "rs274.blend-q-without-p",
     "rs274.break-remembered",

@@ -137,8 +137,8 @@ pub const G_CODES: &[Code] = &[
 
 /// Every M code of the language below M100.
 pub const M_CODES: &[Code] = &[
-    later(0, Group::Stopping, "pauses"),
-    later(1, Group::Stopping, "pauses"),
+    code(0, Group::Stopping, ""),
+    code(1, Group::Stopping, ""),
     code(2, Group::Stopping, ""),
     code(3, Group::Spindle, "$"),
     code(4, Group::Spindle, "$"),
@@ -155,7 +155,7 @@ pub const M_CODES: &[Code] = &[
     alone(51, "p$"),
     alone(52, "p"),
     alone(53, "p"),
-    later(60, Group::Stopping, "pauses"),
+    code(60, Group::Stopping, ""),
     later(61, Group::ToolChange, "tool changes"),
     later_alone(62, "inputs and outputs"),
     later_alone(63, "inputs and outputs"),

@@ -12,45 +12,46 @@ use super::refusal::Halt;
 use super::step;
 use super::task::Record;
 
-/// Whether the program goes on after a block.
+/// What becomes of a block after one of its phases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Flow {
-    /// With the next block.
-    Next,
-    /// Not at all: M2, M30.
+pub enum Rest {
+    /// The later phases are executed.
+    Execute,
+    /// They are not: a controller with a quirk can drop them.
+    Drop,
+    /// There are none, and the program pauses: M0, M1, M60.
+    Pause,
+    /// There are none, and the program has ended: M2, M30.
     ProgramEnd,
 }
 
-/// Executes the words of a block that [`check`](super::check::check) let pass, phase by phase.
+/// The phases in which a block has something to do, in the order of execution.
+pub fn phases(words: &Words) -> impl Iterator<Item = Phase> {
+    Phase::ALL.iter().copied().filter(|phase| phase.is_in(words))
+}
+
+/// Executes one phase of a block that [`check`](super::check::check) let pass.
 ///
 /// # Errors
-/// A rule that depends on the modes in force when its phase comes.
-pub fn execute(words: &Words, state: &mut State, record: &mut Record) -> Result<Flow, Halt> {
-    for phase in Phase::ALL.iter().copied().filter(|phase| phase.is_in(words)) {
-        match perform(phase, words, state, record) {
-            Ok(Rest::Execute) => {}
-            Ok(Rest::Drop) => return Ok(Flow::Next),
-            Err(halt) => {
-                if matches!(halt, Halt::Refused(_)) {
-                    refused_at(phase, words, state);
-                }
-                return Err(halt);
-            }
-        }
+/// A rule that depends on the modes in force when the phase comes.
+pub fn execute(
+    phase: Phase,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<Rest, Halt> {
+    let rest = perform(phase, words, state, record);
+    if matches!(rest, Err(Halt::Refused(_))) {
+        refused_at(phase, words, state);
     }
+    rest
+}
+
+/// A block has gone through all its phases: the rules about their order are reached.
+pub fn completed(words: &Words, state: &mut State) {
     for rule in ORDER_RULES.iter().filter(|rule| rule.concerns(words)) {
         state.evidence.accepted(rule.id);
     }
-    Ok(if Phase::Stop.is_in(words) { Flow::ProgramEnd } else { Flow::Next })
-}
-
-/// What becomes of the phases after one: a controller with a quirk can drop them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rest {
-    /// They are executed.
-    Execute,
-    /// They are not.
-    Drop,
 }
 
 /// Does what a block asks for in one phase.
@@ -85,7 +86,7 @@ fn perform(
         Phase::Retract => step::units_planes::select_retract(words, state),
         Phase::OffsetData => step::offsets::change(words, state)?,
         Phase::Motion => step::motion::perform(words, state, record)?,
-        Phase::Stop => step::program_end::perform(words, state, record),
+        Phase::Stop => return Ok(step::stop::perform(words, state, record)),
     }
     Ok(Rest::Execute)
 }

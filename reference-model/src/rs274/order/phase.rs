@@ -49,7 +49,7 @@ pub enum Phase {
     OffsetData,
     /// G0, G1, G80, and axis words alone.
     Motion,
-    /// M2, M30.
+    /// M0, M1, M2, M30, M60.
     Stop,
 }
 
@@ -112,7 +112,7 @@ impl Phase {
                     || words.g.contains(&530)
                     || moves_by_axis_words(words)
             }
-            Self::Stop => m(2, 2) || m(30, 30),
+            Self::Stop => groups(&[ModalGroup::Stopping]),
         }
     }
 }

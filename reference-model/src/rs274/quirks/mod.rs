@@ -6,4 +6,5 @@
 pub mod control;
 pub mod saved_state;
 pub mod settings;
+pub mod task;
 pub mod text;

@@ -31,5 +31,6 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         state.evidence.accepted("dwell.zero-time");
     }
     record.effect(state, Effect::Dwell { seconds });
+    state.outside.advance(seconds);
     Ok(())
 }

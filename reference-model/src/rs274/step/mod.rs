@@ -13,6 +13,7 @@ pub mod program_end;
 pub(crate) mod restore;
 pub mod saved_state;
 pub mod spindle;
+pub mod stop;
 mod target;
 pub mod tool;
 pub mod tool_length;
