@@ -24,6 +24,8 @@ pub enum Halt {
     Unsupported(String),
     /// The documents leave it open, and no choice covers it; the sentence says what is open.
     Unspecified(String),
+    /// It waits for something that never comes, so that the budget of time runs out.
+    WaitsForEver,
 }
 
 /// A refusal by a rule, without a place in the line.

@@ -13,9 +13,10 @@ use gaugeblock_trace::{
 pub use record::Record;
 
 use super::control::{self, Control, Frame, Next};
-use super::machine::State;
+use super::machine::{State, slots};
 use super::modes::Modes;
 use super::order::Flow;
+use super::outside::Outside;
 use super::parameters::{self, Name, Parameters};
 use super::read::{self, Words};
 use super::readings::Readings;
@@ -44,13 +45,15 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     let mut run = Run { scenario, state, control, record };
     let end = run.blocks();
     let parameters = run.parameters();
-    (run.record.finish(end, parameters), run.state.evidence)
+    let pins = run.state.outside.changes().to_vec();
+    (run.record.finish(end, parameters, pins), run.state.evidence)
 }
 
 /// The state before the first block.
 fn start(scenario: &Scenario, readings: Readings) -> State {
     let machine = scenario.machine.clone();
     let modes = Modes::new(&machine, &readings);
+    let outside = Outside::new(&scenario.bench, modes.spindles.len(), &readings);
     State {
         position: modes.program_point(Position::default()),
         modes,
@@ -59,9 +62,12 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         machine,
         tool: 0,
         prepared_tool: -1,
+        selected_for_change: false,
+        slots: slots(&scenario.machine),
         frames: vec![Frame::default()],
         line: 1,
         log_open: false,
+        outside,
         evidence: Evidence::default(),
     }
 }
@@ -109,7 +115,7 @@ impl Run<'_> {
             Some(Bound::Steps)
         } else if self.record.effects() >= budget.effects {
             Some(Bound::Effects)
-        } else if self.record.time() >= budget.time {
+        } else if self.state.outside.time() >= budget.time {
             Some(Bound::Time)
         } else {
             None
@@ -199,6 +205,7 @@ impl Run<'_> {
     /// Executes a block that the check let pass; its settings take effect after it.
     fn execute(&mut self, words: &Words) -> Result<Flow, Halt> {
         let flow = order::execute(words, &mut self.state, &mut self.record)?;
+        step::pass(0.0, &mut self.state);
         control::assign(&words.settings, &mut self.state)?;
         Ok(flow)
     }
@@ -244,7 +251,8 @@ impl Run<'_> {
         } else {
             0..0
         };
-        let all = settings.chain(offsets.map(Name::Numbered));
+        let read = words.m.contains(&66).then_some(step::inputs::RESULT);
+        let all = settings.chain(offsets.chain(read).map(Name::Numbered));
         all.map(|name| {
             let value = parameters::value(&name, &self.state).ok();
             (name, value)
@@ -304,6 +312,7 @@ impl Run<'_> {
             }
             Halt::Unsupported(what) => End::Unsupported { block, what },
             Halt::Unspecified(why) => End::Unspecified { block, why },
+            Halt::WaitsForEver => End::BudgetExhausted { bound: Bound::Time },
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What is observed of a run, block by block.
 
 use gaugeblock_trace::{
-    Block, Effect, End, Event, Indexed, Language, Outcome, Rs274State, Settings, Step,
+    Block, Effect, End, Event, Indexed, Language, Outcome, PinChange, Rs274State, Settings, Step,
 };
 
 use crate::rs274::machine::State;
@@ -21,8 +21,6 @@ pub struct Record {
     state: Rs274State,
     /// Effects so far.
     effects: u32,
-    /// Virtual time, seconds: only dwells move it.
-    time: f64,
 }
 
 impl Record {
@@ -36,16 +34,12 @@ impl Record {
             events: Vec::new(),
             state: Rs274State::default(),
             effects: 0,
-            time: 0.0,
         }
     }
 
     /// An effect, under the settings now in force.
     pub fn effect(&mut self, state: &State, effect: Effect) {
         self.settings(state);
-        if let Effect::Dwell { seconds } = &effect {
-            self.time += seconds;
-        }
         self.effects = self.effects.saturating_add(1);
         self.events.push(Event::Do(effect));
     }
@@ -109,20 +103,15 @@ impl Record {
         self.effects
     }
 
-    /// Virtual time so far, seconds.
-    pub fn time(&self) -> f64 {
-        self.time
-    }
-
     /// The whole outcome. What a refused block did before it was refused is not part of it.
-    pub fn finish(self, end: End, parameters: Indexed<u32, f64>) -> Outcome {
+    pub fn finish(self, end: End, parameters: Indexed<u32, f64>, pins: Vec<PinChange>) -> Outcome {
         Outcome {
             language: Language::Rs274,
             start: self.start,
             steps: self.steps,
             end,
             parameters: Some(parameters),
-            pins: Vec::new(),
+            pins,
             samples: Vec::new(),
         }
     }
