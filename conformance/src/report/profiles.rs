@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{RuleVerdict, verdicts};
 use crate::certify::Run;
-use crate::suite::{Profile, Suite};
+use crate::suite::{Case, Profile, Rule, Suite};
 
 /// A profile, judged.
 #[derive(Clone, Debug)]
@@ -47,7 +47,9 @@ pub fn profiles<'a>(suite: &'a Suite, run: &Run<'a>, claimed: &[String]) -> Vec<
             verdicts: BTreeMap::new(),
             not_run: 0,
         };
-        let exists = |rule: &&crate::suite::Rule| !rule.void.contains_key(&run.edition.id);
+        let edition = &run.edition.id;
+        let runs = |case: &Case| case.editions.is_empty() || case.editions.contains(edition);
+        let exists = |rule: &&Rule| !rule.void.contains_key(edition) && rule.cases.iter().any(runs);
         let of_profile = suite.rules.iter().filter(|rule| rule.profile == profile.id);
         for rule in of_profile.filter(exists) {
             match judged.iter().find(|(other, ..)| other.id == rule.id) {

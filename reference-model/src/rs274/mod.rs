@@ -8,6 +8,7 @@
 //! | [`modes`] | the table of codes and modal groups; the modes in force |
 //! | [`parameters`] | numbered and named parameters, scopes, the predefined ones |
 //! | [`machine`] | the whole state, a sentence per field |
+//! | [`outside`] | clock, pins, and how a bench answers |
 //! | [`check`] | what is refused before anything of the block is done |
 //! | [`order`] | the fixed order of execution inside a block |
 //! | [`step`] | what each phase does |

@@ -71,10 +71,23 @@ fn perform(
         Phase::FeedRate => step::feed::set_rate(words, state)?,
         Phase::SpindleSpeed => step::spindle::set_speed(words, state)?,
         Phase::SelectTool => step::tool::select(words, state, record)?,
+        Phase::InputsOutputs => inputs_outputs(words, state, record)?,
+        Phase::ChangeTool if words.m.contains(&61) => {
+            step::tool_change::set_number(words, state, record)?;
+        }
+        Phase::ChangeTool => step::tool_change::change(state, record)?,
+        Phase::Spindle if words.m.contains(&19) => {
+            step::orient::perform(words, state, record)?;
+        }
         Phase::Spindle => step::spindle::turn(words, state)?,
         Phase::SavedState => return step::saved_state::perform(words, state),
         Phase::Coolant => step::coolant::perform(words, state),
         Phase::Overrides => step::overrides::perform(words, state)?,
+        Phase::UserCode => {
+            for code in words.m.iter().copied().filter(|code| (100..=199).contains(code)) {
+                step::user_codes::perform(code, words, state, record)?;
+            }
+        }
         Phase::Dwell => step::dwell::perform(words, state, record)?,
         Phase::Plane => step::units_planes::select_plane(words, state),
         Phase::Units => step::units_planes::select_units(words, state),
@@ -89,6 +102,18 @@ fn perform(
         Phase::Stop => return Ok(step::stop::perform(words, state, record)),
     }
     Ok(Rest::Execute)
+}
+
+/// M62 to M68, where a block may hold several of them in the order of the text.
+fn inputs_outputs(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    for code in words.m.iter().copied().filter(|code| (62..=68).contains(code)) {
+        match code {
+            62..=65 => step::outputs::digital(code, words, state, record)?,
+            66 => step::inputs::perform(words, state, record)?,
+            _ => step::outputs::analog(code, words, state, record)?,
+        }
+    }
+    Ok(())
 }
 
 /// A block was refused in a phase: the rules by which an earlier phase of the block made that so refuse it too.

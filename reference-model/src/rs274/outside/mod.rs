@@ -2,10 +2,20 @@
 //!
 //! Time is virtual, in seconds since the start. Only dwells and waits move it, so that a run is the same on every day.
 
+mod feed;
+mod inputs;
+mod orientation;
+mod programs;
+
 use std::collections::BTreeMap;
 
 use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{Pin, PinChange};
+
+use super::readings::Readings;
+pub(crate) use inputs::{Awaited, Input};
+pub(crate) use orientation::Orientation;
+pub(crate) use programs::Missing;
 
 /// The named bench that answers as the stand-alone interpreter's stubs do.
 const STAND_ALONE: &str = "stand-alone rs274";
@@ -13,7 +23,7 @@ const STAND_ALONE: &str = "stand-alone rs274";
 /// What is outside of the controller, and what it shows there.
 #[derive(Clone, Debug)]
 pub struct Outside {
-    /// How inputs answer.
+    /// How inputs, encoders, the tool changer and user-defined programs answer.
     bench: Bench,
     /// Seconds since the start.
     time: f64,
@@ -21,12 +31,28 @@ pub struct Outside {
     levels: BTreeMap<Pin, f64>,
     /// Every change of a pin so far.
     changes: Vec<PinChange>,
+    /// What outputs become when the next motion begins.
+    awaiting_motion: BTreeMap<Pin, f64>,
+    /// Orientations that have begun and not ended, by spindle.
+    orienting: BTreeMap<usize, Orientation>,
 }
 
 impl Outside {
     /// The outside before the first block: all outputs are off.
-    pub fn new(bench: &Bench) -> Self {
-        Self { bench: bench.clone(), time: 0.0, levels: BTreeMap::new(), changes: Vec::new() }
+    ///
+    /// Choice orient.brake-otherwise: whether the brake of a spindle that stands is applied.
+    pub fn new(bench: &Bench, spindles: usize, readings: &Readings) -> Self {
+        let braked = readings.is("orient.brake-otherwise", "while-standing");
+        let brakes = (0..if braked { spindles } else { 0 })
+            .filter_map(|spindle| Some((Pin::SpindleBrake(u16::try_from(spindle).ok()?), 1.0)));
+        Self {
+            bench: bench.clone(),
+            time: 0.0,
+            levels: brakes.collect(),
+            changes: Vec::new(),
+            awaiting_motion: BTreeMap::new(),
+            orienting: BTreeMap::new(),
+        }
     }
 
     /// Whether everything outside answers as the stand-alone interpreter's stubs do.
@@ -39,12 +65,22 @@ impl Outside {
         self.time
     }
 
+    /// Seconds that the tool changer takes.
+    pub fn tool_change_time(&self) -> f64 {
+        self.bench.tool_change_time.max(0.0)
+    }
+
+    /// Whether a person changes the tools, asked by a prompt.
+    pub fn tools_are_changed_by_hand(&self) -> bool {
+        self.bench.manual_tool_change
+    }
+
     /// Lets time go by.
     pub fn advance(&mut self, seconds: f64) {
         self.time += seconds.max(0.0);
     }
 
-    /// Goes back to a moment within a wait that was counted as a whole, for what the operator did meanwhile.
+    /// Goes to a moment of a wait that was counted as a whole, for what the operator did meanwhile.
     pub fn within_wait(&mut self, time: f64) {
         self.time = time;
     }
@@ -56,39 +92,49 @@ impl Outside {
 
     /// Gives a pin a value, now.
     pub fn set(&mut self, pin: Pin, value: f64) {
-        if (self.level(pin) - value).abs() > 0.0 {
+        self.set_at(self.time, pin, value);
+    }
+
+    /// Gives a pin a value at a time that has just gone by.
+    pub(crate) fn set_at(&mut self, time: f64, pin: Pin, value: f64) {
+        if self.level(pin) != value {
             self.levels.insert(pin, value);
-            self.changes.push(PinChange { time: self.time, pin, value });
+            self.changes.push(PinChange { time, pin, value });
         }
     }
 
-    /// Every change of a pin, in order.
-    pub fn into_changes(self) -> Vec<PinChange> {
-        self.changes
+    /// Gives an output a value when the next motion begins. Of several values the last one counts; tells whether there
+    /// was an earlier one.
+    pub fn set_with_motion(&mut self, pin: Pin, value: f64) -> bool {
+        self.awaiting_motion.insert(pin, value).is_some()
     }
 
-    /// The value of the adaptive feed input now; full speed until it is listed.
-    pub fn adaptive_feed(&self) -> f64 {
-        self.value("adaptive_feed").unwrap_or(1.0)
+    /// Takes back what an output was to become.
+    pub fn forget_with_motion(&mut self, pin: Pin) {
+        self.awaiting_motion.remove(&pin);
     }
 
-    /// Whether the feed stop input asks for a stop now.
-    pub fn feed_stop(&self) -> bool {
-        self.value("feed_hold").unwrap_or(0.0) != 0.0
+    /// Whether an output is to become something when the next motion begins.
+    pub fn awaits_motion_with(&self, pin: Pin) -> bool {
+        self.awaiting_motion.contains_key(&pin)
     }
 
-    fn value(&self, name: &str) -> Option<f64> {
-        let changes = self.bench.inputs.iter();
-        let past = changes.filter(|change| change.input == name && change.time <= self.time);
-        past.map(|change| change.value).next_back()
+    /// A motion begins: the outputs that wait for one switch. Tells whether there were any.
+    pub fn motion_begins(&mut self) -> bool {
+        let waiting = std::mem::take(&mut self.awaiting_motion);
+        for (pin, value) in &waiting {
+            self.set(*pin, *value);
+        }
+        !waiting.is_empty()
     }
 
-    /// When an input that concerns the feed changes next.
-    pub fn next_change_of_feed(&self) -> Option<f64> {
-        let names = ["adaptive_feed", "feed_hold"];
-        let changes = self.bench.inputs.iter();
-        let later = changes
-            .filter(|change| names.contains(&change.input.as_str()) && change.time > self.time);
-        later.map(|change| change.time).min_by(f64::total_cmp)
+    /// Whether an output waits for a motion.
+    pub fn awaits_motion(&self) -> bool {
+        !self.awaiting_motion.is_empty()
+    }
+
+    /// Every change of a pin so far.
+    pub fn changes(&self) -> &[PinChange] {
+        &self.changes
     }
 }

@@ -5,7 +5,8 @@ use gaugeblock_trace::{
 };
 
 use super::offsets::use_system;
-use super::spindle::all;
+use super::outputs;
+use super::spindle::{all, set_turn};
 use crate::rs274::machine::State;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
@@ -21,6 +22,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) {
         state.evidence.accepted("saved-state.autorestore-program-end");
     }
     reset(state);
+    outputs::program_ends(state);
     state.evidence.accepted("program-end.pallet");
     if !words.m.contains(&2) {
         record.effect(state, Effect::PalletShuttle {});
@@ -72,11 +74,11 @@ fn reset(state: &mut State) {
         }
     }
     modes.compensation = Compensation::Off;
-    for place in stopped {
-        modes.spindles[place].turn = SpindleTurn::Stopped;
-    }
     modes.motion = Motion::Feed;
     modes.mist = Switch::Off;
     modes.flood = Switch::Off;
+    for place in stopped {
+        set_turn(SpindleTurn::Stopped, place, state);
+    }
     quirks::program_end(state);
 }

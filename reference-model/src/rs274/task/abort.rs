@@ -17,7 +17,8 @@ impl Run<'_> {
             self.state.evidence.accepted("abort.autorestore");
         }
         self.state.evidence.accepted("abort.read-ahead");
-        if self.state.readings.is("abort.read-ahead", "read-on") && !self.by_hand {
+        let reads_on = self.state.readings.is("abort.read-ahead", "read-on");
+        if reads_on && !self.by_hand && !self.waits_for_machine {
             self.read_on();
         }
         if let Some(modes) = &self.at_last_motion {
@@ -57,6 +58,7 @@ impl Run<'_> {
             entries: self.entries,
             by_hand: false,
             ahead: true,
+            waits_for_machine: false,
             at_last_motion: None,
         };
         let _how_far: End = ahead.program();

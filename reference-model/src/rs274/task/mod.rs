@@ -30,7 +30,7 @@ pub use record::Record;
 
 use self::operator::Operator;
 use super::control::{Control, Frame, Place};
-use super::machine::{Panel, State};
+use super::machine::{Panel, State, slots};
 use super::modes::Modes;
 use super::outside::Outside;
 use super::parameters::Parameters;
@@ -54,7 +54,8 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     let mut run = Run::new(scenario, state, record);
     let end = run.whole();
     let parameters = run.parameters();
-    (run.record.finish(end, parameters, run.state.outside), run.state.evidence)
+    let pins = run.state.outside.changes().to_vec();
+    (run.record.finish(end, parameters, pins), run.state.evidence)
 }
 
 /// The state before the first block.
@@ -64,16 +65,19 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
     if scenario.program.start == Start::Mdi {
         modes.controller_mode = ControllerMode::Mdi;
     }
+    let outside = Outside::new(&scenario.bench, modes.spindles.len(), &readings);
     State {
         position: modes.program_point(Position::default()),
         modes,
         parameters: Parameters::new(&machine, &readings),
         readings,
         panel: Panel::new(&machine),
-        outside: Outside::new(&scenario.bench),
+        outside,
         machine,
         tool: 0,
         prepared_tool: -1,
+        selected_for_change: false,
+        slots: slots(&scenario.machine),
         frames: vec![Frame::default()],
         line: 1,
         log_open: false,
@@ -106,7 +110,9 @@ struct Run<'a> {
     by_hand: bool,
     /// Whether this run only reads ahead of another one: nothing waits, and nobody asks for anything.
     ahead: bool,
-    /// The modes in force at the last motion.
+    /// Whether the block that is executed waits for what the machine answers.
+    waits_for_machine: bool,
+    /// The modes in force at the last motion outside of subs.
     at_last_motion: Option<Modes>,
 }
 
@@ -123,6 +129,7 @@ impl<'a> Run<'a> {
             entries,
             by_hand: false,
             ahead: false,
+            waits_for_machine: false,
             at_last_motion: None,
         }
     }
@@ -223,6 +230,7 @@ impl<'a> Run<'a> {
             }
             Halt::Unsupported(what) => End::Unsupported { block, what },
             Halt::Unspecified(why) => End::Unspecified { block, why },
+            Halt::WaitsForEver => End::BudgetExhausted { bound: Bound::Time },
             Halt::Ended(end) => {
                 self.record.broken_off(block, &self.state);
                 if end == End::Aborted {

@@ -124,10 +124,17 @@ impl Run<'_> {
             if phase == Phase::Motion {
                 self.may_move(words)?;
             }
+            self.waits_for_machine = waits_for_machine(phase, words);
+            if self.waits_for_machine && self.ahead {
+                return Err(Halt::Ended(End::Paused));
+            }
             let began = self.state.outside.time();
             let before = (!self.operator.is_done()).then(|| self.state.clone());
-            rest = order::execute(phase, words, &mut self.state, &mut self.record)?;
-            if phase == Phase::Motion {
+            rest = match order::execute(phase, words, &mut self.state, &mut self.record) {
+                Err(Halt::WaitsForEver) => return Err(self.waits_for_ever()),
+                done => done?,
+            };
+            if phase == Phase::Motion && self.state.call_level() == 0 {
                 self.at_last_motion = Some(self.state.modes.clone());
             }
             self.show(Some(phase));
@@ -147,6 +154,7 @@ impl Run<'_> {
         if rest != Rest::Drop {
             order::completed(words, &mut self.state);
         }
+        step::pass(0.0, &mut self.state);
         control::assign(&words.settings, &mut self.state)?;
         Ok(rest)
     }
@@ -192,7 +200,8 @@ impl Run<'_> {
         } else {
             0..0
         };
-        let all = settings.chain(offsets.map(Name::Numbered));
+        let read = words.m.contains(&66).then_some(step::inputs::RESULT);
+        let all = settings.chain(offsets.chain(read).map(Name::Numbered));
         all.map(|name| {
             let value = parameters::value(&name, &self.state).ok();
             (name, value)
@@ -220,4 +229,10 @@ const COORDINATE_PARAMETERS: std::ops::Range<u32> = 5161..5401;
 /// Whether a G code, in tenths, can change [`COORDINATE_PARAMETERS`]: G10, G28, G30, G52, G54 to G59.3, G92.
 fn sets_coordinates(code: u32) -> bool {
     matches!(code, 100 | 280..=301 | 520 | 540..=593 | 920..=923)
+}
+
+/// Whether a phase waits for what the machine answers, so that nothing behind it can be read before.
+fn waits_for_machine(phase: Phase, words: &Words) -> bool {
+    let reads_input = phase == Phase::InputsOutputs && words.m.contains(&66);
+    reads_input || matches!(phase, Phase::ChangeTool | Phase::UserCode)
 }

@@ -1,11 +1,10 @@
 //! What is observed of a run, block by block.
 
 use gaugeblock_trace::{
-    Block, Effect, End, Event, Indexed, Language, Outcome, Rs274State, Settings, Step,
+    Block, Effect, End, Event, Indexed, Language, Outcome, PinChange, Rs274State, Settings, Step,
 };
 
 use crate::rs274::machine::State;
-use crate::rs274::outside::Outside;
 
 /// What has been observed so far.
 ///
@@ -138,14 +137,14 @@ impl Record {
     }
 
     /// The whole outcome. What a refused block did before it was refused is not part of it.
-    pub fn finish(self, end: End, parameters: Indexed<u32, f64>, outside: Outside) -> Outcome {
+    pub fn finish(self, end: End, parameters: Indexed<u32, f64>, pins: Vec<PinChange>) -> Outcome {
         Outcome {
             language: Language::Rs274,
             start: self.start,
             steps: self.steps,
             end,
             parameters: Some(parameters),
-            pins: outside.into_changes(),
+            pins,
             samples: Vec::new(),
         }
     }

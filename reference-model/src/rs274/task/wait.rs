@@ -13,6 +13,7 @@ impl Run<'_> {
     /// A block begins: what the operator does at that moment comes before the block.
     pub(super) fn begins(&mut self, block: &Block) -> Result<(), Halt> {
         self.record.begin();
+        self.waits_for_machine = false;
         if self.operator.is_done() {
             return Ok(());
         }
@@ -78,6 +79,18 @@ impl Run<'_> {
             }
         }
         Err(Halt::Ended(End::Paused))
+    }
+
+    /// A block waits for something that never comes: the operator alone can end that.
+    pub(super) fn waits_for_ever(&mut self) -> Halt {
+        while let Some(happening) = self.operator.next(f64::INFINITY) {
+            let now = self.state.outside.time();
+            self.state.outside.within_wait(happening.time.max(now));
+            if let Err(halt) = self.request(happening, Activity::Running) {
+                return halt;
+            }
+        }
+        Halt::WaitsForEver
     }
 
     /// A motion begins only once the feed is not held.
