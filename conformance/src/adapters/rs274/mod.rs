@@ -10,16 +10,11 @@
 
 mod assemble;
 mod canon;
-mod faults;
-mod instrument;
 mod lengths;
 mod output;
-mod probe;
 mod process;
 mod refusal;
 mod session;
-mod source;
-mod state;
 mod supports;
 mod version;
 mod workspace;
@@ -30,11 +25,11 @@ use std::time::Duration;
 
 use gaugeblock_trace::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settings};
 
+use super::probing::source::Source;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
 use assemble::Seen;
 use process::{Limits, Stop};
 use session::Session;
-use source::Source;
 
 /// Wall time and output of one run; ordinary ones take ten milliseconds and some kilobytes.
 const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 };

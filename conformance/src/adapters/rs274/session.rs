@@ -6,14 +6,14 @@ use std::path::Path;
 
 use gaugeblock_trace::{FaultKind, Program, Scenario};
 
-use super::faults;
-use super::instrument::{Plan, is_plain};
 use super::output::{self, Line};
-use super::probe::Probe;
 use super::process::{self, Limits, Output, Stop};
-use super::source::{Form, Source, form};
-use super::workspace::{INI, LAST_PARAMETER, PARAMETERS, TOOLS, Workspace};
+use super::workspace::{INI, PARAMETERS, TOOLS, Workspace};
 use crate::adapters::HarnessError;
+use crate::adapters::probing::faults;
+use crate::adapters::probing::instrument::{LAST_PARAMETER, Plan, is_plain};
+use crate::adapters::probing::probe::Probe;
+use crate::adapters::probing::source::{Form, Source, form};
 
 /// Switch that silences (DEBUG,…); on from the start.
 const DEBUG_SWITCH: u32 = 5599;

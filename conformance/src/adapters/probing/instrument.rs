@@ -7,13 +7,15 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::source::{Form, Source, form};
-use super::workspace::LAST_PARAMETER;
+
+/// Highest parameter number that a parameter file may list.
+pub(in crate::adapters) const LAST_PARAMETER: u32 = 5601;
 
 /// Longest line that the interpreter reads.
-pub(super) const LONGEST_LINE: usize = 252;
+pub(in crate::adapters) const LONGEST_LINE: usize = 252;
 
 /// Parameters that show a mode, printed as whole numbers.
-pub(super) const MODES: [&[&str]; 2] = [
+pub(in crate::adapters) const MODES: [&[&str]; 2] = [
     &[
         "_motion_mode",
         "_plane",
@@ -44,20 +46,21 @@ pub(super) const MODES: [&[&str]; 2] = [
 ];
 
 /// Parameters that show a number, printed with nine decimals.
-pub(super) const NUMBERS: &[&str] = &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c"];
+pub(in crate::adapters) const NUMBERS: &[&str] =
+    &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c"];
 
 /// How a program is observed.
 #[derive(Clone, Debug)]
-pub(super) struct Plan {
+pub(in crate::adapters) struct Plan {
     /// What each probe line begins with; it stands nowhere in the program.
-    pub(super) marker: String,
+    pub(in crate::adapters) marker: String,
     /// Parameters that are shown after each block, as they are written behind `#`.
-    pub(super) parameters: Vec<String>,
+    pub(in crate::adapters) parameters: Vec<String>,
 }
 
 impl Plan {
     /// A plan for a program: it shows the parameters that the text names, #1 to #30, and `more`.
-    pub(super) fn new(source: &Source, more: &BTreeSet<u32>) -> Self {
+    pub(in crate::adapters) fn new(source: &Source, more: &BTreeSet<u32>) -> Self {
         let named = source.parameters();
         let mut numbers: BTreeSet<u32> =
             (1..=30).chain(named.numbered).chain(more.iter().copied()).collect();
@@ -75,7 +78,7 @@ impl Plan {
     }
 
     /// The text of a file with probes and tags.
-    pub(super) fn probed(&self, file: usize, lines: &[String]) -> String {
+    pub(in crate::adapters) fn probed(&self, file: usize, lines: &[String]) -> String {
         let mut text = String::new();
         let begins_with_percent = lines
             .iter()
@@ -98,7 +101,7 @@ impl Plan {
     }
 
     /// The text of a file, untouched but for an error after a line: the program stops there, its state alive.
-    pub(super) fn stopped(&self, lines: &[String], after: u32) -> String {
+    pub(in crate::adapters) fn stopped(&self, lines: &[String], after: u32) -> String {
         let mut text = String::new();
         let stop = format!("(ABORT,{})\n", self.marker);
         if after == 0 {
@@ -115,7 +118,7 @@ impl Plan {
     }
 
     /// The probe lines that stand after a line.
-    pub(super) fn probe(&self, file: usize, line: u32) -> String {
+    pub(in crate::adapters) fn probe(&self, file: usize, line: u32) -> String {
         let mut text = String::new();
         let shown =
             |names: &[&str]| names.iter().map(|name| format!(" #<{name}>")).collect::<String>();
@@ -136,7 +139,7 @@ impl Plan {
     }
 
     /// The parameters that one probe line after another shows.
-    pub(super) fn parameter_groups(&self) -> Vec<&[String]> {
+    pub(in crate::adapters) fn parameter_groups(&self) -> Vec<&[String]> {
         let mut groups = Vec::new();
         let mut rest = self.parameters.as_slice();
         while !rest.is_empty() {
@@ -165,7 +168,7 @@ impl Plan {
     }
 
     /// Which line an error message's echo names by its tag.
-    pub(super) fn tagged(&self, echo: &str) -> Option<(usize, u32)> {
+    pub(in crate::adapters) fn tagged(&self, echo: &str) -> Option<(usize, u32)> {
         let at = echo.rfind(&format!(";{}", self.marker))?;
         let tag = echo[at + 1..].strip_prefix(&self.marker)?;
         let (file, line) = tag.trim().split_once('.')?;
@@ -173,14 +176,14 @@ impl Plan {
     }
 
     /// A text without the tags and probes in it.
-    pub(super) fn untagged<'a>(&self, text: &'a str) -> &'a str {
+    pub(in crate::adapters) fn untagged<'a>(&self, text: &'a str) -> &'a str {
         text.find(&format!(";{}", self.marker)).map_or(text, |at| &text[..at])
     }
 }
 
 /// Whether a numbered parameter is only written by the program: not offsets and predefined positions, whose unit is
 /// that of stored data, and not the position and the tool, which other fields show.
-pub(super) fn is_plain(number: u32) -> bool {
+pub(in crate::adapters) fn is_plain(number: u32) -> bool {
     (1..=LAST_PARAMETER).contains(&number) && !(5161..=5428).contains(&number)
 }
 
