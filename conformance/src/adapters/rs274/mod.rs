@@ -6,7 +6,7 @@
 //! (`state`), the error message a fault (`refusal`, `faults`).
 //!
 //! What it cannot show: the tool length mode apart from the offset, F under inverse time (had back from the moves), and
-//! anything that it stubs: inputs, probing, user-defined codes, pauses, M99 in the main program.
+//! anything that it stubs: pins, inputs, probing, user-defined codes, pauses, M99 in the main program.
 
 mod assemble;
 mod canon;
@@ -161,6 +161,7 @@ fn capabilities(version: String) -> Capabilities {
         final_parameters: true,
         fields_at_effects: owned(Settings::FIELDS, HIDDEN_FIELDS),
         hidden_parameters: vec![5400..=5428],
+        pins: BTreeSet::new(),
     }
 }
 
