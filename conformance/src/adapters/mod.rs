@@ -3,6 +3,7 @@
 //! **Invariant:** an adapter does nothing that an adapter in another language could not do: it knows the vocabulary and
 //! its controller, and no model of the language.
 
+pub mod linuxcnc;
 mod probing;
 pub mod reference;
 pub mod rs274;

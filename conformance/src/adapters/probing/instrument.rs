@@ -56,6 +56,15 @@ pub(in crate::adapters) struct Plan {
     pub(in crate::adapters) marker: String,
     /// Parameters that are shown after each block, as they are written behind `#`.
     pub(in crate::adapters) parameters: Vec<String>,
+    /// Where a controller reads ahead: marks that pass through its queue, so that they tell what has been executed.
+    pub(in crate::adapters) marks: Option<Marks>,
+}
+
+/// Messages that pass through a controller's queue in their place: after each block, and before some.
+#[derive(Clone, Debug, Default)]
+pub(in crate::adapters) struct Marks {
+    /// File and line of blocks before which there is one too.
+    pub(in crate::adapters) before: BTreeSet<(usize, u32)>,
 }
 
 impl Plan {
@@ -74,7 +83,7 @@ impl Plan {
         } else {
             numbers.iter().map(u32::to_string).chain(names).collect()
         };
-        Self { marker: unused_marker(source), parameters }
+        Self { marker: unused_marker(source), parameters, marks: None }
     }
 
     /// The text of a file with probes and tags.
@@ -85,19 +94,55 @@ impl Plan {
             .find(|line| !line.trim().is_empty())
             .is_some_and(|line| form(line) == Form::Percent);
         if file == 0 && !begins_with_percent {
+            text.push_str(&self.marks(file, 0));
             text.push_str(&self.probe(file, 0));
         }
         let mut begun = !begins_with_percent;
         for (number, line) in (1_u32..).zip(lines) {
+            if self.marks.as_ref().is_some_and(|marks| marks.before.contains(&(file, number))) {
+                text.push_str(&format!("(MSG,{})\n", self.mark_before(file, number)));
+            }
             text.push_str(line);
             text.push_str(&self.tag(file, number, line));
             text.push('\n');
             begun |= !line.trim().is_empty();
             if begun {
+                text.push_str(&self.marks(file, number));
                 text.push_str(&self.probe(file, number));
             }
         }
         text
+    }
+
+    /// The text of the mark after a block.
+    pub(in crate::adapters) fn mark_after(&self, file: usize, line: u32) -> String {
+        format!("{}{file}.{line}", self.marker)
+    }
+
+    /// The text of the mark before a block.
+    pub(in crate::adapters) fn mark_before(&self, file: usize, line: u32) -> String {
+        format!("{}>{file}.{line}", self.marker)
+    }
+
+    /// The marks after a block: two, so that the first one has passed before a controller that reads one command ahead
+    /// reads the next block.
+    fn marks(&self, file: usize, line: u32) -> String {
+        if self.marks.is_none() {
+            return String::new();
+        }
+        format!("(MSG,{})\n(MSG,{}+)\n", self.mark_after(file, line), self.marker)
+    }
+
+    /// The number that each line of a probed file has in the file without probes; none for those that were put in.
+    pub(in crate::adapters) fn own_lines(&self, probed: &str) -> Vec<Option<u32>> {
+        let put_in = [format!("(PRINT,{} ", self.marker), format!("(MSG,{}", self.marker)];
+        let mut own = 0;
+        let number = |line: &str| {
+            let is_own = !put_in.iter().any(|start| line.starts_with(start));
+            own += u32::from(is_own);
+            is_own.then_some(own)
+        };
+        probed.lines().map(number).collect()
     }
 
     /// The text of a file, untouched but for an error after a line: the program stops there, its state alive.

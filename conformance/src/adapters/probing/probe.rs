@@ -28,6 +28,11 @@ impl Probe {
         self.mode(name) == 1
     }
 
+    /// Whether another probe shows the same modes and numbers.
+    pub(in crate::adapters) fn shows_same_modes(&self, other: &Self) -> bool {
+        self.modes == other.modes && self.numbers == other.numbers
+    }
+
     /// A number by the name of its parameter.
     pub(in crate::adapters) fn number(&self, name: &str) -> f64 {
         let names = NUMBERS.iter();
@@ -104,7 +109,11 @@ mod tests {
     use super::*;
 
     fn plan() -> Plan {
-        Plan { marker: "@gb0@".to_owned(), parameters: vec!["31".to_owned(), "<x>".to_owned()] }
+        Plan {
+            marker: "@gb0@".to_owned(),
+            parameters: vec!["31".to_owned(), "<x>".to_owned()],
+            marks: None,
+        }
     }
 
     #[test]

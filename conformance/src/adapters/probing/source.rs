@@ -5,6 +5,11 @@ use std::collections::BTreeSet;
 
 use gaugeblock_trace::{Block, Program};
 
+use super::instrument::LAST_PARAMETER;
+
+/// Switch that silences (DEBUG,…); on from the start.
+pub(in crate::adapters) const DEBUG_SWITCH: u32 = 5599;
+
 /// A program as the controller gets it: file names and lines, the main program first.
 #[derive(Clone, Debug)]
 pub(in crate::adapters) struct Source {
@@ -77,6 +82,19 @@ impl Source {
             parameters.scan(&compact(line));
         }
         parameters
+    }
+
+    /// The parameters that the parameter file must list to be seen at the end: all, where numbers are computed.
+    pub(in crate::adapters) fn listed(&self) -> BTreeSet<u32> {
+        let parameters = self.parameters();
+        if parameters.indirect {
+            return (1..=LAST_PARAMETER).collect();
+        }
+        let named = parameters.numbered.into_iter();
+        (1..=30)
+            .chain([DEBUG_SWITCH])
+            .chain(named.filter(|number| (1..=LAST_PARAMETER).contains(number)))
+            .collect()
     }
 
     /// Whether the program asks for line numbers, which probes change.

@@ -10,14 +10,11 @@
 
 mod assemble;
 mod canon;
-mod lengths;
 mod output;
 mod process;
-mod refusal;
 mod session;
 mod supports;
 mod version;
-mod workspace;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

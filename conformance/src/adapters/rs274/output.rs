@@ -113,7 +113,7 @@ mod tests {
     use super::*;
 
     fn plan() -> Plan {
-        Plan { marker: "@gb0@".to_owned(), parameters: Vec::new() }
+        Plan { marker: "@gb0@".to_owned(), parameters: Vec::new(), marks: None }
     }
 
     #[test]

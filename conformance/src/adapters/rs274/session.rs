@@ -8,15 +8,12 @@ use gaugeblock_trace::{FaultKind, Program, Scenario};
 
 use super::output::{self, Line};
 use super::process::{self, Limits, Output, Stop};
-use super::workspace::{INI, PARAMETERS, TOOLS, Workspace};
 use crate::adapters::HarnessError;
 use crate::adapters::probing::faults;
-use crate::adapters::probing::instrument::{LAST_PARAMETER, Plan, is_plain};
+use crate::adapters::probing::instrument::{Plan, is_plain};
 use crate::adapters::probing::probe::Probe;
-use crate::adapters::probing::source::{Form, Source, form};
-
-/// Switch that silences (DEBUG,…); on from the start.
-const DEBUG_SWITCH: u32 = 5599;
+use crate::adapters::probing::source::{DEBUG_SWITCH, Form, Source, form};
+use crate::adapters::probing::workspace::{INI, PARAMETERS, TOOLS, Workspace};
 
 /// One scenario on one binary.
 #[derive(Debug)]
@@ -170,8 +167,8 @@ impl Session<'_> {
         input: &str,
         text: impl Fn(usize, &[String]) -> String,
     ) -> Result<(Output, Workspace), HarnessError> {
-        let workspace = Workspace::new()?;
-        workspace.write_machine(&self.scenario.machine, &listed(self.source))?;
+        let workspace = Workspace::new("rs274")?;
+        workspace.write_machine(&self.scenario.machine, &self.source.listed())?;
         for (file, (name, lines)) in self.source.files().iter().enumerate() {
             workspace.write(name, &text(file, lines))?;
         }
@@ -194,19 +191,6 @@ struct Beyond {
     parameters: BTreeMap<u32, f64>,
     /// Whether the last block stands in the main program: stopping within a sub leaves the sub, with its parameters.
     in_main: bool,
-}
-
-/// The parameters that the parameter file must list to be seen at the end: all, where numbers are computed.
-fn listed(source: &Source) -> BTreeSet<u32> {
-    let parameters = source.parameters();
-    if parameters.indirect {
-        return (1..=LAST_PARAMETER).collect();
-    }
-    let named = parameters.numbered.into_iter();
-    (1..=30)
-        .chain([DEBUG_SWITCH])
-        .chain(named.filter(|number| (1..=LAST_PARAMETER).contains(number)))
-        .collect()
 }
 
 /// The kinds of fault that an error output names: its words may hold a line number, which probes change.

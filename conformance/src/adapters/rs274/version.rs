@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use super::process::{Limits, Stop, run};
-use super::workspace::Workspace;
 use crate::adapters::ControllerError;
+use crate::adapters::probing::workspace::Workspace;
 
 /// The versions that this adapter understands.
 const WANTED: &str = "2.9";
@@ -36,7 +36,7 @@ pub(super) fn find(given: Option<&Path>) -> Result<PathBuf, ControllerError> {
 /// # Errors
 /// It does not run, or is of another version.
 pub(super) fn ask(binary: &Path, limits: Limits) -> Result<String, ControllerError> {
-    let workspace = Workspace::new().map_err(ControllerError::Broken)?;
+    let workspace = Workspace::new("rs274").map_err(ControllerError::Broken)?;
     workspace.write("main.ngc", QUESTION).map_err(ControllerError::Broken)?;
     let arguments = ["-g".into(), "main.ngc".into()];
     let output =

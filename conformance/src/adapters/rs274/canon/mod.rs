@@ -9,9 +9,9 @@ mod spindles;
 
 use gaugeblock_trace::{Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings};
 
-use super::lengths::Lengths;
 use super::output::Call;
 use crate::adapters::HarnessError;
+use crate::adapters::probing::lengths::Lengths;
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::source::code;
 use crate::adapters::probing::state;
