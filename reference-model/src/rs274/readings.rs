@@ -63,6 +63,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
 
 /// Every quirk that the model can show.
 pub const QUIRKS: &[&str] = &[
+    "linuxcnc.initial-tolerance",
     "rs274.additional-length-axes",
     "rs274.blend-q-without-p",
     "rs274.break-remembered",

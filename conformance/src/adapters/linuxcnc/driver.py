@@ -135,6 +135,7 @@ class Driver:
         import hal
         import linuxcnc
 
+        linuxcnc.nmlfile = os.path.abspath("channels.nml")
         self.linuxcnc = linuxcnc
         self.command = linuxcnc.command()
         self.stat = linuxcnc.stat()

@@ -30,6 +30,12 @@ const START: Duration = Duration::from_secs(30);
 /// Bytes that one run may print.
 const BYTES: usize = 256 << 20;
 
+/// The installed description of the controller's message channels.
+const CHANNELS: &str = "/usr/share/linuxcnc/linuxcnc.nml";
+
+/// Bytes of the error channel in it, and those that it gets: marks pass through it faster than they are taken out.
+const ERROR_BYTES: (&str, &str) = ("localhost 8192", "localhost 1000000");
+
 const DRIVER: &str = include_str!("driver.py");
 
 /// The first process of the private name spaces: its temporary directory is the session's, so that the controller's
@@ -260,6 +266,7 @@ fn write_files(workspace: &Workspace, setup: &Setup, tools: &str) -> io::Result<
     own(workspace, "driver.json", &setup.driver, 0o644)?;
     own(workspace, "machine.ini", &setup.ini, 0o644)?;
     own(workspace, "machine.hal", &setup.hal, 0o644)?;
+    own(workspace, "channels.nml", &channels(&fs::read_to_string(CHANNELS)?), 0o644)?;
     own(workspace, "tools.tbl", tools, 0o644)?;
     own(workspace, "parameters.var", "", 0o644)?;
     for (name, text, executable, at_start) in &setup.programs {
@@ -268,6 +275,20 @@ fn write_files(workspace: &Workspace, setup: &Setup, tools: &str) -> io::Result<
         }
     }
     give(workspace.path(), 0o700)
+}
+
+/// The message channels with a larger error channel.
+fn channels(installed: &str) -> String {
+    let line = |line: &str| {
+        let words: Vec<_> = line.split_whitespace().collect();
+        let spaced = words.join(" ");
+        if spaced.starts_with("B emcError ") {
+            spaced.replacen(ERROR_BYTES.0, ERROR_BYTES.1, 1) + "\n"
+        } else {
+            format!("{line}\n")
+        }
+    };
+    installed.lines().map(line).collect()
 }
 
 fn own(workspace: &Workspace, name: &str, text: &str, mode: u32) -> io::Result<()> {

@@ -97,7 +97,7 @@ fn ini(scenario: &Scenario) -> String {
         sections.entry(section.to_owned()).or_default().extend(lines);
     };
     // Debugging output: each command as it is issued (0x10), each block as it is read and executed (0x100).
-    put("EMC", &["VERSION=1.1", "MACHINE=gaugeblock", "DEBUG=0x110"]);
+    put("EMC", &["VERSION=1.1", "MACHINE=gaugeblock", "DEBUG=0x110", "NML_FILE=channels.nml"]);
     put("DISPLAY", &["DISPLAY=./driver.py", "MAX_FEED_OVERRIDE=10000", "MAX_SPINDLE_OVERRIDE=10"]);
     put("RS274NGC", &["PARAMETER_FILE=parameters.var", "USER_M_PATH=user"]);
     put("EMCMOT", &["EMCMOT=motmod", "COMM_TIMEOUT=4", "BASE_PERIOD=0", "SERVO_PERIOD=1000000"]);
