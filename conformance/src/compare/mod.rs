@@ -79,10 +79,14 @@ impl Walk<'_> {
         for observed in &expected.effects {
             if !self.shows.effects.contains(observed.effect.name()) {
                 self.comparison.masked.insert(observed.effect.name().to_owned());
+            } else if observed.in_place && !self.shows.moves_in_place {
+                self.comparison.masked.insert("moves in place".to_owned());
             }
         }
-        let shown =
-            |observed: &&ObservedEffect| self.shows.effects.contains(observed.effect.name());
+        let shown = |observed: &&ObservedEffect| {
+            self.shows.effects.contains(observed.effect.name())
+                && (self.shows.moves_in_place || !observed.in_place)
+        };
         let left: Vec<_> = expected.effects.iter().filter(shown).collect();
         let right: Vec<_> = found.effects.iter().filter(shown).collect();
         for place in 0..left.len().max(right.len()) {

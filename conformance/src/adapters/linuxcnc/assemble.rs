@@ -38,6 +38,8 @@ pub(super) struct Assembly<'a> {
     printed: Vec<Effect>,
     /// Blocks that were read and not yet carried out.
     read: VecDeque<ReadBlock>,
+    /// What was issued before the run, by the reset.
+    reset: Vec<Issued>,
     /// What was issued since the last mark.
     issued: Vec<Issued>,
     /// What was issued up to each mark whose probe is still to come.
@@ -76,6 +78,7 @@ impl<'a> Assembly<'a> {
             start: Settings::default(),
             printed: Vec::new(),
             read: VecDeque::new(),
+            reset: Vec::new(),
             issued: Vec::new(),
             marked: VecDeque::new(),
             reading_at: None,
@@ -150,9 +153,7 @@ impl<'a> Assembly<'a> {
     fn driver(&mut self, told: &Value) -> Result<(), HarnessError> {
         if told.get("begins").is_some() {
             // What the reset issued is the state before the first block.
-            for issued in std::mem::take(&mut self.issued) {
-                self.canon.issue(&issued)?;
-            }
+            self.reset = std::mem::take(&mut self.issued);
         } else if told.get("operator").and_then(Value::as_str) == Some("abort") {
             self.aborted = true;
         } else if told.get("error").and_then(Value::as_bool) == Some(true) && self.refused.is_none()
@@ -201,6 +202,9 @@ impl<'a> Assembly<'a> {
             };
             if !self.steps.begun() {
                 self.canon.begin("", &probe, None);
+                for issued in std::mem::take(&mut self.reset) {
+                    self.canon.issue(&issued)?;
+                }
                 self.canon.finish(&probe)?;
                 self.start = self.canon.now.clone();
                 self.steps.begin(&probe)?;

@@ -312,7 +312,7 @@ fn after(scenario: &Scenario, plan: &Plan) -> String {
         .map(|axis| format!(" {}0", axis.word().to_uppercase()))
         .collect();
     let tool = if scenario.machine.random_tool_changer { "" } else { "M61 Q0\n" };
-    format!("{}G40\nG90 G49\nG53 G0{axes}\n{tool}M2\n", plan.probe(0, 0))
+    format!("{}M71\nG40\nG90 G49\nG53 G0{axes}\n{tool}M2\n", plan.probe(0, 0))
 }
 
 /// Global names that a program could give a value.
@@ -340,6 +340,7 @@ fn capabilities(version: String) -> Capabilities {
         pins: Pin::names().map(str::to_owned).collect(),
         faults_have_kinds: true,
         final_parameters: true,
+        moves_in_place: false,
         fields_at_effects: owned(FIELDS_AT_EFFECTS, &[]),
         hidden_parameters: vec![5400..=5428],
     }

@@ -92,6 +92,10 @@ fn pins(scenario: &Scenario) -> Vec<Wired> {
 fn ini(scenario: &Scenario) -> String {
     let machine = &scenario.machine;
     let mut sections: Sections = workspace::ini_sections(machine);
+    // Files of subs stand beside the main program.
+    if let Some(lines) = sections.get_mut("RS274NGC") {
+        lines.retain(|line| !line.starts_with("SUBROUTINE_PATH"));
+    }
     let mut put = |section: &str, lines: &[&str]| {
         let lines = lines.iter().map(|line| (*line).to_owned());
         sections.entry(section.to_owned()).or_default().extend(lines);
@@ -99,7 +103,10 @@ fn ini(scenario: &Scenario) -> String {
     // Debugging output: each command as it is issued (0x10), each block as it is read and executed (0x100).
     put("EMC", &["VERSION=1.1", "MACHINE=gaugeblock", "DEBUG=0x110", "NML_FILE=channels.nml"]);
     put("DISPLAY", &["DISPLAY=./driver.py", "MAX_FEED_OVERRIDE=10000", "MAX_SPINDLE_OVERRIDE=10"]);
-    put("RS274NGC", &["PARAMETER_FILE=parameters.var", "USER_M_PATH=user"]);
+    put(
+        "RS274NGC",
+        &["PARAMETER_FILE=parameters.var", "SUBROUTINE_PATH=programs", "USER_M_PATH=user"],
+    );
     put("EMCMOT", &["EMCMOT=motmod", "COMM_TIMEOUT=4", "BASE_PERIOD=0", "SERVO_PERIOD=1000000"]);
     put("TASK", &["TASK=milltask", "CYCLE_TIME=0.0002"]);
     if !reads_ahead(scenario) {

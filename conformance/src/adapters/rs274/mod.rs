@@ -154,6 +154,7 @@ fn capabilities(version: String) -> Capabilities {
         resolution: 5.0e-5,
         fields: owned(&fields, HIDDEN_FIELDS),
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
+        moves_in_place: true,
         faults_have_kinds: true,
         final_parameters: true,
         fields_at_effects: owned(Settings::FIELDS, HIDDEN_FIELDS),
