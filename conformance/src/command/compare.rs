@@ -44,8 +44,10 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
         .iter()
         .map(|file| Ok((file, arguments.how.scenario(suite, file)?)))
         .collect::<Result<Vec<_>, Refused>>()?;
-    let found_by = controller::controller(&arguments.iut)?;
-    let expected_by = controller::controller(&arguments.against)?;
+    let mut found_by = controller::controller(&arguments.iut)?;
+    found_by.check_observation();
+    let mut expected_by = controller::controller(&arguments.against)?;
+    expected_by.check_observation();
     let mut status = 0;
     let mut text = String::new();
     let mut results = Vec::new();
