@@ -4,10 +4,11 @@ pub mod tolerance;
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::{Block, End, Entry, Fault, Settings, Value};
+use gaugeblock_trace::{Block, End, Entry, Fault, Pin, Settings, Value};
 
 use crate::adapters::Capabilities;
 use crate::observe::{Observed, ObservedEffect, ObservedStep};
+use crate::suite::assertion::is_accepted;
 
 /// The first point at which two runs differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -215,7 +216,7 @@ impl Walk<'_> {
         })
     }
 
-    /// What is left to compare at the end: settings that effects would show, and numbered parameters.
+    /// What is left to compare at the end: settings that effects would show, numbered parameters, and pins.
     fn last(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
         let block = expected.steps.last()?.block.clone();
         let shown = self.shows.fields_at_effects.clone();
@@ -226,7 +227,34 @@ impl Walk<'_> {
             &entries(found.last_settings()),
             &shown,
         );
-        settings.or_else(|| self.parameters(expected, found))
+        settings.or_else(|| self.parameters(expected, found)).or_else(|| self.pins(expected, found))
+    }
+
+    /// The first pin that took other values. What a refused block did to pins is unspecified, and they name no block,
+    /// so that those of a refused run are not compared.
+    fn pins(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
+        if !is_accepted(&expected.end) {
+            return None;
+        }
+        let pins: BTreeSet<Pin> = expected.pins.keys().chain(found.pins.keys()).copied().collect();
+        for pin in pins {
+            if !self.shows.pins.contains(pin.name()) {
+                self.comparison.masked.insert(pin.name().to_owned());
+                continue;
+            }
+            let values = |run: &Observed| run.pins.get(&pin).cloned().unwrap_or_default();
+            let (a, b) = (values(expected), values(found));
+            self.comparison.compared += a.len().max(1);
+            if !tolerance::sequences(&a, &b, self.shows.resolution) {
+                return Some(Divergence {
+                    block: None,
+                    field: format!("pin {pin}"),
+                    expected: pin_values(&a),
+                    found: pin_values(&b),
+                });
+            }
+        }
+        None
     }
 
     fn parameters(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
@@ -291,6 +319,12 @@ pub fn rounded(value: &Value) -> String {
         }
         Value::Word(_) | Value::Text(_) => value.to_string(),
     }
+}
+
+/// The values that a pin took, as an assertion writes them.
+pub fn pin_values(values: &[f64]) -> String {
+    let values: Vec<_> = values.iter().map(|value| rounded(&Value::Number(*value))).collect();
+    if values.is_empty() { "none".to_owned() } else { values.join(", ") }
 }
 
 /// An end in a few words.

@@ -6,21 +6,16 @@
 //! probes the rest of the state (`state`), the error message a fault (`refusal`, `faults`).
 //!
 //! What it cannot show: the tool length mode apart from the offset, F under inverse time (had back from the moves), and
-//! anything that it stubs: inputs, probing, user-defined codes, pauses, M99 in the main program.
+//! anything that it stubs: pins, inputs, probing, user-defined codes, pauses, M99 in the main program.
 
 mod assemble;
 mod canon;
-mod faults;
-mod instrument;
 mod lengths;
 mod output;
-mod probe;
 mod process;
 mod python;
 mod refusal;
 mod session;
-mod source;
-mod state;
 mod supports;
 mod version;
 mod workspace;
@@ -31,12 +26,12 @@ use std::time::Duration;
 
 use gaugeblock_trace::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settings};
 
+use super::probing::source::Source;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
 use assemble::Seen;
 use process::{Limits, Started, Stop};
 use python::Home;
 use session::{Session, Unprobed};
-use source::Source;
 
 /// Wall time and output of one run; ordinary ones take ten milliseconds and some kilobytes.
 const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 };
@@ -180,6 +175,7 @@ fn capabilities(version: String) -> Capabilities {
         final_parameters: true,
         fields_at_effects: owned(Settings::FIELDS, HIDDEN_FIELDS),
         hidden_parameters: vec![5400..=5428],
+        pins: BTreeSet::new(),
     }
 }
 

@@ -5,15 +5,15 @@ use std::ffi::OsString;
 
 use gaugeblock_trace::{FaultKind, Program, Scenario};
 
-use super::faults;
-use super::instrument::{Ends, Plan, is_plain};
 use super::output::{self, Line};
-use super::probe::Probe;
 use super::process::{self, Limits, Output, Started, Stop};
 use super::refusal;
-use super::source::Source;
-use super::workspace::{INI, LAST_PARAMETER, PARAMETERS, TOOLS, Workspace};
+use super::workspace::{INI, PARAMETERS, TOOLS, Workspace};
 use crate::adapters::HarnessError;
+use crate::adapters::probing::faults;
+use crate::adapters::probing::instrument::{Ends, LAST_PARAMETER, Plan, is_plain};
+use crate::adapters::probing::probe::Probe;
+use crate::adapters::probing::source::Source;
 
 /// Switch that silences (DEBUG,…); on from the start.
 const DEBUG_SWITCH: u32 = 5599;

@@ -7,16 +7,18 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::source::{Form, Source, form, has_slash, without_number};
-use super::workspace::LAST_PARAMETER;
+
+/// Highest parameter number that a parameter file may list.
+pub(in crate::adapters) const LAST_PARAMETER: u32 = 5601;
 
 /// Longest line that the interpreter reads.
-pub(super) const LONGEST_LINE: usize = 252;
+pub(in crate::adapters) const LONGEST_LINE: usize = 252;
 
 /// Characters that binding an end to a parameter may take.
 const ROOM_TO_BIND: usize = 40;
 
 /// Parameters that show a mode, printed as whole numbers.
-pub(super) const MODES: [&[&str]; 2] = [
+pub(in crate::adapters) const MODES: [&[&str]; 2] = [
     &[
         "_motion_mode",
         "_plane",
@@ -47,20 +49,21 @@ pub(super) const MODES: [&[&str]; 2] = [
 ];
 
 /// Parameters that show a number, printed with nine decimals.
-pub(super) const NUMBERS: &[&str] = &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c"];
+pub(in crate::adapters) const NUMBERS: &[&str] =
+    &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c"];
 
 /// How a program is observed.
 #[derive(Clone, Debug)]
-pub(super) struct Plan {
+pub(in crate::adapters) struct Plan {
     /// What each probe line begins with; it stands nowhere in the program.
-    pub(super) marker: String,
+    pub(in crate::adapters) marker: String,
     /// Parameters that are shown after each block, as they are written behind `#`.
-    pub(super) parameters: Vec<String>,
+    pub(in crate::adapters) parameters: Vec<String>,
 }
 
 impl Plan {
     /// A plan for a program: it shows the parameters that the text names, #1 to #30, and `more`.
-    pub(super) fn new(source: &Source, more: &BTreeSet<u32>) -> Self {
+    pub(in crate::adapters) fn new(source: &Source, more: &BTreeSet<u32>) -> Self {
         let named = source.parameters();
         let mut numbers: BTreeSet<u32> =
             (1..=30).chain(named.numbered).chain(more.iter().copied()).collect();
@@ -79,7 +82,7 @@ impl Plan {
 
     /// The text of a file with probes and tags, and with an error before each line of `ends`: the program stops there,
     /// its state alive.
-    pub(super) fn probed(&self, file: usize, lines: &[String], ends: &Ends) -> String {
+    pub(in crate::adapters) fn probed(&self, file: usize, lines: &[String], ends: &Ends) -> String {
         let mut text = String::new();
         let begins_with_percent = lines
             .iter()
@@ -108,7 +111,7 @@ impl Plan {
     ///
     /// An end is bound to a parameter that is set before it, so that none is executed where an error stopped the program;
     /// one that leaves no room for that is entered as it is ([`Ends::are_bound`]).
-    pub(super) fn by_hand(&self, ends: &Ends) -> String {
+    pub(in crate::adapters) fn by_hand(&self, ends: &Ends) -> String {
         let mut text = format!("(PRINT,{})\n", self.by_hand_sign());
         for (block, end) in ends.blocks.iter().enumerate() {
             let reached = self.reached(block);
@@ -121,12 +124,12 @@ impl Plan {
     }
 
     /// The block that stops the program.
-    pub(super) fn stop(&self) -> String {
+    pub(in crate::adapters) fn stop(&self) -> String {
         format!("(ABORT,{})", self.marker)
     }
 
     /// What is printed when manual input begins.
-    pub(super) fn by_hand_sign(&self) -> String {
+    pub(in crate::adapters) fn by_hand_sign(&self) -> String {
         format!("{}by hand", self.marker)
     }
 
@@ -136,7 +139,7 @@ impl Plan {
     }
 
     /// The probe lines that stand after a line.
-    pub(super) fn probe(&self, file: usize, line: u32) -> String {
+    pub(in crate::adapters) fn probe(&self, file: usize, line: u32) -> String {
         let mut text = String::new();
         let shown =
             |names: &[&str]| names.iter().map(|name| format!(" #<{name}>")).collect::<String>();
@@ -157,7 +160,7 @@ impl Plan {
     }
 
     /// The parameters that one probe line after another shows.
-    pub(super) fn parameter_groups(&self) -> Vec<&[String]> {
+    pub(in crate::adapters) fn parameter_groups(&self) -> Vec<&[String]> {
         let mut groups = Vec::new();
         let mut rest = self.parameters.as_slice();
         while !rest.is_empty() {
@@ -186,7 +189,7 @@ impl Plan {
     }
 
     /// Which line an error message's echo names by its tag.
-    pub(super) fn tagged(&self, echo: &str) -> Option<(usize, u32)> {
+    pub(in crate::adapters) fn tagged(&self, echo: &str) -> Option<(usize, u32)> {
         let at = echo.rfind(&format!(";{}", self.marker))?;
         let tag = echo[at + 1..].strip_prefix(&self.marker)?;
         let (file, line) = tag.trim().split_once('.')?;
@@ -194,21 +197,21 @@ impl Plan {
     }
 
     /// A text without the tags and probes in it.
-    pub(super) fn untagged<'a>(&self, text: &'a str) -> &'a str {
+    pub(in crate::adapters) fn untagged<'a>(&self, text: &'a str) -> &'a str {
         text.find(&format!(";{}", self.marker)).map_or(text, |at| &text[..at])
     }
 }
 
 /// The blocks that end a program, each different one once, as they can be entered by hand.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Ends {
+pub(in crate::adapters) struct Ends {
     blocks: Vec<String>,
     block_delete: bool,
 }
 
 impl Ends {
     /// The ends of a program.
-    pub(super) fn new(source: &Source, block_delete: bool) -> Self {
+    pub(in crate::adapters) fn new(source: &Source, block_delete: bool) -> Self {
         let mut ends = Self { blocks: Vec::new(), block_delete };
         for (_, _, line) in source.all() {
             if let Some(block) = ends.entered(line).filter(|block| !ends.blocks.contains(block)) {
@@ -219,19 +222,19 @@ impl Ends {
     }
 
     /// Those that are not the block at this line.
-    pub(super) fn without(&self, line: &str) -> Self {
+    pub(in crate::adapters) fn without(&self, line: &str) -> Self {
         let block = self.block(line);
         let others = (0..).zip(&self.blocks).filter(|(number, _)| Some(*number) != block);
         Self { blocks: others.map(|(_, block)| block.clone()).collect(), ..self.clone() }
     }
 
     /// How many different ones there are.
-    pub(super) fn count(&self) -> usize {
+    pub(in crate::adapters) fn count(&self) -> usize {
         self.blocks.len()
     }
 
     /// Whether each of them is executed by hand only if the program stopped before it.
-    pub(super) fn are_bound(&self) -> bool {
+    pub(in crate::adapters) fn are_bound(&self) -> bool {
         self.blocks.iter().all(|block| block.len() <= LONGEST_LINE - ROOM_TO_BIND)
     }
 
@@ -252,7 +255,7 @@ impl Ends {
 
 /// Whether a numbered parameter is only written by the program: not offsets and predefined positions, whose unit is
 /// that of stored data, and not the position and the tool, which other fields show.
-pub(super) fn is_plain(number: u32) -> bool {
+pub(in crate::adapters) fn is_plain(number: u32) -> bool {
     (1..=LAST_PARAMETER).contains(&number) && !(5161..=5428).contains(&number)
 }
 
