@@ -58,7 +58,7 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
                 results.push(
                     json!({ "file": name, "equal": true, "compared": compared, "masked": masked }),
                 );
-                format!("{name}: no difference in {compared} values")
+                format!("{name}: no difference in {} values", compared.total())
             }
             Ok(Comparison { divergence: Some(divergence), .. }) => {
                 status = status.max(1);
