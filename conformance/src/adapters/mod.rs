@@ -101,6 +101,9 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// The reason why it cannot; such a case counts as unsupported.
     fn supports(&self, scenario: &Scenario) -> Result<(), String>;
 
+    /// From now on each program also runs unobserved, where observing it could change it; otherwise a sample does.
+    fn check_observation(&mut self) {}
+
     /// Runs the scenario.
     ///
     /// # Errors

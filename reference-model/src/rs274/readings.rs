@@ -65,6 +65,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
 pub const QUIRKS: &[&str] = &[
     "linuxcnc.initial-tolerance",
     "rs274.additional-length-axes",
+    "rs274.any-endsub",
     "rs274.blend-q-without-p",
     "rs274.break-remembered",
     "rs274.cancel-with-motion",
@@ -106,6 +107,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.repeat-counter-shared",
     "rs274.repeated-signs",
     "rs274.rest-of-restore-block",
+    "rs274.return-after-call",
     "rs274.save-in-spindle-group",
     "rs274.selected-tool-zero",
     "rs274.semicolon-plain",

@@ -29,7 +29,7 @@ use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::{Value, json};
 
-use super::probing::instrument::{Marks, Plan, is_plain};
+use super::probing::instrument::{Ends, Marks, Plan, is_plain};
 use super::probing::source::{DEBUG_SWITCH, Source};
 use super::probing::workspace;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
@@ -221,7 +221,7 @@ fn run_on(
     session.add_late_programs()?;
     let mut by_hand = Value::Null;
     for (file, (name, lines)) in source.files().iter().enumerate() {
-        let text = plan.probed(file, lines);
+        let text = plan.probed(file, lines, &Ends::default());
         if file == 0 && scenario.program.start == Start::Mdi {
             by_hand = text.lines().filter(|line| !line.trim().is_empty()).collect();
         }

@@ -1,6 +1,6 @@
 //! Which line the interpreter has before it, by the numbers that it prints: for naming a refused block.
 
-use crate::adapters::probing::instrument::Plan;
+use crate::adapters::probing::instrument::{Ends, Plan};
 use crate::adapters::probing::source::Source;
 
 /// The interpreter's place in the probed files.
@@ -17,7 +17,7 @@ impl Trace {
     /// At the beginning of the main program.
     pub(super) fn new(source: &Source, plan: &Plan) -> Self {
         let probed = |(file, (_, lines)): (usize, &(String, Vec<String>))| {
-            let text = plan.probed(file, lines);
+            let text = plan.probed(file, lines, &Ends::default());
             let own = plan.own_lines(&text);
             (text, own)
         };

@@ -6,13 +6,16 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use super::source::{Form, Source, form};
+use super::source::{Form, Source, form, has_slash, without_number};
 
 /// Highest parameter number that a parameter file may list.
 pub(in crate::adapters) const LAST_PARAMETER: u32 = 5601;
 
 /// Longest line that the interpreter reads.
 pub(in crate::adapters) const LONGEST_LINE: usize = 252;
+
+/// Characters that binding an end to a parameter may take.
+const ROOM_TO_BIND: usize = 40;
 
 /// Parameters that show a mode, printed as whole numbers.
 pub(in crate::adapters) const MODES: [&[&str]; 2] = [
@@ -86,8 +89,9 @@ impl Plan {
         Self { marker: unused_marker(source), parameters, marks: None }
     }
 
-    /// The text of a file with probes and tags.
-    pub(in crate::adapters) fn probed(&self, file: usize, lines: &[String]) -> String {
+    /// The text of a file with probes and tags, and with an error before each line of `ends`: the program stops there,
+    /// its state alive.
+    pub(in crate::adapters) fn probed(&self, file: usize, lines: &[String], ends: &Ends) -> String {
         let mut text = String::new();
         let begins_with_percent = lines
             .iter()
@@ -101,6 +105,9 @@ impl Plan {
         for (number, line) in (1_u32..).zip(lines) {
             if self.marks.as_ref().is_some_and(|marks| marks.before.contains(&(file, number))) {
                 text.push_str(&format!("(MSG,{})\n", self.mark_before(file, number)));
+            }
+            if let Some(block) = ends.block(line) {
+                let _never = writeln!(text, "#<{}>=1\n{}", self.reached(block), self.stop());
             }
             text.push_str(line);
             text.push_str(&self.tag(file, number, line));
@@ -145,21 +152,35 @@ impl Plan {
         probed.lines().map(number).collect()
     }
 
-    /// The text of a file, untouched but for an error after a line: the program stops there, its state alive.
-    pub(in crate::adapters) fn stopped(&self, lines: &[String], after: u32) -> String {
-        let mut text = String::new();
-        let stop = format!("(ABORT,{})\n", self.marker);
-        if after == 0 {
-            text.push_str(&stop);
-        }
-        for (number, line) in (1_u32..).zip(lines) {
-            text.push_str(line);
+    /// What is entered by hand once the program has stopped: a sign, the end before which it stopped, and a probe.
+    ///
+    /// An end is bound to a parameter that is set before it, so that none is executed where an error stopped the program;
+    /// one that leaves no room for that is entered as it is ([`Ends::are_bound`]).
+    pub(in crate::adapters) fn by_hand(&self, ends: &Ends) -> String {
+        let mut text = format!("(PRINT,{})\n", self.by_hand_sign());
+        for (block, end) in ends.blocks.iter().enumerate() {
+            let reached = self.reached(block);
+            let bound = format!("#<{reached}>=[1/#<{reached}>] {end}");
+            let has_room = end.len() <= LONGEST_LINE - ROOM_TO_BIND;
+            text.push_str(if has_room { &bound } else { end });
             text.push('\n');
-            if number == after {
-                text.push_str(&stop);
-            }
         }
-        text
+        text + &self.probe(0, 0) + "quit\n"
+    }
+
+    /// The block that stops the program.
+    pub(in crate::adapters) fn stop(&self) -> String {
+        format!("(ABORT,{})", self.marker)
+    }
+
+    /// What is printed when manual input begins.
+    pub(in crate::adapters) fn by_hand_sign(&self) -> String {
+        format!("{}by hand", self.marker)
+    }
+
+    /// The parameter that says before which end the program stopped.
+    fn reached(&self, block: usize) -> String {
+        format!("_{}{block}", self.marker.trim_matches('@'))
     }
 
     /// The probe lines that stand after a line.
@@ -223,6 +244,57 @@ impl Plan {
     /// A text without the tags and probes in it.
     pub(in crate::adapters) fn untagged<'a>(&self, text: &'a str) -> &'a str {
         text.find(&format!(";{}", self.marker)).map_or(text, |at| &text[..at])
+    }
+}
+
+/// The blocks that end a program, each different one once, as they can be entered by hand.
+#[derive(Clone, Debug, Default)]
+pub(in crate::adapters) struct Ends {
+    blocks: Vec<String>,
+    block_delete: bool,
+}
+
+impl Ends {
+    /// The ends of a program.
+    pub(in crate::adapters) fn new(source: &Source, block_delete: bool) -> Self {
+        let mut ends = Self { blocks: Vec::new(), block_delete };
+        for (_, _, line) in source.all() {
+            if let Some(block) = ends.entered(line).filter(|block| !ends.blocks.contains(block)) {
+                ends.blocks.push(block);
+            }
+        }
+        ends
+    }
+
+    /// Those that are not the block at this line.
+    pub(in crate::adapters) fn without(&self, line: &str) -> Self {
+        let block = self.block(line);
+        let others = (0..).zip(&self.blocks).filter(|(number, _)| Some(*number) != block);
+        Self { blocks: others.map(|(_, block)| block.clone()).collect(), ..self.clone() }
+    }
+
+    /// How many different ones there are.
+    pub(in crate::adapters) fn count(&self) -> usize {
+        self.blocks.len()
+    }
+
+    /// Whether each of them is executed by hand only if the program stopped before it.
+    pub(in crate::adapters) fn are_bound(&self) -> bool {
+        self.blocks.iter().all(|block| block.len() <= LONGEST_LINE - ROOM_TO_BIND)
+    }
+
+    /// Which of the blocks a line is.
+    fn block(&self, line: &str) -> Option<usize> {
+        let block = self.entered(line)?;
+        self.blocks.iter().position(|known| *known == block)
+    }
+
+    /// A line that ends a program, without slash and line number; nothing for any other.
+    fn entered(&self, line: &str) -> Option<String> {
+        let is_skipped = self.block_delete && has_slash(line);
+        // A line that holds a carriage return is more than one line to a person's input.
+        let is_one = !line.contains('\r');
+        (form(line) == Form::End && is_one && !is_skipped).then(|| without_number(line).to_owned())
     }
 }
 
@@ -300,7 +372,7 @@ fn unused_marker(source: &Source) -> String {
     let text: String = source.all().map(|(_, _, line)| line.to_lowercase() + "\n").collect();
     (0_u32..)
         .map(|salt| format!("@gb{salt}@"))
-        .find(|marker| !text.contains(marker))
+        .find(|marker| !text.contains(marker.trim_end_matches('@').trim_start_matches('@')))
         .expect("a finite text does not hold every marker")
 }
 
@@ -316,7 +388,7 @@ mod tests {
 
     fn without_probes(main: &str) -> String {
         let (plan, source) = plan(main);
-        let text = plan.probed(0, &source.files()[0].1);
+        let text = plan.probed(0, &source.files()[0].1, &Ends::default());
         let own = |line: &&str| !line.starts_with("(PRINT,@gb") || line.contains(" 0 %d");
         let short = |line: &str| {
             if line.starts_with("(PRINT") { "probe".to_owned() } else { line.to_owned() }
@@ -343,7 +415,7 @@ mod tests {
         let names: String =
             (0..40).map(|n| format!("#<some_rather_long_name_{n}>=#{}\n", 4000 + n)).collect();
         let (plan, source) = plan(&format!("{long}\n{names}"));
-        let text = plan.probed(99, &source.files()[0].1);
+        let text = plan.probed(99, &source.files()[0].1, &Ends::default());
         assert!(text.lines().all(|line| line.len() <= LONGEST_LINE), "{text}");
         assert!(text.contains(&format!("{long}\n")));
     }

@@ -155,6 +155,14 @@ pub(in crate::adapters) fn has_slash(line: &str) -> bool {
     line.trim_start().starts_with('/')
 }
 
+/// A line without the slash and the line number at its beginning.
+pub(in crate::adapters) fn without_number(line: &str) -> &str {
+    let line = line.trim_start();
+    let line = line.strip_prefix('/').unwrap_or(line).trim_start();
+    let digit = |c: char| c.is_ascii_digit() || c == '.' || c.is_whitespace();
+    line.strip_prefix(['n', 'N']).map_or(line, |rest| rest.trim_start_matches(digit))
+}
+
 /// What kind of block a line holds.
 pub(in crate::adapters) fn form(line: &str) -> Form {
     let code = code(line);
