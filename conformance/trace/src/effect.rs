@@ -57,6 +57,24 @@ words! {
     }
 }
 
+words! {
+    /// What an operator asks of a controller.
+    pub enum Request {
+        /// Start the program, or start it again.
+        CycleStart = "cycle_start",
+        /// Pause.
+        Pause = "pause",
+        /// Resume.
+        Resume = "resume",
+        /// Abort.
+        Abort = "abort",
+        /// Change the mode of the controller.
+        Mode = "mode",
+        /// Execute a block that is entered by hand.
+        Mdi = "mdi",
+    }
+}
+
 macro_rules! effects {
     ($($(#[$about:meta])* $name:literal $variant:ident { $($(#[$what:meta])* $field:ident: $type:ty,)* })*) => {
         /// Something that a program does, with program coordinates in the active length unit.
@@ -279,6 +297,11 @@ effects! {
     "controller_mode" ChangeControllerMode {
         /// The new mode.
         mode: ControllerMode,
+    }
+    /// The controller does not do what the operator asks for.
+    "request_refused" RequestRefused {
+        /// What was asked for.
+        request: Request,
     }
     /// M2, M30: the program is over.
     "program_end" ProgramEnd {}

@@ -19,7 +19,7 @@ pub mod schema;
 mod settings;
 pub mod text;
 
-pub use effect::{Channel, Effect, OrientDirection, OutputTiming, WaitMode};
+pub use effect::{Channel, Effect, OrientDirection, OutputTiming, Request, WaitMode};
 pub use fault::{Block, Fault, FaultKind, Span};
 pub use field::{Argument, Entry, Field, Indexed, Scalar, Value};
 pub use modes::{

@@ -67,6 +67,8 @@ pins! {
         "spindle_forward" SpindleForward,
         /// Whether it is asked to turn counterclockwise.
         "spindle_reverse" SpindleReverse,
+        /// The speed that it is asked for, revolutions per minute, negative counterclockwise.
+        "spindle_speed" SpindleSpeed,
         /// Whether its brake is applied.
         "spindle_brake" SpindleBrake,
         /// Whether it stands at its angle and is held there.

@@ -49,6 +49,7 @@ const HIDDEN_EFFECTS: &[&str] = &[
     "wait_input",
     "user_code",
     "controller_mode",
+    "request_refused",
     "probe_log_open",
     "probe_log_close",
 ];

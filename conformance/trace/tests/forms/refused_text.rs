@@ -206,7 +206,7 @@ fn ends_parameters_pins_samples() {
 #[test]
 fn pins() {
     let known = "digital_out[n], analog_out[n], spindle_on[n], spindle_forward[n], spindle_reverse[n], \
-                 spindle_brake[n], spindle_locked[n], spindle_orient[n], spindle_orient_angle[n], \
+                 spindle_speed[n], spindle_brake[n], spindle_locked[n], spindle_orient[n], spindle_orient_angle[n], \
                  spindle_orient_mode[n], coolant_mist, coolant_flood";
     let wrong = [
         "horn",

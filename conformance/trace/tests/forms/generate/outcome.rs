@@ -3,7 +3,7 @@
 use gaugeblock_trace::{
     Bound, Channel, Compensation, ControllerMode, Distance, Effect, End, Event, Fault, FaultKind,
     FeedMode, GppState, Language, Lathe, LengthUnit, MacroValue, Motion, NctState, OrientDirection,
-    Outcome, OutputTiming, Path, Pin, PinChange, Plane, Retract, Rs274State, Sample, Settings,
+    Outcome, OutputTiming, Request, Path, Pin, PinChange, Plane, Retract, Rs274State, Sample, Settings,
     SpindleLimit, SpindleMode, SpindleTurn, State, Step, Switch, Vacancy, WaitMode,
 };
 use proptest::collection::vec;
@@ -167,6 +167,7 @@ pub(crate) fn effect() -> BoxedStrategy<Effect> {
         ProbeLogOpen { file: text(), }
         ProbeLogClose {}
         ChangeControllerMode { mode: word(ControllerMode::ALL), }
+        RequestRefused { request: word(Request::ALL), }
         ProgramEnd {}
     })
 }
