@@ -7,12 +7,12 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use gaugeblock_trace::{
-    Bound, Channel, Effect, End, Event, Fault, FaultKind, Indexed, Language, Outcome, PinChange,
-    Scenario, Settings,
+    Bound, Channel, ControllerMode, Effect, End, Event, Fault, FaultKind, Indexed, Language,
+    Outcome, PinChange, Scenario, Settings,
 };
 use serde_json::Value;
 
-use super::canon::{Canon, Mark};
+use super::canon::Canon;
 use super::stream::{Issued, Item};
 use super::trace::Trace;
 use crate::adapters::HarnessError;
@@ -51,8 +51,10 @@ pub(super) struct Assembly<'a> {
     /// A fault of the machine, told by the error channel.
     stopped: Option<String>,
     aborted: bool,
-    ended: bool,
     endless: bool,
+    /// How often the program began, and how often the operator started it again.
+    begins: usize,
+    starts: usize,
     pins: Vec<PinChange>,
     ends: Option<String>,
 }
@@ -86,8 +88,9 @@ impl<'a> Assembly<'a> {
             refused: None,
             stopped: None,
             aborted: false,
-            ended: false,
             endless: false,
+            begins: 0,
+            starts: 0,
             pins: Vec::new(),
             ends: None,
         };
@@ -154,8 +157,17 @@ impl<'a> Assembly<'a> {
         if told.get("begins").is_some() {
             // What the reset issued is the state before the first block.
             self.reset = std::mem::take(&mut self.issued);
-        } else if told.get("operator").and_then(Value::as_str) == Some("abort") {
-            self.aborted = true;
+            self.steps.mode = mode(told);
+        } else if let Some(action) = told.get("operator").and_then(Value::as_str) {
+            self.aborted |= action == "abort";
+            self.starts += usize::from(action == "cycle_start");
+        } else if let Some(mode) = mode(told) {
+            self.steps.mode = Some(mode);
+            self.issued.push(Issued::own("CONTROLLER_MODE", mode.to_string()));
+        } else if let Some(request) = told.get("request_refused").and_then(Value::as_str) {
+            // What the controller says about a request is no fault of the program.
+            self.stopped = None;
+            self.issued.push(Issued::own("REQUEST_REFUSED", request.to_owned()));
         } else if told.get("error").and_then(Value::as_bool) == Some(true) && self.refused.is_none()
         {
             let message = told.get("message").and_then(Value::as_str).unwrap_or_default();
@@ -181,9 +193,8 @@ impl<'a> Assembly<'a> {
     }
 
     fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
-        if self.reading_at.is_some() && (probe.file, probe.line) == (0, 0) {
-            self.endless = true;
-        }
+        self.begins += usize::from((probe.file, probe.line) == (0, 0));
+        self.endless |= self.begins > 1 + self.starts;
         self.reading_at = Some((probe.file, probe.line));
         self.trace.stands_in(probe.file);
         if !self.endless {
@@ -210,7 +221,15 @@ impl<'a> Assembly<'a> {
                 self.steps.begin(&probe)?;
                 continue;
             }
-            let events = self.events(printed, &issued, &probe)?;
+            let mut events = self.events(printed, &issued, &probe)?;
+            if (probe.file, probe.line) == (0, 0) {
+                if issued.iter().any(is_end) {
+                    events.push(Event::Do(Effect::ProgramEnd {}));
+                    self.steps.ended(&probe, events, self.canon.tool)?;
+                }
+                self.steps.restarted(&probe);
+                continue;
+            }
             self.steps.passed(&probe, events, self.canon.tool)?;
         }
         Ok(())
@@ -231,9 +250,7 @@ impl<'a> Assembly<'a> {
             self.canon.push(effect);
         }
         for issued in issued {
-            if self.canon.issue(issued)? == Mark::ProgramEnd {
-                self.ended = true;
-            }
+            self.canon.issue(issued)?;
         }
         self.canon.finish(probe)
     }
@@ -263,7 +280,6 @@ impl<'a> Assembly<'a> {
         if self.aborted {
             return Ok(End::Aborted);
         }
-        let is_end = |issued: &Issued| issued.name == "TASK_PLAN_END";
         if self.issued.iter().any(is_end) {
             let Some(probe) = after_end else {
                 return Err(unreadable("an end whose state was not shown"));
@@ -309,6 +325,20 @@ impl<'a> Assembly<'a> {
         };
         let block = self.steps.taken.last().map(|step| step.block.clone());
         Ok(End::Fault(Fault { kind: Some(kind), block, span: None, message }))
+    }
+}
+
+/// Whether a command ends the program.
+fn is_end(issued: &Issued) -> bool {
+    issued.name == "TASK_PLAN_END"
+}
+
+fn mode(told: &Value) -> Option<ControllerMode> {
+    match told.get("mode")?.as_str()? {
+        "auto" => Some(ControllerMode::Auto),
+        "mdi" => Some(ControllerMode::Mdi),
+        "manual" => Some(ControllerMode::Manual),
+        _ => None,
     }
 }
 

@@ -18,15 +18,6 @@ use crate::adapters::probing::state;
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;
 
-/// What a command means for the run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Mark {
-    /// It goes on.
-    None,
-    /// M2 or M30 was executed.
-    ProgramEnd,
-}
-
 /// What the commands so far have set, and the events of the block that is told.
 #[derive(Clone, Debug)]
 pub(super) struct Canon {
@@ -121,7 +112,7 @@ impl Canon {
     ///
     /// # Errors
     /// A command that is not known, or arguments that do not belong to it.
-    pub(super) fn issue(&mut self, issued: &Issued) -> Result<Mark, HarnessError> {
+    pub(super) fn issue(&mut self, issued: &Issued) -> Result<(), HarnessError> {
         let effect = match issued.name.as_str() {
             "TRAJ_LINEAR_MOVE" => {
                 let end = self.program_position(machine_position(issued, 0)?);
@@ -138,14 +129,15 @@ impl Canon {
             }
             "TASK_PLAN_PAUSE" => Effect::Stop { optional: false },
             "TASK_PLAN_OPTIONAL_STOP" => Effect::Stop { optional: true },
-            "TASK_PLAN_END" => return Ok(Mark::ProgramEnd),
+            "CONTROLLER_MODE" => Effect::ChangeControllerMode { mode: word(issued)? },
+            "REQUEST_REFUSED" => Effect::RequestRefused { request: word(issued)? },
             _ => return self.other(issued),
         };
         self.push(effect);
-        Ok(Mark::None)
+        Ok(())
     }
 
-    fn other(&mut self, issued: &Issued) -> Result<Mark, HarnessError> {
+    fn other(&mut self, issued: &Issued) -> Result<(), HarnessError> {
         let effect = match issued.name.as_str() {
             "MOTION_SET_DOUT" => Effect::SetDigitalOutput {
                 output: issued.whole(0)?,
@@ -196,11 +188,11 @@ impl Canon {
             _ => {
                 let change = self.setting(issued)?;
                 self.set(change);
-                return Ok(Mark::None);
+                return Ok(());
             }
         };
         self.push(effect);
-        Ok(Mark::None)
+        Ok(())
     }
 
     fn setting(&mut self, issued: &Issued) -> Result<Settings, HarnessError> {
@@ -346,6 +338,11 @@ fn machine_position(issued: &Issued, first: usize) -> Result<Position, HarnessEr
         *value = issued.number(first + axis)?;
     }
     Ok(Position::from(position))
+}
+
+/// The first argument as a word of the vocabulary.
+fn word<T: serde::de::DeserializeOwned>(issued: &Issued) -> Result<T, HarnessError> {
+    serde_json::from_value(issued.text(0).into()).map_err(|_| issued.unreadable())
 }
 
 fn timing(now: i32) -> OutputTiming {

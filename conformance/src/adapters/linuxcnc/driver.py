@@ -145,8 +145,11 @@ class Driver:
         self.seen = {}
         self.begun = 0.0
         self.events = []
-        self.first, self.steps = "", 0
+        self.first, self.steps, self.starts = "", 0, 1
         self.looked = 0.0
+        self.mode_told = None
+        self.complaints = 0
+        self.modes = {linuxcnc.MODE_AUTO: "auto", linuxcnc.MODE_MDI: "mdi", linuxcnc.MODE_MANUAL: "manual"}
 
     # Waiting.
 
@@ -167,7 +170,13 @@ class Driver:
                 seen = self.seen.setdefault(text, [])
                 seen.append(time.monotonic())
             else:
-                report(message=text, error=kind in (self.linuxcnc.NML_ERROR, self.linuxcnc.OPERATOR_ERROR))
+                error = kind in (self.linuxcnc.NML_ERROR, self.linuxcnc.OPERATOR_ERROR)
+                self.complaints += error
+                report(message=text, error=error)
+        mode = self.modes.get(self.stat.task_mode)
+        if self.mode_told is not None and mode != self.mode_told:
+            self.mode_told = mode
+            report(mode=mode)
 
     def is_idle(self):
         stat, linuxcnc = self.stat, self.linuxcnc
@@ -287,9 +296,11 @@ class Driver:
         linuxcnc, command = self.linuxcnc, self.command
         name, value = event["action"], event.get("value")
         report(operator=name, value=value)
+        complaints = self.complaints
         if name in ("cycle_start", "resume"):
             self.wait(lambda: self.is_paused() or self.is_idle(), 0.5)
         if name == "cycle_start" and not self.is_paused():
+            self.starts += 1
             command.auto(linuxcnc.AUTO_RUN, 0)
         elif name in ("cycle_start", "resume"):
             command.auto(linuxcnc.AUTO_RESUME)
@@ -298,8 +309,7 @@ class Driver:
         elif name == "abort":
             command.abort()
         elif name == "mode":
-            modes = {"auto": linuxcnc.MODE_AUTO, "mdi": linuxcnc.MODE_MDI, "manual": linuxcnc.MODE_MANUAL}
-            command.mode(modes[value])
+            command.mode(next(mode for mode, word in self.modes.items() if word == value))
         elif name == "mdi":
             command.mdi(value)
         elif name == "optional_stop":
@@ -317,6 +327,9 @@ class Driver:
             self.done()
         else:
             self.wait(lambda: self.stat.echo_serial_number == command.serial, 5.0)
+        self.wait(lambda: self.complaints > complaints, 0.03)
+        if self.complaints > complaints:
+            report(request_refused=name)
 
     def follow(self, seconds):
         """Until the run has ended or is paused, and no event can come any more."""
@@ -328,7 +341,7 @@ class Driver:
                 self.events.remove(ready)
                 self.act(ready)
                 continue
-            if len(self.seen.get(self.first, [])) > 1:
+            if len(self.seen.get(self.first, [])) > self.starts:
                 return "endless"
             if sum(len(seen) for text, seen in self.seen.items() if text[-1] != "+") > self.steps:
                 return "budget"
@@ -342,10 +355,13 @@ class Driver:
         self.settings["marker"] = order["marker"]
         self.seen = {}
         self.events = order["events"]
-        self.first, self.steps = order["first"], order["steps"]
+        self.first, self.steps, self.starts = order["first"], order["steps"], 1
+        self.mode_told = None
         self.reset(order)
         self.bench.begin(order["inputs"])
-        report(begins=True)
+        self.mode(self.linuxcnc.MODE_AUTO if order["by_hand"] is None else self.linuxcnc.MODE_MDI)
+        self.mode_told = self.modes.get(self.stat.task_mode)
+        report(begins=True, mode=self.mode_told)
         if order["by_hand"] is not None:
             ending = self.run_by_hand(order["by_hand"], order["seconds"])
         else:
@@ -355,9 +371,8 @@ class Driver:
         # What was set last shows in the samples of the next cycles.
         self.wait(lambda: False, 4 * self.settings["period"] if order["linger"] else 0.0)
         self.poll()
-        linuxcnc = self.linuxcnc
-        modes = {linuxcnc.MODE_AUTO: "auto", linuxcnc.MODE_MDI: "mdi", linuxcnc.MODE_MANUAL: "manual"}
-        report(ends=ending, mode=modes.get(self.stat.task_mode), tool=self.stat.tool_in_spindle, pins=self.bench.changes)
+        self.mode_told = None
+        report(ends=ending, pins=self.bench.changes)
         if ending == "late":
             return False
         if not self.is_idle():

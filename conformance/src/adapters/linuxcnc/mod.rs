@@ -39,8 +39,11 @@ use session::Session;
 use setup::Setup;
 use stream::Item;
 
-/// How long a run may take in real time, seconds.
-const LONGEST_RUN: u64 = 30;
+/// How long a run may take in real time; most take a tenth of a second.
+const LONGEST_RUN: Duration = Duration::from_secs(30);
+
+/// How much longer the driver has for the rest.
+const SPARE: Duration = Duration::from_secs(15);
 
 /// Feed override under which programs run whose pace nobody looks at.
 const HURRY: f64 = 10_000.0;
@@ -72,7 +75,6 @@ const HIDDEN_EFFECTS: &[&str] = &[
     "stop_spindle_synchronisation",
     "set_tool_entry",
     "pallet_shuttle",
-    "controller_mode",
     "probe_log_open",
     "probe_log_close",
 ];
@@ -82,6 +84,7 @@ const HIDDEN_EFFECTS: &[&str] = &[
 pub struct LinuxCnc {
     capabilities: Capabilities,
     pool: Pool,
+    longest: Duration,
 }
 
 impl LinuxCnc {
@@ -91,7 +94,11 @@ impl LinuxCnc {
     /// It is missing, is not of version 2.9, or the system does not allow name spaces of its own.
     pub fn find() -> Result<Self, ControllerError> {
         let version = version::ask()?;
-        Ok(Self { capabilities: capabilities(version), pool: Pool::default() })
+        Ok(Self {
+            capabilities: capabilities(version),
+            pool: Pool::default(),
+            longest: LONGEST_RUN,
+        })
     }
 
     /// One run with all parameters that the plan names.
@@ -108,7 +115,7 @@ impl LinuxCnc {
         loop {
             let mut session = self.pool.take(&setup, &names, &tools)?;
             let is_new = session.fresh.is_none();
-            let seen = match run_on(&mut session, scenario, source, plan, &tools) {
+            let seen = match run_on(&mut session, scenario, source, plan, self.longest) {
                 Ok(seen) => seen,
                 Err(error) => {
                     self.pool.end(session);
@@ -215,7 +222,7 @@ fn run_on(
     scenario: &Scenario,
     source: &Source,
     plan: &Plan,
-    tools: &str,
+    longest: Duration,
 ) -> Result<Seen, HarnessError> {
     session.clear_programs()?;
     session.add_late_programs()?;
@@ -230,24 +237,21 @@ fn run_on(
     session.write("after.ngc", &after(scenario, plan))?;
     let listed = source.listed();
     session.write("parameters.var", &workspace::parameter_file(&scenario.machine, &listed))?;
+    let tools = workspace::tool_table(&scenario.machine);
     let load_tools = session.tools != tools;
     if load_tools {
-        session.write("tools.tbl", tools)?;
-        tools.clone_into(&mut session.tools);
+        session.write("tools.tbl", &tools)?;
+        session.tools = tools;
     }
-    let order = order(scenario, source, plan, by_hand, load_tools);
-    let lines = session.order(&order, Duration::from_secs(LONGEST_RUN + 15))?;
+    let mut order = order(scenario, source, plan, by_hand);
+    order["load_tools"] = load_tools.into();
+    order["seconds"] = longest.as_secs_f64().into();
+    let lines = session.order(&order, longest + SPARE)?;
     let items = stream::items(&lines, plan)?;
     Ok(Seen { items, parameters: session.parameters()? })
 }
 
-fn order(
-    scenario: &Scenario,
-    source: &Source,
-    plan: &Plan,
-    by_hand: Value,
-    load_tools: bool,
-) -> Value {
+fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: Value) -> Value {
     let inputs = scenario.bench.inputs.iter().filter_map(|change| {
         let pin = setup::input_pin(&change.input)?;
         let is_bit = pin.contains("digital") || pin.ends_with("feed-hold");
@@ -273,14 +277,12 @@ fn order(
         "steps": scenario.budget.steps,
         "optional_stop": false,
         "block_delete": scenario.program.block_delete,
-        "load_tools": load_tools,
         "feed_override": if setup::has_own_pace(scenario) { 1.0 } else { HURRY },
         "inputs": inputs.collect::<Vec<_>>(),
         "events": events.collect::<Vec<_>>(),
         "by_hand": by_hand,
         "program": "programs/main.ngc",
         "after": "after.ngc",
-        "seconds": LONGEST_RUN,
         "linger": true,
     })
 }
@@ -345,3 +347,6 @@ fn capabilities(version: String) -> Capabilities {
         hidden_parameters: vec![5400..=5428],
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -208,12 +208,6 @@ impl Session {
         let lines: Vec<_> = text.lines().filter(|line| !line.trim().is_empty()).collect();
         lines[lines.len().saturating_sub(3)..].join(" | ")
     }
-
-    /// The number of the process that holds the name spaces, for tests.
-    #[cfg(test)]
-    pub(super) fn process(&self) -> u32 {
-        self.child.id()
-    }
 }
 
 impl Drop for Session {

@@ -78,6 +78,7 @@ fn pins(scenario: &Scenario) -> Vec<Wired> {
         put(Pin::SpindleOn(spindle), "on", 'b');
         put(Pin::SpindleForward(spindle), "forward", 'b');
         put(Pin::SpindleReverse(spindle), "reverse", 'b');
+        put(Pin::SpindleSpeed(spindle), "speed-out", 'f');
         put(Pin::SpindleBrake(spindle), "brake", 'b');
         put(Pin::SpindleLocked(spindle), "locked", 'b');
         put(Pin::SpindleOrient(spindle), "orient", 'b');

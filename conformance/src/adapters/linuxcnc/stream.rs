@@ -17,6 +17,11 @@ pub(super) struct Issued {
 }
 
 impl Issued {
+    /// Something that is not issued but told by the driver, in its place among commands.
+    pub(super) fn own(name: &str, argument: String) -> Self {
+        Self { name: name.to_owned(), arguments: vec![argument] }
+    }
+
     /// An argument as a number: `+3`, `1.500000`, or a byte such as `\001`.
     ///
     /// # Errors
@@ -110,7 +115,11 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
     let mut refusal: Option<String> = None;
     for line in lines {
         if let Some(told) = line.strip_prefix(MARK) {
-            let told = serde_json::from_str(told).map_err(|_| unreadable("driver", line))?;
+            let told: Value = serde_json::from_str(told).map_err(|_| unreadable("driver", line))?;
+            if told.get("ends").is_some() {
+                // A run may end within a probe.
+                reader = Reader::new(plan);
+            }
             items.push(Item::Driver(told));
         } else if let Some(probe) = line.strip_prefix(&plan.marker) {
             items.extend(reader.take(probe)?.map(|probe| Item::Probe(Box::new(probe))));

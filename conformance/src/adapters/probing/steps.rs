@@ -1,7 +1,9 @@
 //! Executed blocks, made of one probe after the other.
 
 use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{Bound, End, Event, Indexed, Outcome, Rs274State, State, Step};
+use gaugeblock_trace::{
+    Bound, ControllerMode, End, Event, Indexed, Outcome, Rs274State, State, Step,
+};
 
 use super::instrument::Plan;
 use super::probe::Probe;
@@ -17,6 +19,8 @@ pub(in crate::adapters) struct Steps<'a> {
     block_delete: bool,
     known: Rs274State,
     at: Option<(usize, u32)>,
+    /// Mode of the controller, where it has modes.
+    pub(in crate::adapters) mode: Option<ControllerMode>,
     /// The blocks with what they did.
     pub(in crate::adapters) taken: Vec<Step>,
 }
@@ -25,7 +29,7 @@ impl<'a> Steps<'a> {
     /// None yet.
     pub(in crate::adapters) fn new(source: &'a Source, plan: &'a Plan, block_delete: bool) -> Self {
         let known = Rs274State::default();
-        Self { source, plan, block_delete, known, at: None, taken: Vec::new() }
+        Self { source, plan, block_delete, known, at: None, mode: None, taken: Vec::new() }
     }
 
     /// Whether a probe was seen.
@@ -85,7 +89,7 @@ impl<'a> Steps<'a> {
             Form::Empty | Form::Percent | Form::End | Form::Other => {
                 let line = self.source.line(next.0, next.1);
                 if !(self.block_delete && has_slash(line)) {
-                    let shown = state::state(probe, tool, self.plan)?;
+                    let shown = self.shown(probe, tool)?;
                     let changes = shown.since(&self.known);
                     self.known.overlay(&changes);
                     self.step(next, events, Some(State::Rs274(changes)));
@@ -109,12 +113,23 @@ impl<'a> Steps<'a> {
         events: Vec<Event>,
         tool: i32,
     ) -> Result<(), HarnessError> {
-        let shown = state::state(probe, tool, self.plan)?;
+        let shown = self.shown(probe, tool)?;
         let mut changes = shown.since(&self.known);
+        self.known.overlay(&changes);
         changes.parameter = None;
         changes.call_level = None;
         self.step(self.next().unwrap_or((0, 1)), events, Some(State::Rs274(changes)));
         Ok(())
+    }
+
+    /// The program runs again from its first block.
+    pub(in crate::adapters) fn restarted(&mut self, probe: &Probe) {
+        self.at = Some((probe.file, probe.line));
+    }
+
+    fn shown(&self, probe: &Probe, tool: i32) -> Result<Rs274State, HarnessError> {
+        let shown = state::state(probe, tool, self.plan)?;
+        Ok(Rs274State { controller_mode: self.mode, ..shown })
     }
 
     /// A block of which only its events are known.
