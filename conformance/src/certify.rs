@@ -9,7 +9,7 @@ use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{End, Options, Outcome, Scenario};
 
 use crate::adapters::Adapter;
-use crate::compare::compare;
+use crate::compare::{Basis, Tally, compare};
 use crate::judge::{Finding, judge};
 use crate::observe::Observed;
 use crate::suite::{Assertion, Case, ChoiceKind, Edition, Rule, Suite};
@@ -65,8 +65,8 @@ pub struct CaseResult<'a> {
     pub verdict: Verdict,
     /// Fields, effects and assertions that the controller does not show.
     pub masked: BTreeSet<String>,
-    /// How many values and assertions were compared.
-    pub compared: usize,
+    /// What was compared.
+    pub compared: Tally,
 }
 
 /// The suite, run.
@@ -150,8 +150,13 @@ fn run_case<'a>(
     case: &'a Case,
 ) -> CaseResult<'a> {
     let scenario = scenario_of(case, options, plan.edition);
-    let mut result =
-        CaseResult { rule, case, verdict: Verdict::Pass, masked: BTreeSet::new(), compared: 0 };
+    let mut result = CaseResult {
+        rule,
+        case,
+        verdict: Verdict::Pass,
+        masked: BTreeSet::new(),
+        compared: Tally::default(),
+    };
     if let Err(reason) = controller.supports(&scenario) {
         result.verdict = Verdict::Unsupported(reason);
         return result;
@@ -239,7 +244,7 @@ impl Against<'_> {
             case.parsed().iter().filter(|a| applies(a, &self.scenario.options, self.edition))
         {
             match judge(claim, &found, &shows) {
-                Finding::Holds => result.compared += 1,
+                Finding::Holds => result.compared.add(Basis::Assertions, 1),
                 Finding::Masked(what) => {
                     result.masked.insert(what);
                 }
@@ -250,7 +255,7 @@ impl Against<'_> {
         }
         let comparison = compare(&expected, &found, &shows);
         result.masked.extend(comparison.masked);
-        result.compared += comparison.compared;
+        result.compared.extend(&comparison.compared);
         let divergence = comparison.divergence.map(|divergence| divergence.to_string());
         let departs = assertion.is_some() || divergence.is_some();
         departs.then_some(Departure { assertion, divergence, explanation: None })

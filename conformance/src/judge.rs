@@ -1,10 +1,10 @@
 //! Assertions held against what was observed.
 
-use gaugeblock_trace::{Effect, End, Entry, Language, Pin, Settings, State, Value};
+use gaugeblock_trace::{Effect, End, Entry, Language, Pin, Position, Settings, State, Value};
 
 use crate::adapters::Capabilities;
 use crate::compare::{end_text, pin_values, rounded, tolerance};
-use crate::observe::{Observed, ObservedEffect, ObservedStep, value_of};
+use crate::observe::{Observed, ObservedEffect, ObservedStep, end_of, is_in_place, value_of};
 use crate::suite::assertion::{Assertion, Claim, Expected, Place, is_accepted};
 
 /// What an assertion comes to.
@@ -36,10 +36,15 @@ pub fn judge(assertion: &Assertion, run: &Observed, shows: &Capabilities) -> Fin
         Claim::AtEnd(fields) => judge.at_end(fields),
         Claim::AtEffect(name, count, fields) => judge.at_effect(name, *count, fields),
         Claim::EffectsAt(place, effects) => match judge.step(place) {
-            Some(step) => judge.effects(effects, &run.effects[step.effects.clone()], true),
+            Some(step) => {
+                let begin = judge.begin(step);
+                judge.effects(effects, &run.effects[step.effects.clone()], begin, true)
+            }
             None => Finding::Fails(format!("block {place} was not executed")),
         },
-        Claim::Effects(effects) => judge.effects(effects, &run.effects, false),
+        Claim::Effects(effects) => {
+            judge.effects(effects, &run.effects, Some(Position::default()), false)
+        }
         Claim::Count(name, count) => judge.count(name, *count),
         Claim::Messages(texts) => judge.messages(texts),
         Claim::Pin(pin, values) => judge.pin(*pin, values),
@@ -76,6 +81,17 @@ impl Judge<'_> {
                 && step.block.line == place.line
                 && place.execution.is_none_or(|execution| execution == step.execution)
         })
+    }
+
+    /// Where the controlled point was before a block, as far as states tell.
+    fn begin(&self, step: &ObservedStep) -> Option<Position> {
+        let place = self.run.steps.iter().position(|other| std::ptr::eq(other, step))?;
+        let before = self.run.steps[..place].iter().rev().find_map(|step| step.state.as_ref());
+        match before {
+            Some(State::Rs274(state)) => state.position,
+            Some(State::Nct(_) | State::Gpp(_)) => None,
+            None => Some(Position::default()),
+        }
     }
 
     fn after(&self, place: &Place, fields: &[Expected]) -> Finding {
@@ -174,6 +190,7 @@ impl Judge<'_> {
         &self,
         expected: &[Effect],
         found: &[ObservedEffect],
+        begin: Option<Position>,
         with_messages: bool,
     ) -> Finding {
         if let Some(hidden) = expected.iter().find(|e| !self.shows.effects.contains(e.name())) {
@@ -187,8 +204,16 @@ impl Judge<'_> {
         };
         let found: Vec<&Effect> =
             found.iter().map(|observed| &observed.effect).filter(|effect| counts(effect)).collect();
-        let same = expected.len() == found.len()
-            && expected.iter().zip(&found).all(|(a, b)| self.same_effect(a, b));
+        let same = |expected: &[&Effect]| {
+            expected.len() == found.len()
+                && expected.iter().zip(&found).all(|(a, b)| self.same_effect(a, b))
+        };
+        let all: Vec<&Effect> = expected.iter().collect();
+        let moving = || without_moves_in_place(expected, begin);
+        if !self.shows.moves_in_place && !same(&all) && same(&moving()) {
+            return Finding::Masked("moves in place".to_owned());
+        }
+        let same = same(&all);
         ok(same, || {
             let texts: Vec<_> = found.iter().map(|effect| effect_text(effect)).collect();
             if texts.is_empty() { "no effects".to_owned() } else { texts.join("; ") }
@@ -209,6 +234,9 @@ impl Judge<'_> {
             return Finding::Masked(name.to_owned());
         }
         let found = self.run.effects.iter().filter(|o| o.effect.name() == name).count();
+        if found < count && name.starts_with("straight_") && !self.shows.moves_in_place {
+            return Finding::Masked("moves in place".to_owned());
+        }
         ok(found == count, || format!("{found} of {name}"))
     }
 
@@ -237,6 +265,17 @@ impl Judge<'_> {
             format!("pin {pin}: {}", pin_values(found))
         })
     }
+}
+
+/// Without straight moves that end where the one before ended.
+fn without_moves_in_place(effects: &[Effect], begin: Option<Position>) -> Vec<&Effect> {
+    let mut point = begin;
+    let moves = |effect: &&Effect| {
+        let in_place = is_in_place(effect, point.as_ref());
+        point = end_of(effect).or(point);
+        !in_place
+    };
+    effects.iter().filter(moves).collect()
 }
 
 /// The value that is written, read as the field's type.

@@ -6,8 +6,11 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_trace::{
-    Block, Effect, End, Entry, Event, Indexed, Outcome, Pin, PinChange, Settings, State, Value,
+    Block, Effect, End, Entry, Event, Indexed, Outcome, Pin, PinChange, Position, Settings, State,
+    Value,
 };
+
+use crate::compare::tolerance;
 
 /// An effect and the settings in force at it.
 #[derive(Clone, Debug)]
@@ -18,6 +21,8 @@ pub struct ObservedEffect {
     pub settings: Settings,
     /// The block that did it, as a place among the steps.
     pub step: usize,
+    /// Whether it is a straight move to where the controlled point is already.
+    pub in_place: bool,
 }
 
 /// An executed block.
@@ -75,20 +80,34 @@ impl Observed {
             }
             _ => outcome.steps.len(),
         };
+        let mut point = Some(Position::default());
         for (place, step) in outcome.steps[..counted].iter().enumerate() {
             let first = observed.effects.len();
             for event in &step.events {
                 match event {
-                    Event::Set(change) => settings.overlay(change),
-                    Event::Do(effect) => observed.effects.push(ObservedEffect {
-                        effect: effect.clone(),
-                        settings: settings.clone(),
-                        step: place,
-                    }),
+                    Event::Set(change) => {
+                        if moves_coordinates(change) {
+                            point = None;
+                        }
+                        settings.overlay(change);
+                    }
+                    Event::Do(effect) => {
+                        let in_place = is_in_place(effect, point.as_ref());
+                        point = end_of(effect).or(point);
+                        observed.effects.push(ObservedEffect {
+                            effect: effect.clone(),
+                            settings: settings.clone(),
+                            step: place,
+                            in_place,
+                        });
+                    }
                 }
             }
             if let Some(change) = &step.state {
                 state.overlay(change);
+                if let State::Rs274(state) = &state {
+                    point = state.position.or(point);
+                }
             }
             let execution = executions.entry(&step.block).or_default();
             *execution += 1;
@@ -123,6 +142,34 @@ impl Observed {
             })
             .collect()
     }
+}
+
+/// Whether a straight move ends where the controlled point is.
+pub(crate) fn is_in_place(effect: &Effect, point: Option<&Position>) -> bool {
+    let (Effect::StraightTraverse { end } | Effect::StraightFeed { end }) = effect else {
+        return false;
+    };
+    point.is_some_and(|point| tolerance::positions(end, point, 0.0))
+}
+
+/// Where an effect leaves the controlled point, if it moves it.
+pub(crate) fn end_of(effect: &Effect) -> Option<Position> {
+    match effect {
+        Effect::StraightTraverse { end }
+        | Effect::StraightFeed { end }
+        | Effect::ArcFeed { end, .. }
+        | Effect::RigidTap { end } => Some(*end),
+        _ => None,
+    }
+}
+
+/// Whether the controlled point has other program coordinates after this change.
+fn moves_coordinates(change: &Settings) -> bool {
+    change.units.is_some()
+        || change.g5x_offset.is_some()
+        || change.g92_offset.is_some()
+        || change.rotation.is_some()
+        || change.tool_offset.is_some()
 }
 
 /// The values of each pin in order; one that is told again is no change.

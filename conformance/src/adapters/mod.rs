@@ -3,6 +3,8 @@
 //! **Invariant:** an adapter does nothing that an adapter in another language could not do: it knows the vocabulary and
 //! its controller, and no model of the language.
 
+pub mod linuxcnc;
+mod probing;
 pub mod reference;
 pub mod rs274;
 
@@ -27,6 +29,8 @@ pub struct Capabilities {
     pub fields_at_effects: BTreeSet<String>,
     /// Names of the effects that it shows.
     pub effects: BTreeSet<String>,
+    /// Whether it shows a straight move whose end is where the controlled point is.
+    pub moves_in_place: bool,
     /// Whether its faults name their kind.
     pub faults_have_kinds: bool,
     /// Whether it shows all numbered parameters at the end.
@@ -51,6 +55,7 @@ impl Capabilities {
             fields: fields(),
             fields_at_effects: fields(),
             effects: Effect::NAMES.iter().map(|name| (*name).to_owned()).collect(),
+            moves_in_place: true,
             faults_have_kinds: true,
             final_parameters: true,
             hidden_parameters: Vec::new(),
@@ -69,6 +74,7 @@ impl Capabilities {
             fields: both(&self.fields, &other.fields),
             fields_at_effects: both(&self.fields_at_effects, &other.fields_at_effects),
             effects: both(&self.effects, &other.effects),
+            moves_in_place: self.moves_in_place && other.moves_in_place,
             faults_have_kinds: self.faults_have_kinds && other.faults_have_kinds,
             final_parameters: self.final_parameters && other.final_parameters,
             hidden_parameters: [self.hidden_parameters.clone(), other.hidden_parameters.clone()]
@@ -94,6 +100,9 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// # Errors
     /// The reason why it cannot; such a case counts as unsupported.
     fn supports(&self, scenario: &Scenario) -> Result<(), String>;
+
+    /// From now on each program also runs unobserved, where observing it could change it; otherwise a sample does.
+    fn check_observation(&mut self) {}
 
     /// Runs the scenario.
     ///

@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use super::Refused;
+use crate::adapters::linuxcnc::LinuxCnc;
 use crate::adapters::reference::Reference;
 use crate::adapters::rs274::Rs274;
 use crate::adapters::{Adapter, ControllerError};
 
 /// The names, as the help tells them.
-pub(super) const NAMES: &str = "reference: the specification itself; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary";
+pub(super) const NAMES: &str = "reference: the specification itself; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine";
 
 /// The controller of a name.
 pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
@@ -16,12 +17,11 @@ pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
         None if name == "reference" => Ok(Box::new(Reference::default())),
         None if name == "rs274" => rs274(None),
         Some(("rs274", path)) => rs274(Some(Path::new(path))),
-        _ if ["production", "linuxcnc"].contains(&name) || name.starts_with("exec:") => {
-            Err(Refused::unfinished(
-                format!("the controller `{name}` is not there yet"),
-                format!("one of {NAMES}"),
-            ))
-        }
+        None if name == "linuxcnc" => linuxcnc(),
+        _ if name == "production" || name.starts_with("exec:") => Err(Refused::unfinished(
+            format!("the controller `{name}` is not there yet"),
+            format!("one of {NAMES}"),
+        )),
         _ => Err(Refused::wrong(
             format!("there is no controller `{name}`"),
             format!("one of {NAMES}"),
@@ -46,7 +46,29 @@ fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, Refused> {
     }
 }
 
+fn linuxcnc() -> Result<Box<dyn Adapter>, Refused> {
+    match LinuxCnc::find() {
+        Ok(found) => Ok(Box::new(found)),
+        Err(error @ ControllerError::Missing { .. }) => Err(Refused::unfinished(
+            error.to_string(),
+            "install it (Debian: apt-get install linuxcnc-uspace)",
+        )),
+        Err(error @ ControllerError::WrongVersion { .. }) => Err(Refused::unfinished(
+            error.to_string(),
+            "results of another version would be charged to the wrong documents",
+        )),
+        Err(error @ ControllerError::Broken(_)) => Err(Refused::unfinished(
+            error.to_string(),
+            "it needs process, mount, network and message spaces: run as root, or where the system lets users have them",
+        )),
+    }
+}
+
 /// The edition that a controller is held to where none is named.
 pub(super) fn own_edition(name: &str) -> &'static str {
-    if name.starts_with("rs274") { "linuxcnc-2.9" } else { crate::suite::DEFAULT_EDITION }
+    if name.starts_with("rs274") || name == "linuxcnc" {
+        "linuxcnc-2.9"
+    } else {
+        crate::suite::DEFAULT_EDITION
+    }
 }

@@ -1,10 +1,13 @@
 //! Two outcomes side by side: the first divergence, and what could not be compared.
 
+mod tally;
 pub mod tolerance;
 
 use std::collections::BTreeSet;
 
 use gaugeblock_trace::{Block, End, Entry, Fault, Pin, Settings, Value};
+
+pub use tally::{Basis, Tally};
 
 use crate::adapters::Capabilities;
 use crate::observe::{Observed, ObservedEffect, ObservedStep};
@@ -39,8 +42,8 @@ pub struct Comparison {
     pub divergence: Option<Divergence>,
     /// Fields and effects that the controller does not show, so that they were not compared.
     pub masked: BTreeSet<String>,
-    /// How many values were compared.
-    pub compared: usize,
+    /// What was compared.
+    pub compared: Tally,
 }
 
 /// Compares what a controller did with what the specification says, on what the controller shows.
@@ -79,10 +82,14 @@ impl Walk<'_> {
         for observed in &expected.effects {
             if !self.shows.effects.contains(observed.effect.name()) {
                 self.comparison.masked.insert(observed.effect.name().to_owned());
+            } else if observed.in_place && !self.shows.moves_in_place {
+                self.comparison.masked.insert("moves in place".to_owned());
             }
         }
-        let shown =
-            |observed: &&ObservedEffect| self.shows.effects.contains(observed.effect.name());
+        let shown = |observed: &&ObservedEffect| {
+            self.shows.effects.contains(observed.effect.name())
+                && (self.shows.moves_in_place || !observed.in_place)
+        };
         let left: Vec<_> = expected.effects.iter().filter(shown).collect();
         let right: Vec<_> = found.effects.iter().filter(shown).collect();
         for place in 0..left.len().max(right.len()) {
@@ -126,7 +133,7 @@ impl Walk<'_> {
             && left.iter().zip(&right).all(|((name, a), (other, b))| {
                 name == other && tolerance::values(a, b, self.shows.resolution)
             });
-        self.comparison.compared += 1 + left.len();
+        self.comparison.compared.add(Basis::Effects, 1 + left.len());
         if !same {
             return Some(missing(Some(block.clone()), describe(a), describe(b)));
         }
@@ -189,7 +196,9 @@ impl Walk<'_> {
                 self.comparison.masked.insert(entry.field.to_owned());
                 continue;
             };
-            self.comparison.compared += 1;
+            let is_setting = Settings::FIELDS.contains(&entry.field);
+            let basis = if is_setting { Basis::Settings } else { Basis::State };
+            self.comparison.compared.add(basis, 1);
             if !tolerance::values(&entry.value, &other.value, self.shows.resolution) {
                 return Some(Divergence {
                     block: Some(block.clone()),
@@ -203,7 +212,7 @@ impl Walk<'_> {
     }
 
     fn end(&mut self, expected: &End, found: &End) -> Option<Divergence> {
-        self.comparison.compared += 1;
+        self.comparison.compared.add(Basis::Acceptance, 1);
         let same = match (expected, found) {
             (End::Fault(a), End::Fault(b)) => same_fault(a, b),
             (a, b) => a.name() == b.name(),
@@ -244,7 +253,7 @@ impl Walk<'_> {
             }
             let values = |run: &Observed| run.pins.get(&pin).cloned().unwrap_or_default();
             let (a, b) = (values(expected), values(found));
-            self.comparison.compared += a.len().max(1);
+            self.comparison.compared.add(Basis::Pins, a.len().max(1));
             if !tolerance::sequences(&a, &b, self.shows.resolution) {
                 return Some(Divergence {
                     block: None,
@@ -272,7 +281,7 @@ impl Walk<'_> {
                 side.0.get(&number).copied().unwrap_or_default()
             };
             let (a, b) = (value(left), value(right));
-            self.comparison.compared += 1;
+            self.comparison.compared.add(Basis::Parameters, 1);
             if !tolerance::numbers(a, b, self.shows.resolution) {
                 return Some(Divergence {
                     block: None,

@@ -52,8 +52,8 @@ pub fn profiles<'a>(suite: &'a Suite, run: &Run<'a>, claimed: &[String]) -> Vec<
         let exists = |rule: &&Rule| !rule.void.contains_key(edition) && rule.cases.iter().any(runs);
         let of_profile = suite.rules.iter().filter(|rule| rule.profile == profile.id);
         for rule in of_profile.filter(exists) {
-            match judged.iter().find(|(other, ..)| other.id == rule.id) {
-                Some((_, verdict, _)) => *result.verdicts.entry(*verdict).or_default() += 1,
+            match judged.iter().find(|judged| judged.rule.id == rule.id) {
+                Some(judged) => *result.verdicts.entry(judged.verdict).or_default() += 1,
                 None => result.not_run += 1,
             }
         }

@@ -2,18 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{
-    Bound, End, Event, Indexed, Language, Outcome, Rs274State, Scenario, State, Step,
-};
+use gaugeblock_trace::{Bound, End, Indexed, Language, Outcome, Position, Scenario, Settings};
 
 use super::canon::{Canon, Mark};
-use super::instrument::Plan;
 use super::output::Line;
-use super::probe::Probe;
-use super::source::{Form, Source, form, has_slash};
-use super::{refusal, state};
 use crate::adapters::HarnessError;
+use crate::adapters::probing::instrument::Plan;
+use crate::adapters::probing::probe::Probe;
+use crate::adapters::probing::source::{Form, Source};
+use crate::adapters::probing::steps::{self, Steps};
+use crate::adapters::probing::{refusal, state};
 
 /// What was seen of a run.
 #[derive(Debug)]
@@ -37,12 +35,9 @@ pub(super) struct Seen<'a> {
 struct Assembly<'a> {
     source: &'a Source,
     plan: &'a Plan,
-    block_delete: bool,
     canon: Canon,
-    known: Rs274State,
-    at: Option<(usize, u32)>,
-    start: gaugeblock_trace::Settings,
-    steps: Vec<Step>,
+    start: Settings,
+    steps: Steps<'a>,
     end: Option<End>,
 }
 
@@ -60,12 +55,9 @@ pub(super) fn outcome(
     let mut assembly = Assembly {
         source,
         plan,
-        block_delete: scenario.program.block_delete,
         canon: Canon::new(&scenario.machine),
-        known: Rs274State::default(),
-        at: None,
-        start: gaugeblock_trace::Settings::default(),
-        steps: Vec::new(),
+        start: Settings::default(),
+        steps: Steps::new(source, plan, scenario.program.block_delete),
         end: None,
     };
     for line in seen.lines {
@@ -78,13 +70,13 @@ pub(super) fn outcome(
     let mut outcome = Outcome {
         language: Language::Rs274,
         start: assembly.start,
-        steps: assembly.steps,
+        steps: assembly.steps.taken,
         end,
         parameters: parameters.map(|parameters| parameters.into_iter().collect::<Indexed<_, _>>()),
         pins: Vec::new(),
         samples: Vec::new(),
     };
-    if limit(&mut outcome, scenario.budget).is_none() && seen.cut_off {
+    if steps::limit(&mut outcome, scenario.budget).is_none() && seen.cut_off {
         return Err(HarnessError::Unreadable {
             what: "output cut off within the budget".to_owned(),
             line: String::new(),
@@ -108,79 +100,26 @@ impl Assembly<'_> {
         Ok(())
     }
 
-    /// The block that is executed next if nothing jumps.
-    fn next(&self) -> Option<(usize, u32)> {
-        self.at.map(|(file, line)| (file, line + 1))
-    }
-
-    fn next_form(&self) -> Form {
-        self.next().map_or(Form::Other, |(file, line)| form(self.source.line(file, line)))
-    }
-
     fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
-        let here = (probe.file, probe.line);
-        if self.at.is_none() {
-            state::start(&mut self.canon, probe)?;
+        if !self.steps.begun() {
+            self.canon.settle(probe)?;
+            self.canon
+                .set(Settings { tool_offset: Some(Position::default()), ..state::others(probe) });
             self.canon.take_events();
             self.start = self.canon.now.clone();
-            self.known.parameter = Some(self.unnamed(probe)?);
+            self.steps.begin(probe)?;
         } else {
-            state::settle(&mut self.canon, probe)?;
-            self.passed(probe, here)?;
+            self.canon.settle(probe)?;
+            let events = self.canon.take_events();
+            self.steps.passed(probe, events, self.canon.tool)?;
         }
         self.canon.position = state::position(probe);
-        self.at = Some(here);
-        let (file, line) = (here.0, here.1 + 1);
-        self.canon.block(self.source.line(file, line));
+        self.canon.block(self.source.line(probe.file, probe.line + 1));
         Ok(())
-    }
-
-    /// Parameters that the program does not name: only their changes are of interest.
-    fn unnamed(&self, probe: &Probe) -> Result<Indexed<String, f64>, HarnessError> {
-        let numbered = self.source.parameters().numbered;
-        let is_named = |name: &str| name.parse().is_ok_and(|number| numbered.contains(&number));
-        let shown = state::state(probe, 0, self.plan)?.parameter.unwrap_or_default();
-        Ok(shown.0.into_iter().filter(|(name, _)| !is_named(name)).collect())
-    }
-
-    /// A block was executed; the run is now behind it, or where it jumped to.
-    fn passed(&mut self, probe: &Probe, here: (usize, u32)) -> Result<(), HarnessError> {
-        let Some(next) = self.next() else { return Ok(()) };
-        let events = self.canon.take_events();
-        let jumped = here != next;
-        match self.next_form() {
-            Form::Call if jumped => {
-                // The call counts when it returns; what its block did, it did before the sub.
-                if !events.is_empty() {
-                    self.step(next, events, None);
-                }
-            }
-            Form::Call | Form::Control | Form::Return => self.step(next, events, None),
-            Form::Empty | Form::Percent if events.is_empty() => {}
-            // A block with M2 that is passed did not execute it.
-            Form::Empty | Form::Percent | Form::End | Form::Other => {
-                let line = self.source.line(next.0, next.1);
-                if !(self.block_delete && has_slash(line)) {
-                    let shown = state::state(probe, self.canon.tool, self.plan)?;
-                    let changes = shown.since(&self.known);
-                    self.known.overlay(&changes);
-                    self.step(next, events, Some(State::Rs274(changes)));
-                }
-            }
-        }
-        if jumped && form(self.source.line(here.0, here.1)) == Form::Call {
-            self.step(here, Vec::new(), None);
-        }
-        Ok(())
-    }
-
-    fn step(&mut self, (file, line): (usize, u32), events: Vec<Event>, state: Option<State>) {
-        self.steps.push(Step { block: self.source.block(file, line), events, state });
     }
 
     fn program_end(&mut self, seen: &Seen<'_>) -> Result<(), HarnessError> {
-        let next = self.next().unwrap_or((0, 1));
-        if self.next_form() == Form::Return {
+        if self.steps.next_form() == Form::Return {
             self.unsupported(
                 "M99 in the main program: it ends here, though it should begin again".to_owned(),
             );
@@ -190,19 +129,15 @@ impl Assembly<'_> {
             self.unsupported("an end whose state cannot be asked for".to_owned());
             return Ok(());
         };
-        self.canon.end(|canon| state::settle(canon, probe))?;
+        self.canon.end(|canon| canon.settle(probe))?;
         let events = self.canon.take_events();
-        let shown = state::state(probe, self.canon.tool, self.plan)?;
-        let mut changes = shown.since(&self.known);
-        changes.parameter = None;
-        changes.call_level = None;
-        self.step(next, events, Some(State::Rs274(changes)));
+        self.steps.ended(probe, events, self.canon.tool)?;
         self.end = Some(End::ProgramEnd);
         Ok(())
     }
 
     fn unsupported(&mut self, what: String) {
-        let (file, line) = self.next().unwrap_or((0, 1));
+        let (file, line) = self.steps.next().unwrap_or((0, 1));
         self.end = Some(End::Unsupported { block: self.source.block(file, line), what });
     }
 
@@ -210,11 +145,11 @@ impl Assembly<'_> {
         if let Some(end) = self.end.take() {
             return Ok(end);
         }
-        if self.at.is_none() {
+        if !self.steps.begun() {
             self.start = self.canon.now.clone();
         }
         if seen.refused {
-            let next = self.next().or(Some((0, 1)));
+            let next = self.steps.next().or(Some((0, 1)));
             let mut fault = refusal::fault(seen.stderr, self.source, self.plan, next)?;
             if let Some(words) = refusal::message(seen.plain_stderr) {
                 words.clone_into(&mut fault.message);
@@ -227,29 +162,6 @@ impl Assembly<'_> {
         let line = seen.stderr.lines().last().unwrap_or_default().to_owned();
         Err(HarnessError::Unreadable { what: "a run without an end".to_owned(), line })
     }
-}
-
-/// Cuts an outcome off where the budget ends; tells which bound did.
-fn limit(outcome: &mut Outcome, budget: Budget) -> Option<Bound> {
-    let steps = usize::try_from(budget.steps).unwrap_or(usize::MAX);
-    let mut effects = 0;
-    let is_effect = |event: &&Event| matches!(event, Event::Do(_));
-    let keep = outcome.steps.iter().take_while(|step| {
-        effects += step.events.iter().filter(is_effect).count();
-        u32::try_from(effects).is_ok_and(|effects| effects <= budget.effects)
-    });
-    let keep = keep.count();
-    let bound = if keep.min(steps) == outcome.steps.len() {
-        return None;
-    } else if keep < steps {
-        Bound::Effects
-    } else {
-        Bound::Steps
-    };
-    outcome.steps.truncate(keep.min(steps));
-    outcome.end = End::BudgetExhausted { bound };
-    outcome.parameters = None;
-    Some(bound)
 }
 
 #[cfg(test)]

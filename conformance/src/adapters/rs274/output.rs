@@ -1,8 +1,8 @@
 //! Reads standard output: canonical calls, probes, and what (PRINT,…) prints.
 
-use super::instrument::Plan;
-use super::probe::{Probe, Reader};
 use crate::adapters::HarnessError;
+use crate::adapters::probing::instrument::Plan;
+use crate::adapters::probing::probe::{Probe, Reader};
 
 /// A canonical call as it is printed: `STRAIGHT_FEED(1.0000, …)`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -113,7 +113,7 @@ mod tests {
     use super::*;
 
     fn plan() -> Plan {
-        Plan { marker: "@gb0@".to_owned(), parameters: Vec::new() }
+        Plan { marker: "@gb0@".to_owned(), parameters: Vec::new(), marks: None }
     }
 
     #[test]

@@ -17,6 +17,7 @@ use gaugeblock_trace::{
     Plane, Position, Retract, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
+use super::quirks::settings::initial_tolerance;
 use super::readings::Readings;
 
 /// The mode in force of each modal group, with all values that stay in force until they are set again.
@@ -153,7 +154,7 @@ impl Modes {
             local_applies: false,
             rotation: 0.0,
             path: Path::Continuous,
-            blend_tolerance: 0.0,
+            blend_tolerance: initial_tolerance(readings),
             naive_cam_tolerance: 0.0,
             tolerance_unit: LengthUnit::Millimetre,
             lathe: Lathe::Radius,

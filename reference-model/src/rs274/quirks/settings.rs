@@ -5,7 +5,14 @@ use gaugeblock_trace::{FaultKind, SpindleLimit, SpindleMode, Switch};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{ModalGroup, converted};
 use crate::rs274::read::Words;
+use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
+
+/// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch; in millimetres,
+/// which is the unit then.
+pub(crate) fn initial_tolerance(readings: &Readings) -> f64 {
+    if readings.quirk("linuxcnc.initial-tolerance") { 0.0254 } else { 0.0 }
+}
 
 /// Quirk rs274.override-any-p. Any P but zero enables.
 pub(crate) fn switch_of_any_p(value: f64) -> Switch {

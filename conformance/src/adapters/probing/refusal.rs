@@ -1,4 +1,4 @@
-//! Reads standard error: which block was refused, and why.
+//! Reads an error message and the line that is shown with it: which block was refused, and why.
 
 use gaugeblock_trace::{Fault, FaultKind};
 
@@ -17,7 +17,7 @@ const GREETING: &str = "executing";
 ///
 /// # Errors
 /// A message that the fault table does not explain.
-pub(super) fn fault(
+pub(in crate::adapters) fn fault(
     stderr: &str,
     source: &Source,
     plan: &Plan,
@@ -81,7 +81,7 @@ fn too_long(source: &Source, (file, line): (usize, u32)) -> Option<(usize, u32)>
 }
 
 /// The words of an error output, for a person.
-pub(super) fn message(stderr: &str) -> Option<&str> {
+pub(in crate::adapters) fn message(stderr: &str) -> Option<&str> {
     let lines = stderr.lines().filter(|line| !line.trim().is_empty() && *line != GREETING);
     let mut known = lines.clone().filter(|line| faults::kind(line).is_some());
     known.next().or_else(|| lines.clone().next())

@@ -8,7 +8,7 @@ const INCH: f64 = 25.4;
 
 /// Lengths as they were printed, each with its unit.
 #[derive(Clone, Debug)]
-pub(super) struct Lengths {
+pub(in crate::adapters) struct Lengths {
     unit: LengthUnit,
     feed: Option<(f64, LengthUnit)>,
     blend: Option<(f64, LengthUnit)>,
@@ -34,7 +34,7 @@ impl Default for Lengths {
 
 impl Lengths {
     /// Another unit: every length, in that unit.
-    pub(super) fn use_unit(&mut self, unit: LengthUnit) -> Settings {
+    pub(in crate::adapters) fn use_unit(&mut self, unit: LengthUnit) -> Settings {
         self.unit = unit;
         Settings {
             feed_rate: self.feed.map(|length| self.number(length)),
@@ -48,38 +48,38 @@ impl Lengths {
     }
 
     /// F was set. Under inverse time it is no length.
-    pub(super) fn feed(&mut self, rate: f64, mode: Option<FeedMode>) -> Settings {
+    pub(in crate::adapters) fn feed(&mut self, rate: f64, mode: Option<FeedMode>) -> Settings {
         let is_length = mode != Some(FeedMode::InverseTime);
         self.feed = is_length.then_some((rate, self.unit));
         Settings { feed_rate: Some(rate), ..Settings::default() }
     }
 
     /// P of G64 was set.
-    pub(super) fn blend(&mut self, tolerance: f64) -> Settings {
+    pub(in crate::adapters) fn blend(&mut self, tolerance: f64) -> Settings {
         self.blend = Some((tolerance, self.unit));
         Settings { blend_tolerance: Some(tolerance), ..Settings::default() }
     }
 
     /// Q of G64 was set.
-    pub(super) fn naive_cam(&mut self, tolerance: f64) -> Settings {
+    pub(in crate::adapters) fn naive_cam(&mut self, tolerance: f64) -> Settings {
         self.naive_cam = Some((tolerance, self.unit));
         Settings { naive_cam_tolerance: Some(tolerance), ..Settings::default() }
     }
 
     /// The offset of the work coordinate system was set.
-    pub(super) fn g5x(&mut self, offset: Position) -> Settings {
+    pub(in crate::adapters) fn g5x(&mut self, offset: Position) -> Settings {
         self.g5x = Some((offset, self.unit));
         Settings { g5x_offset: Some(offset), ..Settings::default() }
     }
 
     /// The offset of G92 was set.
-    pub(super) fn g92(&mut self, offset: Position) -> Settings {
+    pub(in crate::adapters) fn g92(&mut self, offset: Position) -> Settings {
         self.g92 = Some((offset, self.unit));
         Settings { g92_offset: Some(offset), ..Settings::default() }
     }
 
     /// The tool offset was set.
-    pub(super) fn tool(&mut self, offset: Position) -> Settings {
+    pub(in crate::adapters) fn tool(&mut self, offset: Position) -> Settings {
         self.tool = Some((offset, self.unit));
         Settings { tool_offset: Some(offset), ..Settings::default() }
     }

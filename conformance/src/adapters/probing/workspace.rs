@@ -1,4 +1,4 @@
-//! A private directory for one run: home, program files, INI file, tool table, parameter file.
+//! A private directory for a controller: home, program files, INI file, tool table, parameter file.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -10,26 +10,23 @@ use gaugeblock_trace::{Axis, Machine};
 
 use crate::adapters::HarnessError;
 
-pub(super) const INI: &str = "machine.ini";
-pub(super) const TOOLS: &str = "tools.tbl";
-pub(super) const PARAMETERS: &str = "parameters.var";
-
-/// Highest parameter number that a parameter file may list.
-pub(super) const LAST_PARAMETER: u32 = 5601;
+pub(in crate::adapters) const INI: &str = "machine.ini";
+pub(in crate::adapters) const TOOLS: &str = "tools.tbl";
+pub(in crate::adapters) const PARAMETERS: &str = "parameters.var";
 
 /// A directory that is removed when it is dropped.
 #[derive(Debug)]
-pub(super) struct Workspace {
+pub(in crate::adapters) struct Workspace {
     path: PathBuf,
 }
 
 impl Workspace {
-    /// A new, empty directory among the temporary files.
-    pub(super) fn new() -> Result<Self, HarnessError> {
+    /// A new, empty directory among the temporary files, named after the controller.
+    pub(in crate::adapters) fn new(controller: &str) -> Result<Self, HarnessError> {
         static COUNT: AtomicU64 = AtomicU64::new(0);
         loop {
             let number = COUNT.fetch_add(1, Ordering::Relaxed);
-            let name = format!("gaugeblock-rs274-{}-{number}", std::process::id());
+            let name = format!("gaugeblock-{controller}-{}-{number}", std::process::id());
             let path = std::env::temp_dir().join(name);
             match fs::create_dir(&path) {
                 Ok(()) => return Ok(Self { path }),
@@ -43,19 +40,19 @@ impl Workspace {
     }
 
     /// Where it is.
-    pub(super) fn path(&self) -> &Path {
+    pub(in crate::adapters) fn path(&self) -> &Path {
         &self.path
     }
 
     /// Writes a file.
-    pub(super) fn write(&self, name: &str, text: &str) -> Result<(), HarnessError> {
+    pub(in crate::adapters) fn write(&self, name: &str, text: &str) -> Result<(), HarnessError> {
         fs::write(self.path.join(name), text)
             .map_err(|error| HarnessError::NotRun(format!("{name}: {error}")))
     }
 
     /// Writes what a machine stores: INI file, tool table, and a parameter file that lists `numbers` besides, since
     /// only listed ones are written back.
-    pub(super) fn write_machine(
+    pub(in crate::adapters) fn write_machine(
         &self,
         machine: &Machine,
         numbers: &BTreeSet<u32>,
@@ -66,7 +63,7 @@ impl Workspace {
     }
 
     /// The numbered parameters that the run left and that are not zero.
-    pub(super) fn read_parameters(&self) -> Result<BTreeMap<u32, f64>, HarnessError> {
+    pub(in crate::adapters) fn read_parameters(&self) -> Result<BTreeMap<u32, f64>, HarnessError> {
         let text = fs::read_to_string(self.path.join(PARAMETERS))
             .map_err(|error| HarnessError::NotRun(format!("{PARAMETERS}: {error}")))?;
         let mut parameters = BTreeMap::new();
@@ -94,8 +91,16 @@ impl Drop for Workspace {
 }
 
 fn ini(machine: &Machine) -> String {
+    ini_text(&ini_sections(machine))
+}
+
+/// Lines of an INI file by section.
+pub(in crate::adapters) type Sections = BTreeMap<String, Vec<String>>;
+
+/// What the interpreter reads of a machine in its INI file.
+pub(in crate::adapters) fn ini_sections(machine: &Machine) -> Sections {
     let flag = |on: bool| if on { "1" } else { "0" };
-    let mut sections: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let mut sections = Sections::new();
     let mut put =
         |section: &str, line: String| sections.entry(section.to_owned()).or_default().push(line);
     put("RS274NGC", "SUBROUTINE_PATH=.".to_owned());
@@ -114,6 +119,11 @@ fn ini(machine: &Machine) -> String {
             put(section, format!("{name}={value}"));
         }
     }
+    sections
+}
+
+/// The text of an INI file.
+pub(in crate::adapters) fn ini_text(sections: &Sections) -> String {
     let mut text = String::new();
     for (section, lines) in sections {
         // Writing to a string cannot fail.
@@ -122,8 +132,8 @@ fn ini(machine: &Machine) -> String {
     text
 }
 
-/// The tool table in the order of the machine's list: the controller names tools by their place in it.
-fn tool_table(machine: &Machine) -> String {
+/// The text of the tool table, in the order of the machine's list: the controller names tools by their place in it.
+pub(in crate::adapters) fn tool_table(machine: &Machine) -> String {
     let mut text = String::from("\n");
     for tool in &machine.tools {
         let pocket = tool.pocket.unwrap_or(tool.number);
@@ -140,7 +150,8 @@ fn tool_table(machine: &Machine) -> String {
     text
 }
 
-fn parameter_file(machine: &Machine, numbers: &BTreeSet<u32>) -> String {
+/// The text of a parameter file, which lists `numbers` besides what is stored.
+pub(in crate::adapters) fn parameter_file(machine: &Machine, numbers: &BTreeSet<u32>) -> String {
     let mut values: BTreeMap<u32, f64> = numbers.iter().map(|number| (*number, 0.0)).collect();
     values.insert(5220, 1.0);
     values.extend(machine.parameters.0.iter().map(|(number, value)| (*number, *value)));
@@ -158,7 +169,7 @@ mod tests {
 
     #[test]
     fn a_workspace_is_private_and_goes_away() {
-        let (one, two) = (Workspace::new().unwrap(), Workspace::new().unwrap());
+        let (one, two) = (Workspace::new("one").unwrap(), Workspace::new("one").unwrap());
         assert_ne!(one.path(), two.path());
         let path = one.path().to_owned();
         one.write("main.ngc", "m2\n").unwrap();

@@ -1,0 +1,357 @@
+//! Puts blocks, issued commands and probes together to an outcome.
+//!
+//! The controller reads ahead: probes tell what the interpreter did, marks in the queue what has been carried out since.
+//! Both come in the order of the program, so that the n-th probe and the n-th mark belong together. A block whose mark
+//! never came was read, and not executed.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use gaugeblock_trace::{
+    Bound, Channel, ControllerMode, Effect, End, Event, Fault, FaultKind, Indexed, Language,
+    Outcome, PinChange, Scenario, Settings,
+};
+use serde_json::Value;
+
+use super::canon::Canon;
+use super::stream::{Issued, Item};
+use super::trace::Trace;
+use crate::adapters::HarnessError;
+use crate::adapters::probing::instrument::Plan;
+use crate::adapters::probing::probe::Probe;
+use crate::adapters::probing::source::{Form, Source, form};
+use crate::adapters::probing::steps::{self, Steps};
+use crate::adapters::probing::{faults, refusal};
+
+/// A block as it was read: what was printed meanwhile, and the probe after it.
+type ReadBlock = (Vec<Effect>, Probe);
+
+/// An outcome in the making.
+#[derive(Debug)]
+pub(super) struct Assembly<'a> {
+    source: &'a Source,
+    plan: &'a Plan,
+    canon: Canon,
+    steps: Steps<'a>,
+    trace: Trace,
+    start: Settings,
+    /// What was printed since the last probe.
+    printed: Vec<Effect>,
+    /// Blocks that were read and not yet carried out.
+    read: VecDeque<ReadBlock>,
+    /// What was issued before the run, by the reset.
+    reset: Vec<Issued>,
+    /// What was issued since the last mark.
+    issued: Vec<Issued>,
+    /// What was issued up to each mark whose probe is still to come.
+    marked: VecDeque<Vec<Issued>>,
+    /// Where the interpreter is.
+    reading_at: Option<(usize, u32)>,
+    log_is_open: bool,
+    refused: Option<Fault>,
+    /// A fault of the machine, told by the error channel.
+    stopped: Option<String>,
+    aborted: bool,
+    endless: bool,
+    /// How often the program began, and how often the operator started it again.
+    begins: usize,
+    starts: usize,
+    pins: Vec<PinChange>,
+    ends: Option<String>,
+}
+
+impl<'a> Assembly<'a> {
+    /// The outcome of a run, from what was printed from its reset on.
+    ///
+    /// # Errors
+    /// The output does not make sense, or an error message is unknown.
+    pub(super) fn outcome(
+        scenario: &Scenario,
+        source: &'a Source,
+        plan: &'a Plan,
+        items: &[Item],
+        parameters: Option<BTreeMap<u32, f64>>,
+    ) -> Result<Outcome, HarnessError> {
+        let mut assembly = Self {
+            source,
+            plan,
+            canon: Canon::new(&scenario.machine),
+            steps: Steps::new(source, plan, scenario.program.block_delete),
+            trace: Trace::new(source, plan),
+            start: Settings::default(),
+            printed: Vec::new(),
+            read: VecDeque::new(),
+            reset: Vec::new(),
+            issued: Vec::new(),
+            marked: VecDeque::new(),
+            reading_at: None,
+            log_is_open: false,
+            refused: None,
+            stopped: None,
+            aborted: false,
+            endless: false,
+            begins: 0,
+            starts: 0,
+            pins: Vec::new(),
+            ends: None,
+        };
+        let is_end = |item: &Item| matches!(item, Item::Driver(told) if told.get("ends").is_some());
+        let end = items.iter().position(is_end).map_or(items.len(), |place| place + 1);
+        let (run, after) = items.split_at(end);
+        for item in run {
+            assembly.item(item)?;
+        }
+        let after_end = after.iter().find_map(|item| match item {
+            Item::Probe(probe) => Some(probe.as_ref()),
+            _ => None,
+        });
+        let end = assembly.end(after_end)?;
+        let mut outcome = Outcome {
+            language: Language::Rs274,
+            start: assembly.start,
+            steps: assembly.steps.taken,
+            end,
+            parameters: parameters.map(|all| all.into_iter().collect::<Indexed<_, _>>()),
+            pins: assembly.pins,
+            samples: Vec::new(),
+        };
+        let is_exhausted = matches!(outcome.end, End::BudgetExhausted { .. });
+        if steps::limit(&mut outcome, scenario.budget).is_none() && is_exhausted {
+            return Err(HarnessError::Unreadable {
+                what: "run cut off within the budget".to_owned(),
+                line: String::new(),
+            });
+        }
+        Ok(outcome)
+    }
+
+    fn item(&mut self, item: &Item) -> Result<(), HarnessError> {
+        let print = |channel, text: &String| Effect::Message { channel, text: text.clone() };
+        match item {
+            Item::Block(text, line) => self.trace.block(text, *line),
+            Item::Executed => self.trace.executed(),
+            Item::Line(line) => self.trace.line(*line),
+            Item::Issued(issued) => self.issued(issued)?,
+            Item::Refused(message) if self.refused.is_none() => self.refused(message)?,
+            Item::Refused(_) => {}
+            Item::UserProgramFailed(status) => {
+                self.stopped = Some(format!("user program: exit status {status}"));
+            }
+            Item::Probe(probe) => self.probe(probe)?,
+            Item::Text(text) => self.printed.push(print(Channel::Print, text)),
+            Item::Log(text) if self.log_is_open => self.printed.push(print(Channel::Log, text)),
+            Item::Log(_) => {}
+            Item::LogOpen(file, append) => {
+                self.log_is_open = true;
+                self.printed.push(Effect::LogOpen { file: file.clone(), append: *append });
+            }
+            Item::LogClose => {
+                self.log_is_open = false;
+                self.printed.push(Effect::LogClose {});
+            }
+            Item::Driver(told) => self.driver(told)?,
+        }
+        Ok(())
+    }
+
+    fn driver(&mut self, told: &Value) -> Result<(), HarnessError> {
+        if told.get("begins").is_some() {
+            // What the reset issued is the state before the first block.
+            self.reset = std::mem::take(&mut self.issued);
+            self.steps.mode = mode(told);
+        } else if let Some(action) = told.get("operator").and_then(Value::as_str) {
+            self.aborted |= action == "abort";
+            self.starts += usize::from(action == "cycle_start");
+        } else if let Some(mode) = mode(told) {
+            self.steps.mode = Some(mode);
+            self.issued.push(Issued::own("CONTROLLER_MODE", mode.to_string()));
+        } else if let Some(request) = told.get("request_refused").and_then(Value::as_str) {
+            // What the controller says about a request is no fault of the program.
+            self.stopped = None;
+            self.issued.push(Issued::own("REQUEST_REFUSED", request.to_owned()));
+        } else if told.get("error").and_then(Value::as_bool) == Some(true) && self.refused.is_none()
+        {
+            let message = told.get("message").and_then(Value::as_str).unwrap_or_default();
+            self.stopped.get_or_insert(message.to_owned());
+        } else if let Some(ends) = told.get("ends").and_then(Value::as_str) {
+            self.ends = Some(ends.to_owned());
+            self.pins = pins(told.get("pins"))?;
+        }
+        Ok(())
+    }
+
+    fn issued(&mut self, issued: &Issued) -> Result<(), HarnessError> {
+        let text = if issued.name == "OPERATOR_DISPLAY" { issued.text(1) } else { String::new() };
+        if let Some(mark) = text.strip_prefix(&self.plan.marker) {
+            if !mark.starts_with(['+', '>']) {
+                self.marked.push_back(std::mem::take(&mut self.issued));
+                self.carried_out()?;
+            }
+            return Ok(());
+        }
+        self.issued.push(issued.clone());
+        Ok(())
+    }
+
+    fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
+        self.begins += usize::from((probe.file, probe.line) == (0, 0));
+        self.endless |= self.begins > 1 + self.starts;
+        self.reading_at = Some((probe.file, probe.line));
+        self.trace.stands_in(probe.file);
+        if !self.endless {
+            self.read.push_back((std::mem::take(&mut self.printed), probe.clone()));
+        }
+        self.carried_out()
+    }
+
+    /// Blocks that are both read and carried out become steps.
+    fn carried_out(&mut self) -> Result<(), HarnessError> {
+        while !self.marked.is_empty() && !self.read.is_empty() {
+            let (Some(issued), Some((printed, probe))) =
+                (self.marked.pop_front(), self.read.pop_front())
+            else {
+                break;
+            };
+            if !self.steps.begun() {
+                self.canon.begin("", &probe, None);
+                for issued in std::mem::take(&mut self.reset) {
+                    self.canon.issue(&issued)?;
+                }
+                self.canon.finish(&probe)?;
+                self.start = self.canon.now.clone();
+                self.steps.begin(&probe)?;
+                continue;
+            }
+            let mut events = self.events(printed, &issued, &probe)?;
+            if (probe.file, probe.line) == (0, 0) {
+                if issued.iter().any(is_end) {
+                    events.push(Event::Do(Effect::ProgramEnd {}));
+                    self.steps.ended(&probe, events, self.canon.tool)?;
+                }
+                self.steps.restarted(&probe);
+                continue;
+            }
+            self.steps.passed(&probe, events, self.canon.tool)?;
+        }
+        Ok(())
+    }
+
+    /// What a block did, told under the settings that its probe shows.
+    fn events(
+        &mut self,
+        printed: Vec<Effect>,
+        issued: &[Issued],
+        probe: &Probe,
+    ) -> Result<Vec<Event>, HarnessError> {
+        let (file, line) = self.steps.next().unwrap_or((0, 1));
+        let read = self.plan.parameters.iter().position(|name| name == "5399");
+        let read = read.and_then(|place| probe.parameters.get(place).copied().flatten());
+        self.canon.begin(self.source.line(file, line), probe, read);
+        for effect in printed {
+            self.canon.push(effect);
+        }
+        for issued in issued {
+            self.canon.issue(issued)?;
+        }
+        self.canon.finish(probe)
+    }
+
+    fn refused(&mut self, message: &str) -> Result<(), HarnessError> {
+        let next = self.reading_at.map(|(file, line)| (file, line + 1)).or(Some((0, 1)));
+        let echo = self.trace.refused_line();
+        let stderr = format!("{message}\n{}\n", echo.unwrap_or_default());
+        self.refused = Some(refusal::fault(&stderr, self.source, self.plan, next)?);
+        Ok(())
+    }
+
+    fn end(&mut self, after_end: Option<&Probe>) -> Result<End, HarnessError> {
+        match self.ends.as_deref() {
+            Some("budget") => return Ok(End::BudgetExhausted { bound: Bound::Steps }),
+            Some("endless") => return Ok(End::Endless),
+            Some("paused") => {
+                self.unfinished(after_end)?;
+                return Ok(End::Paused);
+            }
+            _ if self.endless => return Ok(End::Endless),
+            _ => {}
+        }
+        if let Some(fault) = self.refused.take() {
+            return Ok(End::Fault(fault));
+        }
+        if self.aborted {
+            return Ok(End::Aborted);
+        }
+        if self.issued.iter().any(is_end) {
+            let Some(probe) = after_end else {
+                return Err(unreadable("an end whose state was not shown"));
+            };
+            let (printed, issued) =
+                (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
+            let mut events = self.events(printed, &issued, probe)?;
+            events.push(Event::Do(Effect::ProgramEnd {}));
+            self.steps.ended(probe, events, self.canon.tool)?;
+            return Ok(End::ProgramEnd);
+        }
+        if let Some(message) = self.stopped.take() {
+            self.unfinished(after_end)?;
+            return self.machine_fault(message);
+        }
+        if self.steps.next_form() == Form::Percent {
+            return Ok(End::PercentEnd);
+        }
+        Err(unreadable("a run without an end"))
+    }
+
+    /// The block that was being carried out when the run stopped: its events, and no state.
+    fn unfinished(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
+        let Some(next) = self.steps.next() else { return Ok(()) };
+        let (printed, probe) = match (self.read.pop_front(), after_end) {
+            (Some(read), _) => read,
+            (None, Some(probe)) => (std::mem::take(&mut self.printed), probe.clone()),
+            (None, None) => return Ok(()),
+        };
+        let issued = std::mem::take(&mut self.issued);
+        let events = self.events(printed, &issued, &probe)?;
+        if !matches!(form(self.source.line(next.0, next.1)), Form::Empty) && !events.is_empty() {
+            self.steps.step(next, events, None);
+        }
+        Ok(())
+    }
+
+    fn machine_fault(&self, message: String) -> Result<End, HarnessError> {
+        let kind = if message.starts_with("user program") {
+            FaultKind::UserCode
+        } else {
+            faults::kind(&message).ok_or_else(|| HarnessError::UnknownMessage(message.clone()))?
+        };
+        let block = self.steps.taken.last().map(|step| step.block.clone());
+        Ok(End::Fault(Fault { kind: Some(kind), block, span: None, message }))
+    }
+}
+
+/// Whether a command ends the program.
+fn is_end(issued: &Issued) -> bool {
+    issued.name == "TASK_PLAN_END"
+}
+
+fn mode(told: &Value) -> Option<ControllerMode> {
+    match told.get("mode")?.as_str()? {
+        "auto" => Some(ControllerMode::Auto),
+        "mdi" => Some(ControllerMode::Mdi),
+        "manual" => Some(ControllerMode::Manual),
+        _ => None,
+    }
+}
+
+fn pins(told: Option<&Value>) -> Result<Vec<PinChange>, HarnessError> {
+    let changes = told.and_then(Value::as_array).into_iter().flatten();
+    let change = |change: &Value| {
+        let pin = change.get(1)?.as_str()?.parse().ok()?;
+        Some(PinChange { time: change.get(0)?.as_f64()?, pin, value: change.get(2)?.as_f64()? })
+    };
+    let read = changes.map(|told| change(told).ok_or_else(|| unreadable(&told.to_string())));
+    read.collect()
+}
+
+fn unreadable(what: &str) -> HarnessError {
+    HarnessError::Unreadable { what: what.to_owned(), line: String::new() }
+}

@@ -1,0 +1,405 @@
+#!/usr/bin/env python3
+"""Drives one LinuxCNC that was started for it: the display of its INI file.
+
+Orders come as JSON, one a line, on standard input; reports go out as JSON behind a mark, one a line, among what the
+controller itself prints. Everything is in the current directory, which is private. `driver.py guard COMMAND…` is the
+first process of the private process space: when its input ends, it ends, and the kernel ends everything with it.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import threading
+import time
+
+MARK = "@gaugeblock@ "
+PAUSE = 0.0005
+
+
+def guard(command):
+    """Starts the controller, hands orders through, and ends with either end of them."""
+    child = subprocess.Popen(command, stdin=subprocess.PIPE)
+
+    def hand_through():
+        for line in sys.stdin.buffer:
+            try:
+                child.stdin.write(line)
+                child.stdin.flush()
+            except OSError:
+                break
+        os._exit(0)
+
+    threading.Thread(target=hand_through, daemon=True).start()
+    os._exit(child.wait() & 0xFF)
+
+
+def report(**what):
+    sys.stdout.write(MARK + json.dumps(what) + "\n")
+    sys.stdout.flush()
+
+
+def is_running(name):
+    """Whether a process of this name is in the private process space and is no zombie."""
+    for entry in os.listdir("/proc"):
+        if entry.isdigit():
+            try:
+                with open(f"/proc/{entry}/stat", encoding="utf-8") as file:
+                    text = file.read()
+            except OSError:
+                continue
+            if f"({name})" in text and text.rsplit(")", 1)[1].split()[0] != "Z":
+                return True
+    return False
+
+
+class Bench:
+    """The outside of the controller: inputs, encoders, tool changer, and a recorder of the pins."""
+
+    def __init__(self, hal, settings):
+        self.hal = hal
+        self.settings = settings
+        self.component = hal.component("gaugeblock")
+        self.component.ready()
+        self.streams = []
+        for number, types in enumerate(settings["samplers"]):
+            self.streams.append(hal.stream(self.component, 0x48534130 + number, types))
+        self.names = settings["pins"]
+        self.values = None
+        self.changes = []
+        self.asked = {}
+        self.inputs = []
+        self.begun = None
+        self.first_sample = None
+
+    def set(self, pin, value):
+        self.hal.set_p(pin, str(value))
+
+    def begin(self, inputs):
+        for pin, value in self.settings["resting"]:
+            self.set(pin, value)
+        self.inputs = sorted(inputs, key=lambda change: change[0])
+        self.begun = None
+        self.change_inputs(0.0)
+        self.record()
+        self.changes = []
+
+    def start(self):
+        self.begun = time.monotonic()
+        self.first_sample = None
+
+    def change_inputs(self, now):
+        while self.inputs and self.inputs[0][0] <= now:
+            _, pin, value = self.inputs.pop(0)
+            self.set(pin, value)
+
+    def record(self):
+        """Takes what the samplers have taken, cycle by cycle."""
+        if not self.streams:
+            return
+        for _ in range(min(stream.depth for stream in self.streams)):
+            parts = [stream.read() for stream in self.streams]
+            if any(part is None for part in parts):
+                break
+            number = self.streams[0].sampleno
+            if self.first_sample is None:
+                self.first_sample = number
+            values = [value for part in parts for value in part]
+            if self.values is not None and values != self.values:
+                when = (number - self.first_sample) * self.settings["period"]
+                for name, old, new in zip(self.names, self.values, values):
+                    if old != new:
+                        self.changes.append([round(when, 6), name, float(new)])
+            self.values = values
+
+    def poll(self):
+        self.record()
+        if self.begun is not None:
+            self.change_inputs(time.monotonic() - self.begun)
+        for asked, answer, value, seconds, resting in self.settings["answers"]:
+            wanted = bool(self.hal.get_value(asked))
+            if not wanted:
+                if self.asked.pop(asked, None) is not None:
+                    self.set(answer, resting)
+                continue
+            since = self.asked.setdefault(asked, time.monotonic())
+            if since >= 0 and seconds is not None and time.monotonic() - since >= seconds:
+                self.set(answer, value)
+                self.asked[asked] = -1.0
+
+
+class Driver:
+    """The controller's commands, its state and its messages."""
+
+    def __init__(self, settings):
+        import hal
+        import linuxcnc
+
+        linuxcnc.nmlfile = os.path.abspath("channels.nml")
+        self.linuxcnc = linuxcnc
+        self.command = linuxcnc.command()
+        self.stat = linuxcnc.stat()
+        self.errors = linuxcnc.error_channel()
+        self.settings = settings
+        self.bench = Bench(hal, settings)
+        self.seen = {}
+        self.begun = 0.0
+        self.events = []
+        self.first, self.steps, self.starts = "", 0, 1
+        self.looked = 0.0
+        self.mode_told = None
+        self.complaints = 0
+        self.modes = {linuxcnc.MODE_AUTO: "auto", linuxcnc.MODE_MDI: "mdi", linuxcnc.MODE_MANUAL: "manual"}
+
+    # Waiting.
+
+    def poll(self):
+        self.stat.poll()
+        self.bench.poll()
+        if time.monotonic() - self.looked > 0.2:
+            self.looked = time.monotonic()
+            if not is_running("milltask"):
+                report(failed="the task controller is gone")
+                os._exit(1)
+        while True:
+            message = self.errors.poll()
+            if not message:
+                break
+            kind, text = message
+            if text.startswith(self.settings["marker"]):
+                seen = self.seen.setdefault(text, [])
+                seen.append(time.monotonic())
+            else:
+                error = kind in (self.linuxcnc.NML_ERROR, self.linuxcnc.OPERATOR_ERROR)
+                self.complaints += error
+                report(message=text, error=error)
+        mode = self.modes.get(self.stat.task_mode)
+        if self.mode_told is not None and mode != self.mode_told:
+            self.mode_told = mode
+            report(mode=mode)
+
+    def is_idle(self):
+        stat, linuxcnc = self.stat, self.linuxcnc
+        return (
+            stat.interp_state == linuxcnc.INTERP_IDLE
+            and stat.exec_state in (linuxcnc.EXEC_DONE, linuxcnc.EXEC_ERROR)
+            and stat.state != linuxcnc.RCS_EXEC
+            and stat.queue == 0
+            and stat.inpos
+            and stat.queued_mdi_commands == 0
+        )
+
+    def is_paused(self):
+        return self.stat.interp_state == self.linuxcnc.INTERP_PAUSED or self.stat.paused
+
+    def wait(self, holds, seconds):
+        """Whether it came to hold in time."""
+        deadline = time.monotonic() + seconds
+        while True:
+            self.poll()
+            if holds():
+                return True
+            if time.monotonic() > deadline:
+                return False
+            time.sleep(PAUSE)
+
+    def done(self, seconds=10.0):
+        serial = self.command.serial
+        return self.wait(
+            lambda: self.stat.echo_serial_number == serial and self.stat.state != self.linuxcnc.RCS_EXEC, seconds
+        )
+
+    # Before a run.
+
+    def power_on(self):
+        linuxcnc = self.linuxcnc
+        for state in (linuxcnc.STATE_ESTOP_RESET, linuxcnc.STATE_ON):
+            self.command.state(state)
+            self.done()
+        self.poll()
+        return self.stat.task_state == linuxcnc.STATE_ON
+
+    def mode(self, mode):
+        self.poll()
+        if self.stat.task_mode != mode:
+            self.command.mode(mode)
+            self.done()
+        self.poll()
+        return self.stat.task_mode == mode
+
+    def reset(self, order):
+        command, stat = self.command, self.stat
+        self.poll()
+        if stat.optional_stop != order["optional_stop"]:
+            command.set_optional_stop(order["optional_stop"])
+        if stat.block_delete != order["block_delete"]:
+            command.set_block_delete(order["block_delete"])
+        if order["load_tools"]:
+            command.load_tool_table()
+            self.done()
+        if not stat.feed_override_enabled:
+            command.set_feed_override(1)
+        if abs(stat.feedrate - order["feed_override"]) > 1e-9:
+            command.feedrate(order["feed_override"])
+        if abs(stat.rapidrate - 1.0) > 1e-9:
+            command.rapidrate(1.0)
+        for number in range(stat.spindles):
+            spindle = stat.spindle[number]
+            if not spindle["override_enabled"]:
+                command.set_spindle_override(1, number)
+            if abs(spindle["override"] - 1.0) > 1e-9:
+                command.spindleoverride(1.0, number)
+        if stat.adaptive_feed_enabled:
+            command.set_adaptive_feed(0)
+        if not stat.feed_hold_enabled:
+            command.set_feed_hold(1)
+        for number, value in enumerate(stat.dout):
+            if value:
+                command.set_digital_output(number, 0)
+        for number, value in enumerate(stat.aout):
+            if value:
+                command.set_analog_output(number, 0.0)
+        command.reset_interpreter()
+        self.done()
+
+    # A run.
+
+    def run_file(self, name):
+        self.mode(self.linuxcnc.MODE_AUTO)
+        self.command.program_open(os.path.abspath(name))
+        self.done()
+        self.bench.start()
+        self.begun = time.monotonic()
+        self.command.auto(self.linuxcnc.AUTO_RUN, 0)
+
+    def run_by_hand(self, lines, seconds):
+        """Enters line by line; an error ends it."""
+        self.mode(self.linuxcnc.MODE_MDI)
+        self.bench.start()
+        self.begun = time.monotonic()
+        for line in lines:
+            self.command.mdi(line)
+            if not self.done(seconds) or not self.wait(lambda: self.is_idle() or self.is_paused(), seconds):
+                return "late"
+            if self.stat.state == self.linuxcnc.RCS_ERROR or self.is_paused():
+                break
+        return "paused" if self.is_paused() else "idle"
+
+    def due(self, event):
+        """Whether the block of an event has begun as often as it says, and its offset has passed."""
+        seen = self.seen.get(event["marker"], [])
+        if len(seen) < event["execution"]:
+            return False
+        return time.monotonic() >= seen[event["execution"] - 1] + max(event["offset"], 0.02)
+
+    def act(self, event):
+        linuxcnc, command = self.linuxcnc, self.command
+        name, value = event["action"], event.get("value")
+        report(operator=name, value=value)
+        complaints = self.complaints
+        if name in ("cycle_start", "resume"):
+            self.wait(lambda: self.is_paused() or self.is_idle(), 0.5)
+        if name == "cycle_start" and not self.is_paused():
+            self.starts += 1
+            command.auto(linuxcnc.AUTO_RUN, 0)
+        elif name in ("cycle_start", "resume"):
+            command.auto(linuxcnc.AUTO_RESUME)
+        elif name == "pause":
+            command.auto(linuxcnc.AUTO_PAUSE)
+        elif name == "abort":
+            command.abort()
+        elif name == "mode":
+            command.mode(next(mode for mode, word in self.modes.items() if word == value))
+        elif name == "mdi":
+            command.mdi(value)
+        elif name == "optional_stop":
+            command.set_optional_stop(value)
+        elif name == "feed_override":
+            command.feedrate(value)
+        elif name == "rapid_override":
+            command.rapidrate(value)
+        elif name == "spindle_override":
+            command.spindleoverride(value, event["spindle"])
+        elif name == "feed_hold":
+            self.bench.set("motion.feed-hold", int(value))
+            return
+        if name not in ("cycle_start", "mdi"):
+            self.done()
+        else:
+            self.wait(lambda: self.stat.echo_serial_number == command.serial, 5.0)
+        self.wait(lambda: self.complaints > complaints, 0.03)
+        if self.complaints > complaints:
+            report(request_refused=name)
+
+    def follow(self, seconds):
+        """Until the run has ended or is paused, and no event can come any more."""
+        deadline = time.monotonic() + seconds
+        while time.monotonic() < deadline:
+            self.poll()
+            ready = next((event for event in self.events if self.due(event)), None)
+            if ready is not None:
+                self.events.remove(ready)
+                self.act(ready)
+                continue
+            if len(self.seen.get(self.first, [])) > self.starts:
+                return "endless"
+            if sum(len(seen) for text, seen in self.seen.items() if text[-1] != "+") > self.steps:
+                return "budget"
+            pending = [event for event in self.events if len(self.seen.get(event["marker"], [])) >= event["execution"]]
+            if not pending and (self.is_idle() or self.is_paused()):
+                return "paused" if self.is_paused() and not self.is_idle() else "idle"
+            time.sleep(PAUSE)
+        return "late"
+
+    def run(self, order):
+        self.settings["marker"] = order["marker"]
+        self.seen = {}
+        self.events = order["events"]
+        self.first, self.steps, self.starts = order["first"], order["steps"], 1
+        self.mode_told = None
+        self.reset(order)
+        self.bench.begin(order["inputs"])
+        self.mode(self.linuxcnc.MODE_AUTO if order["by_hand"] is None else self.linuxcnc.MODE_MDI)
+        self.mode_told = self.modes.get(self.stat.task_mode)
+        report(begins=True, mode=self.mode_told)
+        if order["by_hand"] is not None:
+            ending = self.run_by_hand(order["by_hand"], order["seconds"])
+        else:
+            self.run_file(order["program"])
+            self.done(order["seconds"])
+            ending = self.follow(order["seconds"])
+        # What was set last shows in the samples of the next cycles.
+        self.wait(lambda: False, 4 * self.settings["period"] if order["linger"] else 0.0)
+        self.poll()
+        self.mode_told = None
+        report(ends=ending, pins=self.bench.changes)
+        if ending == "late":
+            return False
+        if not self.is_idle():
+            self.command.abort()
+            self.done()
+        self.run_file(order["after"])
+        if not self.done() or not self.wait(self.is_idle, 10.0):
+            return False
+        report(done=True)
+        return True
+
+
+def main():
+    with open("driver.json", encoding="utf-8") as file:
+        settings = json.load(file)
+    driver = Driver(settings)
+    if not driver.power_on():
+        report(failed="the machine cannot be switched on")
+        return
+    report(ready=True)
+    for line in sys.stdin:
+        if not driver.run(json.loads(line)):
+            report(failed="no end in time", late=True)
+            return
+
+
+if len(sys.argv) > 2 and sys.argv[1] == "guard":
+    guard(sys.argv[2:])
+else:
+    main()

@@ -1,0 +1,99 @@
+//! Which scenarios the controller can run.
+
+use std::path::{Component, Path};
+
+use gaugeblock_trace::scenario::{Bench, Start};
+use gaugeblock_trace::{Axis, Language, Machine, Program, Scenario};
+
+use super::setup::input_pin;
+use crate::adapters::probing::instrument::LAST_PARAMETER;
+use crate::adapters::probing::source::Source;
+
+/// Most digital and most analog inputs and outputs.
+const MOST_SIGNALS: u16 = 64;
+
+/// Latest change of an input or answer, seconds: benches run in real time.
+const LATEST: f64 = 30.0;
+
+/// Whether the controller can run a scenario.
+///
+/// # Errors
+/// The reason why not.
+pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
+    program(&scenario.program)?;
+    machine(&scenario.machine)?;
+    bench(&scenario.bench)?;
+    if let Some(event) = scenario.operator.iter().find(|event| event.when.offset > LATEST) {
+        return Err(format!("an operator who waits {} s", event.when.offset));
+    }
+    if scenario.program.start == Start::Mdi && !scenario.operator.is_empty() {
+        return Err("an operator besides the one who enters blocks".to_owned());
+    }
+    Ok(())
+}
+
+fn program(program: &Program) -> Result<(), String> {
+    if program.language != Language::Rs274 {
+        return Err(format!("it does not speak {}", program.language));
+    }
+    for name in program.files.keys() {
+        let mut parts = Path::new(name).components();
+        let plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
+        if !plain || name == Program::MAIN || name.starts_with('.') {
+            return Err(format!("{name:?} is no file name for a sub"));
+        }
+    }
+    match Source::new(program).reaches_host() {
+        Some(block) => {
+            Err(format!("{block} would reach beyond the program's files, or run Python"))
+        }
+        None => Ok(()),
+    }
+}
+
+fn machine(machine: &Machine) -> Result<(), String> {
+    let is_cartesian = [Axis::X, Axis::Y, Axis::Z].iter().all(|axis| machine.axes.contains(axis));
+    let in_order = machine.axes.is_sorted_by_key(|axis| axis.place());
+    if !is_cartesian || !in_order || machine.axes.len() > 9 {
+        return Err("its axes are X Y Z and others, in order".to_owned());
+    }
+    if !(1..=8).contains(&machine.spindles) {
+        return Err("1 to 8 spindles".to_owned());
+    }
+    if machine.digital_io > MOST_SIGNALS || machine.analog_io > MOST_SIGNALS {
+        return Err(format!("at most {MOST_SIGNALS} inputs and outputs of each kind"));
+    }
+    let cannot_be_stored = |number: &&u32| !(1..=LAST_PARAMETER).contains(*number);
+    if let Some(number) = machine.parameters.0.keys().find(cannot_be_stored) {
+        return Err(format!("#{number} cannot be stored"));
+    }
+    let is_plain = |name: &str| {
+        name.starts_with('[') && name.contains(']') && !name.contains(char::is_control)
+    };
+    match machine.ini.keys().find(|name| !is_plain(name)) {
+        Some(name) => Err(format!("{name:?} is no [SECTION]NAME")),
+        None => Ok(()),
+    }
+}
+
+fn bench(bench: &Bench) -> Result<(), String> {
+    if let Some(name) = &bench.name {
+        return Err(format!("the bench {name:?} is another controller's"));
+    }
+    if bench.probe.is_some() {
+        return Err("its bench has no probe".to_owned());
+    }
+    for change in &bench.inputs {
+        if input_pin(&change.input).is_none() || change.time > LATEST {
+            return Err(format!("no input {} at {} s", change.input, change.time));
+        }
+    }
+    let is_user_program = |name: &str| {
+        let digits = name.strip_prefix(['M', 'm']).unwrap_or_default();
+        digits.chars().all(|c| c.is_ascii_alphanumeric() || c == '.') && !digits.is_empty()
+    };
+    match bench.user_programs.iter().find(|program| !is_user_program(&program.file)) {
+        Some(program) => Err(format!("{:?} is no file name for a user program", program.file)),
+        None => Ok(()),
+    }
+}

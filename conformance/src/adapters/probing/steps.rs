@@ -1,0 +1,167 @@
+//! Executed blocks, made of one probe after the other.
+
+use gaugeblock_trace::scenario::Budget;
+use gaugeblock_trace::{
+    Bound, ControllerMode, End, Event, Indexed, Outcome, Rs274State, State, Step,
+};
+
+use super::instrument::Plan;
+use super::probe::Probe;
+use super::source::{Form, Source, form, has_slash};
+use super::state;
+use crate::adapters::HarnessError;
+
+/// The blocks that were executed so far.
+#[derive(Debug)]
+pub(in crate::adapters) struct Steps<'a> {
+    source: &'a Source,
+    plan: &'a Plan,
+    block_delete: bool,
+    known: Rs274State,
+    at: Option<(usize, u32)>,
+    /// Mode of the controller, where it has modes.
+    pub(in crate::adapters) mode: Option<ControllerMode>,
+    /// The blocks with what they did.
+    pub(in crate::adapters) taken: Vec<Step>,
+}
+
+impl<'a> Steps<'a> {
+    /// None yet.
+    pub(in crate::adapters) fn new(source: &'a Source, plan: &'a Plan, block_delete: bool) -> Self {
+        let known = Rs274State::default();
+        Self { source, plan, block_delete, known, at: None, mode: None, taken: Vec::new() }
+    }
+
+    /// Whether a probe was seen.
+    pub(in crate::adapters) fn begun(&self) -> bool {
+        self.at.is_some()
+    }
+
+    /// The block that is executed next if nothing jumps.
+    pub(in crate::adapters) fn next(&self) -> Option<(usize, u32)> {
+        self.at.map(|(file, line)| (file, line + 1))
+    }
+
+    /// What kind of block that is.
+    pub(in crate::adapters) fn next_form(&self) -> Form {
+        self.next().map_or(Form::Other, |(file, line)| form(self.source.line(file, line)))
+    }
+
+    /// The first probe: parameters that the program does not name are taken as they are, only their changes are of
+    /// interest.
+    ///
+    /// # Errors
+    /// A mode that is not known.
+    pub(in crate::adapters) fn begin(&mut self, probe: &Probe) -> Result<(), HarnessError> {
+        let numbered = self.source.parameters().numbered;
+        let is_named = |name: &str| name.parse().is_ok_and(|number| numbered.contains(&number));
+        let shown = state::state(probe, 0, self.plan)?.parameter.unwrap_or_default();
+        let unnamed: Indexed<String, f64> =
+            shown.0.into_iter().filter(|(name, _)| !is_named(name)).collect();
+        self.known.parameter = Some(unnamed);
+        self.at = Some((probe.file, probe.line));
+        Ok(())
+    }
+
+    /// A block was executed; the run is now behind it, or where it jumped to.
+    ///
+    /// # Errors
+    /// A mode that is not known.
+    pub(in crate::adapters) fn passed(
+        &mut self,
+        probe: &Probe,
+        events: Vec<Event>,
+        tool: i32,
+    ) -> Result<(), HarnessError> {
+        let here = (probe.file, probe.line);
+        let Some(next) = self.next() else { return Ok(()) };
+        let jumped = here != next;
+        match self.next_form() {
+            Form::Call if jumped => {
+                // The call counts when it returns; what its block did, it did before the sub.
+                if !events.is_empty() {
+                    self.step(next, events, None);
+                }
+            }
+            Form::Call | Form::Control | Form::Return => self.step(next, events, None),
+            Form::Empty | Form::Percent if events.is_empty() => {}
+            // A block with M2 that is passed did not execute it.
+            Form::Empty | Form::Percent | Form::End | Form::Other => {
+                let line = self.source.line(next.0, next.1);
+                if !(self.block_delete && has_slash(line)) {
+                    let shown = self.shown(probe, tool)?;
+                    let changes = shown.since(&self.known);
+                    self.known.overlay(&changes);
+                    self.step(next, events, Some(State::Rs274(changes)));
+                }
+            }
+        }
+        if jumped && form(self.source.line(here.0, here.1)) == Form::Call {
+            self.step(here, Vec::new(), None);
+        }
+        self.at = Some(here);
+        Ok(())
+    }
+
+    /// The program ended with the next block; what was shown afterwards.
+    ///
+    /// # Errors
+    /// A mode that is not known.
+    pub(in crate::adapters) fn ended(
+        &mut self,
+        probe: &Probe,
+        events: Vec<Event>,
+        tool: i32,
+    ) -> Result<(), HarnessError> {
+        let shown = self.shown(probe, tool)?;
+        let mut changes = shown.since(&self.known);
+        self.known.overlay(&changes);
+        changes.parameter = None;
+        changes.call_level = None;
+        self.step(self.next().unwrap_or((0, 1)), events, Some(State::Rs274(changes)));
+        Ok(())
+    }
+
+    /// The program runs again from its first block.
+    pub(in crate::adapters) fn restarted(&mut self, probe: &Probe) {
+        self.at = Some((probe.file, probe.line));
+    }
+
+    fn shown(&self, probe: &Probe, tool: i32) -> Result<Rs274State, HarnessError> {
+        let shown = state::state(probe, tool, self.plan)?;
+        Ok(Rs274State { controller_mode: self.mode, ..shown })
+    }
+
+    /// A block of which only its events are known.
+    pub(in crate::adapters) fn step(
+        &mut self,
+        (file, line): (usize, u32),
+        events: Vec<Event>,
+        state: Option<State>,
+    ) {
+        self.taken.push(Step { block: self.source.block(file, line), events, state });
+    }
+}
+
+/// Cuts an outcome off where the budget ends; tells which bound did.
+pub(in crate::adapters) fn limit(outcome: &mut Outcome, budget: Budget) -> Option<Bound> {
+    let steps = usize::try_from(budget.steps).unwrap_or(usize::MAX);
+    let mut effects = 0;
+    let is_effect = |event: &&Event| matches!(event, Event::Do(_));
+    let keep = outcome.steps.iter().take_while(|step| {
+        effects += step.events.iter().filter(is_effect).count();
+        u32::try_from(effects).is_ok_and(|effects| effects <= budget.effects)
+    });
+    let keep = keep.count();
+    let bound = if keep.min(steps) == outcome.steps.len() {
+        return None;
+    } else if keep < steps {
+        Bound::Effects
+    } else {
+        Bound::Steps
+    };
+    outcome.steps.truncate(keep.min(steps));
+    outcome.end = End::BudgetExhausted { bound };
+    outcome.parameters = None;
+    Some(bound)
+}

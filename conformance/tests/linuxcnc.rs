@@ -1,0 +1,135 @@
+//! LinuxCNC's whole controller, where it is installed and may have name spaces; where not, each test says what it left out.
+
+use std::fs;
+use std::io::Write as _;
+use std::path::PathBuf;
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+use gaugeblock::adapters::linuxcnc::LinuxCnc;
+
+/// The command, unless the controller cannot be used here.
+fn gaugeblock(left_out: &str, arguments: &[&str]) -> Option<Command> {
+    if let Err(error) = LinuxCnc::find() {
+        // Written past the test runner, which keeps what passing tests print to itself.
+        let notice = format!("left out: {left_out} ({error})\n");
+        std::io::stderr().write_all(notice.as_bytes()).expect("standard error can be written");
+        return None;
+    }
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gaugeblock"));
+    command.args(arguments).env("NO_COLOR", "1").stdout(Stdio::piped()).stderr(Stdio::piped());
+    Some(command)
+}
+
+#[track_caller]
+fn ends_with(output: &Output, status: i32) -> String {
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(status), "{text}{errors}");
+    text + &errors
+}
+
+/// A program file that waits for seconds.
+fn waiting(name: &str) -> PathBuf {
+    let file = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::write(&file, "g0 x1\nm66 p0 l3 q20\nm2\n").expect("written");
+    file
+}
+
+/// Process numbers of all that a process started, with their names.
+fn descendants(of: u32) -> Vec<(u32, String)> {
+    let mut processes = Vec::new();
+    for entry in fs::read_dir("/proc").expect("/proc").flatten() {
+        let Ok(number) = entry.file_name().to_string_lossy().parse::<u32>() else { continue };
+        let Ok(stat) = fs::read_to_string(entry.path().join("stat")) else { continue };
+        let Some((head, tail)) = stat.rsplit_once(')') else { continue };
+        let name = head.split_once('(').map_or("", |(_, name)| name).to_owned();
+        let mut words = tail.split_whitespace();
+        let (state, parent) = (words.next().unwrap_or_default(), words.next());
+        let parent: u32 = parent.and_then(|word| word.parse().ok()).unwrap_or_default();
+        if state != "Z" {
+            processes.push((number, parent, name));
+        }
+    }
+    let mut family = vec![of];
+    let mut found = Vec::new();
+    while let Some(next) = family.pop() {
+        for (number, _, name) in processes.iter().filter(|(_, parent, _)| *parent == next) {
+            family.push(*number);
+            found.push((*number, name.clone()));
+        }
+    }
+    found
+}
+
+/// Waits until the task controller of a command runs, and a little longer; all that runs then.
+fn when_running(child: &Child) -> Vec<(u32, String)> {
+    for _ in 0..300 {
+        let family = descendants(child.id());
+        if family.iter().any(|(_, name)| name == "milltask") {
+            sleep(Duration::from_secs(3));
+            return descendants(child.id());
+        }
+        sleep(Duration::from_millis(100));
+    }
+    panic!("no task controller runs");
+}
+
+fn kill(process: u32) {
+    let status = Command::new("kill").args(["-9", &process.to_string()]).status();
+    assert!(status.expect("kill runs").success());
+}
+
+fn assert_all_gone(family: &[(u32, String)]) {
+    let lives = |(number, name): &(u32, String)| {
+        let stat = fs::read_to_string(format!("/proc/{number}/stat")).unwrap_or_default();
+        stat.contains(&format!("({name})")) && !stat.contains(") Z ")
+    };
+    for _ in 0..100 {
+        if !family.iter().any(lives) {
+            return;
+        }
+        sleep(Duration::from_millis(100));
+    }
+    let left: Vec<_> = family.iter().filter(|process| lives(process)).collect();
+    panic!("left behind: {left:?}");
+}
+
+#[test]
+fn a_task_controller_that_dies_is_told_and_leaves_nothing_behind() {
+    let file = waiting("dies.ngc");
+    let arguments = ["run", file.to_str().expect("UTF-8"), "--iut", "linuxcnc"];
+    let Some(mut command) = gaugeblock("a controller that dies", &arguments) else { return };
+    let child = command.spawn().expect("the command runs");
+    let family = when_running(&child);
+    let task = family.iter().find(|(_, name)| name == "milltask").expect("found before");
+    kill(task.0);
+    let output = child.wait_with_output().expect("an end");
+    let text = ends_with(&output, 3);
+    assert!(text.contains("crashed"), "{text}");
+    assert_all_gone(&family);
+}
+
+#[test]
+fn a_killed_referee_leaves_nothing_behind() {
+    let file = waiting("killed.ngc");
+    let arguments = ["run", file.to_str().expect("UTF-8"), "--iut", "linuxcnc"];
+    let Some(mut command) = gaugeblock("a referee that dies", &arguments) else { return };
+    let mut child = command.spawn().expect("the command runs");
+    let family = when_running(&child);
+    kill(child.id());
+    let _status = child.wait();
+    assert_all_gone(&family);
+}
+
+#[test]
+fn it_does_what_is_known_of_it() {
+    let edition = ["certify", "linuxcnc", "--edition", "linuxcnc-2.9-observed"];
+    let sample = ["--only", "coolant", "--only", "dwell", "--only", "order"];
+    let arguments = [&edition[..], &sample[..]].concat();
+    let Some(mut command) = gaugeblock("a sample under linuxcnc-2.9-observed", &arguments) else {
+        return;
+    };
+    ends_with(&command.output().expect("the command runs"), 0);
+}
