@@ -43,6 +43,7 @@ impl Run<'_> {
         self.state.evidence.accepted(rule);
         if !aborted {
             self.state.evidence.accepted("task.modes-carry-over");
+            self.state.evidence.accepted("task.parameters-carry-over");
         }
         self.change_mode_to(ControllerMode::Auto);
         self.leave_calls();
@@ -51,9 +52,13 @@ impl Run<'_> {
     }
 
     /// A run is over: with it every call, and what was local to it.
+    ///
+    /// Rule task.parameters-carry-over. What is local to the main program has its value again in the next run, as all that
+    /// is global has.
     fn leave_calls(&mut self) {
         let arguments = self.arguments();
-        self.state.frames = vec![Frame { arguments, ..Frame::default() }];
+        let locals = std::mem::take(&mut self.state.frames[0].locals);
+        self.state.frames = vec![Frame { arguments, locals, ..Frame::default() }];
     }
 
     /// A block that the operator enters by hand.
