@@ -59,6 +59,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
     ("text.percent-unclosed-ended", &["accepted", "refused"]),
     ("units-planes.diameter-offsets", &["moves-only", "every-word"]),
     ("units-planes.feed-over-unit-change", &["rescaled", "kept"]),
+    ("units-planes.initial-unit", &["millimetre", "machine"]),
 ];
 
 /// Every quirk that the model can show.

@@ -320,6 +320,8 @@ impl<'a> Assembly<'a> {
     fn machine_fault(&self, message: String) -> Result<End, HarnessError> {
         let kind = if message.starts_with("user program") {
             FaultKind::UserCode
+        } else if message.starts_with("wait for orient complete") {
+            FaultKind::Orient
         } else {
             faults::kind(&message).ok_or_else(|| HarnessError::UnknownMessage(message.clone()))?
         };

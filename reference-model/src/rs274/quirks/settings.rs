@@ -8,8 +8,8 @@ use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
 
-/// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch; in millimetres,
-/// which is the unit then.
+/// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch. In
+/// millimetres.
 pub(crate) fn initial_tolerance(readings: &Readings) -> f64 {
     if readings.quirk("linuxcnc.initial-tolerance") { 0.0254 } else { 0.0 }
 }
