@@ -295,7 +295,7 @@ class Driver:
         seen = self.seen.get(event["marker"], [])
         if len(seen) < event["execution"]:
             return False
-        return time.monotonic() >= seen[event["execution"] - 1] + max(event["offset"], 0.02)
+        return time.monotonic() >= seen[event["execution"] - 1] + event["offset"]
 
     def act(self, event):
         linuxcnc, command = self.linuxcnc, self.command

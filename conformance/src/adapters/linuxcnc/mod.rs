@@ -25,7 +25,7 @@ mod version;
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-use gaugeblock_trace::scenario::{Action, Start};
+use gaugeblock_trace::scenario::{Action, OperatorEvent, Start};
 use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::{Value, json};
 
@@ -196,13 +196,28 @@ impl Adapter for LinuxCnc {
 fn plan(scenario: &Scenario, source: &Source, more: &BTreeSet<u32>) -> Plan {
     let names = source.files().iter().map(|(name, _)| name);
     let file = |name: &str| names.clone().position(|known| known == name);
-    let events = scenario
-        .operator
-        .iter()
-        .filter_map(|event| Some((file(&event.when.block.file)?, event.when.block.line)));
+    let places = |wanted: fn(&OperatorEvent) -> bool| -> BTreeSet<(usize, u32)> {
+        let events = scenario.operator.iter().filter(|event| wanted(event));
+        let place =
+            |event: &OperatorEvent| Some((file(&event.when.block.file)?, event.when.block.line));
+        events.filter_map(place).collect()
+    };
     let mut plan = Plan::new(source, &more.iter().copied().chain([5399]).collect());
-    plan.marks = Some(Marks { before: events.collect() });
+    plan.marks = Some(Marks { before: places(|_| true), gates: places(is_switched_before) });
     plan
+}
+
+/// Whether an event sets a switch before its block begins.
+fn is_switched_before(event: &OperatorEvent) -> bool {
+    let is_switch = matches!(
+        event.action,
+        Action::OptionalStop(_)
+            | Action::FeedOverride(_)
+            | Action::RapidOverride(_)
+            | Action::SpindleOverride { .. }
+            | Action::FeedHold(_)
+    );
+    is_switch && event.when.offset <= 0.0
 }
 
 /// Writes the program, gives the order, and reads what was printed.
@@ -257,7 +272,9 @@ fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: Value) -> V
         let place = file(&event.when.block.file)?;
         told["marker"] = plan.mark_before(place, event.when.block.line).into();
         told["execution"] = event.when.execution.into();
-        told["offset"] = event.when.offset.into();
+        // A block has begun once its command has gone out.
+        let least = if is_switched_before(event) { 0.0 } else { 0.02 };
+        told["offset"] = event.when.offset.max(least).into();
         Some(told)
     });
     let may_stop = source.all().any(|(_, _, line)| {
