@@ -5,6 +5,7 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{End, Options, Outcome, Scenario};
 
 use crate::adapters::Adapter;
@@ -205,10 +206,10 @@ fn run_case<'a>(
     result
 }
 
-/// The scenario of a case under an edition.
+/// The scenario of a case under an edition. The edition's bench answers where the case has none of its own.
 pub fn scenario_of(case: &Case, options: &Options, edition: &Edition) -> Scenario {
     let mut scenario = case.setup.scenario(&case.program, options);
-    if scenario.bench.name.is_none() {
+    if scenario.bench == Bench::default() {
         scenario.bench.name.clone_from(&edition.bench);
     }
     scenario

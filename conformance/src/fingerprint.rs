@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_trace::Options;
+use gaugeblock_trace::scenario::Bench;
 
 use crate::adapters::Adapter;
 use crate::judge::{Finding, judge};
@@ -39,7 +40,7 @@ fn shown(
     controller: &dyn Adapter,
 ) -> Shown {
     let mut scenario = choice.setup.scenario(&choice.program, options);
-    if scenario.bench.name.is_none() {
+    if scenario.bench == Bench::default() {
         scenario.bench.name = bench.map(str::to_owned);
     }
     if let Err(why) = controller.supports(&scenario) {

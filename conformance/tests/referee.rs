@@ -9,9 +9,9 @@ use gaugeblock::compare::compare;
 use gaugeblock::expectations::{Expectations, Trouble};
 use gaugeblock::judge::{Finding, judge};
 use gaugeblock::observe::Observed;
-use gaugeblock::report::{Report, json, junit, terminal};
+use gaugeblock::report::{Report, json, junit, profiles, terminal};
 use gaugeblock::suite::{Suite, files};
-use gaugeblock_trace::{Effect, Event, Outcome, Scenario};
+use gaugeblock_trace::{Effect, End, Event, Outcome, Scenario};
 
 /// The model with one fault planted.
 #[derive(Debug)]
@@ -59,7 +59,12 @@ fn the_order_of_work_changes_nothing() {
     let text = |jobs| {
         let run = run(&suite, &Reference::default(), &only, jobs);
         let model = Reference::default();
-        let report = Report { run: &run, controller: model.capabilities(), troubles: None };
+        let report = Report {
+            run: &run,
+            controller: model.capabilities(),
+            profiles: Vec::new(),
+            troubles: None,
+        };
         (
             terminal::terminal(&report, true),
             json::json(&report),
@@ -79,8 +84,39 @@ fn a_crash_is_no_pass_and_the_report_is_complete() {
     });
     let run = run(&suite, &crashing, &only, 2);
     assert!(run.cases.iter().all(|result| matches!(result.verdict, Verdict::NotJudged(_))));
-    let report = Report { run: &run, controller: crashing.capabilities(), troubles: None };
+    let report = Report {
+        run: &run,
+        controller: crashing.capabilities(),
+        profiles: Vec::new(),
+        troubles: None,
+    };
     assert_eq!(report.exit_status(), 3);
+}
+
+#[test]
+fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
+    let suite = suite();
+    let only = ["saved-state".to_owned()];
+    let status = |controller: &dyn Adapter, claimed: &[String]| {
+        let run = run(&suite, controller, &only, 2);
+        let profiles = profiles::profiles(&suite, &run, claimed);
+        let passed = profiles.iter().filter(|profile| profile.passes());
+        let passed: Vec<_> = passed.map(|profile| profile.profile.id.clone()).collect();
+        let controller = controller.capabilities();
+        (passed, Report { run: &run, controller, profiles, troubles: None }.exit_status())
+    };
+    let (modal_save, task) = ("modal-save".to_owned(), "task".to_owned());
+    let modest = faulty(|mut outcome| {
+        let block = gaugeblock_trace::Block::new("main.ngc", 1);
+        outcome.end = End::Unsupported { block, what: "M70".to_owned() };
+        Ok(outcome)
+    });
+    assert_eq!(status(&modest, &[]), (vec![], 0));
+    assert_eq!(status(&modest, std::slice::from_ref(&modal_save)), (vec![], 1));
+    let model = Reference::default();
+    assert_eq!(status(&model, std::slice::from_ref(&modal_save)), (vec![modal_save.clone()], 0));
+    // What was not run is not passed.
+    assert_eq!(status(&model, &[task]), (vec![modal_save], 1));
 }
 
 #[test]

@@ -44,6 +44,12 @@ fn the_model_reads_exactly_the_choices_of_the_pages() {
     assert_eq!(quirks, known);
 }
 
+/// Choices that show only under an option of another one.
+const PREREQUISITES: [(&str, &str, &str); 2] = [
+    ("saved-state.listed-motion", "saved-state.motion-mode", "restored"),
+    ("tool.old-tool-place", "tool.selected-by", "slot"),
+];
+
 #[test]
 fn the_model_shows_each_option_that_it_is_given() {
     let suite = suite();
@@ -54,10 +60,8 @@ fn the_model_shows_each_option_that_it_is_given() {
         for option in &choice.options {
             let mut options = suite.options(edition);
             options.0.insert(choice.id.clone(), option.name.clone());
-            let prerequisite = (choice.id == "saved-state.listed-motion")
-                .then_some(("saved-state.motion-mode", "restored"));
-            if let Some((id, option)) = prerequisite {
-                options.0.insert(id.to_owned(), option.to_owned());
+            if let Some((_, id, option)) = PREREQUISITES.iter().find(|row| row.0 == choice.id) {
+                options.0.insert((*id).to_owned(), (*option).to_owned());
             }
             let mut alone = suite.clone();
             alone.choices.retain(|other| other.id == choice.id);

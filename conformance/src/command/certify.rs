@@ -9,7 +9,7 @@ use super::{Format, Refused, controller, place, write_out};
 use crate::adapters::Capabilities;
 use crate::certify::{Plan, Run, certify as run_suite, count};
 use crate::expectations::Expectations;
-use crate::report::{Report, json, junit, terminal};
+use crate::report::{Report, json, junit, profiles, terminal};
 use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
@@ -19,6 +19,8 @@ const EXAMPLES: &str = "Examples:
       only what is new or has changed
   gaugeblock certify rs274 --edition rs274-2.9-observed --report out
       hold it to what is known of it; write out/report.json, out/junit.xml, out/report.txt
+  gaugeblock certify rs274 --profile modal-save --profile subroutines
+      fail unless it passes every rule of these profiles
   gaugeblock certify reference --edition m70-draft --only saved-state
       hold the specification to one chapter of an edition";
 
@@ -34,6 +36,9 @@ pub(super) struct Arguments {
     /// Only rules whose id begins so, such as `saved-state` or `feed.zero`; may be repeated
     #[arg(long, value_name = "PREFIX")]
     only: Vec<String>,
+    /// A profile that is claimed: an unsupported or unjudged rule of it fails, too; may be repeated
+    #[arg(long, value_name = "PROFILE")]
+    profile: Vec<String>,
     /// What the controller is known to do otherwise; anything else fails
     #[arg(long, value_name = "FILE")]
     expectations: Option<PathBuf>,
@@ -60,6 +65,13 @@ pub(super) struct Arguments {
 pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     let own = controller::own_edition(&arguments.controller);
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    if let Some(unknown) = arguments.profile.iter().find(|id| suite.profile(id).is_none()) {
+        let known: Vec<_> = suite.profiles.iter().map(|profile| profile.id.as_str()).collect();
+        return Err(Refused::wrong(
+            format!("there is no profile `{unknown}`"),
+            format!("one of: {}", known.join(", ")),
+        ));
+    }
     let expectations = arguments.expectations.as_deref().map(read).transpose()?;
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
@@ -84,7 +96,8 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     bar.finish_and_clear();
     let whole = arguments.only.is_empty();
     let troubles = expectations.map(|expectations| expectations.hold(&run, whole));
-    let report = Report { run: &run, controller: controller.capabilities(), troubles };
+    let profiles = profiles::profiles(suite, &run, &arguments.profile);
+    let report = Report { run: &run, controller: controller.capabilities(), profiles, troubles };
     if let Some(file) = &arguments.write_expectations {
         write_expectations(file, &run, controller.capabilities())?;
     }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use clap::Args;
+use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{End, Outcome, Program, Scenario};
 
 use super::{Format, Refused, controller, place, write_error, write_out};
@@ -72,7 +73,7 @@ impl How {
             ..scenario.program
         };
         scenario.options = super::options_with(suite, edition, &self.option)?;
-        if scenario.bench.name.is_none() {
+        if scenario.bench == Bench::default() {
             scenario.bench.name.clone_from(&edition.bench);
         }
         Ok(scenario)

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::Report;
+use super::{Report, RuleVerdict};
 use crate::certify::Verdict;
 
 /// The report as JSON.
@@ -78,9 +78,32 @@ pub fn json(report: &Report<'_>) -> Value {
             "unsupported": counts.unsupported,
             "not_judged": counts.not_judged,
         },
+        "profiles": profiles(report),
         "rules": rules,
         "void": void,
         "cases": cases,
         "expectations": report.troubles,
     })
+}
+
+/// Each profile: claimed or not, passed or not, and how many rules came to what.
+fn profiles(report: &Report<'_>) -> Vec<Value> {
+    report
+        .profiles
+        .iter()
+        .map(|result| {
+            json!({
+                "profile": result.profile.id,
+                "version": result.profile.version,
+                "claimed": result.claimed,
+                "passes": result.passes(),
+                "rules": result.rules(),
+                "pass": result.count(RuleVerdict::Pass),
+                "diverges": result.count(RuleVerdict::Diverges),
+                "unsupported": result.count(RuleVerdict::Unsupported),
+                "not_judged": result.count(RuleVerdict::NotJudged),
+                "not_run": result.not_run,
+            })
+        })
+        .collect()
 }

@@ -3,11 +3,14 @@
 pub mod json;
 pub mod junit;
 pub mod matrix;
+pub mod profiles;
 pub mod terminal;
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+
+pub use profiles::ProfileResult;
 
 use crate::adapters::Capabilities;
 use crate::certify::{CaseResult, Run, Verdict};
@@ -51,6 +54,8 @@ pub struct Report<'a> {
     pub run: &'a Run<'a>,
     /// The controller.
     pub controller: &'a Capabilities,
+    /// Each profile that the edition has rules of.
+    pub profiles: Vec<ProfileResult<'a>>,
     /// Where it disagrees with the expectations, if there are any.
     pub troubles: Option<Vec<Trouble>>,
 }
@@ -124,23 +129,7 @@ impl<'a> Report<'a> {
 
     /// Each rule with its verdict, in order.
     pub fn rules(&self) -> Vec<RuleResult<'a>> {
-        let mut rules: Vec<RuleResult<'a>> = Vec::new();
-        for result in &self.run.cases {
-            if rules.last().is_none_or(|last| last.rule.id != result.rule.id) {
-                rules.push(RuleResult {
-                    rule: result.rule,
-                    verdict: RuleVerdict::Unsupported,
-                    counts: Counts::default(),
-                    compared: Tally::default(),
-                });
-            }
-            if let Some(last) = rules.last_mut() {
-                last.counts.add(&result.verdict);
-                last.compared.extend(&result.compared);
-                last.verdict = last.counts.verdict();
-            }
-        }
-        rules
+        verdicts(self.run)
     }
 
     /// Cases that diverge, in order.
@@ -169,14 +158,16 @@ impl<'a> Report<'a> {
         reasons
     }
 
-    /// The exit status: 0 all as documented or known, 1 a divergence or a wrong expectation, 3 not finished.
+    /// The exit status: 0 all as documented or known, 1 a divergence, a wrong expectation or a claimed profile that
+    /// it does not pass, 3 not finished.
     pub fn exit_status(&self) -> u8 {
         let counts = self.counts();
         let wrong = match &self.troubles {
             Some(troubles) => !troubles.is_empty(),
             None => counts.diverges + counts.charged_elsewhere > 0,
         };
-        if wrong {
+        let fails = self.profiles.iter().any(|profile| profile.claimed && !profile.passes());
+        if wrong || fails {
             1
         } else if counts.not_judged > 0 || counts.all() == 0 {
             3
@@ -184,4 +175,25 @@ impl<'a> Report<'a> {
             0
         }
     }
+}
+
+/// Each rule of a run with its verdict, in order.
+fn verdicts<'a>(run: &Run<'a>) -> Vec<RuleResult<'a>> {
+    let mut rules: Vec<RuleResult<'a>> = Vec::new();
+    for result in &run.cases {
+        if rules.last().is_none_or(|last| last.rule.id != result.rule.id) {
+            rules.push(RuleResult {
+                rule: result.rule,
+                verdict: RuleVerdict::Unsupported,
+                counts: Counts::default(),
+                compared: Tally::default(),
+            });
+        }
+        if let Some(last) = rules.last_mut() {
+            last.counts.add(&result.verdict);
+            last.compared.extend(&result.compared);
+            last.verdict = last.counts.verdict();
+        }
+    }
+    rules
 }

@@ -37,6 +37,7 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
     }
     not_judged(&mut text, report);
     troubles(&mut text, report);
+    profiles(&mut text, report);
     unseen(&mut text, report, verbose);
     verdict(&mut text, report);
     text
@@ -152,6 +153,36 @@ fn troubles(text: &mut String, report: &Report<'_>) {
     }
 }
 
+/// The profiles that it passes, and those that it claims and does not pass.
+fn profiles(text: &mut String, report: &Report<'_>) {
+    let passes = |claimed: bool| {
+        let some = report.profiles.iter().filter(move |p| p.passes() && p.claimed == claimed);
+        some.map(|p| format!("{} {}", p.profile.id, p.profile.version)).collect::<Vec<_>>()
+    };
+    let (claimed, besides) = (passes(true), passes(false));
+    if !claimed.is_empty() {
+        line!(text, "passes the claimed profiles: {}", styled(GREEN, &claimed.join(", ")));
+    }
+    if !besides.is_empty() {
+        line!(text, "passes these profiles, not claimed: {}", besides.join(", "));
+    }
+    for failed in report.profiles.iter().filter(|p| p.claimed && !p.passes()) {
+        line!(
+            text,
+            "{} {} {}: of {} rules {} pass, {} diverge, {} unsupported, {} not judged, {} not run",
+            styled(RED, "fails the claimed profile"),
+            failed.profile.id,
+            failed.profile.version,
+            failed.rules(),
+            failed.count(RuleVerdict::Pass),
+            failed.count(RuleVerdict::Diverges),
+            failed.count(RuleVerdict::Unsupported),
+            failed.count(RuleVerdict::NotJudged),
+            failed.not_run
+        );
+    }
+}
+
 fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
     let unsupported = report.unsupported();
     if !unsupported.is_empty() {
@@ -191,8 +222,11 @@ fn verdict(text: &mut String, report: &Report<'_>) {
     let (style, words) = match (report.exit_status(), &report.troubles) {
         (0, Some(_)) => (GREEN, "as the documents say, apart from what is known"),
         (0, None) => (GREEN, "as the documents say"),
-        (1, Some(_)) => (RED, "the expectations do not hold"),
-        (1, None) => (RED, "departs from its documents"),
+        (1, Some(troubles)) if !troubles.is_empty() => (RED, "the expectations do not hold"),
+        (1, None) if counts.diverges + counts.charged_elsewhere > 0 => {
+            (RED, "departs from its documents")
+        }
+        (1, _) => (RED, "does not pass what it claims"),
         _ => (YELLOW, "not finished: some cases were not judged"),
     };
     line!(text, "{}", styled(style, words));

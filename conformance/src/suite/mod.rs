@@ -11,7 +11,9 @@ use gaugeblock_trace::Options;
 
 pub use assertion::Assertion;
 pub use files::Files;
-pub use page::{Case, Choice, ChoiceKind, ChoiceOption, Edition, Rule, RuleOutcome, Setup, Source};
+pub use page::{
+    Case, Choice, ChoiceKind, ChoiceOption, Edition, Profile, Rule, RuleOutcome, Setup, Source,
+};
 
 /// The suite as it is read.
 #[derive(Clone, Debug)]
@@ -22,6 +24,8 @@ pub struct Suite {
     pub choices: Vec<Choice>,
     /// Editions in the order of their file.
     pub editions: Vec<Edition>,
+    /// Profiles in the order of their file.
+    pub profiles: Vec<Profile>,
     /// Path of each rule's page within the suite.
     pub paths: BTreeMap<String, String>,
 }
@@ -39,6 +43,7 @@ impl Suite {
             rules: Vec::new(),
             choices: Vec::new(),
             editions: Vec::new(),
+            profiles: Vec::new(),
             paths: BTreeMap::new(),
         };
         let mut errors = Vec::new();
@@ -64,6 +69,14 @@ impl Suite {
                     edition: Vec<Edition>,
                 }
                 self.editions = toml::from_str::<Page>(text).map_err(parsed)?.edition;
+            }
+            "" if name == "profiles.toml" => {
+                #[derive(serde::Deserialize)]
+                #[serde(deny_unknown_fields)]
+                struct Page {
+                    profile: Vec<Profile>,
+                }
+                self.profiles = toml::from_str::<Page>(text).map_err(parsed)?.profile;
             }
             "" | "documents" => {}
             "choices" | "quirks" => {
@@ -154,12 +167,20 @@ impl Suite {
                 }
             }
         }
+        if self.profile(&rule.profile).is_none() {
+            problems.push(format!("there is no profile `{}`", rule.profile));
+        }
         for id in &rule.options {
             if !self.choices.iter().any(|choice| choice.id == *id) {
                 problems.push(format!("there is no choice or quirk `{id}`"));
             }
         }
         problems
+    }
+
+    /// The profile of an id.
+    pub fn profile(&self, id: &str) -> Option<&Profile> {
+        self.profiles.iter().find(|profile| profile.id == id)
     }
 
     /// The edition of an id.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::scenario::{Bench, Budget, Machine, OperatorEvent, Program, Scenario};
+use gaugeblock_trace::scenario::{Bench, Budget, Machine, OperatorEvent, Program, Scenario, Start};
 use serde::{Deserialize, Serialize};
 
 /// Where a document says something.
@@ -114,6 +114,8 @@ pub struct Setup {
     pub budget: Budget,
     /// Whether blocks that begin with a slash are skipped.
     pub block_delete: bool,
+    /// Whether the main program is run, or each of its lines entered by hand.
+    pub start: Start,
 }
 
 impl Setup {
@@ -124,6 +126,7 @@ impl Setup {
                 main: program.to_owned(),
                 files: self.files.clone(),
                 block_delete: self.block_delete,
+                start: self.start,
                 ..Program::default()
             },
             options: options.clone(),
@@ -199,4 +202,16 @@ pub struct Edition {
     /// Options that differ from its base's.
     #[serde(default)]
     pub options: BTreeMap<String, String>,
+}
+
+/// A named and versioned list of rules that a vendor can claim: those whose pages name it.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Profile {
+    /// Its id.
+    pub id: String,
+    /// Counts up when the list of a released profile changes; 0 until it is released.
+    pub version: u32,
+    /// What it comprises.
+    pub sentence: String,
 }

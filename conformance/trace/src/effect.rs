@@ -182,6 +182,11 @@ effects! {
         /// Tool number.
         tool: i32,
     }
+    /// M6 where tools are changed by hand: ask for a tool.
+    "prompt_tool" PromptTool {
+        /// Tool number; 0 for none.
+        tool: i32,
+    }
     /// M6: put the prepared tool into the spindle.
     "change_tool" ChangeTool {
         /// Tool number; 0 for none.

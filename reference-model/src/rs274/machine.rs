@@ -1,9 +1,12 @@
 //! The whole state of a controller, a sentence per field.
 
+use std::collections::BTreeMap;
+
 use gaugeblock_trace::{Machine, Position, Rs274State, Settings};
 
 use super::control::Frame;
 use super::modes::Modes;
+use super::outside::Outside;
 use super::parameters::Parameters;
 use super::readings::Readings;
 use crate::Evidence;
@@ -23,6 +26,10 @@ pub struct State {
     pub tool: i32,
     /// Tool number that T selected; -1 for none.
     pub prepared_tool: i32,
+    /// Whether T has selected a tool since the last tool change.
+    pub selected_for_change: bool,
+    /// The tool of each slot of the changer, be it in its slot or in the spindle.
+    pub slots: BTreeMap<u32, i32>,
     /// Numbered and global named parameters. Local ones are in the frames.
     pub parameters: Parameters,
     /// The main program's frame and one for each call in progress, innermost last; never empty.
@@ -31,8 +38,55 @@ pub struct State {
     pub line: u32,
     /// Whether a log file is open.
     pub log_open: bool,
+    /// What the operator has set at the panel.
+    pub panel: Panel,
+    /// The outside of the controller: its clock, its pins, and how a bench answers.
+    pub outside: Outside,
     /// The rules reached so far.
     pub evidence: Evidence,
+}
+
+/// Switches and overrides that the operator sets, in every mode of the controller.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// The optional-stop switch.
+    pub optional_stop: bool,
+    /// Feed override; 1 is 100 %.
+    pub feed_override: f64,
+    /// Rapid override; 1 is 100 %.
+    pub rapid_override: f64,
+    /// Speed override of each spindle by its number; 1 is 100 %.
+    pub spindle_overrides: Vec<f64>,
+    /// Feed hold.
+    pub feed_hold: bool,
+}
+
+impl Panel {
+    /// Before the operator has touched anything: no optional stop, no feed hold, every override at 100 %.
+    pub fn new(machine: &Machine) -> Self {
+        Self {
+            optional_stop: false,
+            feed_override: 1.0,
+            rapid_override: 1.0,
+            spindle_overrides: vec![1.0; usize::from(machine.spindles.max(1))],
+            feed_hold: false,
+        }
+    }
+
+    /// The speed override of a spindle; 1 for one that the machine does not have.
+    pub fn spindle_override(&self, number: u16) -> f64 {
+        self.spindle_overrides.get(usize::from(number)).copied().unwrap_or(1.0)
+    }
+}
+
+/// The tool of each slot of a changer, as the tool table has them.
+pub(crate) fn slots(machine: &Machine) -> BTreeMap<u32, i32> {
+    let tools = machine.tools.iter();
+    tools
+        .filter_map(|tool| {
+            Some((tool.pocket.unwrap_or(tool.number), i32::try_from(tool.number).ok()?))
+        })
+        .collect()
 }
 
 impl State {
@@ -90,15 +144,19 @@ impl State {
         Self {
             modes: Modes::new(&machine, &readings),
             parameters: Parameters::new(&machine, &readings),
-            readings,
             machine,
             position: Position::default(),
             tool: 0,
             prepared_tool: -1,
+            selected_for_change: false,
+            slots: BTreeMap::new(),
             frames: vec![Frame::default()],
             line: 1,
             log_open: false,
+            panel: Panel::new(&Machine::default()),
+            outside: Outside::new(&gaugeblock_trace::scenario::Bench::default(), 1, &readings),
             evidence: Evidence::default(),
+            readings,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Why a block does not go on: it is refused by a rule, or this model does not go there.
 
-use gaugeblock_trace::{FaultKind, Span};
+use gaugeblock_trace::{End, FaultKind, Span};
 
 /// A block refused by a rule.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,10 @@ pub enum Halt {
     Unsupported(String),
     /// The documents leave it open, and no choice covers it; the sentence says what is open.
     Unspecified(String),
+    /// The run ends here otherwise: the operator has ended it or does not let it go on, or the budget is used up.
+    Ended(End),
+    /// It waits for something that never comes, so that the budget of time runs out.
+    WaitsForEver,
 }
 
 /// A refusal by a rule, without a place in the line.

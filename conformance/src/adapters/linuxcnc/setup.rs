@@ -41,7 +41,7 @@ impl Setup {
             ini: ini(scenario),
             hal: hal(scenario, &pins),
             driver: driver(scenario, &pins).to_string(),
-            programs: programs.map(|(_, program)| user_program(program)).collect(),
+            programs: programs.map(user_program).collect(),
         }
     }
 }

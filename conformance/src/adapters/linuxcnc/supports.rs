@@ -96,7 +96,7 @@ fn bench(bench: &Bench) -> Result<(), String> {
         let digits = name.strip_prefix(['M', 'm']).unwrap_or_default();
         digits.chars().all(|c| c.is_ascii_alphanumeric() || c == '.') && !digits.is_empty()
     };
-    match bench.user_programs.values().find(|program| !is_user_program(&program.file)) {
+    match bench.user_programs.iter().find(|program| !is_user_program(&program.file)) {
         Some(program) => Err(format!("{:?} is no file name for a user program", program.file)),
         None => Ok(()),
     }

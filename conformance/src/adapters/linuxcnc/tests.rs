@@ -158,11 +158,11 @@ fn user_programs_take_their_arguments_and_may_fail() {
         ..Default::default()
     };
     let mut scenario = Scenario::of("m101 p1.5\ng0 x1\nm2\n");
-    scenario.bench.user_programs.insert("101".to_owned(), program(0));
+    scenario.bench.user_programs = vec![program(0)];
     let Some(outcome) = run(&scenario) else { return };
     let call = Effect::UserCode { code: 101, p: "1.500000".to_owned(), q: "-1.000000".to_owned() };
     assert!(outcome.steps[0].events.contains(&Event::Do(call)), "{}", outcome.to_text());
-    scenario.bench.user_programs.insert("101".to_owned(), program(3));
+    scenario.bench.user_programs = vec![program(3)];
     let outcome = run(&scenario).expect("a run");
     assert!(matches!(outcome.end, End::Fault(_)), "{}", outcome.to_text());
 }
@@ -198,6 +198,6 @@ fn what_could_reach_the_host_is_not_run() {
     let mut scenario = Scenario::of("m2\n");
     let file = "../M101".to_owned();
     let program = gaugeblock_trace::scenario::UserProgram { file, ..Default::default() };
-    scenario.bench.user_programs.insert("101".to_owned(), program);
+    scenario.bench.user_programs = vec![program];
     assert!(controller.supports(&scenario).is_err());
 }

@@ -102,6 +102,15 @@ impl Source {
         self.all().any(|(_, _, line)| compact(line).contains("#<_line>"))
     }
 
+    /// Whether a block has M0 or M60, which would stop until someone resumes; not one that is refused for two such codes.
+    pub(in crate::adapters) fn pauses(&self) -> bool {
+        self.all().any(|(_, _, line)| {
+            let code = without_names(&code(line));
+            let stops = m_codes(&code).filter(|code| [0, 1, 2, 30, 60].contains(code));
+            matches!(stops.collect::<Vec<_>>()[..], [0 | 60])
+        })
+    }
+
     /// A line that would reach beyond the interpreter: it runs Python, or looks for a sub outside of the directory.
     pub(in crate::adapters) fn reaches_host(&self) -> Option<Block> {
         let escapes = |line: &str| {
@@ -286,6 +295,16 @@ mod tests {
         assert_eq!(parameters.numbered, BTreeSet::from([1, 32]));
         assert_eq!(parameters.named, BTreeSet::from(["_ab".to_owned()]));
         assert!(parameters.indirect);
+    }
+
+    #[test]
+    fn pauses_are_found() {
+        for (line, expected) in
+            [("g0 x1 m0", true), ("M60", true), ("m00", true), ("m1", false), ("m0 m2", false)]
+        {
+            let program = Program { main: format!("g0\n{line}\n"), ..Program::default() };
+            assert_eq!(Source::new(&program).pauses(), expected, "{line}");
+        }
     }
 
     #[test]

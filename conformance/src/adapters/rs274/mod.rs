@@ -46,6 +46,7 @@ const HIDDEN_EFFECTS: &[&str] = &[
     "start_spindle_synchronisation",
     "stop_spindle_synchronisation",
     "set_tool_entry",
+    "prompt_tool",
     "wait_input",
     "user_code",
     "controller_mode",

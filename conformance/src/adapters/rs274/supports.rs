@@ -26,6 +26,9 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
         return Err("it has no operator".to_owned());
     }
     let own = scenario.bench.name.as_deref() == Some(OWN_BENCH);
+    if !own && Source::new(&scenario.program).pauses() {
+        return Err("its pauses do not pause".to_owned());
+    }
     if scenario.bench != Bench::default() && !own {
         return Err("the outside always answers in the same way".to_owned());
     }

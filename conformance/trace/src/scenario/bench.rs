@@ -11,22 +11,25 @@ use crate::position::Position;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Bench {
-    /// A named bench whose answers replace all below; `stand-alone rs274` answers as that program's stubs do.
+    /// A named bench. `stand-alone rs274` answers as that program's stubs do, whatever is said below; `whole controller`
+    /// answers as said below, and stands where an edition would else name its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// Digital outputs wired to digital inputs, output number to input number.
+    /// Digital outputs wired to digital inputs, output number to input number; what comes in there is what goes out.
     pub wires: BTreeMap<String, u16>,
-    /// Inputs over virtual time, in order.
+    /// Inputs over virtual time, in order; an input that is not listed and not wired is zero.
     pub inputs: Vec<InputChange>,
     /// What an encoder answers to an orientation, by spindle from 0; a spindle not listed answers at once.
     pub orient: Vec<OrientAnswer>,
     /// Where the probe touches.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub probe: Option<ProbeContact>,
-    /// Seconds that the tool changer takes.
+    /// Seconds that a tool change takes.
     pub tool_change_time: f64,
-    /// User-defined M codes by number, as data: nothing runs.
-    pub user_programs: BTreeMap<String, UserProgram>,
+    /// Whether a person changes the tools, asked by a prompt.
+    pub manual_tool_change: bool,
+    /// Files that may be programs of user-defined M codes, as data: nothing runs.
+    pub user_programs: Vec<UserProgram>,
 }
 
 /// An input that changes.
@@ -65,12 +68,29 @@ pub enum ProbeContact {
     Never,
 }
 
-/// A user-defined M code as data.
+/// Where a file is that may be the program of a user-defined M code.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
+#[serde(rename_all = "snake_case")]
+pub enum Folder {
+    /// The folder of programs, `PROGRAM_PREFIX`.
+    #[default]
+    ProgramPrefix,
+    /// A folder of the search path, `USER_M_PATH`.
+    SearchPath,
+    /// Neither.
+    Elsewhere,
+}
+
+/// A file that may be the program of a user-defined M code, as data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct UserProgram {
-    /// File name as found on the search path, such as `M101`.
+    /// File name, such as `M101`.
     pub file: String,
+    /// Where it is.
+    pub folder: Folder,
     /// Whether it is executable.
     pub executable: bool,
     /// Seconds that it takes.
@@ -85,6 +105,7 @@ impl Default for UserProgram {
     fn default() -> Self {
         Self {
             file: String::new(),
+            folder: Folder::ProgramPrefix,
             executable: true,
             duration: 0.0,
             exit_status: 0,

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use bench::{Bench, InputChange, OrientAnswer, ProbeContact, UserProgram};
+pub use bench::{Bench, Folder, InputChange, OrientAnswer, ProbeContact, UserProgram};
 pub use machine::{AxisLimits, Machine, Tool, ToolChange};
 pub use operator::{Action, OperatorEvent, When};
 

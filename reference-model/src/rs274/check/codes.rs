@@ -78,15 +78,20 @@ fn unknown(rule: &'static str, text: &str) -> Halt {
 ///
 /// Rule modal-groups.one-of-each. A block may hold one of every group.
 /// Rule coolant.both-in-one-block. Whether M7 and M8 exclude each other is a choice.
+/// Choice modal-groups.io-members: whether M62 to M68 exclude each other.
 /// Rule modal-groups.override-group. Whether M50 to M53 belong to the group of M48 and M49 is a choice.
 fn groups(words: &Words, codes: &[(String, Code)], state: &mut State) -> Result<(), Halt> {
     let mut met: Vec<(ModalGroup, &String)> = Vec::new();
+    let one_of_io = state.readings.is("modal-groups.io-members", "exclusive");
     let all_overrides = state.readings.is("modal-groups.override-members", "all");
     for (text, code) in codes {
         let switches_control =
             code.later.is_none() && ["M50", "M51", "M52", "M53"].contains(&text.as_str());
         let by_choice = (all_overrides && switches_control).then_some(ModalGroup::Overrides);
-        let Some(group) = code.group.or(by_choice) else { continue };
+        let switches_pin =
+            ["M62", "M63", "M64", "M65", "M66", "M67", "M68"].contains(&text.as_str());
+        let io_group = (one_of_io && switches_pin).then_some(ModalGroup::InputsOutputs);
+        let Some(group) = code.group.or(by_choice).or(io_group) else { continue };
         if let Some((_, other)) = met.iter().find(|(other, _)| *other == group) {
             conflict(group, (other, text), words, state)?;
         }
@@ -102,6 +107,8 @@ fn groups(words: &Words, codes: &[(String, Code)], state: &mut State) -> Result<
 }
 
 /// Refuses two codes of a group, unless a choice or a quirk allows them.
+///
+/// Rule orient.group. M19 and M3, M4 or M5 are codes of one group.
 fn conflict(
     group: ModalGroup,
     texts: (&str, &str),
@@ -122,6 +129,9 @@ fn conflict(
     let cancel = group == ModalGroup::Motion && (texts.0 == "G80") != (texts.1 == "G80");
     if cancel && state.readings.quirk("rs274.cancel-with-motion") {
         return Ok(());
+    }
+    if group == ModalGroup::Spindle && [texts.0, texts.1].contains(&"M19") {
+        state.evidence.refused("orient.group");
     }
     let rule = group.rule().unwrap_or("modal-groups.one-of-each");
     Err(refuse(rule, FaultKind::ModalConflict, message))

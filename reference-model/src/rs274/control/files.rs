@@ -17,8 +17,11 @@ pub struct Place {
     pub line: u32,
 }
 
+/// The name under which blocks are recorded that the operator enters by hand while a program is loaded.
+pub const ENTRIES: &str = "mdi";
+
 /// The files of the program, opened when they are called for the first time.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Files {
     /// Texts by file name.
     texts: BTreeMap<String, String>,
@@ -27,7 +30,7 @@ pub struct Files {
     opened: Vec<File>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct File {
     source: Source,
     labels: Labels,
@@ -47,7 +50,7 @@ impl Files {
     /// Opens a file, when there is one of this name; its first block.
     pub(super) fn open(&mut self, name: &str, state: &mut State) -> Option<Place> {
         if let Some(file) = self.opened.iter().position(|file| file.source.name == name) {
-            return Some(self.first(file));
+            return Some(self.begin(file));
         }
         let text = self.texts.get(name)?.clone();
         Some(self.add(name, &text, state))
@@ -70,10 +73,16 @@ impl Files {
         state.evidence = before;
         labels.finish();
         self.opened.push(File { source, labels });
-        self.first(self.opened.len() - 1)
+        self.begin(self.opened.len() - 1)
     }
 
-    fn first(&self, file: usize) -> Place {
+    /// Opens a text of which each line is entered by hand; its first line.
+    pub fn begin_entries(&mut self, text: &str, state: &mut State) -> Place {
+        self.add(ENTRIES, text, state)
+    }
+
+    /// The first block of a file.
+    pub fn begin(&self, file: usize) -> Place {
         Place { file, line: line_number(self.opened[file].source.first) }
     }
 

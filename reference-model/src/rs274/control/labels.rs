@@ -11,7 +11,7 @@ use crate::rs274::machine::State;
 use crate::rs274::syntax::{self, Expression, Keyword, Label};
 
 /// The labels of one file.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Labels {
     /// Every O-word, in the order of the text.
     marks: Vec<Mark>,
@@ -30,7 +30,7 @@ pub(super) struct Labels {
     numbers: BTreeMap<String, Vec<u32>>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Mark {
     line: u32,
     /// None when it must be computed.

@@ -24,7 +24,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_trace::{End, FaultKind, Program};
 
-pub use files::{Files, Place};
+pub use files::{ENTRIES, Files, Place};
 pub use frame::{Call, Frame, Open, Structure, Style};
 pub(crate) use loops::turns;
 
@@ -36,7 +36,7 @@ use super::syntax::{Block, Expression, Keyword, Label, OWord};
 use super::task::Record;
 
 /// Where the run stands, and which subs it knows.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Control {
     /// The files of the program.
     pub files: Files,

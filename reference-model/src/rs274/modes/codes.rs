@@ -8,7 +8,7 @@ use super::groups::ModalGroup as Group;
 pub struct Code {
     /// G codes in tenths (10 is G1, 382 is G38.2), M codes as they are.
     pub number: u32,
-    /// Its modal group; M48 and M49 are a group, M50 to M53 and M70 to M73 are in none.
+    /// Its modal group; M48 and M49 are a group, M50 to M53, M62 to M68 and M70 to M73 are in none.
     pub group: Option<ModalGroup>,
     /// The letters that it uses, axis words apart.
     pub words: &'static str,
@@ -36,11 +36,6 @@ const fn later(number: u32, group: ModalGroup, what: &'static str) -> Code {
 /// A code of no modal group.
 const fn alone(number: u32, words: &'static str) -> Code {
     Code { number, group: None, words, axis_words: false, later: None }
-}
-
-/// An M code of no modal group that is not specified yet.
-const fn later_alone(number: u32, what: &'static str) -> Code {
-    Code { number, group: None, words: "", axis_words: false, later: Some(what) }
 }
 
 /// Every G code of the language.
@@ -137,17 +132,17 @@ pub const G_CODES: &[Code] = &[
 
 /// Every M code of the language below M100.
 pub const M_CODES: &[Code] = &[
-    later(0, Group::Stopping, "pauses"),
-    later(1, Group::Stopping, "pauses"),
+    code(0, Group::Stopping, ""),
+    code(1, Group::Stopping, ""),
     code(2, Group::Stopping, ""),
     code(3, Group::Spindle, "$"),
     code(4, Group::Spindle, "$"),
     code(5, Group::Spindle, "$"),
-    later(6, Group::ToolChange, "tool changes"),
+    code(6, Group::ToolChange, ""),
     code(7, Group::Coolant, ""),
     code(8, Group::Coolant, ""),
     code(9, Group::Coolant, ""),
-    later(19, Group::Spindle, "spindle orientation"),
+    code(19, Group::Spindle, "rpq$"),
     code(30, Group::Stopping, ""),
     code(48, Group::Overrides, "$"),
     code(49, Group::Overrides, "$"),
@@ -155,15 +150,15 @@ pub const M_CODES: &[Code] = &[
     alone(51, "p$"),
     alone(52, "p"),
     alone(53, "p"),
-    later(60, Group::Stopping, "pauses"),
-    later(61, Group::ToolChange, "tool changes"),
-    later_alone(62, "inputs and outputs"),
-    later_alone(63, "inputs and outputs"),
-    later_alone(64, "inputs and outputs"),
-    later_alone(65, "inputs and outputs"),
-    later_alone(66, "inputs and outputs"),
-    later_alone(67, "inputs and outputs"),
-    later_alone(68, "inputs and outputs"),
+    code(60, Group::Stopping, ""),
+    code(61, Group::ToolChange, "q"),
+    alone(62, "p"),
+    alone(63, "p"),
+    alone(64, "p"),
+    alone(65, "p"),
+    alone(66, "pelq"),
+    alone(67, "eq"),
+    alone(68, "eq"),
     alone(70, ""),
     alone(71, ""),
     alone(72, ""),
@@ -173,7 +168,7 @@ pub const M_CODES: &[Code] = &[
 ];
 
 /// M100 to M199.
-const USER_DEFINED: Code = later(100, Group::UserDefined, "user-defined codes");
+const USER_DEFINED: Code = code(100, Group::UserDefined, "pq");
 
 /// A G code, in tenths; none when the language does not have it.
 pub fn g_code(number: u32) -> Option<&'static Code> {

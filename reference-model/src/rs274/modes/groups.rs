@@ -33,6 +33,8 @@ pub enum ModalGroup {
     Lathe,
     /// Group 4 of the M codes.
     Stopping,
+    /// Group 5 of the M codes, whose members no document lists.
+    InputsOutputs,
     /// Group 6 of the M codes.
     ToolChange,
     /// Group 7 of the M codes.
@@ -67,7 +69,9 @@ impl ModalGroup {
             Self::Spindle => "modal-groups.spindle-group",
             Self::Coolant => "modal-groups.coolant-group",
             Self::Overrides => "modal-groups.override-group",
-            Self::ToolChange | Self::UserDefined => return None,
+            Self::InputsOutputs => "modal-groups.io-group",
+            Self::ToolChange => "modal-groups.tool-change-group",
+            Self::UserDefined => "modal-groups.user-defined-group",
         })
     }
 }

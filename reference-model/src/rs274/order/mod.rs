@@ -12,45 +12,46 @@ use super::refusal::Halt;
 use super::step;
 use super::task::Record;
 
-/// Whether the program goes on after a block.
+/// What becomes of a block after one of its phases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Flow {
-    /// With the next block.
-    Next,
-    /// Not at all: M2, M30.
+pub enum Rest {
+    /// The later phases are executed.
+    Execute,
+    /// They are not: a controller with a quirk can drop them.
+    Drop,
+    /// There are none, and the program pauses: M0, M1, M60.
+    Pause,
+    /// There are none, and the program has ended: M2, M30.
     ProgramEnd,
 }
 
-/// Executes the words of a block that [`check`](super::check::check) let pass, phase by phase.
+/// The phases in which a block has something to do, in the order of execution.
+pub fn phases(words: &Words) -> impl Iterator<Item = Phase> {
+    Phase::ALL.iter().copied().filter(|phase| phase.is_in(words))
+}
+
+/// Executes one phase of a block that [`check`](super::check::check) let pass.
 ///
 /// # Errors
-/// A rule that depends on the modes in force when its phase comes.
-pub fn execute(words: &Words, state: &mut State, record: &mut Record) -> Result<Flow, Halt> {
-    for phase in Phase::ALL.iter().copied().filter(|phase| phase.is_in(words)) {
-        match perform(phase, words, state, record) {
-            Ok(Rest::Execute) => {}
-            Ok(Rest::Drop) => return Ok(Flow::Next),
-            Err(halt) => {
-                if matches!(halt, Halt::Refused(_)) {
-                    refused_at(phase, words, state);
-                }
-                return Err(halt);
-            }
-        }
+/// A rule that depends on the modes in force when the phase comes.
+pub fn execute(
+    phase: Phase,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<Rest, Halt> {
+    let rest = perform(phase, words, state, record);
+    if matches!(rest, Err(Halt::Refused(_))) {
+        refused_at(phase, words, state);
     }
+    rest
+}
+
+/// A block has gone through all its phases: the rules about their order are reached.
+pub fn completed(words: &Words, state: &mut State) {
     for rule in ORDER_RULES.iter().filter(|rule| rule.concerns(words)) {
         state.evidence.accepted(rule.id);
     }
-    Ok(if Phase::Stop.is_in(words) { Flow::ProgramEnd } else { Flow::Next })
-}
-
-/// What becomes of the phases after one: a controller with a quirk can drop them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rest {
-    /// They are executed.
-    Execute,
-    /// They are not.
-    Drop,
 }
 
 /// Does what a block asks for in one phase.
@@ -70,10 +71,23 @@ fn perform(
         Phase::FeedRate => step::feed::set_rate(words, state)?,
         Phase::SpindleSpeed => step::spindle::set_speed(words, state)?,
         Phase::SelectTool => step::tool::select(words, state, record)?,
+        Phase::InputsOutputs => inputs_outputs(words, state, record)?,
+        Phase::ChangeTool if words.m.contains(&61) => {
+            step::tool_change::set_number(words, state, record)?;
+        }
+        Phase::ChangeTool => step::tool_change::change(state, record)?,
+        Phase::Spindle if words.m.contains(&19) => {
+            step::orient::perform(words, state, record)?;
+        }
         Phase::Spindle => step::spindle::turn(words, state)?,
         Phase::SavedState => return step::saved_state::perform(words, state),
         Phase::Coolant => step::coolant::perform(words, state),
         Phase::Overrides => step::overrides::perform(words, state)?,
+        Phase::UserCode => {
+            for code in words.m.iter().copied().filter(|code| (100..=199).contains(code)) {
+                step::user_codes::perform(code, words, state, record)?;
+            }
+        }
         Phase::Dwell => step::dwell::perform(words, state, record)?,
         Phase::Plane => step::units_planes::select_plane(words, state),
         Phase::Units => step::units_planes::select_units(words, state),
@@ -85,9 +99,21 @@ fn perform(
         Phase::Retract => step::units_planes::select_retract(words, state),
         Phase::OffsetData => step::offsets::change(words, state)?,
         Phase::Motion => step::motion::perform(words, state, record)?,
-        Phase::Stop => step::program_end::perform(words, state, record),
+        Phase::Stop => return Ok(step::stop::perform(words, state, record)),
     }
     Ok(Rest::Execute)
+}
+
+/// M62 to M68, where a block may hold several of them in the order of the text.
+fn inputs_outputs(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    for code in words.m.iter().copied().filter(|code| (62..=68).contains(code)) {
+        match code {
+            62..=65 => step::outputs::digital(code, words, state, record)?,
+            66 => step::inputs::perform(words, state, record)?,
+            _ => step::outputs::analog(code, words, state, record)?,
+        }
+    }
+    Ok(())
 }
 
 /// A block was refused in a phase: the rules by which an earlier phase of the block made that so refuse it too.

@@ -19,7 +19,11 @@ pub enum Phase {
     SpindleSpeed,
     /// T.
     SelectTool,
-    /// M3, M4, M5.
+    /// M62 to M68.
+    InputsOutputs,
+    /// M6, M61.
+    ChangeTool,
+    /// M3, M4, M5, M19.
     Spindle,
     /// M70, M71, M72, M73.
     SavedState,
@@ -27,6 +31,8 @@ pub enum Phase {
     Coolant,
     /// M48 to M53.
     Overrides,
+    /// M100 to M199.
+    UserCode,
     /// G4.
     Dwell,
     /// G17 to G19.1.
@@ -49,7 +55,7 @@ pub enum Phase {
     OffsetData,
     /// G0, G1, G80, and axis words alone.
     Motion,
-    /// M2, M30.
+    /// M0, M1, M2, M30, M60.
     Stop,
 }
 
@@ -61,10 +67,13 @@ impl Phase {
         Self::FeedRate,
         Self::SpindleSpeed,
         Self::SelectTool,
+        Self::InputsOutputs,
+        Self::ChangeTool,
         Self::Spindle,
         Self::SavedState,
         Self::Coolant,
         Self::Overrides,
+        Self::UserCode,
         Self::Dwell,
         Self::Plane,
         Self::Units,
@@ -91,10 +100,13 @@ impl Phase {
                 words.letters.contains_key(&'s') || groups(&[ModalGroup::SpindleMode])
             }
             Self::SelectTool => words.letters.contains_key(&'t'),
+            Self::InputsOutputs => m(62, 68),
+            Self::ChangeTool => groups(&[ModalGroup::ToolChange]),
             Self::Spindle => groups(&[ModalGroup::Spindle]),
             Self::SavedState => m(70, 73),
             Self::Coolant => groups(&[ModalGroup::Coolant]),
             Self::Overrides => m(48, 53),
+            Self::UserCode => m(100, 199),
             Self::Dwell => words.g.contains(&40),
             Self::Plane => groups(&[ModalGroup::Plane]),
             Self::Units => groups(&[ModalGroup::Units]),
@@ -112,7 +124,7 @@ impl Phase {
                     || words.g.contains(&530)
                     || moves_by_axis_words(words)
             }
-            Self::Stop => m(2, 2) || m(30, 30),
+            Self::Stop => groups(&[ModalGroup::Stopping]),
         }
     }
 }

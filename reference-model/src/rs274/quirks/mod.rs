@@ -4,6 +4,8 @@
 //! that shows it. The main path calls a section by one line, `if state.readings.quirk("rs274.…")`.
 
 pub mod control;
+pub mod outputs;
 pub mod saved_state;
 pub mod settings;
+pub mod task;
 pub mod text;

@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::{Effect, FaultKind};
 
-use super::{whole, word};
+use super::{pass, whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
@@ -31,5 +31,6 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         state.evidence.accepted("dwell.zero-time");
     }
     record.effect(state, Effect::Dwell { seconds });
+    pass(seconds, state);
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! G93, G94, G95 and F.
 
-use gaugeblock_trace::{FaultKind, FeedMode, Motion};
+use gaugeblock_trace::{FaultKind, FeedMode, Motion, Switch};
 
 use super::motion::motion_of;
 use super::spindle::number;
@@ -72,4 +72,49 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
     state.modes.feed_number = rate;
     state.modes.feed_awaited = false;
     Ok(())
+}
+
+/// Whether a move is held where it begins: it goes on once nothing holds it any more.
+///
+/// Rule overrides.feed-influence. A feed override of zero holds a feed move while the control is enabled; while it is
+/// disabled it has no influence (overrides.feed-no-influence).
+/// Rule overrides.adaptive-feed-zero. With adaptive feed an input of zero is as good as a feed hold, whatever the feed
+/// override does (overrides.adaptive-feed-alone); without it the input has no influence
+/// (overrides.adaptive-feed-no-influence).
+/// Rule overrides.feed-stop-holds. While the feed stop is enabled its input holds every move; while it is disabled it has no
+/// effect (overrides.feed-stop-no-effect).
+pub(crate) fn is_held(words: &Words, state: &mut State) -> bool {
+    let traverse = motion_of(words, state) == Some(Motion::Traverse);
+    let panel = &state.panel;
+    let factor = if traverse { panel.rapid_override } else { panel.feed_override };
+    let (adaptive, stop) = (state.outside.adaptive_feed(), state.outside.feed_stop());
+    let controls = [
+        (
+            state.modes.feed_override,
+            factor <= 0.0,
+            ["overrides.feed-influence", "overrides.feed-no-influence"],
+        ),
+        (
+            state.modes.adaptive_feed,
+            adaptive <= 0.0,
+            ["overrides.adaptive-feed-zero", "overrides.adaptive-feed-no-influence"],
+        ),
+        (
+            state.modes.feed_stop,
+            stop || panel.feed_hold,
+            ["overrides.feed-stop-holds", "overrides.feed-stop-no-effect"],
+        ),
+    ];
+    let mut held = false;
+    for (control, asks, [counts, does_not_count]) in controls {
+        let enabled = control == Switch::On;
+        if asks {
+            state.evidence.accepted(if enabled { counts } else { does_not_count });
+        }
+        held |= enabled && asks;
+    }
+    if held && state.modes.feed_override == Switch::Off {
+        state.evidence.accepted("overrides.adaptive-feed-alone");
+    }
+    held
 }

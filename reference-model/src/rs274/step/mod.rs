@@ -4,20 +4,50 @@ pub mod compensation;
 pub mod coolant;
 pub mod dwell;
 pub mod feed;
+pub mod inputs;
 pub mod message;
 pub mod motion;
 pub mod offsets;
+pub mod orient;
+pub mod outputs;
 pub mod overrides;
 pub mod path;
 pub mod program_end;
 pub(crate) mod restore;
 pub mod saved_state;
 pub mod spindle;
+pub mod stop;
 mod target;
 pub mod tool;
+pub mod tool_change;
 pub mod tool_length;
 pub mod units_planes;
+pub mod user_codes;
 mod word;
 
 pub(crate) use target::letter;
 pub(crate) use word::{whole, word};
+
+use gaugeblock_trace::{Compensation, FaultKind};
+
+use super::machine::State;
+use super::refusal::{Halt, refuse};
+
+/// Lets time go by; what ends outside meanwhile has ended.
+pub(crate) fn pass(seconds: f64, state: &mut State) {
+    state.outside.advance(seconds);
+    orient::settle(state);
+}
+
+/// A code of which it is a choice whether it is allowed while cutter compensation is on; the choice has the rule's id.
+pub(crate) fn not_under_compensation(rule: &'static str, state: &mut State) -> Result<(), Halt> {
+    if state.modes.compensation == Compensation::Off {
+        return Ok(());
+    }
+    if state.readings.is(rule, "refused") {
+        let message = "this code while cutter compensation is on";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    state.evidence.accepted(rule);
+    Ok(())
+}

@@ -5,7 +5,7 @@ use gaugeblock_trace::{
 };
 
 use super::target::{end_point, machine_end_point};
-use super::word;
+use super::{outputs, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::g_code;
 use crate::rs274::order::has_axis_words;
@@ -114,6 +114,7 @@ fn move_to(
     state.modes.motion = motion;
     state.position = end;
     accepted(motion, end, words, state);
+    outputs::motion_begins(state);
     let effect = if motion == Motion::Feed {
         Effect::StraightFeed { end }
     } else {

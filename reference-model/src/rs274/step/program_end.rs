@@ -5,7 +5,8 @@ use gaugeblock_trace::{
 };
 
 use super::offsets::use_system;
-use super::spindle::all;
+use super::outputs;
+use super::spindle::{all, set_turn};
 use crate::rs274::machine::State;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
@@ -15,18 +16,23 @@ use crate::rs274::task::Record;
 ///
 /// Rule program-end.pallet. M30 exchanges the pallet shuttles before it ends the program.
 /// Rule program-end.mode. The controller changes from auto mode to MDI mode.
+/// Quirk linuxcnc.auto-after-program-end. It stays in auto mode.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) {
     if state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
         state.evidence.accepted("saved-state.autorestore-program-end");
     }
     reset(state);
+    outputs::program_ends(state);
     state.evidence.accepted("program-end.pallet");
-    if words.m.contains(&30) {
+    if !words.m.contains(&2) {
         record.effect(state, Effect::PalletShuttle {});
     }
     state.evidence.accepted("program-end.mode");
-    state.modes.controller_mode = ControllerMode::Mdi;
-    record.effect(state, Effect::ChangeControllerMode { mode: ControllerMode::Mdi });
+    let changes = state.modes.controller_mode != ControllerMode::Mdi;
+    if changes && !state.readings.quirk("linuxcnc.auto-after-program-end") {
+        state.modes.controller_mode = ControllerMode::Mdi;
+        record.effect(state, Effect::ChangeControllerMode { mode: ControllerMode::Mdi });
+    }
     record.effect(state, Effect::ProgramEnd {});
 }
 
@@ -68,11 +74,11 @@ fn reset(state: &mut State) {
         }
     }
     modes.compensation = Compensation::Off;
-    for place in stopped {
-        modes.spindles[place].turn = SpindleTurn::Stopped;
-    }
     modes.motion = Motion::Feed;
     modes.mist = Switch::Off;
     modes.flood = Switch::Off;
+    for place in stopped {
+        set_turn(SpindleTurn::Stopped, place, state);
+    }
     quirks::program_end(state);
 }

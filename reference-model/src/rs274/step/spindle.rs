@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::{FaultKind, SpindleLimit, SpindleMode, SpindleTurn};
 
-use super::{whole, word};
+use super::{orient, whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::Spindle;
 use crate::rs274::quirks::settings as quirks;
@@ -108,9 +108,9 @@ pub fn turn(words: &Words, state: &mut State) -> Result<(), Halt> {
     };
     state.evidence.accepted(rule);
     for place in spindles {
-        let spindle = &mut state.modes.spindles[place];
+        let spindle = state.modes.spindles[place];
         let repeated = (spindle.turn == SpindleTurn::Stopped) == (turn == SpindleTurn::Stopped);
-        spindle.turn = turn;
+        set_turn(turn, place, state);
         let at_zero = turn != SpindleTurn::Stopped && spindle.speed == 0.0;
         if repeated {
             state.evidence.accepted("spindle.repeated");
@@ -120,6 +120,12 @@ pub fn turn(words: &Words, state: &mut State) -> Result<(), Halt> {
         }
     }
     Ok(())
+}
+
+/// Starts or stops a spindle, which ends an orientation.
+pub(crate) fn set_turn(turn: SpindleTurn, place: usize, state: &mut State) {
+    state.modes.spindles[place].turn = turn;
+    orient::clear(place, state);
 }
 
 /// Rule spindle.without-dollar. Which spindles M3, M4 and M5 without $ act on is a choice.

@@ -8,27 +8,82 @@ use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
 
-/// Prepares a tool; zero means that no tool is selected, where tools have fixed places.
+/// Prepares a tool; it is not changed until M6 (tool.select-changes-nothing).
+///
+/// Rule tool.select. T names the tool. Of several the last one counts at the next change (tool.select-latest).
+/// Choice tool.selected-by: whether the number is that of a tool or that of a slot of the changer.
 ///
 /// # Errors
-/// The tool table does not hold the tool: the chapter on tool changes will say how that is refused.
+/// Rules tool.select-integer, tool.select-negative, tool.select-unknown, tool.select-zero-random.
 pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
     let Some(value) = word(words, 't') else { return Ok(()) };
-    let tool = whole(value).filter(|tool| *tool >= 0);
-    let tool = tool.ok_or_else(|| Halt::Unsupported(format!("T{value}: tool changes")))?;
-    let empty = tool == 0 && !state.machine.random_tool_changer;
-    if !empty && entry(tool, state).is_none() {
-        return Err(Halt::Unsupported(format!(
-            "T{tool}, which the tool table does not hold: tool changes"
-        )));
+    let number = whole(value).ok_or_else(|| {
+        let message = format!("T{value} is no whole number");
+        refuse("tool.select-integer", FaultKind::NotAnInteger, message)
+    })?;
+    if number < 0 {
+        let message = format!("T{number} is negative");
+        return Err(refuse("tool.select-negative", FaultKind::WordOutOfRange, message));
+    }
+    let tool = selected(number, state)?;
+    if state.selected_for_change {
+        state.evidence.accepted("tool.select-latest");
+    }
+    for rule in ["tool.select", "tool.select-integer", "tool.select-changes-nothing"] {
+        state.evidence.accepted(rule);
     }
     state.prepared_tool = tool;
+    state.selected_for_change = true;
     record.effect(state, Effect::PrepareTool { tool });
     Ok(())
 }
 
+/// Rule tool.select-zero. T0 selects no tool.
+/// Rule tool.select-zero-random. Where tools change places, tool 0 is a tool like any other.
+/// Rule tool.empty-slot. Whether a number that no tool has may be selected is a choice; then there is no tool
+/// in the spindle after the change.
+fn selected(number: i32, state: &mut State) -> Result<i32, Halt> {
+    let random = state.machine.random_tool_changer;
+    if number == 0 && !random {
+        state.evidence.accepted("tool.select-zero");
+        return Ok(0);
+    }
+    let by_slot = state.readings.is("tool.selected-by", "slot");
+    let found = if by_slot { in_slot(number, state) } else { entry(number, state).map(|_| number) };
+    state.evidence.accepted("tool.selected-by");
+    let rule = if number == 0 { "tool.select-zero-random" } else { "tool.empty-slot" };
+    match found {
+        Some(tool) => {
+            state.evidence.accepted("tool.select-unknown");
+            if number == 0 {
+                state.evidence.accepted(rule);
+            }
+            Ok(tool)
+        }
+        None if number > 0 && state.readings.is("tool.empty-slot", "accepted") => {
+            state.evidence.accepted(rule);
+            Ok(0)
+        }
+        None => {
+            if number == 0 {
+                state.evidence.refused(rule);
+            } else {
+                state.evidence.refused("tool.empty-slot");
+            }
+            let message = format!("T{number}, and the tool table holds no such tool");
+            Err(refuse("tool.select-unknown", FaultKind::ToolNotFound, message))
+        }
+    }
+}
+
+/// The tool that is in a slot of the changer, or whose slot it is while it is in the spindle.
+fn in_slot(slot: i32, state: &State) -> Option<i32> {
+    let slot = u32::try_from(slot).ok()?;
+    state.slots.get(&slot).copied().filter(|tool| *tool != 0)
+}
+
 /// A tool of the tool table.
-fn entry(number: i32, state: &State) -> Option<&Tool> {
+pub(crate) fn entry(number: i32, state: &State) -> Option<&Tool> {
     let number = u32::try_from(number).ok()?;
     state.machine.tools.iter().find(|tool| tool.number == number)
 }

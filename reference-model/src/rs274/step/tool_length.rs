@@ -50,8 +50,11 @@ pub(crate) fn apply(offset: Option<Position>, state: &mut State) {
 
 /// Rule tool.length. G43 applies the offset of tool H from the tool table, all its axes.
 /// Rule tool.length-zero. H0, and no H, mean the tool in the spindle, and an offset of zero when there is none.
+/// Rule tool.length-zero-random. Where tools change places, H0 is tool 0, which the table must hold.
 fn of_tool(words: &Words, state: &mut State) -> Result<Position, Halt> {
-    let number = word(words, 'h').unwrap_or(0.0);
+    let random = state.machine.random_tool_changer;
+    let loaded = if random { f64::from(state.tool) } else { 0.0 };
+    let number = word(words, 'h').unwrap_or(loaded);
     let rule = "tool.length-not-an-integer";
     let Some(whole) = whole(number) else {
         return Err(refuse(rule, FaultKind::NotAnInteger, format!("H{number} is no tool number")));
@@ -60,8 +63,15 @@ fn of_tool(words: &Words, state: &mut State) -> Result<Position, Halt> {
         let message = format!("H{number} is negative");
         return Err(refuse("tool.length-negative", FaultKind::WordOutOfRange, message));
     }
-    let offset = table_offset(whole, "tool.length-unknown-tool", state)?;
-    state.evidence.accepted(if whole == 0 { "tool.length-zero" } else { "tool.length" });
+    let rule = match whole {
+        0 if random => "tool.length-zero-random",
+        0 => "tool.length-zero",
+        _ => "tool.length",
+    };
+    let refusing =
+        if rule == "tool.length-zero-random" { rule } else { "tool.length-unknown-tool" };
+    let offset = table_offset(whole, refusing, state)?;
+    state.evidence.accepted(rule);
     Ok(offset)
 }
 

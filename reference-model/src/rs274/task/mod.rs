@@ -1,27 +1,42 @@
-//! The run: start, blocks, budget, record, end.
+//! The run: a program or lines entered by hand, the operator beside it, and how it ends.
+//!
+//! | room | what it settles |
+//! | --- | --- |
+//! | [`program`] | block after block: parsed, evaluated, checked, executed, recorded |
+//! | [`operator`] | what the operator does, and when |
+//! | [`wait`] | what the operator does while the program waits, pauses or stands |
+//! | [`request`] | what the controller does with a request, or refuses, by its mode |
+//! | [`idle`] | while no program runs: blocks by hand, cycle start |
+//! | [`abort`] | what an abort leaves behind |
+//! | [`pins`] | what the machine's pins show |
+//! | [`record`] | what is observed |
 
+mod abort;
+mod idle;
+mod operator;
+mod pins;
+mod program;
 mod record;
+mod request;
+mod wait;
 
-use std::collections::BTreeMap;
-
-use gaugeblock_trace::scenario::Start;
+use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{
-    Block, Bound, End, Fault, FaultKind, Indexed, Language, Outcome, Position, Program, Scenario,
-    Settings,
+    Block, Bound, ControllerMode, End, Fault, Indexed, Language, Outcome, Position, Program,
+    Scenario, Settings,
 };
 
 pub use record::Record;
 
-use super::control::{self, Control, Frame, Next};
-use super::machine::State;
+use self::operator::Operator;
+use super::control::{Control, Frame, Place};
+use super::machine::{Panel, State, slots};
 use super::modes::Modes;
-use super::order::Flow;
-use super::parameters::{self, Name, Parameters};
-use super::read::{self, Words};
+use super::outside::Outside;
+use super::parameters::Parameters;
 use super::readings::Readings;
-use super::refusal::{Halt, Refusal, refuse};
-use super::text::Line;
-use super::{check, order, step, syntax};
+use super::refusal::{Halt, Refusal};
+use super::step;
 use crate::Evidence;
 
 /// Runs a scenario as the documents say.
@@ -32,33 +47,37 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
         Ok(readings) => readings,
         Err(what) => return (not_begun(what), Evidence::default()),
     };
-    if scenario.program.start == Start::Mdi {
-        let what = "manual data input".to_owned();
-        return (not_begun(what), Evidence::default());
-    }
     let mut state = start(scenario, readings);
     state.evidence.accepted("modal-groups.initial-modes");
     state.evidence.accepted("offsets.start-system");
-    let control = Control::new(&scenario.program, &mut state);
     let record = Record::new(&state);
-    let mut run = Run { scenario, state, control, record };
-    let end = run.blocks();
+    let mut run = Run::new(scenario, state, record);
+    let end = run.whole();
     let parameters = run.parameters();
-    (run.record.finish(end, parameters), run.state.evidence)
+    let pins = run.state.outside.changes().to_vec();
+    (run.record.finish(end, parameters, pins), run.state.evidence)
 }
 
 /// The state before the first block.
 fn start(scenario: &Scenario, readings: Readings) -> State {
     let machine = scenario.machine.clone();
-    let modes = Modes::new(&machine, &readings);
+    let mut modes = Modes::new(&machine, &readings);
+    if scenario.program.start == Start::Mdi {
+        modes.controller_mode = ControllerMode::Mdi;
+    }
+    let outside = Outside::new(&scenario.bench, modes.spindles.len(), &readings);
     State {
         position: modes.program_point(Position::default()),
         modes,
         parameters: Parameters::new(&machine, &readings),
         readings,
+        panel: Panel::new(&machine),
+        outside,
         machine,
         tool: 0,
         prepared_tool: -1,
+        selected_for_change: false,
+        slots: slots(&scenario.machine),
         frames: vec![Frame::default()],
         line: 1,
         log_open: false,
@@ -84,11 +103,67 @@ struct Run<'a> {
     state: State,
     control: Control,
     record: Record,
+    operator: Operator<'a>,
+    /// The first of the blocks that the operator enters by hand, one for each event that enters one.
+    entries: Place,
+    /// Whether what is executed was entered by hand.
+    by_hand: bool,
+    /// Whether this run only reads ahead of another one: nothing waits, and nobody asks for anything.
+    ahead: bool,
+    /// Whether the block that is executed waits for what the machine answers.
+    waits_for_machine: bool,
+    /// The modes in force at the last motion outside of subs.
+    at_last_motion: Option<Modes>,
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
+    fn new(scenario: &'a Scenario, mut state: State, record: Record) -> Self {
+        let mut control = Control::new(&scenario.program, &mut state);
+        let entries = open_entries(scenario, &mut control, &mut state);
+        Self {
+            scenario,
+            state,
+            control,
+            record,
+            operator: Operator::new(&scenario.operator),
+            entries,
+            by_hand: false,
+            ahead: false,
+            waits_for_machine: false,
+            at_last_motion: None,
+        }
+    }
+
+    /// The program, or the lines entered by hand, and all that the operator does afterwards.
+    fn whole(&mut self) -> End {
+        let mut end = match self.scenario.program.start {
+            Start::Program => self.program(),
+            Start::Mdi => self.lines_by_hand(),
+        };
+        loop {
+            let stands_idle = match &end {
+                End::ProgramEnd | End::PercentEnd | End::Aborted => true,
+                // A program that waits has no event left; the others are over for good.
+                End::Paused
+                | End::Endless
+                | End::Fault(_)
+                | End::BudgetExhausted { .. }
+                | End::Unsupported { .. }
+                | End::Unspecified { .. } => false,
+            };
+            if !stands_idle {
+                return end;
+            }
+            match self.idle(end == End::Aborted) {
+                Ok(idle::Then::Nothing) => return end,
+                Ok(idle::Then::Begin) => end = self.program(),
+                Err(halt) => return self.halted(halt),
+            }
+        }
+    }
+
     /// Block after block, until something ends the run.
-    fn blocks(&mut self) -> End {
+    fn program(&mut self) -> End {
         loop {
             if let Some(bound) = self.exhausted() {
                 return End::BudgetExhausted { bound };
@@ -109,160 +184,11 @@ impl Run<'_> {
             Some(Bound::Steps)
         } else if self.record.effects() >= budget.effects {
             Some(Bound::Effects)
-        } else if self.record.time() >= budget.time {
+        } else if self.state.outside.time() >= budget.time {
             Some(Bound::Time)
         } else {
             None
         }
-    }
-
-    /// The next line of the program.
-    ///
-    /// Rule program-end.percent. The second percent line ends the run and does nothing else: it is no program end.
-    fn next(&mut self) -> Result<Option<End>, Halt> {
-        let place = self.control.place;
-        self.state.line = place.line;
-        let text = match self.control.files.line(place, &mut self.state) {
-            Some(Line::Block(text)) => text,
-            Some(Line::Nothing) => {
-                self.control.place.line += 1;
-                return Ok(None);
-            }
-            Some(Line::End) if self.state.call_level() > 0 => {
-                let why = "a percent line that is reached in a subroutine".to_owned();
-                return Err(Halt::Unspecified(why));
-            }
-            Some(Line::End) => {
-                self.state.evidence.accepted("program-end.percent");
-                return Ok(Some(End::PercentEnd));
-            }
-            None => return Err(self.missing_end()),
-        };
-        match self.block(&text)? {
-            Next::Following => self.control.place.line += 1,
-            Next::At(place) => self.control.place = place,
-            Next::End(end) => return Ok(Some(end)),
-        }
-        Ok(None)
-    }
-
-    /// Rules program-end.missing, text.percent-unclosed. The file has ended, the program has not.
-    ///
-    /// Rule subroutines.missing-endsub. Nor has a sub that began in it.
-    fn missing_end(&self) -> Halt {
-        if self.state.frame().is_sub() {
-            let message = "the file ends without an endsub";
-            return refuse("subroutines.missing-endsub", FaultKind::MissingEnd, message);
-        }
-        let source = self.control.files.source(self.control.place.file);
-        if source.percent {
-            return source.unclosed();
-        }
-        let message = "the file ends without a program end";
-        refuse("program-end.missing", FaultKind::MissingEnd, message)
-    }
-
-    /// One block: parsed, evaluated, checked, executed, recorded.
-    fn block(&mut self, text: &str) -> Result<Next, Halt> {
-        let block = syntax::parse(text, &mut self.state)?;
-        let place = self.control.files.block(self.control.place);
-        if let Some(word) = &block.o_word {
-            let next = self.control.o_word(&block, word, &mut self.state, &mut self.record)?;
-            self.record.step_without_state(place, &self.state);
-            return Ok(next);
-        }
-        let words = read::read(&block, &mut self.state)?;
-        self.control.begin(&words);
-        if Control::asks(&words) {
-            let next = self.numbered(&words)?;
-            self.record.step_without_state(place, &self.state);
-            return Ok(next);
-        }
-        check::check(&words, &mut self.state)?;
-        let before = self.changeable(&words);
-        let flow = self.execute(&words)?;
-        if flow == Flow::ProgramEnd {
-            self.ended(block.block_delete)?;
-            self.record.last_step(place, &self.state);
-            return Ok(Next::End(End::ProgramEnd));
-        }
-        let changed = self.changed(&before);
-        let comment_only = block.words.is_empty() && block.settings.is_empty();
-        if comment_only && block.line_number.is_none() && self.record.is_idle(&self.state) {
-            // A comment that says nothing is no block.
-            return Ok(Next::Following);
-        }
-        self.record.step(place, &self.state, changed);
-        Ok(Next::Following)
-    }
-
-    /// Executes a block that the check let pass; its settings take effect after it.
-    fn execute(&mut self, words: &Words) -> Result<Flow, Halt> {
-        let flow = order::execute(words, &mut self.state, &mut self.record)?;
-        control::assign(&words.settings, &mut self.state)?;
-        Ok(flow)
-    }
-
-    /// A block with M98 or M99: its comment and settings, then the call or return.
-    fn numbered(&mut self, words: &Words) -> Result<Next, Halt> {
-        if let Some(comment) = &words.comment {
-            step::message::perform(comment, &mut self.state, &mut self.record)?;
-        }
-        control::assign(&words.settings, &mut self.state)?;
-        self.control.numbered(words, &mut self.state, &mut self.record)
-    }
-
-    /// Rule program-end.ends. M2 and M30 end the program, at any level.
-    ///
-    /// Rule program-end.lines-after. What stands behind them is not read.
-    ///
-    /// Rule fanuc-subs.block-deleted-end. One that block delete would skip ends the program while block delete is off.
-    fn ended(&mut self, deletable: bool) -> Result<(), Halt> {
-        self.control.files.source(MAIN).program_ends(&mut self.state)?;
-        let inside_control = !self.state.frame().open.is_empty();
-        let inside_sub = self.state.call_level() > 0;
-        let evidence = &mut self.state.evidence;
-        evidence.accepted("program-end.ends");
-        evidence.accepted("program-end.lines-after");
-        if deletable {
-            evidence.accepted("fanuc-subs.block-deleted-end");
-        }
-        if inside_control {
-            evidence.accepted("program-end.inside-control");
-        }
-        if inside_sub {
-            evidence.accepted("subroutines.program-end-in-sub");
-        }
-        Ok(())
-    }
-
-    /// The parameters that a block can change, as they are before it.
-    fn changeable(&self, words: &Words) -> BTreeMap<Name, Option<f64>> {
-        let settings = words.settings.iter().map(|(name, _)| name.clone());
-        let offsets = if words.g.iter().any(|code| sets_coordinates(*code)) {
-            COORDINATE_PARAMETERS
-        } else {
-            0..0
-        };
-        let all = settings.chain(offsets.map(Name::Numbered));
-        all.map(|name| {
-            let value = parameters::value(&name, &self.state).ok();
-            (name, value)
-        })
-        .collect()
-    }
-
-    /// The parameters that a block has changed.
-    fn changed(&self, before: &BTreeMap<Name, Option<f64>>) -> Indexed<String, f64> {
-        let after = before.iter().filter_map(|(name, before)| {
-            let after = parameters::value(name, &self.state).ok()?;
-            let name = match name {
-                Name::Numbered(number) => number.to_string(),
-                Name::Named(name) => name.clone(),
-            };
-            (Some(after) != *before).then_some((name, after))
-        });
-        after.collect()
     }
 
     /// Rule program-end.parameters-kept. All numbered parameters that are not zero.
@@ -295,7 +221,7 @@ impl Run<'_> {
         match halt {
             Halt::Refused(Refusal { rule, kind, message, span }) => {
                 self.state.evidence.refused(rule);
-                if self.control.place.file != MAIN {
+                if ![MAIN, self.entries.file].contains(&self.control.place.file) {
                     self.state.evidence.refused("subroutines.file-fault");
                 }
                 step::saved_state::broken_off(&mut self.state);
@@ -304,6 +230,14 @@ impl Run<'_> {
             }
             Halt::Unsupported(what) => End::Unsupported { block, what },
             Halt::Unspecified(why) => End::Unspecified { block, why },
+            Halt::WaitsForEver => End::BudgetExhausted { bound: Bound::Time },
+            Halt::Ended(end) => {
+                self.record.broken_off(block, &self.state);
+                if end == End::Aborted {
+                    self.aborted();
+                }
+                end
+            }
         }
     }
 }
@@ -311,10 +245,14 @@ impl Run<'_> {
 /// The main program among the files.
 const MAIN: usize = 0;
 
-/// Parameters of coordinate systems and their offsets.
-const COORDINATE_PARAMETERS: std::ops::Range<u32> = 5161..5401;
-
-/// Whether a G code, in tenths, can change [`COORDINATE_PARAMETERS`]: G10, G28, G30, G52, G54 to G59.3, G92.
-fn sets_coordinates(code: u32) -> bool {
-    matches!(code, 100 | 280..=301 | 520 | 540..=593 | 920..=923)
+/// Opens the text of what the operator enters by hand: a line for each event, in the order of the scenario.
+fn open_entries(scenario: &Scenario, control: &mut Control, state: &mut State) -> Place {
+    let mut text = String::new();
+    for event in &scenario.operator {
+        if let Action::Mdi(block) = &event.action {
+            text.push_str(block.lines().next().unwrap_or_default());
+            text.push('\n');
+        }
+    }
+    control.files.begin_entries(&text, state)
 }

@@ -1,7 +1,7 @@
 //! What is observed of a run, block by block.
 
 use gaugeblock_trace::{
-    Block, Effect, End, Event, Indexed, Language, Outcome, Rs274State, Settings, Step,
+    Block, Effect, End, Event, Indexed, Language, Outcome, PinChange, Rs274State, Settings, Step,
 };
 
 use crate::rs274::machine::State;
@@ -21,8 +21,8 @@ pub struct Record {
     state: Rs274State,
     /// Effects so far.
     effects: u32,
-    /// Virtual time, seconds: only dwells move it.
-    time: f64,
+    /// Whether a block is being executed.
+    in_block: bool,
 }
 
 impl Record {
@@ -36,18 +36,43 @@ impl Record {
             events: Vec::new(),
             state: Rs274State::default(),
             effects: 0,
-            time: 0.0,
+            in_block: false,
         }
     }
 
     /// An effect, under the settings now in force.
     pub fn effect(&mut self, state: &State, effect: Effect) {
         self.settings(state);
-        if let Effect::Dwell { seconds } = &effect {
-            self.time += seconds;
-        }
         self.effects = self.effects.saturating_add(1);
         self.events.push(Event::Do(effect));
+        self.leave_to_last();
+    }
+
+    /// Between blocks the one before is what everything belongs to.
+    fn leave_to_last(&mut self) {
+        if !self.in_block
+            && let Some(last) = self.steps.last_mut()
+        {
+            last.events.append(&mut self.events);
+        }
+    }
+
+    /// Settings have changed without a block of the program.
+    pub fn settle(&mut self, state: &State) {
+        self.settings(state);
+        self.leave_to_last();
+    }
+
+    /// A block begins.
+    pub fn begin(&mut self) {
+        self.in_block = true;
+    }
+
+    /// The block that is being executed, if there is one, is broken off; no state is recorded after it.
+    pub fn broken_off(&mut self, block: Block, state: &State) {
+        if self.in_block {
+            self.step_without_state(block, state);
+        }
     }
 
     /// Records the settings that changed since they were recorded last.
@@ -75,6 +100,7 @@ impl Record {
             changed.parameter = Some(parameters);
         }
         let events = std::mem::take(&mut self.events);
+        self.in_block = false;
         self.steps.push(Step {
             block,
             events,
@@ -96,6 +122,7 @@ impl Record {
     pub fn step_without_state(&mut self, block: Block, state: &State) {
         self.settings(state);
         let events = std::mem::take(&mut self.events);
+        self.in_block = false;
         self.steps.push(Step { block, events, state: None });
     }
 
@@ -109,20 +136,15 @@ impl Record {
         self.effects
     }
 
-    /// Virtual time so far, seconds.
-    pub fn time(&self) -> f64 {
-        self.time
-    }
-
     /// The whole outcome. What a refused block did before it was refused is not part of it.
-    pub fn finish(self, end: End, parameters: Indexed<u32, f64>) -> Outcome {
+    pub fn finish(self, end: End, parameters: Indexed<u32, f64>, pins: Vec<PinChange>) -> Outcome {
         Outcome {
             language: Language::Rs274,
             start: self.start,
             steps: self.steps,
             end,
             parameters: Some(parameters),
-            pins: Vec::new(),
+            pins,
             samples: Vec::new(),
         }
     }

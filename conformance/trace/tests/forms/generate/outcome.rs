@@ -137,6 +137,7 @@ pub(crate) fn effect() -> BoxedStrategy<Effect> {
         StopSpindleSynchronisation {}
         Dwell { seconds: number(), }
         PrepareTool { tool: any::<i32>(), }
+        PromptTool { tool: any::<i32>(), }
         ChangeTool { tool: any::<i32>(), }
         SetToolNumber { tool: any::<i32>(), }
         SetToolEntry {

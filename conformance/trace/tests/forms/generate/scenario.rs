@@ -1,8 +1,8 @@
 //! Generators for scenarios: program, options, machine, bench, operator, budget.
 
 use gaugeblock_trace::scenario::{
-    Action, AxisLimits, Bench, Budget, InputChange, OperatorEvent, OrientAnswer, ProbeContact,
-    Start, ToolChange, UserProgram, When,
+    Action, AxisLimits, Bench, Budget, Folder, InputChange, OperatorEvent, OrientAnswer,
+    ProbeContact, Start, ToolChange, UserProgram, When,
 };
 use gaugeblock_trace::{
     Axis, ControllerMode, Language, LengthUnit, Machine, Options, Program, Scenario, Tool,
@@ -115,7 +115,8 @@ fn bench() -> BoxedStrategy<Bench> {
         orient: vec(orient_answer(), 0..3),
         probe: option::of(probe_contact()),
         tool_change_time: number(),
-        user_programs: named(user_program()),
+        manual_tool_change: any::<bool>(),
+        user_programs: vec(user_program(), 0..3),
     })
 }
 
@@ -158,6 +159,11 @@ fn probe_contact() -> BoxedStrategy<ProbeContact> {
 fn user_program() -> BoxedStrategy<UserProgram> {
     whole!(UserProgram {
         file: text(),
+        folder: prop_oneof![
+            Just(Folder::ProgramPrefix),
+            Just(Folder::SearchPath),
+            Just(Folder::Elsewhere),
+        ],
         executable: any::<bool>(),
         duration: number(),
         exit_status: any::<i32>(),

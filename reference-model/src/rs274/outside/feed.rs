@@ -1,0 +1,32 @@
+//! The inputs that concern the feed.
+
+use super::Outside;
+
+/// The adaptive feed input and the feed stop input.
+const NAMES: [&str; 2] = ["adaptive_feed", "feed_hold"];
+
+impl Outside {
+    /// The value of the adaptive feed input now; full speed until it is listed.
+    pub fn adaptive_feed(&self) -> f64 {
+        self.feed_input(NAMES[0]).unwrap_or(1.0)
+    }
+
+    /// Whether the feed stop input asks for a stop now.
+    pub fn feed_stop(&self) -> bool {
+        self.feed_input(NAMES[1]).unwrap_or(0.0) != 0.0
+    }
+
+    fn feed_input(&self, name: &str) -> Option<f64> {
+        let changes = self.bench.inputs.iter();
+        let past = changes.filter(|change| change.input == name && change.time <= self.time);
+        past.map(|change| change.value).next_back()
+    }
+
+    /// When one of them changes next.
+    pub fn next_change_of_feed(&self) -> Option<f64> {
+        let changes = self.bench.inputs.iter();
+        let later = changes
+            .filter(|change| NAMES.contains(&change.input.as_str()) && change.time > self.time);
+        later.map(|change| change.time).min_by(f64::total_cmp)
+    }
+}

@@ -1,0 +1,158 @@
+//! Inputs over time: what they are, and when they do what a program waits for.
+
+use gaugeblock_trace::{Pin, WaitMode};
+
+use super::Outside;
+
+/// An input of the machine, by number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Input {
+    /// A digital input.
+    Digital(u16),
+    /// An analog input.
+    Analog(u16),
+}
+
+impl Input {
+    fn name(self) -> String {
+        match self {
+            Self::Digital(number) => format!("digital_in[{number}]"),
+            Self::Analog(number) => format!("analog_in[{number}]"),
+        }
+    }
+}
+
+/// How a wait ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Awaited {
+    /// What was awaited came, and the input has this value.
+    Came(f64),
+    /// It did not come in time.
+    TimedOut,
+    /// It will never come, and nothing ends the wait.
+    Never,
+}
+
+impl Outside {
+    /// The value of an input now. One to which nothing is connected is zero.
+    pub(crate) fn input(&self, input: Input) -> f64 {
+        if self.is_stand_alone() {
+            return 0.0;
+        }
+        self.wire(input).map_or_else(|| self.input_at(input, self.time), |pin| self.level(pin))
+    }
+
+    /// Waits for an input: time goes by until it does what is awaited, or for so many seconds.
+    pub(crate) fn await_input(
+        &mut self,
+        input: Input,
+        mode: WaitMode,
+        timeout: Option<f64>,
+    ) -> Awaited {
+        if self.is_stand_alone() {
+            return Awaited::Came(0.0);
+        }
+        let end = timeout.map(|seconds| self.time + seconds);
+        match self.event(input, mode).filter(|event| end.is_none_or(|end| *event <= end)) {
+            Some(event) => {
+                self.advance(event - self.time);
+                Awaited::Came(self.input(input))
+            }
+            None if timeout.is_some() => {
+                self.advance(timeout.unwrap_or(0.0));
+                Awaited::TimedOut
+            }
+            None => Awaited::Never,
+        }
+    }
+
+    /// When an input does what is awaited, from now on.
+    fn event(&self, input: Input, mode: WaitMode) -> Option<f64> {
+        let is_high = |value: f64| value != 0.0;
+        let mut before = is_high(self.input(input));
+        let there = match mode {
+            WaitMode::Immediate => true,
+            WaitMode::High => before,
+            WaitMode::Low => !before,
+            WaitMode::Rise | WaitMode::Fall => false,
+        };
+        if there {
+            return Some(self.time);
+        }
+        if self.wire(input).is_some() {
+            // While a program waits it switches no output.
+            return None;
+        }
+        let to_high = matches!(mode, WaitMode::High | WaitMode::Rise);
+        let name = input.name();
+        let changes = self.bench.inputs.iter().filter(|change| change.input == name);
+        for change in changes.filter(|change| change.time > self.time) {
+            let now = is_high(change.value);
+            if now != before && now == to_high {
+                return Some(change.time);
+            }
+            before = now;
+        }
+        None
+    }
+
+    /// Whether anything is connected to an input.
+    pub(crate) fn is_connected(&self, input: Input) -> bool {
+        let name = input.name();
+        self.wire(input).is_some() || self.bench.inputs.iter().any(|change| change.input == name)
+    }
+
+    /// The output that is wired to a digital input.
+    fn wire(&self, input: Input) -> Option<Pin> {
+        let Input::Digital(number) = input else { return None };
+        let (output, _) = self.bench.wires.iter().find(|(_, wired)| **wired == number)?;
+        output.parse().ok().map(Pin::DigitalOut)
+    }
+
+    fn input_at(&self, input: Input, time: f64) -> f64 {
+        let name = input.name();
+        let changes = self.bench.inputs.iter();
+        let past = changes.filter(|change| change.input == name && change.time <= time);
+        past.last().map_or(0.0, |change| change.value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use gaugeblock_trace::scenario::{Bench, InputChange};
+
+    use super::*;
+    use crate::rs274::readings::Readings;
+
+    fn outside(changes: &[(f64, f64)]) -> Outside {
+        let input = || "digital_in[0]".to_owned();
+        let inputs = changes.iter().map(|(time, value)| InputChange {
+            time: *time,
+            input: input(),
+            value: *value,
+        });
+        let bench = Bench { inputs: inputs.collect(), ..Bench::default() };
+        Outside::new(&bench, 1, &Readings::default())
+    }
+
+    #[test]
+    fn an_edge_is_a_change_and_a_level_is_none() {
+        let wait = |mode, timeout| {
+            let mut outside = outside(&[(0.0, 1.0), (1.0, 0.0), (2.0, 1.0)]);
+            let awaited = outside.await_input(Input::Digital(0), mode, Some(timeout));
+            (awaited, outside.time())
+        };
+        assert_eq!(wait(WaitMode::High, 5.0), (Awaited::Came(1.0), 0.0));
+        assert_eq!(wait(WaitMode::Low, 5.0), (Awaited::Came(0.0), 1.0));
+        assert_eq!(wait(WaitMode::Fall, 5.0), (Awaited::Came(0.0), 1.0));
+        assert_eq!(wait(WaitMode::Rise, 5.0), (Awaited::Came(1.0), 2.0));
+        assert_eq!(wait(WaitMode::Rise, 1.5), (Awaited::TimedOut, 1.5));
+    }
+
+    #[test]
+    fn a_wait_without_end_never_ends() {
+        let mut outside = outside(&[]);
+        let awaited = outside.await_input(Input::Digital(0), WaitMode::High, None);
+        assert_eq!(awaited, Awaited::Never);
+    }
+}

@@ -1,0 +1,140 @@
+//! The outside of the controller: its clock, its pins, and how a bench answers.
+//!
+//! Time is virtual, in seconds since the start. Only dwells and waits move it, so that a run is the same on every day.
+
+mod feed;
+mod inputs;
+mod orientation;
+mod programs;
+
+use std::collections::BTreeMap;
+
+use gaugeblock_trace::scenario::Bench;
+use gaugeblock_trace::{Pin, PinChange};
+
+use super::readings::Readings;
+pub(crate) use inputs::{Awaited, Input};
+pub(crate) use orientation::Orientation;
+pub(crate) use programs::Missing;
+
+/// The named bench that answers as the stand-alone interpreter's stubs do.
+const STAND_ALONE: &str = "stand-alone rs274";
+
+/// What is outside of the controller, and what it shows there.
+#[derive(Clone, Debug)]
+pub struct Outside {
+    /// How inputs, encoders, the tool changer and user-defined programs answer.
+    bench: Bench,
+    /// Seconds since the start.
+    time: f64,
+    /// The value of each pin that is not zero, or was not.
+    levels: BTreeMap<Pin, f64>,
+    /// Every change of a pin so far.
+    changes: Vec<PinChange>,
+    /// What outputs become when the next motion begins.
+    awaiting_motion: BTreeMap<Pin, f64>,
+    /// Orientations that have begun and not ended, by spindle.
+    orienting: BTreeMap<usize, Orientation>,
+}
+
+impl Outside {
+    /// The outside before the first block: all outputs are off.
+    ///
+    /// Choice orient.brake-otherwise: whether the brake of a spindle that stands is applied.
+    pub fn new(bench: &Bench, spindles: usize, readings: &Readings) -> Self {
+        let braked = readings.is("orient.brake-otherwise", "while-standing");
+        let brakes = (0..if braked { spindles } else { 0 })
+            .filter_map(|spindle| Some((Pin::SpindleBrake(u16::try_from(spindle).ok()?), 1.0)));
+        Self {
+            bench: bench.clone(),
+            time: 0.0,
+            levels: brakes.collect(),
+            changes: Vec::new(),
+            awaiting_motion: BTreeMap::new(),
+            orienting: BTreeMap::new(),
+        }
+    }
+
+    /// Whether everything outside answers as the stand-alone interpreter's stubs do.
+    pub fn is_stand_alone(&self) -> bool {
+        self.bench.name.as_deref() == Some(STAND_ALONE)
+    }
+
+    /// Seconds since the start.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Seconds that the tool changer takes.
+    pub fn tool_change_time(&self) -> f64 {
+        self.bench.tool_change_time.max(0.0)
+    }
+
+    /// Whether a person changes the tools, asked by a prompt.
+    pub fn tools_are_changed_by_hand(&self) -> bool {
+        self.bench.manual_tool_change
+    }
+
+    /// Lets time go by.
+    pub fn advance(&mut self, seconds: f64) {
+        self.time += seconds.max(0.0);
+    }
+
+    /// Goes to a moment of a wait that was counted as a whole, for what the operator did meanwhile.
+    pub fn within_wait(&mut self, time: f64) {
+        self.time = time;
+    }
+
+    /// The value of a pin.
+    pub fn level(&self, pin: Pin) -> f64 {
+        self.levels.get(&pin).copied().unwrap_or(0.0)
+    }
+
+    /// Gives a pin a value, now.
+    pub fn set(&mut self, pin: Pin, value: f64) {
+        self.set_at(self.time, pin, value);
+    }
+
+    /// Gives a pin a value at a time that has just gone by.
+    pub(crate) fn set_at(&mut self, time: f64, pin: Pin, value: f64) {
+        if self.level(pin) != value {
+            self.levels.insert(pin, value);
+            self.changes.push(PinChange { time, pin, value });
+        }
+    }
+
+    /// Gives an output a value when the next motion begins. Of several values the last one counts; tells whether there
+    /// was an earlier one.
+    pub fn set_with_motion(&mut self, pin: Pin, value: f64) -> bool {
+        self.awaiting_motion.insert(pin, value).is_some()
+    }
+
+    /// Takes back what an output was to become.
+    pub fn forget_with_motion(&mut self, pin: Pin) {
+        self.awaiting_motion.remove(&pin);
+    }
+
+    /// Whether an output is to become something when the next motion begins.
+    pub fn awaits_motion_with(&self, pin: Pin) -> bool {
+        self.awaiting_motion.contains_key(&pin)
+    }
+
+    /// A motion begins: the outputs that wait for one switch. Tells whether there were any.
+    pub fn motion_begins(&mut self) -> bool {
+        let waiting = std::mem::take(&mut self.awaiting_motion);
+        for (pin, value) in &waiting {
+            self.set(*pin, *value);
+        }
+        !waiting.is_empty()
+    }
+
+    /// Whether an output waits for a motion.
+    pub fn awaits_motion(&self) -> bool {
+        !self.awaiting_motion.is_empty()
+    }
+
+    /// Every change of a pin so far.
+    pub fn changes(&self) -> &[PinChange] {
+        &self.changes
+    }
+}

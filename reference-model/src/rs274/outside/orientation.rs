@@ -1,0 +1,51 @@
+//! Spindles that turn to an angle, and what their encoders answer.
+
+use gaugeblock_trace::scenario::OrientAnswer;
+
+use super::Outside;
+
+/// An orientation that has begun and not ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Orientation {
+    /// When it began, seconds since the start.
+    pub(crate) begun: f64,
+    /// What the encoder answers.
+    pub(crate) answer: OrientAnswer,
+}
+
+impl Orientation {
+    /// When the spindle stands at its angle, if it ever does.
+    pub(crate) fn done(self) -> Option<f64> {
+        match self.answer {
+            OrientAnswer::After(seconds) => Some(self.begun + seconds.max(0.0)),
+            OrientAnswer::Never | OrientAnswer::Fault(_) => None,
+        }
+    }
+}
+
+impl Outside {
+    /// A spindle begins to turn to an angle. An encoder of which nothing is said answers at once.
+    pub(crate) fn begin_orientation(&mut self, spindle: usize) {
+        let at_once = OrientAnswer::After(0.0);
+        let answer = self.bench.orient.get(spindle).copied();
+        let answer = answer.filter(|_| !self.is_stand_alone()).unwrap_or(at_once);
+        self.orienting.insert(spindle, Orientation { begun: self.time, answer });
+    }
+
+    /// The orientation of a spindle that has not ended.
+    pub(crate) fn orientation(&self, spindle: usize) -> Option<Orientation> {
+        self.orienting.get(&spindle).copied()
+    }
+
+    /// The orientation of a spindle has ended, one way or another.
+    pub(crate) fn end_orientation(&mut self, spindle: usize) {
+        self.orienting.remove(&spindle);
+    }
+
+    /// Spindles that stand at their angle by now, each with the time at which it got there.
+    pub(crate) fn oriented(&self) -> Vec<(usize, f64)> {
+        let done =
+            self.orienting.iter().filter_map(|(spindle, begun)| Some((*spindle, begun.done()?)));
+        done.filter(|(_, time)| *time <= self.time).collect()
+    }
+}

@@ -1,0 +1,232 @@
+//! M19.
+
+use gaugeblock_trace::scenario::OrientAnswer;
+use gaugeblock_trace::{Effect, FaultKind, OrientDirection, Pin, SpindleTurn};
+
+use super::spindle::{all, number};
+use super::{pass, whole, word};
+use crate::rs274::machine::State;
+use crate::rs274::outside::Orientation;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::task::Record;
+
+/// Turns a spindle to an angle.
+///
+/// Rule orient.angle. R is the angle in degrees; the machine's offset is added to it (orient.offset).
+/// Rule orient.direction. P says which way: 0 the shortest, 1 clockwise, 2 counterclockwise; 0 when it is not given.
+/// Rule orient.wait. Q is how long the run waits for the spindle, in seconds.
+/// Rule orient.replaces-turning. M19 belongs to the group of M3, M4 and M5: it takes the place of the one in force.
+///
+/// # Errors
+/// Rules orient.needs-angle, orient.angle-range, orient.direction-range, orient.needs-timeout, orient.zero-timeout,
+/// orient.spindle-range, orient.timeout, orient.fault.
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    let spindles = spindles(words, state)?;
+    let angle = angle(words, state)?;
+    let direction = direction(words, state)?;
+    let timeout = timeout(words, state)?;
+    for place in &spindles {
+        // The machine has no more than 255 spindles.
+        let Ok(spindle) = u8::try_from(*place) else { continue };
+        state.modes.spindles[*place].turn = SpindleTurn::Stopped;
+        state.evidence.accepted("orient.replaces-turning");
+        if let Some(angle) = angle {
+            begin(*place, angle, direction, state);
+            let spindle = u32::from(spindle);
+            record.effect(state, Effect::OrientSpindle { spindle, angle, direction });
+        }
+    }
+    pass(0.0, state);
+    let Some(timeout) = timeout else { return Ok(()) };
+    for place in spindles {
+        let Ok(spindle) = u32::try_from(place) else { continue };
+        wait(place, timeout, state)?;
+        record.effect(state, Effect::WaitOrient { spindle, timeout });
+    }
+    Ok(())
+}
+
+/// Rule orient.spindle. $ says whose pins carry the orientation.
+/// Choice orient.without-dollar: without $ it is the first spindle or every one.
+fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, Halt> {
+    let Some(value) = word(words, '$') else {
+        let rule = "orient.without-dollar";
+        state.evidence.accepted(rule);
+        return Ok(if state.readings.is(rule, "all") { all(state) } else { vec![0] });
+    };
+    let place = number(value, state, "orient.spindle-range")?;
+    state.evidence.accepted("orient.spindle-range");
+    state.evidence.accepted("orient.spindle");
+    Ok(vec![place])
+}
+
+/// Rule orient.needs-angle. R is needed. Rule orient.angle-range. It is 0 to 360 degrees.
+/// Quirk rs274.orient-without-angle: without R the angle is zero if P is there, and else the spindle turns nowhere.
+fn angle(words: &Words, state: &mut State) -> Result<Option<f64>, Halt> {
+    let offset = state.machine.orient_offset;
+    let Some(angle) = word(words, 'r') else {
+        if state.readings.quirk("rs274.orient-without-angle") {
+            return Ok(word(words, 'p').map(|_| offset));
+        }
+        let rule = "orient.needs-angle";
+        return Err(refuse(rule, FaultKind::MissingWord, "M19 needs R, the angle"));
+    };
+    let rule = "orient.angle-range";
+    if !(0.0..=360.0).contains(&angle) {
+        let message = format!("R{angle} is not between 0 and 360 degrees");
+        return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+    }
+    state.evidence.accepted(rule);
+    state.evidence.accepted("orient.angle");
+    if offset != 0.0 {
+        state.evidence.accepted("orient.offset");
+    }
+    Ok(Some(angle + offset))
+}
+
+/// Rule orient.direction-range. P is 0, 1 or 2.
+fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, Halt> {
+    let value = word(words, 'p').unwrap_or(0.0);
+    let direction = match whole(value) {
+        Some(0) => OrientDirection::Shortest,
+        Some(1) => OrientDirection::Clockwise,
+        Some(2) => OrientDirection::Counterclockwise,
+        _ => {
+            let message = format!("P{value} is no direction: 0, 1 or 2");
+            let rule = "orient.direction-range";
+            return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+        }
+    };
+    state.evidence.accepted("orient.direction-range");
+    state.evidence.accepted("orient.direction");
+    Ok(direction)
+}
+
+/// Rule orient.needs-timeout. Q is needed. Rule orient.zero-timeout. Whether it may be zero is a choice.
+/// Quirk rs274.orient-without-timeout: without Q the run does not wait.
+fn timeout(words: &Words, state: &mut State) -> Result<Option<f64>, Halt> {
+    let Some(seconds) = word(words, 'q') else {
+        if state.readings.quirk("rs274.orient-without-timeout") {
+            return Ok(None);
+        }
+        let rule = "orient.needs-timeout";
+        return Err(refuse(rule, FaultKind::MissingWord, "M19 needs Q, the longest wait"));
+    };
+    let rule = "orient.zero-timeout";
+    if seconds < 0.0 || seconds == 0.0 && state.readings.is(rule, "refused") {
+        let message = format!("M19 with a longest wait of {seconds} seconds");
+        return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+    }
+    if seconds == 0.0 {
+        state.evidence.accepted(rule);
+    }
+    Ok(Some(seconds))
+}
+
+/// Rule orient.pins. The angle and the direction stand on their pins, and the request is set.
+/// Quirk linuxcnc.orient-while-locked: a spindle that is locked is not asked again.
+fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State) {
+    let Some(spindle) = index(place) else { return };
+    let direction = match direction {
+        OrientDirection::Shortest => 0.0,
+        OrientDirection::Clockwise => 1.0,
+        OrientDirection::Counterclockwise => 2.0,
+    };
+    state.outside.set(Pin::SpindleOrientAngle(spindle), angle);
+    state.outside.set(Pin::SpindleOrientMode(spindle), direction);
+    state.evidence.accepted("orient.pins");
+    let locked = state.outside.level(Pin::SpindleLocked(spindle)) != 0.0;
+    if locked && state.readings.quirk("linuxcnc.orient-while-locked") {
+        return;
+    }
+    state.outside.set(Pin::SpindleOrient(spindle), 1.0);
+    state.outside.begin_orientation(place);
+}
+
+/// Rule orient.timeout. A spindle that does not stand at its angle within Q seconds is an error.
+/// Rule orient.fault. So is a fault that its encoder reports.
+fn wait(place: usize, timeout: f64, state: &mut State) -> Result<(), Halt> {
+    let Some(orientation) = state.outside.orientation(place) else { return Ok(()) };
+    if let Some(fault) = orientation.fault() {
+        let message = format!("spindle {place} reports the fault {fault} on its way to its angle");
+        return Err(refuse("orient.fault", FaultKind::Orient, message));
+    }
+    state.evidence.accepted("orient.fault");
+    let remaining = orientation.done().map(|done| (done - state.outside.time()).max(0.0));
+    match remaining.filter(|seconds| *seconds <= timeout) {
+        Some(seconds) => {
+            pass(seconds, state);
+            state.evidence.accepted("orient.wait");
+            state.evidence.accepted("orient.timeout");
+            Ok(())
+        }
+        None => {
+            let message = format!("spindle {place} is not at its angle after {timeout} seconds");
+            Err(refuse("orient.timeout", FaultKind::Orient, message))
+        }
+    }
+}
+
+/// What has come about outside: spindles stand at their angle, brakes are applied or released.
+///
+/// Rule orient.complete. When its encoder says that a spindle stands at its angle, the request is cleared and the spindle
+/// is locked and braked. A spindle that turns is neither.
+pub(crate) fn settle(state: &mut State) {
+    for (place, time) in state.outside.oriented() {
+        state.outside.end_orientation(place);
+        let Some(spindle) = index(place) else { continue };
+        state.outside.set_at(time, Pin::SpindleOrient(spindle), 0.0);
+        state.outside.set_at(time, Pin::SpindleLocked(spindle), 1.0);
+        state.evidence.accepted("orient.complete");
+    }
+    for place in all(state) {
+        if state.modes.spindles[place].turn != SpindleTurn::Stopped {
+            clear(place, state);
+        }
+        brake(place, state);
+    }
+}
+
+/// Rule orient.brake-otherwise. Whether the brake is applied to any other spindle that stands is a choice.
+fn brake(place: usize, state: &mut State) {
+    let Some(spindle) = index(place) else { return };
+    let stands = state.modes.spindles[place].turn == SpindleTurn::Stopped
+        && state.outside.orientation(place).is_none();
+    let locked = state.outside.level(Pin::SpindleLocked(spindle)) != 0.0;
+    let standing = state.readings.is("orient.brake-otherwise", "while-standing");
+    let applied = locked || stands && standing;
+    if locked {
+        state.evidence.accepted("orient.brake-otherwise");
+    }
+    state.outside.set(Pin::SpindleBrake(spindle), if applied { 1.0 } else { 0.0 });
+}
+
+/// Rule orient.cleared. M3, M4 and M5 take back the request and unlock the spindle.
+pub(crate) fn clear(place: usize, state: &mut State) {
+    let Some(spindle) = index(place) else { return };
+    state.outside.end_orientation(place);
+    let pins = [Pin::SpindleOrient(spindle), Pin::SpindleLocked(spindle)];
+    for pin in pins {
+        if state.outside.level(pin) == 0.0 {
+            continue;
+        }
+        state.evidence.accepted("orient.cleared");
+        state.outside.set(pin, 0.0);
+    }
+}
+
+/// The index of a spindle's pins.
+fn index(place: usize) -> Option<u16> {
+    u16::try_from(place).ok()
+}
+
+impl Orientation {
+    /// The fault that the encoder reports, if it does.
+    fn fault(self) -> Option<i32> {
+        match self.answer {
+            OrientAnswer::Fault(fault) => Some(fault).filter(|fault| *fault != 0),
+            OrientAnswer::After(_) | OrientAnswer::Never => None,
+        }
+    }
+}

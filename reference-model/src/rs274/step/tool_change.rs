@@ -1,0 +1,160 @@
+//! M6 and M61.
+
+use gaugeblock_trace::{Axis, Effect, FaultKind, Position, SpindleTurn};
+
+use super::tool::entry;
+use super::{outputs, pass, spindle, whole, word};
+use crate::rs274::machine::State;
+use crate::rs274::modes::converted;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::task::Record;
+
+/// Puts the selected tool into the spindle.
+///
+/// Rule tool.change. The tool in the spindle is then the one that T selected last, on the same line or before.
+/// Rule tool.change-stops-spindle. The spindle stands afterwards.
+/// Rule tool.change-keeps. Nothing else changes: coolant flows on, and the length offset stays (tool.change-keeps-length).
+///
+/// # Errors
+/// Rules tool.change-without-selection and tool.change-under-compensation.
+pub fn change(state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    super::not_under_compensation("tool.change-under-compensation", state)?;
+    let tool = tool_to_load(state)?;
+    if !state.machine.tool_change.with_spindle_on {
+        stop_spindles(state);
+    } else {
+        state.evidence.accepted("tool.change-spindle-on");
+    }
+    moves(state, record);
+    if state.outside.tools_are_changed_by_hand() {
+        state.evidence.accepted("tool.change-by-hand");
+        record.effect(state, Effect::PromptTool { tool });
+    }
+    pass(state.outside.tool_change_time(), state);
+    swap(tool, state);
+    state.selected_for_change = false;
+    state.evidence.accepted("tool.change");
+    state.evidence.accepted("tool.change-keeps");
+    state.evidence.accepted("tool.change-keeps-length");
+    record.effect(state, Effect::ChangeTool { tool });
+    Ok(())
+}
+
+/// Rule tool.change-without-selection. Whether a change needs a T since the change before is a choice.
+fn tool_to_load(state: &mut State) -> Result<i32, Halt> {
+    if !state.selected_for_change && !state.outside.is_stand_alone() {
+        let rule = "tool.change-without-selection";
+        if state.readings.is(rule, "refused") {
+            return Err(refuse(rule, FaultKind::MissingWord, "M6, and no tool is selected"));
+        }
+        state.evidence.accepted(rule);
+    }
+    Ok(state.prepared_tool.max(0))
+}
+
+/// Every spindle stops.
+fn stop_spindles(state: &mut State) {
+    for place in spindle::all(state) {
+        spindle::set_turn(SpindleTurn::Stopped, place, state);
+    }
+    state.evidence.accepted("tool.change-stops-spindle");
+}
+
+/// Rule tool.change-quill-up. If the machine is set so, Z goes to machine zero first.
+/// Rule tool.change-at-g30. If the machine is set so, it goes to the position of G30 first.
+fn moves(state: &mut State, record: &mut Record) {
+    if state.machine.tool_change.quill_up {
+        let here = state.modes.machine_point(state.position);
+        traverse(Position { z: 0.0, ..here }, state, record);
+        state.evidence.accepted("tool.change-quill-up");
+    }
+    if state.machine.tool_change.at_g30 {
+        let mut there = Position::default();
+        for (number, axis) in (G30_POSITION..).zip(Axis::ALL) {
+            if state.machine.axes.contains(axis) {
+                *there.get_mut(*axis) = state.parameters.stored(number);
+            }
+        }
+        let there = converted(there, state.machine.length_unit, state.modes.units);
+        traverse(there, state, record);
+        state.evidence.accepted("tool.change-at-g30");
+    }
+}
+
+/// The parameter with X of the position of G30, machine unit.
+const G30_POSITION: u32 = 5181;
+
+/// A rapid move to a machine position, active length unit.
+fn traverse(machine: Position, state: &mut State, record: &mut Record) {
+    state.position = state.modes.program_point(machine);
+    outputs::motion_begins(state);
+    record.effect(state, Effect::StraightTraverse { end: state.position });
+}
+
+/// Rule tool.change-back. The tool that was in the spindle goes back into the changer, from where it can be taken again.
+/// Rule tool.change-same. A change to the tool in the spindle is allowed. Rule tool.change-zero. After T0 the spindle is
+/// empty.
+/// Choice tool.old-tool-place: where tools change places, whether the old tool goes to the slot of the new one.
+fn swap(tool: i32, state: &mut State) {
+    let old = std::mem::replace(&mut state.tool, tool);
+    state.evidence.accepted(if tool == old { "tool.change-same" } else { "tool.change-back" });
+    if tool == 0 && !state.machine.random_tool_changer {
+        state.evidence.accepted("tool.change-zero");
+    }
+    let exchanged = state.machine.random_tool_changer
+        && state.readings.is("tool.old-tool-place", "slot-of-the-new");
+    let slot = state.slots.iter().find(|(_, stored)| **stored == tool).map(|(slot, _)| *slot);
+    if let Some(slot) = slot.filter(|_| exchanged && tool != old) {
+        state.slots.insert(slot, old);
+    }
+}
+
+/// Says which tool is in the spindle.
+///
+/// Rule tool.set-number. M61 makes tool Q the current one, without a tool change; 0 is no tool (tool.set-number-zero).
+/// Rule tool.set-number-keeps-length. The length offset stays.
+///
+/// # Errors
+/// Rules tool.set-number-range, tool.set-number-integer, tool.set-number-unknown, tool.set-number-in-program.
+pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    let in_program = "tool.set-number-in-program";
+    if state.readings.is(in_program, "refused") {
+        let message = "M61 in a program";
+        return Err(refuse(in_program, FaultKind::ControllerMode, message));
+    }
+    let tool = number(words, state)?;
+    let unknown = tool > 0 && entry(tool, state).is_none();
+    let rule = "tool.set-number-unknown";
+    if unknown && state.readings.is(rule, "refused") {
+        let message = format!("the tool table holds no tool {tool}");
+        return Err(refuse(rule, FaultKind::ToolNotFound, message));
+    }
+    let zero = if tool == 0 { "tool.set-number-zero" } else { "tool.set-number" };
+    for accepted in [rule, in_program, zero, "tool.set-number-keeps-length"] {
+        state.evidence.accepted(accepted);
+    }
+    state.tool = tool;
+    record.effect(state, Effect::SetToolNumber { tool });
+    Ok(())
+}
+
+/// Rule tool.set-number-range. Q is needed, and zero or greater. Rule tool.set-number-integer. It is a whole number.
+/// Quirk rs274.tool-number-rounded: a fraction is rounded.
+fn number(words: &Words, state: &mut State) -> Result<i32, Halt> {
+    let rule = "tool.set-number-range";
+    let Some(value) = word(words, 'q') else {
+        return Err(refuse(rule, FaultKind::WordOutOfRange, "M61 needs Q, the number of the tool"));
+    };
+    let rounded = state.readings.quirk("rs274.tool-number-rounded");
+    let number = if rounded { whole(value.round_ties_even()) } else { whole(value) };
+    if value < 0.0 && number != Some(0) {
+        return Err(refuse(rule, FaultKind::WordOutOfRange, format!("M61 with Q{value}")));
+    }
+    state.evidence.accepted(rule);
+    let rule = "tool.set-number-integer";
+    let message = || format!("Q{value} is no number of a tool");
+    let number = number.ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
+    state.evidence.accepted(rule);
+    Ok(number)
+}

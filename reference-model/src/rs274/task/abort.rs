@@ -1,0 +1,77 @@
+//! What an abort leaves behind.
+
+use gaugeblock_trace::{End, SpindleTurn, Switch};
+
+use super::operator::Operator;
+use super::{Record, Run};
+use crate::rs274::machine::State;
+use crate::rs274::quirks::task as quirks;
+
+impl Run<'_> {
+    /// Rule abort.ends. The run is over, whatever block was broken off.
+    ///
+    /// Rule abort.autorestore. In a sub with M73 nothing is restored.
+    pub(super) fn aborted(&mut self) {
+        self.state.evidence.accepted("abort.ends");
+        if self.state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
+            self.state.evidence.accepted("abort.autorestore");
+        }
+        self.state.evidence.accepted("abort.read-ahead");
+        let reads_on = self.state.readings.is("abort.read-ahead", "read-on");
+        if reads_on && !self.by_hand && !self.waits_for_machine {
+            self.read_on();
+        }
+        if let Some(modes) = &self.at_last_motion {
+            quirks::modes_of_last_motion(modes, &mut self.state);
+        }
+        self.switch_off();
+    }
+
+    /// Choice abort.spindle-and-coolant. An abort stops all spindles and switches coolant off, or leaves them alone.
+    pub(super) fn switch_off(&mut self) {
+        self.state.evidence.accepted("abort.spindle-and-coolant");
+        if self.state.readings.is("abort.spindle-and-coolant", "switched-off") {
+            let modes = &mut self.state.modes;
+            for spindle in &mut modes.spindles {
+                spindle.turn = SpindleTurn::Stopped;
+            }
+            modes.mist = Switch::Off;
+            modes.flood = Switch::Off;
+            self.show(None);
+        }
+        self.record.settle(&self.state);
+    }
+
+    /// Choice abort.read-ahead. The interpreter has read on to the next block that waits for the machine, or to the end: what
+    /// it made of modes and parameters on the way stays, although nothing of it was executed.
+    fn read_on(&mut self) {
+        let mut state = self.state.clone();
+        state.evidence = crate::Evidence::default();
+        let mut control = self.control.clone();
+        control.place.line += 1;
+        let mut ahead = Run {
+            scenario: self.scenario,
+            record: Record::new(&state),
+            state,
+            control,
+            operator: Operator::new(&[]),
+            entries: self.entries,
+            by_hand: false,
+            ahead: true,
+            waits_for_machine: false,
+            at_last_motion: None,
+        };
+        let _how_far: End = ahead.program();
+        self.take_over(ahead.state);
+    }
+
+    /// Takes over modes and parameters, but not where the machine stands and in which mode the controller is.
+    fn take_over(&mut self, ahead: State) {
+        let machine = self.state.modes.machine_point(self.state.position);
+        let controller_mode = self.state.modes.controller_mode;
+        self.state.modes = ahead.modes;
+        self.state.modes.controller_mode = controller_mode;
+        self.state.parameters = ahead.parameters;
+        self.state.position = self.state.modes.program_point(machine);
+    }
+}

@@ -1,0 +1,119 @@
+//! While no program runs: blocks entered by hand, and cycle start.
+
+use gaugeblock_trace::scenario::Action;
+use gaugeblock_trace::{ControllerMode, End};
+
+use super::request::{Activity, Answer};
+use super::{MAIN, Run, open_entries};
+use crate::rs274::control::{Control, Frame, Place};
+use crate::rs274::refusal::Halt;
+use crate::rs274::text::Line;
+
+/// What comes after the controller was idle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Then {
+    /// Nothing: the operator does nothing more.
+    Nothing,
+    /// The program, from its first block.
+    Begin,
+}
+
+impl Run<'_> {
+    /// The controller waits for the operator.
+    pub(super) fn idle(&mut self, aborted: bool) -> Result<Then, Halt> {
+        while let Some(happening) = self.operator.next(f64::INFINITY) {
+            let now = self.state.outside.time();
+            self.state.outside.within_wait(happening.time.max(now));
+            match self.request(happening, Activity::Idle)? {
+                Answer::Begins => {
+                    self.begin_again(aborted);
+                    return Ok(Then::Begin);
+                }
+                Answer::Executes(event) => self.entry(event)?,
+                Answer::Nothing | Answer::Pauses | Answer::GoesOn => {}
+            }
+        }
+        Ok(Then::Nothing)
+    }
+
+    /// Rule program-end.restart. Cycle start starts the program at the beginning of the file, in auto mode.
+    /// Rule abort.restart. After an abort too.
+    fn begin_again(&mut self, aborted: bool) {
+        let rule = if aborted { "abort.restart" } else { "program-end.restart" };
+        self.state.evidence.accepted(rule);
+        if !aborted {
+            self.state.evidence.accepted("task.modes-carry-over");
+        }
+        self.change_mode_to(ControllerMode::Auto);
+        self.leave_calls();
+        self.control = Control::new(&self.scenario.program, &mut self.state);
+        self.entries = open_entries(self.scenario, &mut self.control, &mut self.state);
+    }
+
+    /// A run is over: with it every call, and what was local to it.
+    fn leave_calls(&mut self) {
+        let arguments = self.arguments();
+        self.state.frames = vec![Frame { arguments, ..Frame::default() }];
+    }
+
+    /// A block that the operator enters by hand.
+    fn entry(&mut self, event: usize) -> Result<(), Halt> {
+        let earlier = self.scenario.operator.iter().take(event);
+        let entered = earlier.filter(|event| matches!(event.action, Action::Mdi(_))).count();
+        let line = u32::try_from(entered).unwrap_or(u32::MAX).saturating_add(1);
+        let back = self.control.place;
+        self.by_hand(Place { line, ..self.entries })?;
+        self.control.place = back;
+        Ok(())
+    }
+
+    /// Executes a block entered by hand, with all that it calls.
+    ///
+    /// How it ended when it ended the program; an abort leaves the controller idle.
+    fn by_hand(&mut self, place: Place) -> Result<Option<End>, Halt> {
+        self.leave_calls();
+        self.by_hand = true;
+        self.control.place = place;
+        let after = Place { line: place.line + 1, ..place };
+        let end = loop {
+            if let Some(bound) = self.exhausted() {
+                return Err(Halt::Ended(End::BudgetExhausted { bound }));
+            }
+            match self.next() {
+                Ok(None) if self.control.place == after && self.state.call_level() == 0 => {
+                    break None;
+                }
+                Ok(None) => {}
+                Ok(Some(end)) => break Some(end),
+                Err(halt @ Halt::Ended(End::Aborted)) => break Some(self.halted(halt)),
+                Err(halt) => return Err(halt),
+            }
+        };
+        self.by_hand = false;
+        Ok(end)
+    }
+
+    /// Each line of the main program, entered by hand one after the other.
+    ///
+    /// A session that does not end with a program end waits for the operator.
+    pub(super) fn lines_by_hand(&mut self) -> End {
+        let mut place = Place { file: MAIN, line: 1 };
+        let mut end = End::Paused;
+        while let Some(line) = self.control.files.line(place, &mut self.state) {
+            let done = match line {
+                Line::Nothing => Ok(None),
+                Line::Block(_) => self.by_hand(place).map(|end| Some(end.unwrap_or(End::Paused))),
+                Line::End => Err(Halt::Unspecified("a percent sign, entered by hand".to_owned())),
+            };
+            match done {
+                Ok(None) => {}
+                Ok(Some(after)) => end = after,
+                Err(halt) => {
+                    return self.halted(halt);
+                }
+            }
+            place.line += 1;
+        }
+        end
+    }
+}

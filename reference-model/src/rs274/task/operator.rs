@@ -1,0 +1,73 @@
+//! What the operator does, and when: events that wait for an execution of their block, and then for their time.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_trace::Block;
+use gaugeblock_trace::scenario::{Action, OperatorEvent};
+
+/// The events of a scenario, each taken once.
+#[derive(Debug)]
+pub(super) struct Operator<'a> {
+    events: Vec<Event<'a>>,
+    /// How often each block that an event names was begun.
+    executions: BTreeMap<&'a Block, u32>,
+}
+
+#[derive(Debug)]
+struct Event<'a> {
+    event: &'a OperatorEvent,
+    /// Its place among the events of the scenario.
+    place: usize,
+    /// Virtual time at which it happens, seconds; none before its execution has begun.
+    due: Option<f64>,
+}
+
+/// An event that happens now.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Happening<'a> {
+    /// Virtual time, seconds.
+    pub time: f64,
+    /// What the operator does.
+    pub action: &'a Action,
+    /// Its place among the events of the scenario, from 0.
+    pub place: usize,
+}
+
+impl<'a> Operator<'a> {
+    /// Before the first block.
+    pub(super) fn new(events: &'a [OperatorEvent]) -> Self {
+        let executions = events.iter().map(|event| (&event.when.block, 0)).collect();
+        let events = events.iter().enumerate();
+        let events = events.map(|(place, event)| Event { event, place, due: None }).collect();
+        Self { events, executions }
+    }
+
+    /// An execution of a block begins: the events that name it get their time.
+    pub(super) fn begins(&mut self, block: &Block, now: f64) {
+        let Some(execution) = self.executions.get_mut(block) else { return };
+        *execution += 1;
+        for waiting in &mut self.events {
+            let when = &waiting.event.when;
+            if when.block == *block && when.execution == *execution && waiting.due.is_none() {
+                waiting.due = Some(now + when.offset);
+            }
+        }
+    }
+
+    /// Takes the next event that happens up to a time; of several at one time the one that is listed first.
+    pub(super) fn next(&mut self, until: f64) -> Option<Happening<'a>> {
+        let due = |(place, event): (usize, &Event<'a>)| Some((event.due?, place));
+        let all = self.events.iter().enumerate().filter_map(due);
+        let (time, place) = all.min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+        if time > until {
+            return None;
+        }
+        let Event { event, place, .. } = self.events.remove(place);
+        Some(Happening { time, action: &event.action, place })
+    }
+
+    /// Whether the operator does nothing more.
+    pub(super) fn is_done(&self) -> bool {
+        self.events.is_empty()
+    }
+}

@@ -1,0 +1,110 @@
+//! What the machine's pins show of the modes in force.
+
+use gaugeblock_trace::{Pin, SpindleMode, SpindleTurn, Switch};
+
+use super::Run;
+use crate::rs274::machine::State;
+use crate::rs274::modes::Spindle;
+use crate::rs274::order::Phase;
+
+impl Run<'_> {
+    /// Brings the pins up to date after a phase of a block, or after something that the operator did.
+    ///
+    /// Rules coolant.mist-pin and coolant.flood-pin. Each coolant has a pin.
+    pub(super) fn show(&mut self, after: Option<Phase>) {
+        for rule in (0..).zip(&self.state.modes.spindles).flat_map(|(number, spindle)| {
+            of_override(spindle, self.state.panel.spindle_override(number))
+        }) {
+            self.state.evidence.accepted(rule);
+        }
+        for (pin, value) in pins(&self.state) {
+            if (self.state.outside.level(pin) - value).abs() > 0.0 {
+                self.state.outside.set(pin, value);
+                self.changed_pin(pin, value, after);
+            }
+        }
+    }
+
+    /// Rule spindle.turns-at-speed. What the pins of a spindle show is how it turns; each spindle has its own
+    /// (spindle.each-turns).
+    ///
+    /// Rule spindle.turns-later. A speed above zero lets a spindle turn that was started before.
+    /// Rule spindle.override-turned-up. So does its override.
+    fn changed_pin(&mut self, pin: Pin, value: f64, after: Option<Phase>) {
+        let evidence = &mut self.state.evidence;
+        if pin == Pin::CoolantMist {
+            evidence.accepted("coolant.mist-pin");
+        } else if pin == Pin::CoolantFlood {
+            evidence.accepted("coolant.flood-pin");
+        } else if let Pin::SpindleOn(number) = pin {
+            evidence.accepted("spindle.turns-at-speed");
+            if number > 0 {
+                evidence.accepted("spindle.each-turns");
+            }
+            let starts = value > 0.0;
+            if starts && after == Some(Phase::SpindleSpeed) {
+                evidence.accepted("spindle.turns-later");
+            } else if starts && after.is_none() {
+                evidence.accepted("spindle.override-turned-up");
+            }
+        }
+    }
+}
+
+/// The rules by which a spindle that was told to turn stands, or turns at another speed than S.
+///
+/// Rule spindle.zero-speed-stands. At a speed of zero it does not turn.
+/// Rule spindle.override-zero-stands. Nor does it while its override is enabled and zero.
+/// Rule spindle.override-counts. An override that is enabled changes its speed.
+/// Rule overrides.speed-value. One that is disabled does not.
+fn of_override(spindle: &Spindle, factor: f64) -> Option<&'static str> {
+    if spindle.turn == SpindleTurn::Stopped {
+        None
+    } else if spindle.speed == 0.0 {
+        Some("spindle.zero-speed-stands")
+    } else if (factor - 1.0).abs() == 0.0 {
+        None
+    } else if spindle.speed_override == Switch::Off {
+        Some("overrides.speed-value")
+    } else if factor == 0.0 {
+        Some("spindle.override-zero-stands")
+    } else {
+        Some("spindle.override-counts")
+    }
+}
+
+/// The pins of spindles and coolant with their values; those that nothing is known of are left out.
+fn pins(state: &State) -> Vec<(Pin, f64)> {
+    let mut pins = vec![
+        (Pin::CoolantMist, digital(state.modes.mist == Switch::On)),
+        (Pin::CoolantFlood, digital(state.modes.flood == Switch::On)),
+    ];
+    for (number, spindle) in (0..).zip(&state.modes.spindles) {
+        pins.extend(of_spindle(number, spindle, state.panel.spindle_override(number)));
+    }
+    pins
+}
+
+fn digital(on: bool) -> f64 {
+    if on { 1.0 } else { 0.0 }
+}
+
+/// The pins of one spindle.
+fn of_spindle(number: u16, spindle: &Spindle, factor: f64) -> Vec<(Pin, f64)> {
+    let factor = if spindle.speed_override == Switch::On { factor } else { 1.0 };
+    let speed = spindle.speed * factor;
+    let turns = speed != 0.0;
+    let forward = turns && spindle.turn == SpindleTurn::Clockwise;
+    let reverse = turns && spindle.turn == SpindleTurn::Counterclockwise;
+    let mut pins = vec![
+        (Pin::SpindleOn(number), digital(forward || reverse)),
+        (Pin::SpindleForward(number), digital(forward)),
+        (Pin::SpindleReverse(number), digital(reverse)),
+    ];
+    let signed = if forward { Some(speed) } else { reverse.then_some(-speed) };
+    // Under constant surface speed the radius decides, which is a matter of motion.
+    if spindle.mode == SpindleMode::Rpm || signed.is_none() {
+        pins.push((Pin::SpindleSpeed(number), signed.unwrap_or(0.0)));
+    }
+    pins
+}

@@ -1,0 +1,238 @@
+//! The program, block after block: parsed, evaluated, checked, executed, recorded.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_trace::{End, FaultKind, Indexed};
+
+use super::{MAIN, Run};
+use crate::rs274::control::{self, Control, Next};
+use crate::rs274::order::{Phase, Rest};
+use crate::rs274::parameters::{self, Name};
+use crate::rs274::read::{self, Words};
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::syntax::Keyword;
+use crate::rs274::text::Line;
+use crate::rs274::{check, order, step, syntax};
+
+impl Run<'_> {
+    /// The next line of the program.
+    ///
+    /// Rule program-end.percent. The second percent line ends the run and does nothing else: it is no program end.
+    pub(super) fn next(&mut self) -> Result<Option<End>, Halt> {
+        let place = self.control.place;
+        self.state.line = place.line;
+        let text = match self.control.files.line(place, &mut self.state) {
+            Some(Line::Block(text)) => text,
+            Some(Line::Nothing) => {
+                self.control.place.line += 1;
+                return Ok(None);
+            }
+            Some(Line::End) if self.state.call_level() > 0 => {
+                let why = "a percent line that is reached in a subroutine".to_owned();
+                return Err(Halt::Unspecified(why));
+            }
+            Some(Line::End) => {
+                self.state.evidence.accepted("program-end.percent");
+                return Ok(Some(End::PercentEnd));
+            }
+            None => return Err(self.missing_end()),
+        };
+        match self.block(&text)? {
+            Next::Following => self.control.place.line += 1,
+            Next::At(place) => self.control.place = place,
+            // As long as the operator has something left to do it does begin again.
+            Next::End(End::Endless) if !self.operator.is_done() && !self.ahead => {
+                self.control.place = self.control.files.begin(MAIN);
+            }
+            Next::End(end) => return Ok(Some(end)),
+        }
+        Ok(None)
+    }
+
+    /// Rules program-end.missing, text.percent-unclosed. The file has ended, the program has not.
+    ///
+    /// Rule subroutines.missing-endsub. Nor has a sub that began in it.
+    fn missing_end(&self) -> Halt {
+        if self.state.frame().is_sub() {
+            let message = "the file ends without an endsub";
+            return refuse("subroutines.missing-endsub", FaultKind::MissingEnd, message);
+        }
+        let source = self.control.files.source(self.control.place.file);
+        if source.percent {
+            return source.unclosed();
+        }
+        let message = "the file ends without a program end";
+        refuse("program-end.missing", FaultKind::MissingEnd, message)
+    }
+
+    /// One block: parsed, evaluated, checked, executed, recorded.
+    fn block(&mut self, text: &str) -> Result<Next, Halt> {
+        let place = self.control.files.block(self.control.place);
+        self.begins(&place)?;
+        let block = syntax::parse(text, &mut self.state)?;
+        if let Some(word) = &block.o_word {
+            self.by_hand_only(word.keyword == Keyword::Call, "an O-word other than call")?;
+            let next = self.control.o_word(&block, word, &mut self.state, &mut self.record)?;
+            self.show(Some(Phase::SavedState));
+            self.record.step_without_state(place, &self.state);
+            return Ok(next);
+        }
+        let words = read::read(&block, &mut self.state)?;
+        self.control.begin(&words);
+        if Control::asks(&words) {
+            self.by_hand_only(false, "M98 or M99")?;
+            let next = self.numbered(&words)?;
+            self.show(Some(Phase::SavedState));
+            self.record.step_without_state(place, &self.state);
+            return Ok(next);
+        }
+        check::check(&words, &mut self.state)?;
+        let before = self.changeable(&words);
+        let rest = self.execute(&words)?;
+        if rest == Rest::ProgramEnd {
+            self.ended(block.block_delete)?;
+            self.record.last_step(place, &self.state);
+            return Ok(Next::End(End::ProgramEnd));
+        }
+        let changed = self.changed(&before);
+        let comment_only = block.words.is_empty() && block.settings.is_empty();
+        if comment_only && block.line_number.is_none() && self.record.is_idle(&self.state) {
+            // A comment that says nothing is no block.
+            return Ok(Next::Following);
+        }
+        self.record.step(place, &self.state, changed);
+        if rest == Rest::Pause {
+            self.paused(&words)?;
+        }
+        Ok(Next::Following)
+    }
+
+    /// What only a program can do: by hand the documents leave it open, unless it is said.
+    fn by_hand_only(&self, allowed: bool, what: &str) -> Result<(), Halt> {
+        if self.by_hand && self.state.call_level() == 0 && !allowed {
+            return Err(Halt::Unspecified(format!("{what}, entered by hand")));
+        }
+        Ok(())
+    }
+
+    /// Executes a block that the check let pass, phase by phase; its settings take effect after it.
+    ///
+    /// In a phase that takes time the operator may act. What an abort breaks off has not been done.
+    fn execute(&mut self, words: &Words) -> Result<Rest, Halt> {
+        let mut rest = Rest::Execute;
+        for phase in order::phases(words) {
+            if phase == Phase::Motion {
+                self.may_move(words)?;
+            }
+            self.waits_for_machine = waits_for_machine(phase, words);
+            if self.waits_for_machine && self.ahead {
+                return Err(Halt::Ended(End::Paused));
+            }
+            let began = self.state.outside.time();
+            let before = (!self.operator.is_done()).then(|| self.state.clone());
+            rest = match order::execute(phase, words, &mut self.state, &mut self.record) {
+                Err(Halt::WaitsForEver) => return Err(self.waits_for_ever()),
+                done => done?,
+            };
+            if phase == Phase::Motion && self.state.call_level() == 0 {
+                self.at_last_motion = Some(self.state.modes.clone());
+            }
+            self.show(Some(phase));
+            if rest == Rest::Drop {
+                break;
+            }
+            if let Err(halt) = self.took_time_since(began) {
+                let evidence = std::mem::take(&mut self.state.evidence);
+                let outside = self.state.outside.clone();
+                if let Some(before) = before {
+                    self.state = before;
+                }
+                (self.state.evidence, self.state.outside) = (evidence, outside);
+                return Err(halt);
+            }
+        }
+        if rest != Rest::Drop {
+            order::completed(words, &mut self.state);
+        }
+        step::pass(0.0, &mut self.state);
+        control::assign(&words.settings, &mut self.state)?;
+        Ok(rest)
+    }
+
+    /// A block with M98 or M99: its comment and settings, then the call or return.
+    fn numbered(&mut self, words: &Words) -> Result<Next, Halt> {
+        if let Some(comment) = &words.comment {
+            step::message::perform(comment, &mut self.state, &mut self.record)?;
+        }
+        control::assign(&words.settings, &mut self.state)?;
+        self.control.numbered(words, &mut self.state, &mut self.record)
+    }
+
+    /// Rule program-end.ends. M2 and M30 end the program, at any level.
+    ///
+    /// Rule program-end.lines-after. What stands behind them is not read.
+    ///
+    /// Rule fanuc-subs.block-deleted-end. One that block delete would skip ends the program while block delete is off.
+    fn ended(&mut self, deletable: bool) -> Result<(), Halt> {
+        self.control.files.source(MAIN).program_ends(&mut self.state)?;
+        let inside_control = !self.state.frame().open.is_empty();
+        let inside_sub = self.state.call_level() > 0;
+        let evidence = &mut self.state.evidence;
+        evidence.accepted("program-end.ends");
+        evidence.accepted("program-end.lines-after");
+        if deletable {
+            evidence.accepted("fanuc-subs.block-deleted-end");
+        }
+        if inside_control {
+            evidence.accepted("program-end.inside-control");
+        }
+        if inside_sub {
+            evidence.accepted("subroutines.program-end-in-sub");
+        }
+        Ok(())
+    }
+
+    /// The parameters that a block can change, as they are before it.
+    fn changeable(&self, words: &Words) -> BTreeMap<Name, Option<f64>> {
+        let settings = words.settings.iter().map(|(name, _)| name.clone());
+        let offsets = if words.g.iter().any(|code| sets_coordinates(*code)) {
+            COORDINATE_PARAMETERS
+        } else {
+            0..0
+        };
+        let read = words.m.contains(&66).then_some(step::inputs::RESULT);
+        let all = settings.chain(offsets.chain(read).map(Name::Numbered));
+        all.map(|name| {
+            let value = parameters::value(&name, &self.state).ok();
+            (name, value)
+        })
+        .collect()
+    }
+
+    /// The parameters that a block has changed.
+    fn changed(&self, before: &BTreeMap<Name, Option<f64>>) -> Indexed<String, f64> {
+        let after = before.iter().filter_map(|(name, before)| {
+            let after = parameters::value(name, &self.state).ok()?;
+            let name = match name {
+                Name::Numbered(number) => number.to_string(),
+                Name::Named(name) => name.clone(),
+            };
+            (Some(after) != *before).then_some((name, after))
+        });
+        after.collect()
+    }
+}
+
+/// Parameters of coordinate systems and their offsets.
+const COORDINATE_PARAMETERS: std::ops::Range<u32> = 5161..5401;
+
+/// Whether a G code, in tenths, can change [`COORDINATE_PARAMETERS`]: G10, G28, G30, G52, G54 to G59.3, G92.
+fn sets_coordinates(code: u32) -> bool {
+    matches!(code, 100 | 280..=301 | 520 | 540..=593 | 920..=923)
+}
+
+/// Whether a phase waits for what the machine answers, so that nothing behind it can be read before.
+fn waits_for_machine(phase: Phase, words: &Words) -> bool {
+    let reads_input = phase == Phase::InputsOutputs && words.m.contains(&66);
+    reads_input || matches!(phase, Phase::ChangeTool | Phase::UserCode)
+}

@@ -1,0 +1,182 @@
+//! What the controller does with a request of the operator, or refuses, by its mode and by what it is doing.
+
+use gaugeblock_trace::scenario::Action;
+use gaugeblock_trace::{ControllerMode, Effect, End, Request};
+
+use super::Run;
+use super::operator::Happening;
+use crate::rs274::refusal::Halt;
+
+/// What the controller is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Activity {
+    /// It executes a block.
+    Running,
+    /// Its program pauses.
+    Paused {
+        /// By M60.
+        after_pallets: bool,
+    },
+    /// Nothing.
+    Idle,
+}
+
+/// What follows from a request.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Answer {
+    /// Nothing more.
+    Nothing,
+    /// The program pauses.
+    Pauses,
+    /// The program goes on.
+    GoesOn,
+    /// The program begins at its first block.
+    Begins,
+    /// This block is executed, by its place among the events.
+    Executes(usize),
+}
+
+impl Run<'_> {
+    /// Does what the operator asks for.
+    ///
+    /// # Errors
+    /// An abort of what is being executed; what the documents leave open.
+    pub(super) fn request(
+        &mut self,
+        happening: Happening<'_>,
+        activity: Activity,
+    ) -> Result<Answer, Halt> {
+        let panel = &mut self.state.panel;
+        match happening.action {
+            Action::OptionalStop(on) => panel.optional_stop = *on,
+            Action::FeedOverride(factor) => panel.feed_override = *factor,
+            Action::RapidOverride(factor) => panel.rapid_override = *factor,
+            Action::SpindleOverride { spindle, factor } => {
+                if let Some(now) = panel.spindle_overrides.get_mut(usize::from(*spindle)) {
+                    *now = *factor;
+                }
+                self.show(None);
+            }
+            Action::FeedHold(pressed) => panel.feed_hold = *pressed,
+            Action::Abort if activity == Activity::Idle => self.switch_off(),
+            Action::Abort => return Err(Halt::Ended(End::Aborted)),
+            Action::Pause => return self.pause(activity),
+            Action::Resume => return Ok(self.resume(activity)),
+            Action::CycleStart => return self.cycle_start(activity),
+            Action::Mode(mode) => self.change_mode(*mode, activity)?,
+            Action::Mdi(_) => return self.enter(happening.place, activity),
+        }
+        Ok(Answer::Nothing)
+    }
+
+    /// A program that runs can be paused, and then goes on where it was.
+    fn pause(&mut self, activity: Activity) -> Result<Answer, Halt> {
+        if self.by_hand && activity == Activity::Running {
+            return Err(self.open("a pause"));
+        }
+        Ok(if activity == Activity::Running { Answer::Pauses } else { Answer::Nothing })
+    }
+
+    /// Rule pause.resume. After a pause the program goes on at the following block.
+    fn resume(&mut self, activity: Activity) -> Answer {
+        if !matches!(activity, Activity::Paused { .. }) {
+            return Answer::Nothing;
+        }
+        self.state.evidence.accepted("pause.resume");
+        Answer::GoesOn
+    }
+
+    /// Cycle start.
+    ///
+    /// Rule pause.pallet-restart. After M60 it lets the program go on at the following block.
+    /// Rule pause.cycle-start. Whether it does so after M0 and M1 is a choice.
+    /// Rule program-end.restart. While nothing runs it starts the program at its first block.
+    fn cycle_start(&mut self, activity: Activity) -> Result<Answer, Halt> {
+        match activity {
+            Activity::Running => return Err(self.open("cycle start")),
+            Activity::Idle => return Ok(Answer::Begins),
+            Activity::Paused { after_pallets: true } => {
+                if !self.state.readings.quirk("linuxcnc.cycle-start-while-paused") {
+                    self.state.evidence.accepted("pause.pallet-restart");
+                    return Ok(Answer::GoesOn);
+                }
+            }
+            Activity::Paused { after_pallets: false } => {
+                let rule = "pause.cycle-start";
+                if self.state.readings.is(rule, "goes-on") {
+                    self.state.evidence.accepted(rule);
+                    return Ok(Answer::GoesOn);
+                }
+                self.state.evidence.refused(rule);
+            }
+        }
+        Ok(self.refuse(Request::CycleStart))
+    }
+
+    /// Rules task.mode-kept and pause.mode-kept. While a program runs or pauses the controller remains in auto mode.
+    fn change_mode(&mut self, mode: ControllerMode, activity: Activity) -> Result<(), Halt> {
+        if mode == self.state.modes.controller_mode {
+            return Ok(());
+        }
+        if activity == Activity::Idle {
+            self.state.evidence.accepted("task.mode-kept");
+            self.change_mode_to(mode);
+            return Ok(());
+        }
+        if self.by_hand {
+            return Err(self.open("another mode"));
+        }
+        let paused = matches!(activity, Activity::Paused { .. });
+        self.state.evidence.refused(if paused { "pause.mode-kept" } else { "task.mode-kept" });
+        self.refuse(Request::Mode);
+        Ok(())
+    }
+
+    /// The controller changes its mode.
+    pub(super) fn change_mode_to(&mut self, mode: ControllerMode) {
+        if self.state.modes.controller_mode != mode {
+            self.state.modes.controller_mode = mode;
+            self.record.effect(&self.state, Effect::ChangeControllerMode { mode });
+        }
+    }
+
+    /// Rule task.auto-refuses-mdi. In auto mode no block can be entered by hand.
+    ///
+    /// Rule program-end.mdi-follows. After the program end, in MDI mode, it can.
+    /// Rule pause.mdi-refused. Nor can it while a program pauses.
+    /// Rule task.mdi-in-manual. Whether it can in manual mode is a choice.
+    fn enter(&mut self, place: usize, activity: Activity) -> Result<Answer, Halt> {
+        let mode = self.state.modes.controller_mode;
+        let in_manual = "task.mdi-in-manual";
+        let rule = match mode {
+            ControllerMode::Mdi if activity == Activity::Idle => "task.auto-refuses-mdi",
+            ControllerMode::Mdi => return Err(self.open("another block")),
+            ControllerMode::Manual => in_manual,
+            ControllerMode::Auto => "task.auto-refuses-mdi",
+        };
+        let allowed = mode == ControllerMode::Mdi
+            || mode == ControllerMode::Manual && self.state.readings.is(in_manual, "executed");
+        if allowed {
+            self.state.evidence.accepted(rule);
+            self.state.evidence.accepted("program-end.mdi-follows");
+            return Ok(Answer::Executes(place));
+        }
+        self.state.evidence.refused(rule);
+        if matches!(activity, Activity::Paused { .. }) {
+            self.state.evidence.refused("pause.mdi-refused");
+        }
+        Ok(self.refuse(Request::Mdi))
+    }
+
+    /// The controller does not do what it is asked for, and says so.
+    fn refuse(&mut self, request: Request) -> Answer {
+        self.record.effect(&self.state, Effect::RequestRefused { request });
+        Answer::Nothing
+    }
+
+    /// What no document settles.
+    fn open(&self, what: &str) -> Halt {
+        let doing = if self.by_hand { "a block entered by hand" } else { "a program" };
+        Halt::Unspecified(format!("{what} is asked for while {doing} is executed"))
+    }
+}

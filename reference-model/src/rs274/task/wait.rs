@@ -1,0 +1,128 @@
+//! What the operator does while a block begins, waits or stands, and while the program pauses.
+
+use gaugeblock_trace::{Block, End};
+
+use super::request::{Activity, Answer};
+use super::{Record, Run};
+use crate::rs274::order::{self, Phase};
+use crate::rs274::read::Words;
+use crate::rs274::refusal::Halt;
+use crate::rs274::step;
+
+impl Run<'_> {
+    /// A block begins: what the operator does at that moment comes before the block.
+    pub(super) fn begins(&mut self, block: &Block) -> Result<(), Halt> {
+        self.record.begin();
+        self.waits_for_machine = false;
+        if self.operator.is_done() {
+            return Ok(());
+        }
+        let now = self.state.outside.time();
+        self.operator.begins(block, now);
+        self.meanwhile(now).map(|_| ())
+    }
+
+    /// A phase of the block has taken the time since it began: what the operator did meanwhile.
+    pub(super) fn took_time_since(&mut self, began: f64) -> Result<(), Halt> {
+        let end = self.state.outside.time();
+        if end <= began || self.operator.is_done() {
+            return Ok(());
+        }
+        self.state.outside.within_wait(began);
+        let longer = self.meanwhile(end)?;
+        self.state.outside.within_wait(end + longer);
+        Ok(())
+    }
+
+    /// What the operator does up to a time while a block is executed; the seconds by which a pause makes it longer.
+    fn meanwhile(&mut self, until: f64) -> Result<f64, Halt> {
+        let mut longer = 0.0;
+        while let Some(happening) = self.operator.next(until + longer) {
+            let now = self.state.outside.time();
+            self.state.outside.within_wait(happening.time.max(now));
+            if self.request(happening, Activity::Running)? == Answer::Pauses {
+                longer += self.stand_paused(Activity::Paused { after_pallets: false })?;
+            }
+        }
+        Ok(longer)
+    }
+
+    /// Rules pause.always, pause.optional, pause.pallet. The program pauses after a block.
+    ///
+    /// Rule pause.by-hand. A block entered by hand is followed by a stop anyway: the next one can be entered.
+    pub(super) fn paused(&mut self, words: &Words) -> Result<(), Halt> {
+        if self.ahead {
+            return Ok(());
+        }
+        if self.by_hand && self.state.call_level() == 0 {
+            self.state.evidence.accepted("pause.by-hand");
+            return Ok(());
+        }
+        if self.by_hand {
+            let why = "a pause in a sub that was called by hand";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
+        let after_pallets = words.m.iter().any(|code| matches!(code, 30 | 60));
+        self.stand_paused(Activity::Paused { after_pallets }).map(|_| ())
+    }
+
+    /// Stands until the operator lets the program go on; the seconds that it took.
+    ///
+    /// Where the operator does nothing more the run ends here.
+    fn stand_paused(&mut self, activity: Activity) -> Result<f64, Halt> {
+        let began = self.state.outside.time();
+        while let Some(happening) = self.operator.next(f64::INFINITY) {
+            let now = self.state.outside.time();
+            self.state.outside.within_wait(happening.time.max(now));
+            if self.request(happening, activity)? == Answer::GoesOn {
+                return Ok(self.state.outside.time() - began);
+            }
+        }
+        Err(Halt::Ended(End::Paused))
+    }
+
+    /// A block waits for something that never comes: the operator alone can end that.
+    pub(super) fn waits_for_ever(&mut self) -> Halt {
+        while let Some(happening) = self.operator.next(f64::INFINITY) {
+            let now = self.state.outside.time();
+            self.state.outside.within_wait(happening.time.max(now));
+            if let Err(halt) = self.request(happening, Activity::Running) {
+                return halt;
+            }
+        }
+        Halt::WaitsForEver
+    }
+
+    /// A motion begins only once the feed is not held.
+    ///
+    /// Rules overrides.feed-zero, overrides.adaptive-feed-zero, overrides.feed-stop-holds. Until then the block stands, and the
+    /// operator or an input may change what holds it.
+    pub(super) fn may_move(&mut self, words: &Words) -> Result<(), Halt> {
+        if self.ahead || !self.moves(words) {
+            return Ok(());
+        }
+        while step::feed::is_held(words, &mut self.state) {
+            let change = self.state.outside.next_change_of_feed();
+            let now = self.state.outside.time();
+            if let Some(happening) = self.operator.next(change.unwrap_or(f64::INFINITY)) {
+                self.state.outside.within_wait(happening.time.max(now));
+                if self.request(happening, Activity::Running)? == Answer::Pauses {
+                    self.stand_paused(Activity::Paused { after_pallets: false })?;
+                }
+            } else if let Some(change) = change {
+                self.state.outside.within_wait(change);
+            } else {
+                return Err(Halt::Ended(End::Paused));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a block moves: one that is refused does not even begin to.
+    fn moves(&self, words: &Words) -> bool {
+        let mut state = self.state.clone();
+        let mut record = Record::new(&state);
+        let moved = order::execute(Phase::Motion, words, &mut state, &mut record);
+        moved.is_ok() && record.effects() > 0
+    }
+}
