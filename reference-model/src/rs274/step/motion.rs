@@ -181,7 +181,8 @@ fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt> {
     state.evidence.accepted("feed.applies-to-feed-moves");
     let surface = |mode| mode == SpindleMode::SurfaceSpeed;
     let mut spindles = state.modes.spindles.iter().filter(|spindle| surface(spindle.mode));
-    let standing = spindles.any(|spindle| spindle.turn == SpindleTurn::Stopped);
+    let standing = spindles
+        .any(|spindle| matches!(spindle.turn, SpindleTurn::Stopped | SpindleTurn::Oriented));
     if standing && !state.readings.quirk("rs274.surface-speed-while-stopped") {
         let rule = "spindle.surface-speed-while-stopped";
         let message = "a feed move under constant surface speed while the spindle stands";
