@@ -64,6 +64,7 @@ const HIDDEN_EFFECTS: &[&str] = &[
     "stop_spindle_synchronisation",
     "set_tool_entry",
     "pallet_shuttle",
+    "prompt_tool",
     "probe_log_open",
     "probe_log_close",
 ];

@@ -117,7 +117,7 @@ impl Session {
         for (name, text, executable, at_start) in &self.setup.programs {
             if !at_start {
                 let mode = if *executable { 0o755 } else { 0o644 };
-                own(&self.workspace, &format!("user/{name}"), text, mode)
+                own(&self.workspace, name, text, mode)
                     .map_err(|error| HarnessError::NotRun(format!("{name}: {error}")))?;
             }
         }
@@ -248,7 +248,7 @@ pub(super) fn is_root() -> bool {
 }
 
 fn write_files(workspace: &Workspace, setup: &Setup, tools: &str) -> io::Result<()> {
-    for folder in ["programs", "user"] {
+    for folder in ["programs", "prefix", "user", "elsewhere"] {
         fs::create_dir(workspace.path().join(folder))?;
         give(&workspace.path().join(folder), 0o755)?;
     }
@@ -261,7 +261,7 @@ fn write_files(workspace: &Workspace, setup: &Setup, tools: &str) -> io::Result<
     own(workspace, "parameters.var", "", 0o644)?;
     for (name, text, executable, at_start) in &setup.programs {
         if *at_start {
-            own(workspace, &format!("user/{name}"), text, if *executable { 0o755 } else { 0o644 })?;
+            own(workspace, name, text, if *executable { 0o755 } else { 0o644 })?;
         }
     }
     give(workspace.path(), 0o700)
