@@ -47,6 +47,8 @@ pub(super) struct Assembly<'a> {
     /// Where the interpreter is.
     reading_at: Option<(usize, u32)>,
     log_is_open: bool,
+    /// Whether the next wait is one of ours.
+    at_gate: bool,
     refused: Option<Fault>,
     /// A fault of the machine, told by the error channel.
     stopped: Option<String>,
@@ -85,6 +87,7 @@ impl<'a> Assembly<'a> {
             marked: VecDeque::new(),
             reading_at: None,
             log_is_open: false,
+            at_gate: false,
             refused: None,
             stopped: None,
             aborted: false,
@@ -182,14 +185,27 @@ impl<'a> Assembly<'a> {
     fn issued(&mut self, issued: &Issued) -> Result<(), HarnessError> {
         let text = if issued.name == "OPERATOR_DISPLAY" { issued.text(1) } else { String::new() };
         if let Some(mark) = text.strip_prefix(&self.plan.marker) {
+            self.at_gate = mark.strip_prefix('>').is_some_and(|place| self.is_gate(place));
             if !mark.starts_with(['+', '>']) {
                 self.marked.push_back(std::mem::take(&mut self.issued));
                 self.carried_out()?;
             }
             return Ok(());
         }
+        if issued.name == "TRAJ_DELAY" && std::mem::take(&mut self.at_gate) {
+            return Ok(());
+        }
         self.issued.push(issued.clone());
         Ok(())
+    }
+
+    /// Whether the mark before a block is followed by a wait of ours.
+    fn is_gate(&self, place: &str) -> bool {
+        let place = place
+            .split_once('.')
+            .and_then(|(file, line)| Some((file.parse().ok()?, line.parse().ok()?)));
+        let gates = self.plan.marks.as_ref().map(|marks| &marks.gates);
+        gates.zip(place).is_some_and(|(gates, place)| gates.contains(&place))
     }
 
     fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
@@ -320,6 +336,8 @@ impl<'a> Assembly<'a> {
     fn machine_fault(&self, message: String) -> Result<End, HarnessError> {
         let kind = if message.starts_with("user program") {
             FaultKind::UserCode
+        } else if message.starts_with("wait for orient complete") {
+            FaultKind::Orient
         } else {
             faults::kind(&message).ok_or_else(|| HarnessError::UnknownMessage(message.clone()))?
         };

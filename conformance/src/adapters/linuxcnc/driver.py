@@ -8,6 +8,7 @@ first process of the private process space: when its input ends, it ends, and th
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -161,7 +162,8 @@ class Driver:
             if not is_running("milltask"):
                 report(failed="the task controller is gone")
                 os._exit(1)
-        while True:
+        # A program without end fills the channel faster than it is emptied.
+        for _ in range(100):
             message = self.errors.poll()
             if not message:
                 break
@@ -230,10 +232,6 @@ class Driver:
     def reset(self, order):
         command, stat = self.command, self.stat
         self.poll()
-        if stat.optional_stop != order["optional_stop"]:
-            command.set_optional_stop(order["optional_stop"])
-        if stat.block_delete != order["block_delete"]:
-            command.set_block_delete(order["block_delete"])
         if order["load_tools"]:
             command.load_tool_table()
             self.done()
@@ -261,6 +259,13 @@ class Driver:
                 command.set_analog_output(number, 0.0)
         command.reset_interpreter()
         self.done()
+        if order["block_delete"] is not None:
+            # A reset switches it on, whatever the state says.
+            command.set_block_delete(order["block_delete"])
+            self.done()
+        if order["optional_stop"] is not None:
+            command.set_optional_stop(order["optional_stop"])
+            self.done()
 
     # A run.
 
@@ -290,7 +295,7 @@ class Driver:
         seen = self.seen.get(event["marker"], [])
         if len(seen) < event["execution"]:
             return False
-        return time.monotonic() >= seen[event["execution"] - 1] + max(event["offset"], 0.02)
+        return time.monotonic() >= seen[event["execution"] - 1] + event["offset"]
 
     def act(self, event):
         linuxcnc, command = self.linuxcnc, self.command
@@ -378,6 +383,7 @@ class Driver:
         if not self.is_idle():
             self.command.abort()
             self.done()
+        shutil.copyfile("parameters.var", "parameters.end")
         self.run_file(order["after"])
         if not self.done() or not self.wait(self.is_idle, 10.0):
             return False

@@ -25,12 +25,12 @@ mod version;
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-use gaugeblock_trace::scenario::{Action, Start};
+use gaugeblock_trace::scenario::{Action, OperatorEvent, Start};
 use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::{Value, json};
 
 use super::probing::instrument::{Ends, Marks, Plan, is_plain};
-use super::probing::source::{DEBUG_SWITCH, Source};
+use super::probing::source::{DEBUG_SWITCH, Source, code, has_slash};
 use super::probing::workspace;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
 use assemble::Assembly;
@@ -51,20 +51,9 @@ const HURRY: f64 = 10_000.0;
 /// Fields that it does not show.
 const HIDDEN_FIELDS: &[&str] = &["tool_length", "naive_cam_tolerance", "spindle_limit"];
 
-/// Fields that commands show in their place among effects.
-const FIELDS_AT_EFFECTS: &[&str] = &[
-    "tool_offset",
-    "g5x_offset",
-    "g92_offset",
-    "rotation",
-    "path",
-    "blend_tolerance",
-    "mist",
-    "flood",
-    "feed_override",
-    "adaptive_feed",
-    "feed_stop",
-];
+/// Fields that commands show in their place among effects; not lengths, since a change of the unit is no command.
+const FIELDS_AT_EFFECTS: &[&str] =
+    &["rotation", "path", "mist", "flood", "feed_override", "adaptive_feed", "feed_stop"];
 
 /// Effects that it does not show, or not all of.
 const HIDDEN_EFFECTS: &[&str] = &[
@@ -75,6 +64,7 @@ const HIDDEN_EFFECTS: &[&str] = &[
     "stop_spindle_synchronisation",
     "set_tool_entry",
     "pallet_shuttle",
+    "prompt_tool",
     "probe_log_open",
     "probe_log_close",
 ];
@@ -110,7 +100,7 @@ impl LinuxCnc {
     ) -> Result<Seen, HarnessError> {
         let setup = Setup::of(scenario);
         let tools = workspace::tool_table(&scenario.machine);
-        let names = global_names(source);
+        let names = foreign_names(source);
         // A controller that was used before may be other than a new one; then the run is repeated on a new one.
         loop {
             let mut session = self.pool.take(&setup, &names, &tools)?;
@@ -135,17 +125,16 @@ impl LinuxCnc {
             if is_new && !stores {
                 session.fresh = first;
             }
-            session.names.extend(names.iter().cloned());
-            if !is_same {
-                self.pool.end(session);
-                continue;
-            }
-            if scenario.machine.random_tool_changer || !session.setup.programs.is_empty() {
+            session.names.extend(source.parameters().named);
+            let keeps = scenario.machine.random_tool_changer || !session.setup.programs.is_empty();
+            if !is_same || keeps || leaves_traces(source, &seen.items) {
                 self.pool.end(session);
             } else {
                 self.pool.give(session);
             }
-            return Ok(seen);
+            if is_same {
+                return Ok(seen);
+            }
         }
     }
 }
@@ -169,6 +158,7 @@ impl Adapter for LinuxCnc {
             for hidden in ["orient_spindle", "wait_orient"] {
                 shows.effects.remove(hidden);
             }
+            shows.fields.remove("speed_override");
         }
         shows
     }
@@ -207,13 +197,28 @@ impl Adapter for LinuxCnc {
 fn plan(scenario: &Scenario, source: &Source, more: &BTreeSet<u32>) -> Plan {
     let names = source.files().iter().map(|(name, _)| name);
     let file = |name: &str| names.clone().position(|known| known == name);
-    let events = scenario
-        .operator
-        .iter()
-        .filter_map(|event| Some((file(&event.when.block.file)?, event.when.block.line)));
+    let places = |wanted: fn(&OperatorEvent) -> bool| -> BTreeSet<(usize, u32)> {
+        let events = scenario.operator.iter().filter(|event| wanted(event));
+        let place =
+            |event: &OperatorEvent| Some((file(&event.when.block.file)?, event.when.block.line));
+        events.filter_map(place).collect()
+    };
     let mut plan = Plan::new(source, &more.iter().copied().chain([5399]).collect());
-    plan.marks = Some(Marks { before: events.collect() });
+    plan.marks = Some(Marks { before: places(|_| true), gates: places(is_switched_before) });
     plan
+}
+
+/// Whether an event sets a switch before its block begins.
+fn is_switched_before(event: &OperatorEvent) -> bool {
+    let is_switch = matches!(
+        event.action,
+        Action::OptionalStop(_)
+            | Action::FeedOverride(_)
+            | Action::RapidOverride(_)
+            | Action::SpindleOverride { .. }
+            | Action::FeedHold(_)
+    );
+    is_switch && event.when.offset <= 0.0
 }
 
 /// Writes the program, gives the order, and reads what was printed.
@@ -268,15 +273,21 @@ fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: Value) -> V
         let place = file(&event.when.block.file)?;
         told["marker"] = plan.mark_before(place, event.when.block.line).into();
         told["execution"] = event.when.execution.into();
-        told["offset"] = event.when.offset.into();
+        // A block has begun once its command has gone out.
+        let least = if is_switched_before(event) { 0.0 } else { 0.02 };
+        told["offset"] = event.when.offset.max(least).into();
         Some(told)
+    });
+    let may_stop = source.all().any(|(_, _, line)| {
+        let code = code(line);
+        code.contains("m1") || code.contains("m01") || code.contains("m#") || code.contains("m[")
     });
     json!({
         "marker": plan.marker,
         "first": plan.mark_after(0, 0),
         "steps": scenario.budget.steps,
-        "optional_stop": false,
-        "block_delete": scenario.program.block_delete,
+        "optional_stop": may_stop.then_some(false),
+        "block_delete": source.all().any(|(_, _, line)| has_slash(line)).then_some(scenario.program.block_delete),
         "feed_override": if setup::has_own_pace(scenario) { 1.0 } else { HURRY },
         "inputs": inputs.collect::<Vec<_>>(),
         "events": events.collect::<Vec<_>>(),
@@ -317,10 +328,39 @@ fn after(scenario: &Scenario, plan: &Plan) -> String {
     format!("{}M71\nG40\nG90 G49\nG53 G0{axes}\n{tool}M2\n", plan.probe(0, 0))
 }
 
-/// Global names that a program could give a value.
-fn global_names(source: &Source) -> BTreeSet<String> {
+/// Names that a program may find given a value by a program before it: they stay for as long as the controller runs.
+/// One that is given a value before it is looked at, and before anything jumps, is not among them.
+fn foreign_names(source: &Source) -> BTreeSet<String> {
+    let mut own: BTreeSet<String> = BTreeSet::new();
+    for (file, _, line) in source.all() {
+        let text: String = line.to_lowercase().split_whitespace().collect();
+        let assigned = text.strip_prefix("#<").and_then(|rest| rest.split_once(">="));
+        let is_only = text.matches('#').count() == 1 || text.matches("#<").count() == 1;
+        match assigned {
+            Some((name, _)) if file == 0 && is_only => {
+                own.insert(name.to_owned());
+            }
+            _ if text.starts_with('o') || text.contains("#<") => break,
+            _ => {}
+        }
+    }
     let named = source.parameters().named.into_iter();
-    named.filter(|name| name.starts_with('_') && !name.contains('[')).collect()
+    named.filter(|name| !own.contains(name) && !name.contains('[')).collect()
+}
+
+/// Whether a run leaves something in the interpreter that no reset takes back: a loop that it was to leave or a call
+/// that it was to repeat, or, after some refusals, the refusal itself.
+fn leaves_traces(source: &Source, items: &[Item]) -> bool {
+    let ends = |item: &Item| matches!(item, Item::Driver(told) if told.get("ends").is_some());
+    let end = items.iter().position(ends).unwrap_or_default();
+    let refuses_all = items[end..].iter().any(|item| matches!(item, Item::Refused(_)));
+    let last = items[..end].iter().rev().find_map(|item| match item {
+        Item::Probe(probe) => Some(probe),
+        _ => None,
+    });
+    let in_sub = last.is_some_and(|probe| probe.mode("_call_level") > 0);
+    let has = |word: &str| source.all().any(|(_, _, line)| code(line).contains(word));
+    refuses_all || has("continue") || has("break") || in_sub && has("m98")
 }
 
 /// Parameters at the end, without those that only repeat position and tool.

@@ -26,7 +26,7 @@ struct State {
 }
 
 impl Pool {
-    /// A controller of this setup in which none of the global names was ever given a value; another waiting one makes
+    /// A controller of this setup in which none of the names was ever given a value; another waiting one makes
     /// room where there are too many.
     ///
     /// # Errors

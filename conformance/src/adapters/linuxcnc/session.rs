@@ -6,7 +6,6 @@ use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use std::{fs, io};
@@ -39,15 +38,15 @@ const ERROR_BYTES: (&str, &str) = ("localhost 8192", "localhost 1000000");
 const DRIVER: &str = include_str!("driver.py");
 
 /// The first process of the private name spaces: its temporary directory is the session's, so that the controller's
-/// fixed lock file and whatever a program writes stay in there.
-const ENTER: &str = "mount --bind \"$1\" /tmp && cd /tmp && shift && exec \"$@\"";
+/// fixed lock file and whatever a program writes stay in there. What goes to either output stays in order.
+const ENTER: &str = "mount --bind \"$1\" /tmp && cd /tmp && shift && exec \"$@\" 2>&1";
 
 /// A running controller.
 #[derive(Debug)]
 pub(super) struct Session {
     /// Its configuration.
     pub(super) setup: Setup,
-    /// Global names that programs have given values: they stay for as long as it runs.
+    /// Names that programs have given values: they stay for as long as it runs.
     pub(super) names: BTreeSet<String>,
     /// What a probe showed at the beginning of the first program.
     pub(super) fresh: Option<Probe>,
@@ -57,7 +56,6 @@ pub(super) struct Session {
     child: Child,
     orders: Option<ChildStdin>,
     lines: Receiver<String>,
-    stderr: Arc<Mutex<String>>,
 }
 
 impl Session {
@@ -72,10 +70,6 @@ impl Session {
         let mut child = command(workspace.path())
             .spawn()
             .map_err(|error| HarnessError::NotRun(format!("unshare: {error}")))?;
-        let stderr = Arc::new(Mutex::new(String::new()));
-        if let Some(stream) = child.stderr.take() {
-            keep_end(stream, Arc::clone(&stderr));
-        }
         let lines = read_lines(child.stdout.take());
         let orders = child.stdin.take();
         let mut session = Self {
@@ -87,7 +81,6 @@ impl Session {
             child,
             orders,
             lines,
-            stderr,
         };
         session.read_until("ready", START)?;
         Ok(session)
@@ -124,19 +117,19 @@ impl Session {
         for (name, text, executable, at_start) in &self.setup.programs {
             if !at_start {
                 let mode = if *executable { 0o755 } else { 0o644 };
-                own(&self.workspace, &format!("user/{name}"), text, mode)
+                own(&self.workspace, name, text, mode)
                     .map_err(|error| HarnessError::NotRun(format!("{name}: {error}")))?;
             }
         }
         Ok(())
     }
 
-    /// The numbered parameters that are not zero.
+    /// The numbered parameters that are not zero at the end of the last run.
     ///
     /// # Errors
     /// The parameter file is not readable.
     pub(super) fn parameters(&self) -> Result<std::collections::BTreeMap<u32, f64>, HarnessError> {
-        self.workspace.read_parameters()
+        self.workspace.read_parameters("parameters.end")
     }
 
     /// Gives an order and returns all that was printed until it was done.
@@ -152,7 +145,7 @@ impl Session {
         let sent = self.orders.as_mut().map(|orders| orders.write_all(text.as_bytes()));
         match sent {
             Some(Ok(())) => self.read_until("done", time),
-            Some(Err(_)) | None => Err(self.crashed()),
+            Some(Err(_)) | None => Err(self.crashed(&[])),
         }
     }
 
@@ -167,7 +160,7 @@ impl Session {
                 Err(RecvTimeoutError::Timeout) => {
                     return Err(HarnessError::TimedOut { seconds: time.as_secs() });
                 }
-                Err(RecvTimeoutError::Disconnected) => return Err(self.crashed()),
+                Err(RecvTimeoutError::Disconnected) => return Err(self.crashed(&lines)),
             };
             bytes += line.len();
             if bytes > BYTES {
@@ -181,7 +174,10 @@ impl Session {
                     return Err(if late {
                         HarnessError::TimedOut { seconds: time.as_secs() }
                     } else {
-                        HarnessError::Crashed { status: why.to_string(), stderr: self.stderr_end() }
+                        HarnessError::Crashed {
+                            status: why.to_string(),
+                            stderr: last_words(&lines),
+                        }
                     });
                 }
                 let is_it = told.get(what).is_some();
@@ -195,19 +191,19 @@ impl Session {
         }
     }
 
-    fn crashed(&mut self) -> HarnessError {
+    fn crashed(&mut self, lines: &[String]) -> HarnessError {
         let status = match self.child.wait() {
             Ok(status) => status.to_string(),
             Err(error) => error.to_string(),
         };
-        HarnessError::Crashed { status, stderr: self.stderr_end() }
+        HarnessError::Crashed { status, stderr: last_words(lines) }
     }
+}
 
-    fn stderr_end(&self) -> String {
-        let text = self.stderr.lock().unwrap_or_else(PoisonError::into_inner);
-        let lines: Vec<_> = text.lines().filter(|line| !line.trim().is_empty()).collect();
-        lines[lines.len().saturating_sub(3)..].join(" | ")
-    }
+/// The last lines that were printed, for a person.
+fn last_words(lines: &[String]) -> String {
+    let lines: Vec<_> = lines.iter().filter(|line| !line.trim().is_empty()).cloned().collect();
+    lines[lines.len().saturating_sub(3)..].join(" | ")
 }
 
 impl Drop for Session {
@@ -242,7 +238,7 @@ fn command(directory: &Path) -> Command {
         .env("PATH", "/usr/bin:/bin:/usr/sbin:/sbin")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
+        .stderr(Stdio::null());
     command
 }
 
@@ -252,7 +248,7 @@ pub(super) fn is_root() -> bool {
 }
 
 fn write_files(workspace: &Workspace, setup: &Setup, tools: &str) -> io::Result<()> {
-    for folder in ["programs", "user"] {
+    for folder in ["programs", "prefix", "user", "elsewhere"] {
         fs::create_dir(workspace.path().join(folder))?;
         give(&workspace.path().join(folder), 0o755)?;
     }
@@ -265,7 +261,7 @@ fn write_files(workspace: &Workspace, setup: &Setup, tools: &str) -> io::Result<
     own(workspace, "parameters.var", "", 0o644)?;
     for (name, text, executable, at_start) in &setup.programs {
         if *at_start {
-            own(workspace, &format!("user/{name}"), text, if *executable { 0o755 } else { 0o644 })?;
+            own(workspace, name, text, if *executable { 0o755 } else { 0o644 })?;
         }
     }
     give(workspace.path(), 0o700)
@@ -315,22 +311,6 @@ fn read_lines(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
         }
     });
     receiver
-}
-
-/// Keeps the last kilobytes of a stream.
-fn keep_end(stream: impl Read + Send + 'static, end: Arc<Mutex<String>>) {
-    thread::spawn(move || {
-        let mut reader = BufReader::new(stream);
-        let mut bytes = Vec::new();
-        while reader.read_until(b'\n', &mut bytes).is_ok_and(|count| count > 0) {
-            let mut end = end.lock().unwrap_or_else(PoisonError::into_inner);
-            end.push_str(&String::from_utf8_lossy(&bytes));
-            if end.len() > 1 << 14 {
-                *end = end.chars().skip(end.chars().count() / 2).collect();
-            }
-            bytes.clear();
-        }
-    });
 }
 
 #[expect(

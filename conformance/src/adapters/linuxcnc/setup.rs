@@ -4,7 +4,7 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_trace::scenario::{Action, AxisLimits, OrientAnswer, UserProgram};
+use gaugeblock_trace::scenario::{Action, AxisLimits, Folder, OrientAnswer, UserProgram};
 use gaugeblock_trace::{Axis, LengthUnit, Pin, Scenario};
 use serde_json::{Value, json};
 
@@ -28,7 +28,7 @@ pub(super) struct Setup {
     pub(super) hal: String,
     /// What the driver must know, as JSON.
     pub(super) driver: String,
-    /// User programs: name, text, whether executable, whether there from the start.
+    /// User programs: path, text, whether executable, whether there from the start.
     pub(super) programs: Vec<(String, String, bool, bool)>,
 }
 
@@ -103,7 +103,15 @@ fn ini(scenario: &Scenario) -> String {
     };
     // Debugging output: each command as it is issued (0x10), each block as it is read and executed (0x100).
     put("EMC", &["VERSION=1.1", "MACHINE=gaugeblock", "DEBUG=0x110", "NML_FILE=channels.nml"]);
-    put("DISPLAY", &["DISPLAY=./driver.py", "MAX_FEED_OVERRIDE=10000", "MAX_SPINDLE_OVERRIDE=10"]);
+    put(
+        "DISPLAY",
+        &[
+            "DISPLAY=./driver.py",
+            "PROGRAM_PREFIX=prefix",
+            "MAX_FEED_OVERRIDE=10000",
+            "MAX_SPINDLE_OVERRIDE=10",
+        ],
+    );
     put(
         "RS274NGC",
         &["PARAMETER_FILE=parameters.var", "SUBROUTINE_PATH=programs", "USER_M_PATH=user"],
@@ -269,7 +277,12 @@ fn driver(scenario: &Scenario, pins: &[Wired]) -> Value {
 /// A user program as a script that does nothing but take its time and exit.
 fn user_program(program: &UserProgram) -> (String, String, bool, bool) {
     let text = format!("#!/bin/sh\nsleep {}\nexit {}\n", program.duration, program.exit_status);
-    (program.file.clone(), text, program.executable, program.at_start)
+    let folder = match program.folder {
+        Folder::ProgramPrefix => "prefix",
+        Folder::SearchPath => "user",
+        Folder::Elsewhere => "elsewhere",
+    };
+    (format!("{folder}/{}", program.file), text, program.executable, program.at_start)
 }
 
 #[cfg(test)]

@@ -43,7 +43,11 @@ fn program(program: &Program) -> Result<(), String> {
             return Err(format!("{name:?} is no file name for a sub"));
         }
     }
-    match Source::new(program).reaches_host() {
+    let source = Source::new(program);
+    if source.names_line() {
+        return Err("probes would change the line numbers that it asks for".to_owned());
+    }
+    match source.reaches_host() {
         Some(block) => {
             Err(format!("{block} would reach beyond the program's files, or run Python"))
         }

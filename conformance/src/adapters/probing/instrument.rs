@@ -68,7 +68,12 @@ pub(in crate::adapters) struct Plan {
 pub(in crate::adapters) struct Marks {
     /// File and line of blocks before which there is one too.
     pub(in crate::adapters) before: BTreeSet<(usize, u32)>,
+    /// Those of them that wait a moment, so that something can be switched before they begin.
+    pub(in crate::adapters) gates: BTreeSet<(usize, u32)>,
 }
+
+/// Seconds that such a block waits.
+pub(in crate::adapters) const GATE: &str = "0.15";
 
 impl Plan {
     /// A plan for a program: it shows the parameters that the text names, #1 to #30, and `more`.
@@ -105,6 +110,7 @@ impl Plan {
         for (number, line) in (1_u32..).zip(lines) {
             if self.marks.as_ref().is_some_and(|marks| marks.before.contains(&(file, number))) {
                 text.push_str(&format!("(MSG,{})\n", self.mark_before(file, number)));
+                text.push_str(&self.gate(file, number));
             }
             if let Some(block) = ends.block(line) {
                 let _never = writeln!(text, "#<{}>=1\n{}", self.reached(block), self.stop());
@@ -131,6 +137,11 @@ impl Plan {
         format!("{}>{file}.{line}", self.marker)
     }
 
+    fn gate(&self, file: usize, line: u32) -> String {
+        let waits = self.marks.as_ref().is_some_and(|marks| marks.gates.contains(&(file, line)));
+        if waits { format!("G4 P{GATE} ({})\n", self.marker) } else { String::new() }
+    }
+
     /// The marks after a block: two, so that the first one has passed before a controller that reads one command ahead
     /// reads the next block.
     fn marks(&self, file: usize, line: u32) -> String {
@@ -142,7 +153,11 @@ impl Plan {
 
     /// The number that each line of a probed file has in the file without probes; none for those that were put in.
     pub(in crate::adapters) fn own_lines(&self, probed: &str) -> Vec<Option<u32>> {
-        let put_in = [format!("(PRINT,{} ", self.marker), format!("(MSG,{}", self.marker)];
+        let put_in = [
+            format!("(PRINT,{} ", self.marker),
+            format!("(MSG,{}", self.marker),
+            format!("G4 P{GATE} ({}", self.marker),
+        ];
         let mut own = 0;
         let number = |line: &str| {
             let is_own = !put_in.iter().any(|start| line.starts_with(start));

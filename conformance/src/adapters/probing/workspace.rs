@@ -62,10 +62,13 @@ impl Workspace {
         self.write(PARAMETERS, &parameter_file(machine, numbers))
     }
 
-    /// The numbered parameters that the run left and that are not zero.
-    pub(in crate::adapters) fn read_parameters(&self) -> Result<BTreeMap<u32, f64>, HarnessError> {
-        let text = fs::read_to_string(self.path.join(PARAMETERS))
-            .map_err(|error| HarnessError::NotRun(format!("{PARAMETERS}: {error}")))?;
+    /// The numbered parameters that the run left in a parameter file and that are not zero.
+    pub(in crate::adapters) fn read_parameters(
+        &self,
+        name: &str,
+    ) -> Result<BTreeMap<u32, f64>, HarnessError> {
+        let text = fs::read_to_string(self.path.join(name))
+            .map_err(|error| HarnessError::NotRun(format!("{name}: {error}")))?;
         let mut parameters = BTreeMap::new();
         for line in text.lines().filter(|line| !line.trim().is_empty()) {
             let mut words = line.split_whitespace();

@@ -124,7 +124,8 @@ impl Session<'_> {
             let text = |file: usize, lines: &[String]| plan.probed(file, lines, ends);
             let (output, workspace) = self.run(MANUAL_INPUT, &input, text)?;
             let exited = matches!(output.stop, Stop::Exited(_));
-            let parameters = if exited { workspace.read_parameters()? } else { BTreeMap::new() };
+            let parameters =
+                if exited { workspace.read_parameters(PARAMETERS)? } else { BTreeMap::new() };
             let is_unseen = |number: &u32| {
                 let shown = plan.parameters.contains(&number.to_string());
                 is_plain(*number) && *number != DEBUG_SWITCH && !shown
@@ -148,7 +149,7 @@ impl Session<'_> {
             output::adopt(&mut observed.lines, &lines);
         }
         if exited {
-            observed.parameters = workspace.read_parameters()?;
+            observed.parameters = workspace.read_parameters(PARAMETERS)?;
         }
         let end = |refused: bool, stderr: &str| [format!("{refused} {:?}", kinds(stderr))];
         let with = output::doings(&observed.lines)

@@ -120,18 +120,25 @@ impl Spindle {
 impl Modes {
     /// The modes before the first block.
     ///
-    /// Rule modal-groups.initial-modes. XY plane, radius mode, incremental arc distance, and the coordinate system that
-    /// #5220 names. Motion mode and return mode are choices. The documents say no more; everything else begins as a controller is usually found: millimetres,
-    /// absolute distance, feed per minute, nothing on but overrides and feed stop.
+    /// Rule modal-groups.initial-modes. XY plane, radius mode, incremental arc distance, blending without a tolerance, and
+    /// the coordinate system that #5220 names. Motion mode, return mode and length unit are choices.
+    ///
+    /// The documents say no more. Everything else begins as the README of this crate tells: absolute distance, feed per
+    /// minute, nothing on but overrides and feed stop.
     pub fn new(machine: &Machine, readings: &Readings) -> Self {
         let stored = |number: u32| machine.parameters.0.get(&number).copied().unwrap_or(0.0);
+        // Choice units-planes.initial-unit.
+        let initial_unit = match readings.choice("units-planes.initial-unit") {
+            "machine" => machine.length_unit,
+            _ => LengthUnit::Millimetre,
+        };
         let mut modes = Self {
             motion: match readings.choice("modal-groups.initial-motion") {
                 "feed" => Motion::Feed,
                 "traverse" => Motion::Traverse,
                 _ => Motion::None,
             },
-            units: LengthUnit::Millimetre,
+            units: initial_unit,
             plane: Plane::Xy,
             distance: Distance::Absolute,
             arc_distance: Distance::Incremental,
@@ -154,7 +161,7 @@ impl Modes {
             local_applies: false,
             rotation: 0.0,
             path: Path::Continuous,
-            blend_tolerance: initial_tolerance(readings),
+            blend_tolerance: initial_tolerance(readings) / unit_size(initial_unit),
             naive_cam_tolerance: 0.0,
             tolerance_unit: LengthUnit::Millimetre,
             lathe: Lathe::Radius,

@@ -1,6 +1,6 @@
 //! Quirks of modes, offsets, spindle, overrides and the program end.
 
-use gaugeblock_trace::{FaultKind, SpindleLimit, SpindleMode, Switch};
+use gaugeblock_trace::{Distance, FaultKind, SpindleLimit, SpindleMode, Switch};
 
 use crate::rs274::machine::State;
 use crate::rs274::modes::{ModalGroup, converted};
@@ -8,8 +8,8 @@ use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
 
-/// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch; in millimetres,
-/// which is the unit then.
+/// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch. In
+/// millimetres.
 pub(crate) fn initial_tolerance(readings: &Readings) -> f64 {
     if readings.quirk("linuxcnc.initial-tolerance") { 0.0254 } else { 0.0 }
 }
@@ -62,6 +62,16 @@ pub(crate) fn tool_offset_as_programmed(state: &mut State) {
 pub(crate) fn group_of(m_code: u32, state: &State) -> Option<ModalGroup> {
     let saves = (70..=73).contains(&m_code);
     (saves && state.readings.quirk("rs274.save-in-spindle-group")).then_some(ModalGroup::Spindle)
+}
+
+/// Quirk rs274.machine-incremental. G53 needs absolute distance mode.
+pub(crate) fn machine_incremental(state: &State) -> Result<(), Halt> {
+    let rule = "rs274.machine-incremental";
+    if state.modes.distance == Distance::Incremental && state.readings.quirk(rule) {
+        let message = "G53 in incremental distance mode";
+        return Err(refuse(rule, FaultKind::ModalConflict, message));
+    }
+    Ok(())
 }
 
 /// Quirk rs274.machine-under-zero-radius. A radius of zero is as good as no compensation.

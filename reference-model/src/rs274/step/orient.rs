@@ -29,9 +29,9 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     for place in &spindles {
         // The machine has no more than 255 spindles.
         let Ok(spindle) = u8::try_from(*place) else { continue };
-        state.modes.spindles[*place].turn = SpindleTurn::Stopped;
-        state.evidence.accepted("orient.replaces-turning");
         if let Some(angle) = angle {
+            state.modes.spindles[*place].turn = SpindleTurn::Oriented;
+            state.evidence.accepted("orient.replaces-turning");
             begin(*place, angle, direction, state);
             let spindle = u32::from(spindle);
             record.effect(state, Effect::OrientSpindle { spindle, angle, direction });
@@ -181,18 +181,23 @@ pub(crate) fn settle(state: &mut State) {
         state.evidence.accepted("orient.complete");
     }
     for place in all(state) {
-        if state.modes.spindles[place].turn != SpindleTurn::Stopped {
+        if turns(place, state) {
             clear(place, state);
         }
         brake(place, state);
     }
 }
 
+/// Whether a spindle was told to turn.
+fn turns(place: usize, state: &State) -> bool {
+    let turn = state.modes.spindles[place].turn;
+    matches!(turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise)
+}
+
 /// Rule orient.brake-otherwise. Whether the brake is applied to any other spindle that stands is a choice.
 fn brake(place: usize, state: &mut State) {
     let Some(spindle) = index(place) else { return };
-    let stands = state.modes.spindles[place].turn == SpindleTurn::Stopped
-        && state.outside.orientation(place).is_none();
+    let stands = !turns(place, state) && state.outside.orientation(place).is_none();
     let locked = state.outside.level(Pin::SpindleLocked(spindle)) != 0.0;
     let standing = state.readings.is("orient.brake-otherwise", "while-standing");
     let applied = locked || stands && standing;

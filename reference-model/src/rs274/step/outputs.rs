@@ -97,9 +97,10 @@ fn number(
     state: &mut State,
 ) -> Result<i32, Halt> {
     let whole = quirks::number(value, state);
-    let unchecked = state.outside.is_stand_alone() && (letter == 'P' || value >= 0.0)
-        || timing == OutputTiming::WithMotion
-            && state.readings.quirk("linuxcnc.output-number-with-motion");
+    let with_motion = timing == OutputTiming::WithMotion
+        && state.readings.quirk("linuxcnc.output-number-with-motion");
+    let unchecked =
+        (state.outside.is_stand_alone() || with_motion) && (letter == 'P' || value >= 0.0);
     let fits = |number: &i32| unchecked || (0..i32::from(of_machine)).contains(number);
     let number = whole.filter(fits).ok_or_else(|| {
         let message = format!("{letter}{value} names no output of {of_machine}");

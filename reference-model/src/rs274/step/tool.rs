@@ -32,9 +32,9 @@ pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(
     for rule in ["tool.select", "tool.select-integer", "tool.select-changes-nothing"] {
         state.evidence.accepted(rule);
     }
-    state.prepared_tool = tool;
+    state.prepared_tool = tool.unwrap_or(-1);
     state.selected_for_change = true;
-    record.effect(state, Effect::PrepareTool { tool });
+    record.effect(state, Effect::PrepareTool { tool: tool.unwrap_or(0) });
     Ok(())
 }
 
@@ -42,11 +42,11 @@ pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(
 /// Rule tool.select-zero-random. Where tools change places, tool 0 is a tool like any other.
 /// Rule tool.empty-slot. Whether a number that no tool has may be selected is a choice; then there is no tool
 /// in the spindle after the change.
-fn selected(number: i32, state: &mut State) -> Result<i32, Halt> {
+fn selected(number: i32, state: &mut State) -> Result<Option<i32>, Halt> {
     let random = state.machine.random_tool_changer;
     if number == 0 && !random {
         state.evidence.accepted("tool.select-zero");
-        return Ok(0);
+        return Ok(None);
     }
     let by_slot = state.readings.is("tool.selected-by", "slot");
     let found = if by_slot { in_slot(number, state) } else { entry(number, state).map(|_| number) };
@@ -58,11 +58,11 @@ fn selected(number: i32, state: &mut State) -> Result<i32, Halt> {
             if number == 0 {
                 state.evidence.accepted(rule);
             }
-            Ok(tool)
+            Ok(Some(tool))
         }
         None if number > 0 && state.readings.is("tool.empty-slot", "accepted") => {
             state.evidence.accepted(rule);
-            Ok(0)
+            Ok(None)
         }
         None => {
             if number == 0 {
