@@ -14,6 +14,7 @@ use super::probe::Probe;
 use super::source::{Form, Source, form, has_slash};
 use super::{refusal, state};
 use crate::adapters::HarnessError;
+use crate::observe::is_local_name;
 
 /// What was seen of a run.
 #[derive(Debug)]
@@ -30,6 +31,8 @@ pub(super) struct Seen<'a> {
     pub(super) cut_off: bool,
     /// What was shown after the end, if the program reached its end.
     pub(super) after_end: Option<&'a Probe>,
+    /// Numbered parameters that are not zero at the end.
+    pub(super) parameters: Option<&'a BTreeMap<u32, f64>>,
 }
 
 /// An outcome in the making.
@@ -40,6 +43,8 @@ struct Assembly<'a> {
     block_delete: bool,
     canon: Canon,
     known: Rs274State,
+    /// Depth of calls where the last probe stood.
+    level: i64,
     at: Option<(usize, u32)>,
     start: gaugeblock_trace::Settings,
     steps: Vec<Step>,
@@ -63,6 +68,7 @@ pub(super) fn outcome(
         block_delete: scenario.program.block_delete,
         canon: Canon::new(&scenario.machine),
         known: Rs274State::default(),
+        level: 0,
         at: None,
         start: gaugeblock_trace::Settings::default(),
         steps: Vec::new(),
@@ -126,6 +132,10 @@ impl Assembly<'_> {
             self.known.parameter = Some(self.unnamed(probe)?);
         } else {
             state::settle(&mut self.canon, probe)?;
+            let level = std::mem::replace(&mut self.level, probe.mode("_call_level"));
+            if level != self.level || self.next_form() == Form::Return {
+                self.led_elsewhere();
+            }
             self.passed(probe, here)?;
         }
         self.canon.position = state::position(probe);
@@ -141,6 +151,14 @@ impl Assembly<'_> {
         let is_named = |name: &str| name.parse().is_ok_and(|number| numbered.contains(&number));
         let shown = state::state(probe, 0, self.plan)?.parameter.unwrap_or_default();
         Ok(shown.0.into_iter().filter(|(name, _)| !is_named(name)).collect())
+    }
+
+    /// After a call or return the level is recorded anew, and with it the local names that exist.
+    fn led_elsewhere(&mut self) {
+        self.known.call_level = None;
+        if let Some(parameters) = &mut self.known.parameter {
+            parameters.0.retain(|name, _| !is_local_name(name));
+        }
     }
 
     /// A block was executed; the run is now behind it, or where it jumped to.
@@ -192,10 +210,12 @@ impl Assembly<'_> {
         };
         self.canon.end(|canon| state::settle(canon, probe))?;
         let events = self.canon.take_events();
-        let shown = state::state(probe, self.canon.tool, self.plan)?;
-        let mut changes = shown.since(&self.known);
-        changes.parameter = None;
-        changes.call_level = None;
+        let mut shown = state::state(probe, self.canon.tool, self.plan)?;
+        if self.level != 0 {
+            self.led_elsewhere();
+            at_end(&mut shown, seen.parameters);
+        }
+        let changes = shown.since(&self.known);
         self.step(next, events, Some(State::Rs274(changes)));
         self.end = Some(End::ProgramEnd);
         Ok(())
@@ -226,6 +246,17 @@ impl Assembly<'_> {
         }
         let line = seen.stderr.lines().last().unwrap_or_default().to_owned();
         Err(HarnessError::Unreadable { what: "a run without an end".to_owned(), line })
+    }
+}
+
+/// Where a run ended in a sub, it was not the end but the stop before it that showed #1 to #30: the list at the end has
+/// what they are.
+fn at_end(shown: &mut Rs274State, parameters: Option<&BTreeMap<u32, f64>>) {
+    let shown = shown.parameter.iter_mut().flat_map(|shown| shown.0.iter_mut());
+    for (name, value) in shown {
+        if let (Some(list), Ok(number @ 1..=30)) = (parameters, name.parse()) {
+            *value = list.get(&number).copied().unwrap_or_default();
+        }
     }
 }
 
@@ -274,6 +305,7 @@ mod tests {
             refused: true,
             cut_off: false,
             after_end: None,
+            parameters: None,
         };
         let parameters = BTreeMap::from([(2, 7.0), (5220, 1.0), (5599, 1.0)]);
         let outcome = outcome(&scenario, &source, &plan, &seen, Some(parameters)).unwrap();
@@ -292,6 +324,7 @@ mod tests {
             refused: false,
             cut_off: false,
             after_end: None,
+            parameters: None,
         };
         assert!(outcome(&scenario, &source, &plan, &seen, None).is_err());
     }
