@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use gaugeblock_trace::{End, Options, Outcome, Scenario};
 
 use crate::adapters::Adapter;
-use crate::compare::compare;
+use crate::compare::{Basis, Tally, compare};
 use crate::judge::{Finding, judge};
 use crate::observe::Observed;
 use crate::suite::{Assertion, Case, ChoiceKind, Edition, Rule, Suite};
@@ -64,8 +64,8 @@ pub struct CaseResult<'a> {
     pub verdict: Verdict,
     /// Fields, effects and assertions that the controller does not show.
     pub masked: BTreeSet<String>,
-    /// How many values and assertions were compared.
-    pub compared: usize,
+    /// What was compared.
+    pub compared: Tally,
 }
 
 /// The suite, run.
@@ -149,8 +149,13 @@ fn run_case<'a>(
     case: &'a Case,
 ) -> CaseResult<'a> {
     let scenario = scenario_of(case, options, plan.edition);
-    let mut result =
-        CaseResult { rule, case, verdict: Verdict::Pass, masked: BTreeSet::new(), compared: 0 };
+    let mut result = CaseResult {
+        rule,
+        case,
+        verdict: Verdict::Pass,
+        masked: BTreeSet::new(),
+        compared: Tally::default(),
+    };
     if let Err(reason) = controller.supports(&scenario) {
         result.verdict = Verdict::Unsupported(reason);
         return result;
@@ -238,7 +243,7 @@ impl Against<'_> {
             case.parsed().iter().filter(|a| applies(a, &self.scenario.options, self.edition))
         {
             match judge(claim, &found, &shows) {
-                Finding::Holds => result.compared += 1,
+                Finding::Holds => result.compared.add(Basis::Assertions, 1),
                 Finding::Masked(what) => {
                     result.masked.insert(what);
                 }
@@ -249,7 +254,7 @@ impl Against<'_> {
         }
         let comparison = compare(&expected, &found, &shows);
         result.masked.extend(comparison.masked);
-        result.compared += comparison.compared;
+        result.compared.extend(&comparison.compared);
         let divergence = comparison.divergence.map(|divergence| divergence.to_string());
         let departs = assertion.is_some() || divergence.is_some();
         departs.then_some(Departure { assertion, divergence, explanation: None })

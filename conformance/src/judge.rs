@@ -1,9 +1,9 @@
 //! Assertions held against what was observed.
 
-use gaugeblock_trace::{Effect, End, Entry, Language, Settings, State, Value};
+use gaugeblock_trace::{Effect, End, Entry, Language, Pin, Settings, State, Value};
 
 use crate::adapters::Capabilities;
-use crate::compare::{end_text, rounded, tolerance};
+use crate::compare::{end_text, pin_values, rounded, tolerance};
 use crate::observe::{Observed, ObservedEffect, ObservedStep, value_of};
 use crate::suite::assertion::{Assertion, Claim, Expected, Place, is_accepted};
 
@@ -42,6 +42,7 @@ pub fn judge(assertion: &Assertion, run: &Observed, shows: &Capabilities) -> Fin
         Claim::Effects(effects) => judge.effects(effects, &run.effects, false),
         Claim::Count(name, count) => judge.count(name, *count),
         Claim::Messages(texts) => judge.messages(texts),
+        Claim::Pin(pin, values) => judge.pin(*pin, values),
     }
 }
 
@@ -225,6 +226,16 @@ impl Judge<'_> {
             } else {
                 format!("messages: {}", found.join(" | "))
             }
+        })
+    }
+
+    fn pin(&self, pin: Pin, expected: &[f64]) -> Finding {
+        if !self.shows.pins.contains(pin.name()) {
+            return Finding::Masked(pin.name().to_owned());
+        }
+        let found = self.run.pins.get(&pin).map_or(&[][..], Vec::as_slice);
+        ok(tolerance::sequences(expected, found, self.shows.resolution), || {
+            format!("pin {pin}: {}", pin_values(found))
         })
     }
 }

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_trace::{
-    Block, Effect, End, Entry, Event, Indexed, Outcome, Settings, State, Value,
+    Block, Effect, End, Entry, Event, Indexed, Outcome, Pin, PinChange, Settings, State, Value,
 };
 
 /// An effect and the settings in force at it.
@@ -48,6 +48,9 @@ pub struct Observed {
     pub end: End,
     /// Numbered parameters that are not zero at the end, where the controller shows them.
     pub parameters: Option<Indexed<u32, f64>>,
+    /// The values that each pin took over the whole run, in order, without the one that it had before; times are
+    /// not compared.
+    pub pins: BTreeMap<Pin, Vec<f64>>,
 }
 
 impl Observed {
@@ -62,6 +65,7 @@ impl Observed {
             effects: Vec::new(),
             end: outcome.end.clone(),
             parameters: outcome.parameters.clone(),
+            pins: pins(&outcome.pins),
         };
         let counted = match (&outcome.end, outcome.steps.last()) {
             (End::Fault(fault), Some(last))
@@ -136,6 +140,18 @@ fn forget_local_names(state: &mut State, change: &State) {
 /// Whether a parameter, as it stands in a record, is a local named one: no number, and no underscore before the name.
 pub(crate) fn is_local_name(name: &str) -> bool {
     !name.starts_with('_') && name.parse::<u32>().is_err()
+}
+
+/// The values of each pin in order; one that is told again is no change.
+fn pins(changes: &[PinChange]) -> BTreeMap<Pin, Vec<f64>> {
+    let mut pins: BTreeMap<Pin, Vec<f64>> = BTreeMap::new();
+    for PinChange { pin, value, .. } in changes {
+        let values = pins.entry(*pin).or_default();
+        if values.last() != Some(value) {
+            values.push(*value);
+        }
+    }
+    pins
 }
 
 /// The value of a field among entries.

@@ -138,3 +138,25 @@ fn each_command_has_help_with_examples() {
         assert!(String::from_utf8_lossy(&output.stdout).contains("Example"), "{command}");
     }
 }
+
+#[test]
+fn the_matrix_has_a_column_for_each_report() {
+    let here = folder("matrix");
+    let directory = here.to_str().expect("UTF-8");
+    let arguments = ["certify", "reference", "--only", "coolant", "--report", directory];
+    assert_eq!(gaugeblock(&arguments).status.code(), Some(0));
+    let report = here.join("report.json");
+    let report = report.to_str().expect("UTF-8");
+    let output = gaugeblock(&["rules", "--matrix", "--judged", report]);
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    let section = text.lines().find(|line| line.starts_with("M7, M8, M9")).expect("the section");
+    // The model's column and the report's, both judged by more than acceptance.
+    assert_eq!(section.matches(" haest").count(), 2, "{section}");
+    let json = gaugeblock(&["rules", "--matrix", "--judged", report, "--format", "json"]).stdout;
+    let json: serde_json::Value = serde_json::from_slice(&json).expect("JSON");
+    assert_eq!(json["controllers"][0]["edition"], "linuxcnc-2.8");
+    let other = file(&here, "other.json", b"{}");
+    refused(&["rules", "--matrix", "--judged", &other], 2, &["other.json", "--report"]);
+    refused(&["rules", "--judged", report], 2, &["--matrix"]);
+}

@@ -5,7 +5,10 @@ use std::num::NonZero;
 use gaugeblock::adapters::reference::Reference;
 use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
 use gaugeblock::certify::{Plan, Run, Verdict, certify};
+use gaugeblock::compare::compare;
 use gaugeblock::expectations::{Expectations, Trouble};
+use gaugeblock::judge::{Finding, judge};
+use gaugeblock::observe::Observed;
 use gaugeblock::report::{Report, json, junit, terminal};
 use gaugeblock::suite::{Suite, files};
 use gaugeblock_trace::{Effect, Event, Outcome, Scenario};
@@ -110,6 +113,62 @@ fn a_setting_repeated_is_no_difference() {
         Ok(outcome)
     });
     assert_eq!(diverging(&run(&suite, &wordy, &only, 2)), 0);
+}
+
+/// A run that ends so, with these changes of pins.
+fn with_pins(end: &str, changes: &[(f64, &str, f64)]) -> Observed {
+    let mut text =
+        format!("gaugeblock outcome 0\nlanguage rs274\nstart\nblock main.ngc:1\n{end}\n");
+    for (time, pin, value) in changes {
+        text.push_str(&format!("pin {pin} time={time} value={value}\n"));
+    }
+    Observed::of(&Outcome::from_text(&text).unwrap_or_else(|error| panic!("{error}")))
+}
+
+#[test]
+fn values_of_pins_are_compared_and_their_times_are_not() {
+    let end = "end program_end";
+    let all = Capabilities::everything("any", "0");
+    let expected = with_pins(end, &[(0.0, "digital_out[0]", 1.0), (1.0, "digital_out[0]", 0.0)]);
+    let divergence = |found: &Observed, shows: &Capabilities| {
+        compare(&expected, found, shows).divergence.map(|divergence| divergence.to_string())
+    };
+    let late =
+        [(2.0, "digital_out[0]", 1.0), (2.5, "digital_out[0]", 1.0), (3.0, "digital_out[0]", 0.0)];
+    assert_eq!(divergence(&with_pins(end, &late), &all), None);
+
+    let stuck = with_pins(end, &late[..1]);
+    let said = "pin digital_out[0]: expected 1, 0, found 1";
+    assert_eq!(divergence(&stuck, &all).as_deref(), Some(said));
+    let other = with_pins(end, &[late[0], late[2], (4.0, "coolant_mist", 1.0)]);
+    let said = "pin coolant_mist: expected none, found 1";
+    assert_eq!(divergence(&other, &all).as_deref(), Some(said));
+
+    let mut blind = all.clone();
+    blind.pins.clear();
+    let comparison = compare(&expected, &stuck, &all.and(&blind));
+    assert!(comparison.divergence.is_none() && comparison.masked.contains("digital_out"));
+
+    let fault = "end fault file=\"main.ngc\" line=2 message=\"\"";
+    let refused = compare(&with_pins(fault, &[]), &with_pins(fault, &late), &all);
+    assert!(refused.divergence.is_none(), "what a refused block did is unspecified");
+}
+
+#[test]
+fn assertions_on_pins() {
+    let all = Capabilities::everything("any", "0");
+    let changes = [(0.0, "analog_out[2]", 1.5), (0.0, "analog_out[2]", -1.0)];
+    let run = with_pins("end program_end", &changes);
+    let finding = |text: &str, shows: &Capabilities| {
+        judge(&text.parse().unwrap_or_else(|error| panic!("{text}: {error}")), &run, shows)
+    };
+    assert_eq!(finding("pin analog_out[2]: 1.5, -1", &all), Finding::Holds);
+    assert_eq!(finding("pin analog_out[1]: none", &all), Finding::Holds);
+    let found = Finding::Fails("pin analog_out[2]: 1.5, -1".to_owned());
+    assert_eq!(finding("pin analog_out[2]: 1.5", &all), found);
+    let mut blind = all.clone();
+    blind.pins.remove("analog_out");
+    assert_eq!(finding("pin analog_out[2]: 7", &blind), Finding::Masked("analog_out".to_owned()));
 }
 
 #[test]

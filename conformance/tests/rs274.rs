@@ -33,7 +33,7 @@ fn ends_with(output: &Output, status: i32) -> String {
 
 #[test]
 fn it_does_what_is_known_of_it() {
-    let arguments = ["certify", "rs274", "--edition", "rs274-2.9-observed"];
+    let arguments = ["certify", "rs274", "--edition", "rs274-2.9-observed", "--check-observation"];
     if let Some(output) = gaugeblock("the whole suite under rs274-2.9-observed", &arguments) {
         ends_with(&output, 0);
     }

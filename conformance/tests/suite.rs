@@ -71,15 +71,15 @@ fn the_model_shows_each_option_that_it_is_given() {
     assert!(wrong.is_empty(), "{} options:\n{}", wrong.len(), wrong.join("\n"));
 }
 
+/// A case counts as refused when one of its assertions says so, under whichever option; every other one as accepted.
 #[test]
-fn at_least_a_quarter_of_the_cases_are_refused() {
+fn at_least_as_many_cases_assert_a_refusal_as_do_not() {
     let suite = suite();
-    let refused = suite
+    let (refused, accepted): (Vec<_>, Vec<_>) = suite
         .rules
         .iter()
         .flat_map(|rule| &rule.cases)
-        .filter(|case| case.assertions.iter().any(|text| text.contains("refused")))
-        .count();
-    let all: usize = suite.rules.iter().map(|rule| rule.cases.len()).sum();
-    assert!(refused * 4 >= all, "{refused} of {all} cases are refused");
+        .partition(|case| case.assertions.iter().any(|text| text.contains("refused")));
+    let (refused, accepted) = (refused.len(), accepted.len());
+    assert!(refused >= accepted, "{refused} cases are refused, {accepted} are accepted");
 }

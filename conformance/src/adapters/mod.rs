@@ -3,6 +3,7 @@
 //! **Invariant:** an adapter does nothing that an adapter in another language could not do: it knows the vocabulary and
 //! its controller, and no model of the language.
 
+mod probing;
 pub mod reference;
 pub mod rs274;
 
@@ -10,7 +11,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::RangeInclusive;
 
-use gaugeblock_trace::{Effect, Outcome, Rs274State, Scenario, Settings};
+use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 
 /// What a controller shows; declared before the run.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +34,8 @@ pub struct Capabilities {
     pub final_parameters: bool,
     /// Numbers of parameters that it does not show at the end.
     pub hidden_parameters: Vec<RangeInclusive<u32>>,
+    /// Names of the pins whose changes it shows, without index.
+    pub pins: BTreeSet<String>,
 }
 
 impl Capabilities {
@@ -52,6 +55,7 @@ impl Capabilities {
             faults_have_kinds: true,
             final_parameters: true,
             hidden_parameters: Vec::new(),
+            pins: Pin::names().map(str::to_owned).collect(),
         }
     }
 
@@ -70,6 +74,7 @@ impl Capabilities {
             final_parameters: self.final_parameters && other.final_parameters,
             hidden_parameters: [self.hidden_parameters.clone(), other.hidden_parameters.clone()]
                 .concat(),
+            pins: both(&self.pins, &other.pins),
         }
     }
 }
@@ -90,6 +95,9 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// # Errors
     /// The reason why it cannot; such a case counts as unsupported.
     fn supports(&self, scenario: &Scenario) -> Result<(), String>;
+
+    /// From now on each program also runs unobserved, where observing it could change it; otherwise a sample does.
+    fn check_observation(&mut self) {}
 
     /// Runs the scenario.
     ///

@@ -46,6 +46,9 @@ pub(super) struct Arguments {
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Run each program also unobserved, to see that observing changes nothing [default: a sample]
+    #[arg(long)]
+    check_observation: bool,
     /// How many cases run at once [default: the number of processors]
     #[arg(long, short, value_name = "N")]
     jobs: Option<NonZero<usize>>,
@@ -61,7 +64,10 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
     }
-    let controller = controller::controller(&arguments.controller)?;
+    let mut controller = controller::controller(&arguments.controller)?;
+    if arguments.check_observation {
+        controller.check_observation();
+    }
     if let Some(expectations) = &expectations {
         fits(expectations, controller.capabilities(), &edition.id)?;
     }

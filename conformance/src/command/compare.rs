@@ -44,8 +44,10 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
         .iter()
         .map(|file| Ok((file, arguments.how.scenario(suite, file)?)))
         .collect::<Result<Vec<_>, Refused>>()?;
-    let found_by = controller::controller(&arguments.iut)?;
-    let expected_by = controller::controller(&arguments.against)?;
+    let mut found_by = controller::controller(&arguments.iut)?;
+    found_by.check_observation();
+    let mut expected_by = controller::controller(&arguments.against)?;
+    expected_by.check_observation();
     let mut status = 0;
     let mut text = String::new();
     let mut results = Vec::new();
@@ -56,7 +58,7 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
                 results.push(
                     json!({ "file": name, "equal": true, "compared": compared, "masked": masked }),
                 );
-                format!("{name}: no difference in {compared} values")
+                format!("{name}: no difference in {} values", compared.total())
             }
             Ok(Comparison { divergence: Some(divergence), .. }) => {
                 status = status.max(1);

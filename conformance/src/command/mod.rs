@@ -4,6 +4,7 @@ mod certify;
 mod compare;
 mod controller;
 mod fingerprint;
+mod matrix;
 mod place;
 mod rules;
 mod run;

@@ -7,6 +7,7 @@ use clap::Args;
 use serde_json::json;
 use toml_edit::{DocumentMut, Item};
 
+use super::matrix::matrix;
 use super::{Format, Refused, place, read_suite, write_out};
 use crate::catalogue;
 use crate::suite::ledger::{self, Ledger};
@@ -19,6 +20,8 @@ const EXAMPLES: &str = "Examples:
   gaugeblock rules --check                      whether the suite is what it must be
   gaugeblock rules --check --document linuxcnc-2.8=m-code.txt
       whether the sentence ledger is that of this document
+  gaugeblock rules --matrix --judged out/report.json
+      document by document, section by section: its sentences, rules, and what the model and a controller do
   gaugeblock --suite conformance/suite rules --bless
       write what the model does as the cases' goldens, to be read before they are committed";
 
@@ -37,8 +40,14 @@ pub(super) struct Arguments {
     /// A document to check its ledger against
     #[arg(long, value_name = "ID=FILE", requires = "check")]
     document: Vec<String>,
-    /// Write goldens into the pages of --suite
+    /// Document by document and section by section: sentences, rules, and verdicts with what they rest on
     #[arg(long, conflicts_with_all = ["check", "choices"])]
+    matrix: bool,
+    /// The report of a controller that becomes a column of the matrix; may be repeated
+    #[arg(long, value_name = "REPORT.json", requires = "matrix")]
+    judged: Vec<PathBuf>,
+    /// Write goldens into the pages of --suite
+    #[arg(long, conflicts_with_all = ["check", "choices", "matrix"])]
     bless: bool,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -58,6 +67,13 @@ pub(super) fn rules(arguments: &Arguments, folder: Option<&Path>) -> Result<u8, 
     }
     if arguments.check {
         return check(&suite, folder, &arguments.document);
+    }
+    if arguments.matrix {
+        let (ledgers, faults) = ledgers(folder)?;
+        if let Some(fault) = faults.into_iter().next() {
+            return Err(Refused::wrong(fault, "`gaugeblock rules --check` lists all"));
+        }
+        return matrix(&suite, &ledgers, &arguments.judged, arguments.format);
     }
     if arguments.choices {
         choices(&suite, arguments.format);
@@ -146,22 +162,8 @@ fn choices(suite: &Suite, format: Format) {
 
 fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u8, Refused> {
     let mut faults = catalogue::faults(suite);
-    let files = match folder {
-        Some(folder) => files::of_folder(folder).map_err(|error| {
-            Refused::wrong(error, "--suite takes a folder like conformance/suite")
-        })?,
-        None => files::built_in(),
-    };
-    let mut ledgers = Vec::new();
-    for (path, text) in files.iter().filter(|(path, _)| path.starts_with("documents/")) {
-        match Ledger::parse(text) {
-            Ok(ledger) => {
-                faults.extend(ledger.faults().into_iter().map(|fault| format!("{path}: {fault}")));
-                ledgers.push(ledger);
-            }
-            Err(error) => faults.push(format!("{path}: {error}")),
-        }
-    }
+    let (ledgers, unreadable) = ledgers(folder)?;
+    faults.extend(unreadable);
     for named in documents {
         faults.extend(check_document(&ledgers, named)?);
     }
@@ -182,6 +184,27 @@ fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u
     );
     write_out(&text);
     Ok(u8::from(!faults.is_empty()))
+}
+
+/// The sentence ledgers, and what is wrong with those that are none.
+fn ledgers(folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<String>), Refused> {
+    let files = match folder {
+        Some(folder) => files::of_folder(folder).map_err(|error| {
+            Refused::wrong(error, "--suite takes a folder like conformance/suite")
+        })?,
+        None => files::built_in(),
+    };
+    let (mut ledgers, mut faults) = (Vec::new(), Vec::new());
+    for (path, text) in files.iter().filter(|(path, _)| path.starts_with("documents/")) {
+        match Ledger::parse(text) {
+            Ok(ledger) => {
+                faults.extend(ledger.faults().into_iter().map(|fault| format!("{path}: {fault}")));
+                ledgers.push(ledger);
+            }
+            Err(error) => faults.push(format!("{path}: {error}")),
+        }
+    }
+    Ok((ledgers, faults))
 }
 
 fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, Refused> {

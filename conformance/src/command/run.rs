@@ -97,7 +97,8 @@ fn beside(file: &Path) -> std::collections::BTreeMap<String, String> {
 
 pub(super) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
-    let controller = controller::controller(&arguments.iut)?;
+    let mut controller = controller::controller(&arguments.iut)?;
+    controller.check_observation();
     controller.supports(&scenario).map_err(|why| {
         Refused::unfinished(
             format!("{} does not run this: {why}", arguments.iut),

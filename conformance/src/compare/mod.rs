@@ -1,13 +1,17 @@
 //! Two outcomes side by side: the first divergence, and what could not be compared.
 
+mod tally;
 pub mod tolerance;
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::{Block, End, Entry, Fault, Settings, Value};
+use gaugeblock_trace::{Block, End, Entry, Fault, Pin, Settings, Value};
+
+pub use tally::{Basis, Tally};
 
 use crate::adapters::Capabilities;
 use crate::observe::{Observed, ObservedEffect, ObservedStep};
+use crate::suite::assertion::is_accepted;
 
 /// The first point at which two runs differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,8 +42,8 @@ pub struct Comparison {
     pub divergence: Option<Divergence>,
     /// Fields and effects that the controller does not show, so that they were not compared.
     pub masked: BTreeSet<String>,
-    /// How many values were compared.
-    pub compared: usize,
+    /// What was compared.
+    pub compared: Tally,
 }
 
 /// Compares what a controller did with what the specification says, on what the controller shows.
@@ -125,7 +129,7 @@ impl Walk<'_> {
             && left.iter().zip(&right).all(|((name, a), (other, b))| {
                 name == other && tolerance::values(a, b, self.shows.resolution)
             });
-        self.comparison.compared += 1 + left.len();
+        self.comparison.compared.add(Basis::Effects, 1 + left.len());
         if !same {
             return Some(missing(Some(block.clone()), describe(a), describe(b)));
         }
@@ -188,7 +192,9 @@ impl Walk<'_> {
                 self.comparison.masked.insert(entry.field.to_owned());
                 continue;
             };
-            self.comparison.compared += 1;
+            let is_setting = Settings::FIELDS.contains(&entry.field);
+            let basis = if is_setting { Basis::Settings } else { Basis::State };
+            self.comparison.compared.add(basis, 1);
             if !tolerance::values(&entry.value, &other.value, self.shows.resolution) {
                 return Some(Divergence {
                     block: Some(block.clone()),
@@ -202,7 +208,7 @@ impl Walk<'_> {
     }
 
     fn end(&mut self, expected: &End, found: &End) -> Option<Divergence> {
-        self.comparison.compared += 1;
+        self.comparison.compared.add(Basis::Acceptance, 1);
         let same = match (expected, found) {
             (End::Fault(a), End::Fault(b)) => same_fault(a, b),
             (a, b) => a.name() == b.name(),
@@ -215,7 +221,7 @@ impl Walk<'_> {
         })
     }
 
-    /// What is left to compare at the end: settings that effects would show, and numbered parameters.
+    /// What is left to compare at the end: settings that effects would show, numbered parameters, and pins.
     fn last(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
         let block = expected.steps.last()?.block.clone();
         let shown = self.shows.fields_at_effects.clone();
@@ -226,7 +232,34 @@ impl Walk<'_> {
             &entries(found.last_settings()),
             &shown,
         );
-        settings.or_else(|| self.parameters(expected, found))
+        settings.or_else(|| self.parameters(expected, found)).or_else(|| self.pins(expected, found))
+    }
+
+    /// The first pin that took other values. What a refused block did to pins is unspecified, and they name no block,
+    /// so that those of a refused run are not compared.
+    fn pins(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
+        if !is_accepted(&expected.end) {
+            return None;
+        }
+        let pins: BTreeSet<Pin> = expected.pins.keys().chain(found.pins.keys()).copied().collect();
+        for pin in pins {
+            if !self.shows.pins.contains(pin.name()) {
+                self.comparison.masked.insert(pin.name().to_owned());
+                continue;
+            }
+            let values = |run: &Observed| run.pins.get(&pin).cloned().unwrap_or_default();
+            let (a, b) = (values(expected), values(found));
+            self.comparison.compared.add(Basis::Pins, a.len().max(1));
+            if !tolerance::sequences(&a, &b, self.shows.resolution) {
+                return Some(Divergence {
+                    block: None,
+                    field: format!("pin {pin}"),
+                    expected: pin_values(&a),
+                    found: pin_values(&b),
+                });
+            }
+        }
+        None
     }
 
     fn parameters(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
@@ -244,7 +277,7 @@ impl Walk<'_> {
                 side.0.get(&number).copied().unwrap_or_default()
             };
             let (a, b) = (value(left), value(right));
-            self.comparison.compared += 1;
+            self.comparison.compared.add(Basis::Parameters, 1);
             if !tolerance::numbers(a, b, self.shows.resolution) {
                 return Some(Divergence {
                     block: None,
@@ -291,6 +324,12 @@ pub fn rounded(value: &Value) -> String {
         }
         Value::Word(_) | Value::Text(_) => value.to_string(),
     }
+}
+
+/// The values that a pin took, as an assertion writes them.
+pub fn pin_values(values: &[f64]) -> String {
+    let values: Vec<_> = values.iter().map(|value| rounded(&Value::Number(*value))).collect();
+    if values.is_empty() { "none".to_owned() } else { values.join(", ") }
 }
 
 /// An end in a few words.

@@ -2,7 +2,7 @@
 //!
 //! | observable | tolerance |
 //! | --- | --- |
-//! | positions, settings, arguments of effects | 1e-6 absolute, 1e-9 relative |
+//! | positions, settings, arguments of effects, pins | 1e-6 absolute, 1e-9 relative |
 //! | numbers inside messages | 2e-6 absolute: they are written with six decimals |
 //! | all | plus the resolution that the controller declares |
 //!
@@ -36,6 +36,11 @@ pub fn values(a: &Value, b: &Value, resolution: f64) -> bool {
         (Value::Word(a), Value::Word(b)) => a == b,
         _ => false,
     }
+}
+
+/// Whether two sequences are as long as each other and equal number by number.
+pub fn sequences(a: &[f64], b: &[f64], resolution: f64) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| numbers(*a, *b, resolution))
 }
 
 /// Whether two texts are equal when the numbers in them are compared as numbers.

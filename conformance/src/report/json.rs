@@ -11,14 +11,15 @@ pub fn json(report: &Report<'_>) -> Value {
     let rules: Vec<Value> = report
         .rules()
         .into_iter()
-        .map(|(rule, verdict, counts)| {
+        .map(|result| {
             json!({
-                "rule": rule.id,
-                "sentence": rule.sentence,
-                "profile": rule.profile,
-                "sources": rule.sources,
-                "verdict": verdict.word(),
-                "cases": counts.all(),
+                "rule": result.rule.id,
+                "sentence": result.rule.sentence,
+                "profile": result.rule.profile,
+                "sources": result.rule.sources,
+                "verdict": result.verdict,
+                "cases": result.counts.all(),
+                "compared": result.compared,
             })
         })
         .collect();

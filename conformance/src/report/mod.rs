@@ -2,25 +2,33 @@
 
 pub mod json;
 pub mod junit;
+pub mod matrix;
 pub mod terminal;
 
 use std::collections::BTreeMap;
 
+use serde::{Deserialize, Serialize};
+
 use crate::adapters::Capabilities;
 use crate::certify::{CaseResult, Run, Verdict};
+use crate::compare::Tally;
 use crate::expectations::Trouble;
 use crate::suite::Rule;
 
 /// A verdict on a whole rule.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum RuleVerdict {
     /// Every case that was judged passes, or passes but for a quirk of other rules, and at least one was.
+    #[serde(rename = "pass")]
     Pass,
     /// A case diverges.
+    #[serde(rename = "diverges")]
     Diverges,
     /// No case could be run on this controller.
+    #[serde(rename = "unsupported")]
     Unsupported,
     /// A case was not judged, or inconclusive.
+    #[serde(rename = "not judged")]
     NotJudged,
 }
 
@@ -45,6 +53,19 @@ pub struct Report<'a> {
     pub controller: &'a Capabilities,
     /// Where it disagrees with the expectations, if there are any.
     pub troubles: Option<Vec<Trouble>>,
+}
+
+/// What came of a rule.
+#[derive(Clone, Debug)]
+pub struct RuleResult<'a> {
+    /// The rule.
+    pub rule: &'a Rule,
+    /// The verdict.
+    pub verdict: RuleVerdict,
+    /// Its cases.
+    pub counts: Counts,
+    /// What the verdict rests on.
+    pub compared: Tally,
 }
 
 /// How many cases came to what.
@@ -101,20 +122,25 @@ impl<'a> Report<'a> {
         counts
     }
 
-    /// Each rule with its verdict and counts, in order.
-    pub fn rules(&self) -> Vec<(&'a Rule, RuleVerdict, Counts)> {
-        let mut rules: Vec<(&'a Rule, Counts)> = Vec::new();
+    /// Each rule with its verdict, in order.
+    pub fn rules(&self) -> Vec<RuleResult<'a>> {
+        let mut rules: Vec<RuleResult<'a>> = Vec::new();
         for result in &self.run.cases {
-            match rules.last_mut() {
-                Some((rule, counts)) if rule.id == result.rule.id => counts.add(&result.verdict),
-                _ => {
-                    let mut counts = Counts::default();
-                    counts.add(&result.verdict);
-                    rules.push((result.rule, counts));
-                }
+            if rules.last().is_none_or(|last| last.rule.id != result.rule.id) {
+                rules.push(RuleResult {
+                    rule: result.rule,
+                    verdict: RuleVerdict::Unsupported,
+                    counts: Counts::default(),
+                    compared: Tally::default(),
+                });
+            }
+            if let Some(last) = rules.last_mut() {
+                last.counts.add(&result.verdict);
+                last.compared.extend(&result.compared);
+                last.verdict = last.counts.verdict();
             }
         }
-        rules.into_iter().map(|(rule, counts)| (rule, counts.verdict(), counts)).collect()
+        rules
     }
 
     /// Cases that diverge, in order.

@@ -61,12 +61,12 @@ fn chapters(text: &mut String, report: &Report<'_>) {
         "unsupported",
         "not judged"
     );
-    let mut chapters: Vec<&str> = rules.iter().map(|(rule, ..)| rule.chapter()).collect();
+    let mut chapters: Vec<&str> = rules.iter().map(|result| result.rule.chapter()).collect();
     chapters.dedup();
     for chapter in chapters {
         let count = |wanted: Option<RuleVerdict>| {
-            let of_chapter = rules.iter().filter(|(rule, ..)| rule.chapter() == chapter);
-            of_chapter.filter(|(_, verdict, _)| wanted.is_none_or(|w| w == *verdict)).count()
+            let of_chapter = rules.iter().filter(|result| result.rule.chapter() == chapter);
+            of_chapter.filter(|result| wanted.is_none_or(|w| w == result.verdict)).count()
         };
         let shown = |count: usize, style: Style, width: usize| match count {
             0 => styled(DIM, &format!("{:>width$}", "·")),
@@ -177,7 +177,7 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
 
 fn verdict(text: &mut String, report: &Report<'_>) {
     let counts = report.counts();
-    let compared: usize = report.run.cases.iter().map(|result| result.compared).sum();
+    let compared: usize = report.run.cases.iter().map(|result| result.compared.total()).sum();
     line!(
         text,
         "{} cases: {} pass, {} pass but for a quirk of other rules, {} diverge, {} unsupported, {} not judged; {compared} values compared",

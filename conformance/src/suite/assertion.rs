@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use gaugeblock_trace::{
-    Effect, End, FaultKind, Language, Rs274State, Scalar, Settings, State, TextError,
+    Effect, End, FaultKind, Language, Pin, Rs274State, Scalar, Settings, State, TextError,
     text::Arguments,
 };
 
@@ -65,6 +65,8 @@ pub enum Claim {
     Count(String, usize),
     /// The texts of all messages.
     Messages(Vec<String>),
+    /// The values that a pin takes over the whole run, in order, without the one that it had before.
+    Pin(Pin, Vec<f64>),
 }
 
 /// A claim, and the option or edition under which it is made.
@@ -138,6 +140,10 @@ fn claim(text: &str) -> Result<Claim, String> {
         "messages:" => {
             Ok(Claim::Messages(rest.split(" | ").map(|m| m.trim().to_owned()).collect()))
         }
+        "pin" => {
+            let (pin, values) = rest.split_once(": ").ok_or("`pin digital_out[0]: 1, 0`")?;
+            Ok(Claim::Pin(pin.parse().map_err(|e: TextError| e.message)?, pin_values(values)?))
+        }
         _ => Err(format!("no assertion begins with `{word}`")),
     }
 }
@@ -150,6 +156,14 @@ fn ends(name: &str) -> Result<Claim, String> {
     } else {
         Err(format!("a run does not end as `{name}`, but as one of {}", known.join(", ")))
     }
+}
+
+fn pin_values(text: &str) -> Result<Vec<f64>, String> {
+    if text == "none" {
+        return Ok(Vec::new());
+    }
+    let value = |text: &str| f64::from_text(text.trim()).map_err(|error| error.message);
+    text.split(',').map(value).collect()
 }
 
 fn effect_name(name: &str) -> Result<String, String> {
@@ -265,6 +279,9 @@ mod tests {
             "effects: none",
             "count straight_feed = 3",
             "messages: a=1 | b=2",
+            "pin digital_out[0]: 1, 0",
+            "pin analog_out[3]: -1.5",
+            "pin coolant_mist: none",
             "when saved-state.motion-mode = restored: after 5 motion = feed",
         ] {
             assert!(text.parse::<Assertion>().is_ok(), "{text}: {:?}", text.parse::<Assertion>());
@@ -278,9 +295,19 @@ mod tests {
 
     #[test]
     fn refuses_what_is_none() {
-        for text in
-            ["", "excepted", "after units = inch", "at end unit = mm", "ends well", "kind odd"]
-        {
+        for text in [
+            "",
+            "excepted",
+            "after units = inch",
+            "at end unit = mm",
+            "ends well",
+            "kind odd",
+            "pin digital_out[0]",
+            "pin digital_out: 1",
+            "pin digital_out[0]: on",
+            "pin horn: 1",
+            "pin coolant_mist: 1,",
+        ] {
             assert!(text.parse::<Assertion>().is_err(), "{text}");
         }
     }

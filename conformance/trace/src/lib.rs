@@ -12,6 +12,7 @@ mod fault;
 mod field;
 mod modes;
 mod outcome;
+mod pin;
 mod position;
 pub mod scenario;
 pub mod schema;
@@ -25,7 +26,8 @@ pub use modes::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
     Retract, SpindleMode, SpindleTurn, Switch,
 };
-pub use outcome::{Bound, End, Event, Outcome, PinChange, Sample, Step};
+pub use outcome::{Bound, End, Event, Outcome, Sample, Step};
+pub use pin::{Pin, PinChange};
 pub use position::{Axis, Position};
 pub use scenario::{Machine, Options, Program, Scenario, Tool};
 pub use settings::{

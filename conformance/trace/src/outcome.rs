@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::effect::Effect;
 use crate::fault::{Block, Fault};
 use crate::field::{Indexed, words};
+use crate::pin::PinChange;
 use crate::position::Position;
 use crate::settings::{Language, Settings, State};
 
@@ -102,18 +103,6 @@ impl End {
             Self::Unspecified { .. } => "unspecified",
         }
     }
-}
-
-/// A pin of the machine that changed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PinChange {
-    /// Virtual time since the start, seconds.
-    pub time: f64,
-    /// Name, such as `digital_out[0]`, `spindle_orient[0]`, `coolant_mist`.
-    pub pin: String,
-    /// New value; 0 and 1 for digital pins.
-    pub value: f64,
 }
 
 /// A sample of the commanded motion, one per servo cycle.

@@ -64,6 +64,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
 /// Every quirk that the model can show.
 pub const QUIRKS: &[&str] = &[
     "rs274.additional-length-axes",
+    "rs274.any-endsub",
     "rs274.blend-q-without-p",
     "rs274.break-remembered",
     "rs274.cancel-with-motion",
@@ -105,6 +106,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.repeat-counter-shared",
     "rs274.repeated-signs",
     "rs274.rest-of-restore-block",
+    "rs274.return-after-call",
     "rs274.save-in-spindle-group",
     "rs274.selected-tool-zero",
     "rs274.semicolon-plain",

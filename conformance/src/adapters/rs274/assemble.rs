@@ -4,16 +4,18 @@ use std::collections::BTreeMap;
 
 use gaugeblock_trace::scenario::Budget;
 use gaugeblock_trace::{
-    Bound, End, Event, Indexed, Language, Outcome, Rs274State, Scenario, State, Step,
+    Bound, End, Event, Indexed, Language, Outcome, Position, Rs274State, Scenario, Settings, State,
+    Step,
 };
 
 use super::canon::{Canon, Mark};
-use super::instrument::Plan;
 use super::output::Line;
-use super::probe::Probe;
-use super::source::{Form, Source, form, has_slash};
-use super::{refusal, state};
+use super::refusal;
 use crate::adapters::HarnessError;
+use crate::adapters::probing::instrument::Plan;
+use crate::adapters::probing::probe::Probe;
+use crate::adapters::probing::source::{Form, Source, form, has_slash};
+use crate::adapters::probing::state;
 use crate::observe::is_local_name;
 
 /// What was seen of a run.
@@ -46,7 +48,7 @@ struct Assembly<'a> {
     /// Depth of calls where the last probe stood.
     level: i64,
     at: Option<(usize, u32)>,
-    start: gaugeblock_trace::Settings,
+    start: Settings,
     steps: Vec<Step>,
     end: Option<End>,
 }
@@ -70,7 +72,7 @@ pub(super) fn outcome(
         known: Rs274State::default(),
         level: 0,
         at: None,
-        start: gaugeblock_trace::Settings::default(),
+        start: Settings::default(),
         steps: Vec::new(),
         end: None,
     };
@@ -126,12 +128,14 @@ impl Assembly<'_> {
     fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
         let here = (probe.file, probe.line);
         if self.at.is_none() {
-            state::start(&mut self.canon, probe)?;
+            self.canon.settle(probe)?;
+            self.canon
+                .set(Settings { tool_offset: Some(Position::default()), ..state::others(probe) });
             self.canon.take_events();
             self.start = self.canon.now.clone();
             self.known.parameter = Some(self.unnamed(probe)?);
         } else {
-            state::settle(&mut self.canon, probe)?;
+            self.canon.settle(probe)?;
             let level = std::mem::replace(&mut self.level, probe.mode("_call_level"));
             if level != self.level || self.next_form() == Form::Return {
                 self.led_elsewhere();
@@ -208,7 +212,7 @@ impl Assembly<'_> {
             self.unsupported("an end whose state cannot be asked for".to_owned());
             return Ok(());
         };
-        self.canon.end(|canon| state::settle(canon, probe))?;
+        self.canon.end(|canon| canon.settle(probe))?;
         let events = self.canon.take_events();
         let mut shown = state::state(probe, self.canon.tool, self.plan)?;
         if self.level != 0 {

@@ -1,25 +1,21 @@
 //! LinuxCNC's stand-alone interpreter `rs274`, version 2.9.
 //!
 //! It prints canonical calls, and what an error is, but neither blocks nor modes. The program is therefore run with a
-//! probe line after each line (`instrument`), which prints the place and the modes, and once more without, to see
-//! that observing changed nothing (`session`). Calls become settings and effects (`canon`), probes the rest of the state
-//! (`state`), the error message a fault (`refusal`, `faults`).
+//! probe line after each line (`instrument`), which prints the place and the modes. A sample of programs, or all, are run
+//! once more without, to see that observing changed nothing (`session`). Calls become settings and effects (`canon`),
+//! probes the rest of the state (`state`), the error message a fault (`refusal`, `faults`).
 //!
 //! What it cannot show: the tool length mode apart from the offset, F under inverse time (had back from the moves), and
-//! anything that it stubs: inputs, probing, user-defined codes, pauses, M99 in the main program.
+//! anything that it stubs: pins, inputs, probing, user-defined codes, pauses, M99 in the main program.
 
 mod assemble;
 mod canon;
-mod faults;
-mod instrument;
 mod lengths;
 mod output;
-mod probe;
 mod process;
+mod python;
 mod refusal;
 mod session;
-mod source;
-mod state;
 mod supports;
 mod version;
 mod workspace;
@@ -30,11 +26,12 @@ use std::time::Duration;
 
 use gaugeblock_trace::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settings};
 
+use super::probing::source::Source;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
 use assemble::Seen;
-use process::{Limits, Stop};
-use session::Session;
-use source::Source;
+use process::{Limits, Started, Stop};
+use python::Home;
+use session::{Session, Unprobed};
 
 /// Wall time and output of one run; ordinary ones take ten milliseconds and some kilobytes.
 const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 };
@@ -63,8 +60,10 @@ const HIDDEN_EFFECTS: &[&str] = &[
 #[derive(Debug)]
 pub struct Rs274 {
     binary: PathBuf,
+    python: Option<Home>,
     capabilities: Capabilities,
     limits: Limits,
+    unprobed: Unprobed,
 }
 
 impl Rs274 {
@@ -74,8 +73,9 @@ impl Rs274 {
     /// It is missing, does not run, or is not of version 2.9.
     pub fn find(path: Option<&Path>) -> Result<Self, ControllerError> {
         let binary = version::find(path)?;
-        let version = version::ask(&binary, LIMITS)?;
-        Ok(Self { binary, capabilities: capabilities(version), limits: LIMITS })
+        let (version, python) = version::ask(&binary, LIMITS)?;
+        let capabilities = capabilities(version);
+        Ok(Self { binary, python, capabilities, limits: LIMITS, unprobed: Unprobed::Sample })
     }
 }
 
@@ -97,12 +97,21 @@ impl Adapter for Rs274 {
         supports::supports(scenario)
     }
 
+    fn check_observation(&mut self) {
+        self.unprobed = Unprobed::All;
+    }
+
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         // What is refused here could reach the host: it must not run even if nobody asked before.
         self.supports(scenario).map_err(HarnessError::NotRun)?;
         let source = Source::new(&scenario.program);
-        let session =
-            Session { binary: &self.binary, limits: self.limits, scenario, source: &source };
+        let session = Session {
+            program: Started { binary: &self.binary, python: self.python.as_ref().map(Home::path) },
+            limits: self.limits,
+            unprobed: self.unprobed,
+            scenario,
+            source: &source,
+        };
         let observed = session.observe()?;
         let status = match observed.output.stop {
             Stop::Exited(status) => Some(status),
@@ -118,7 +127,7 @@ impl Adapter for Rs274 {
             lines: &observed.lines,
             stderr: &observed.output.stderr,
             plain_stderr: &observed.plain_stderr,
-            refused: status == Some(REFUSED),
+            refused: observed.refused,
             cut_off: status.is_none(),
             after_end: observed.after_end.as_ref(),
             parameters: status.is_some().then_some(&observed.parameters),
@@ -167,6 +176,7 @@ fn capabilities(version: String) -> Capabilities {
         final_parameters: true,
         fields_at_effects: owned(Settings::FIELDS, HIDDEN_FIELDS),
         hidden_parameters: vec![5400..=5428],
+        pins: BTreeSet::new(),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Reads standard output: canonical calls, probes, and what (PRINT,…) prints.
 
-use super::instrument::Plan;
-use super::probe::{Probe, Reader};
 use crate::adapters::HarnessError;
+use crate::adapters::probing::instrument::Plan;
+use crate::adapters::probing::probe::{Probe, Reader};
 
 /// A canonical call as it is printed: `STRAIGHT_FEED(1.0000, …)`.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -13,6 +13,15 @@ use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, wa
 
 use crate::adapters::HarnessError;
 
+/// What is started.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Started<'a> {
+    /// The binary.
+    pub(super) binary: &'a Path,
+    /// Home of the Python within; its own if none.
+    pub(super) python: Option<&'a Path>,
+}
+
 /// What a run may cost.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
@@ -64,19 +73,21 @@ struct Stream {
 /// # Errors
 /// It could not be started, or it was ended by a signal that is not ours.
 pub(super) fn run(
-    program: &Path,
+    program: Started<'_>,
     arguments: &[OsString],
     directory: &Path,
     input: &str,
     limits: Limits,
 ) -> Result<Output, HarnessError> {
     let not_run = |error: std::io::Error| HarnessError::NotRun(error.to_string());
-    let mut child = Command::new(program)
+    let python = program.python.map(|home| ("PYTHONHOME", home));
+    let mut child = Command::new(program.binary)
         .args(arguments)
         .current_dir(directory)
         .env_clear()
         .env("HOME", directory)
         .env("LC_ALL", "C")
+        .envs(python)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -195,7 +206,8 @@ mod tests {
 
     fn shell(script: &str, limits: Limits) -> Result<Output, HarnessError> {
         let directory = std::env::temp_dir();
-        run(Path::new("/bin/sh"), &["-c".into(), script.into()], &directory, "from stdin\n", limits)
+        let program = Started { binary: Path::new("/bin/sh"), python: None };
+        run(program, &["-c".into(), script.into()], &directory, "from stdin\n", limits)
     }
 
     const SHORT: Limits = Limits { time: Duration::from_millis(300), bytes: 1000 };

@@ -2,10 +2,10 @@
 
 use gaugeblock_trace::{Fault, FaultKind};
 
-use super::faults;
-use super::instrument::{LONGEST_LINE, Plan};
-use super::source::{Source, code, last_comment};
 use crate::adapters::HarnessError;
+use crate::adapters::probing::faults;
+use crate::adapters::probing::instrument::{LONGEST_LINE, Plan};
+use crate::adapters::probing::source::{Source, code, last_comment};
 
 /// What the program says first, and means nothing.
 const GREETING: &str = "executing";

@@ -1,34 +1,54 @@
-//! The runs that one outcome takes: under observation, without, and beyond the end.
+//! The runs that one outcome takes: one under observation and beyond the end, and one without where it is needed.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
-use std::path::Path;
 
 use gaugeblock_trace::{FaultKind, Program, Scenario};
 
-use super::faults;
-use super::instrument::{Plan, is_plain};
 use super::output::{self, Line};
-use super::probe::Probe;
-use super::process::{self, Limits, Output, Stop};
-use super::source::{Form, Source, form};
-use super::workspace::{INI, LAST_PARAMETER, PARAMETERS, TOOLS, Workspace};
+use super::process::{self, Limits, Output, Started, Stop};
+use super::refusal;
+use super::workspace::{INI, PARAMETERS, TOOLS, Workspace};
 use crate::adapters::HarnessError;
+use crate::adapters::probing::faults;
+use crate::adapters::probing::instrument::{Ends, LAST_PARAMETER, Plan, is_plain};
+use crate::adapters::probing::probe::Probe;
+use crate::adapters::probing::source::Source;
 
 /// Switch that silences (DEBUG,…); on from the start.
 const DEBUG_SWITCH: u32 = 5599;
 
+/// What the program says when an error has stopped it and it takes blocks from standard input.
+const BY_HAND: &str = "starting MDI";
+
+/// Stop at an error and take blocks from standard input.
+const MANUAL_INPUT: &[&str] = &["-n", "1"];
+
+/// Every so many programs one is also run without probes, unless all are.
+const SAMPLE: u64 = 32;
+
 /// One scenario on one binary.
 #[derive(Debug)]
 pub(super) struct Session<'a> {
-    /// The binary.
-    pub(super) binary: &'a Path,
+    /// The binary, and how it is started.
+    pub(super) program: Started<'a>,
     /// What each run may cost.
     pub(super) limits: Limits,
+    /// Which programs are also run without probes.
+    pub(super) unprobed: Unprobed,
     /// What is run.
     pub(super) scenario: &'a Scenario,
     /// Its files.
     pub(super) source: &'a Source,
+}
+
+/// Which programs are also run without probes, to see that both do the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unprobed {
+    /// One in [`SAMPLE`], always the same ones, and those whose outcome cannot be told otherwise.
+    Sample,
+    /// All.
+    All,
 }
 
 /// What the runs showed.
@@ -40,51 +60,73 @@ pub(super) struct Observed {
     pub(super) output: Output,
     /// Its calls, texts and probes.
     pub(super) lines: Vec<Line>,
+    /// Whether an error stopped the program.
+    pub(super) refused: bool,
     /// Error output of the run without probes, whose line numbers are those of the program; empty without such a run.
     pub(super) plain_stderr: String,
     /// Numbered parameters that are not zero at the end.
     pub(super) parameters: BTreeMap<u32, f64>,
     /// What was shown after the program's end, if it reached its end.
     pub(super) after_end: Option<Probe>,
+    /// Whether the program was stopped before an end that was none when it was entered by hand.
+    pub(super) stopped_in_vain: bool,
 }
 
 impl Session<'_> {
-    /// Runs the program under observation and without; both must do the same.
+    /// Runs the program under observation and, where it is needed or asked for, without; both must do the same.
     ///
     /// # Errors
     /// It could not be run, was not understood, or did something else under observation.
     pub(super) fn observe(&self) -> Result<Observed, HarnessError> {
-        let mut observed = self.run_probed()?;
-        let Stop::Exited(status) = observed.output.stop else { return Ok(observed) };
-        let last = observed.lines.iter().rev().find_map(|line| match line {
-            Line::Probe(probe) => Some(probe.as_ref().clone()),
-            Line::Call(_) | Line::Text(_) => None,
-        });
-        let beyond = match last.filter(|_| status == 0) {
-            Some(last) => self.run_beyond(&observed.plan, &last)?,
-            None => None,
-        };
-        if let Some(beyond) = beyond {
-            observed.after_end = Some(beyond.probe);
-            // That run had no probes before the end, and so has answered for the plain run.
-            if beyond.in_main
-                && !self.source.names_line()
-                && beyond.doings == output::doings(&observed.lines)
-            {
-                observed.parameters = beyond.parameters;
-                return Ok(observed);
-            }
+        let mut ends = Ends::new(self.source, self.scenario.program.block_delete);
+        let mut observed = self.run_probed(&ends)?;
+        // A block that looks like an end and is none must show what it does where it stands.
+        while observed.stopped_in_vain && ends.count() > 0 {
+            let last = last_probe(&observed.lines).map_or((0, 0), |last| (last.file, last.line));
+            let others = ends.without(self.source.line(last.0, last.1 + 1));
+            ends = if others.count() < ends.count() { others } else { Ends::default() };
+            observed = self.run_probed(&ends)?;
         }
-        self.run_plain(&mut observed)?;
+        let end_entered_anyway = observed.refused && !ends.are_bound();
+        let exited = matches!(observed.output.stop, Stop::Exited(_));
+        if exited && (end_entered_anyway || self.needs_plain(&observed)) {
+            self.run_plain(&mut observed)?;
+        }
         Ok(observed)
     }
 
-    /// The run with probes; once more where it turns out that a parameter was written that no probe showed.
-    fn run_probed(&self) -> Result<Observed, HarnessError> {
+    /// Whether the run without probes is needed: parameters of a sub are gone once an error has stopped the program,
+    /// and line numbers count probe lines too.
+    fn needs_plain(&self, observed: &Observed) -> bool {
+        let in_sub = last_probe(&observed.lines).is_some_and(|last| last.mode("_call_level") > 0);
+        let message = refusal::message(&observed.output.stderr).unwrap_or_default();
+        let may_tell_line = message.contains(|c: char| c.is_ascii_digit());
+        self.unprobed == Unprobed::All
+            || in_sub
+            || self.source.names_line()
+            || (observed.refused && may_tell_line)
+            || self.is_sampled()
+    }
+
+    /// Whether this program is one of the sample.
+    fn is_sampled(&self) -> bool {
+        let bytes = self.source.all().flat_map(|(_, _, line)| line.bytes());
+        let digest =
+            bytes.fold(0_u64, |sum, byte| sum.wrapping_mul(31).wrapping_add(u64::from(byte)));
+        digest.is_multiple_of(SAMPLE)
+    }
+
+    /// The run with probes, and beyond the program's end: there no probe is reached, so that the program is stopped by an
+    /// error before its last block, with its state alive, and that block and a probe are entered by hand.
+    ///
+    /// Once more where it turns out that a parameter was written that no probe showed.
+    fn run_probed(&self, ends: &Ends) -> Result<Observed, HarnessError> {
         let mut more = BTreeSet::new();
         loop {
             let plan = Plan::new(self.source, &more);
-            let (output, workspace) = self.run(&[], "", |file, lines| plan.probed(file, lines))?;
+            let input = plan.by_hand(ends);
+            let text = |file: usize, lines: &[String]| plan.probed(file, lines, ends);
+            let (output, workspace) = self.run(MANUAL_INPUT, &input, text)?;
             let exited = matches!(output.stop, Stop::Exited(_));
             let parameters = if exited { workspace.read_parameters()? } else { BTreeMap::new() };
             let is_unseen = |number: &u32| {
@@ -93,15 +135,7 @@ impl Session<'_> {
             };
             let unseen: BTreeSet<_> = parameters.keys().copied().filter(is_unseen).collect();
             if !self.source.parameters().indirect || unseen.is_subset(&more) {
-                let lines = output::lines(&output.stdout, &plan, !exited)?;
-                return Ok(Observed {
-                    plan,
-                    output,
-                    lines,
-                    parameters,
-                    plain_stderr: String::new(),
-                    after_end: None,
-                });
+                return observed(plan, output, parameters);
             }
             more.extend(unseen);
         }
@@ -120,9 +154,12 @@ impl Session<'_> {
         if exited {
             observed.parameters = workspace.read_parameters()?;
         }
-        let end = |output: &Output| [format!("{:?} {:?}", output.stop, kinds(&output.stderr))];
-        let with = output::doings(&observed.lines).into_iter().chain(end(&observed.output));
-        let without = output::doings(&lines).into_iter().chain(end(&output));
+        let end = |refused: bool, stderr: &str| [format!("{refused} {:?}", kinds(stderr))];
+        let with = output::doings(&observed.lines)
+            .into_iter()
+            .chain(end(observed.refused, &observed.output.stderr));
+        let refused = matches!(output.stop, Stop::Exited(status) if status != 0);
+        let without = output::doings(&lines).into_iter().chain(end(refused, &output.stderr));
         match with.zip(without).find(|(with, without)| with != without) {
             None => {
                 observed.plain_stderr = output.stderr;
@@ -132,35 +169,6 @@ impl Session<'_> {
                 Err(HarnessError::ObservationDisturbs { observed, unobserved })
             }
         }
-    }
-
-    /// Beyond the program's end no probe is reached: the program is stopped by an error before its last block, with its
-    /// state alive; that block and a probe are then entered by hand.
-    fn run_beyond(&self, plan: &Plan, last: &Probe) -> Result<Option<Beyond>, HarnessError> {
-        let block = self.source.line(last.file, last.line + 1);
-        if form(block) != Form::End {
-            return Ok(None);
-        }
-        let block = block.trim_start().trim_start_matches('/');
-        let input = format!("{block}\n{}quit\n", plan.probe(0, 0));
-        let stop = |file: usize, lines: &[String]| {
-            let after = if file == last.file { last.line } else { u32::MAX };
-            plan.stopped(lines, after)
-        };
-        let (output, workspace) = self.run(&["-n", "1"], &input, stop)?;
-        let lines = output::lines(&output.stdout, plan, false)?;
-        let doings = output::doings(&lines);
-        let probe = lines.into_iter().rev().find_map(|line| match line {
-            Line::Probe(probe) => Some(*probe),
-            Line::Call(_) | Line::Text(_) => None,
-        });
-        let probe = probe.ok_or_else(|| HarnessError::Unreadable {
-            what: "no state after the end".to_owned(),
-            line: output.stderr_tail(),
-        })?;
-        let parameters = workspace.read_parameters()?;
-        let in_main = last.mode("_call_level") == 0;
-        Ok(Some(Beyond { probe, doings, parameters, in_main }))
     }
 
     /// One run of the files that `text` makes of the program's.
@@ -182,18 +190,58 @@ impl Session<'_> {
         }
         arguments.extend(how.iter().map(OsString::from));
         arguments.push(Program::MAIN.into());
-        let output = process::run(self.binary, &arguments, workspace.path(), input, self.limits)?;
+        let output = process::run(self.program, &arguments, workspace.path(), input, self.limits)?;
         Ok((output, workspace))
     }
 }
 
-/// A run up to the last block, that block, and a probe.
-struct Beyond {
-    probe: Probe,
-    doings: Vec<String>,
+/// Takes apart what the program did itself and what was entered by hand.
+fn observed(
+    plan: Plan,
+    mut output: Output,
     parameters: BTreeMap<u32, f64>,
-    /// Whether the last block stands in the main program: stopping within a sub leaves the sub, with its parameters.
-    in_main: bool,
+) -> Result<Observed, HarnessError> {
+    let exited = matches!(output.stop, Stop::Exited(_));
+    let errors: Vec<_> = output.stderr.lines().collect();
+    let stopped = errors.iter().rposition(|line| *line == BY_HAND);
+    let own_stop = plan.stop();
+    let at_end = stopped.is_some_and(|at| errors[..at].last() == Some(&own_stop.as_str()));
+    if let Some(at) = stopped {
+        output.stderr = errors[..at].join("\n");
+    }
+    let sign = plan.by_hand_sign();
+    let is_sign = |line: &&str| line.trim_end() == sign;
+    let printed = output.stdout.split_inclusive('\n');
+    let kept: String = match stopped {
+        None => printed.collect(),
+        Some(_) if at_end => printed.filter(|line| !is_sign(line)).collect(),
+        Some(_) => printed.take_while(|line| !is_sign(line)).collect(),
+    };
+    let mut lines = output::lines(&kept, &plan, !exited)?;
+    let last = lines.iter().rposition(|line| matches!(line, Line::Probe(_)));
+    let after_end = match last.filter(|_| at_end).map(|at| lines.remove(at)) {
+        Some(Line::Probe(probe)) => Some(*probe),
+        _ => None,
+    };
+    let is_end = |line: &Line| matches!(line, Line::Call(call) if call.name == "PROGRAM_END");
+    Ok(Observed {
+        stopped_in_vain: at_end && !lines.iter().any(is_end),
+        refused: stopped.is_some() && !at_end,
+        plain_stderr: String::new(),
+        plan,
+        output,
+        lines,
+        parameters,
+        after_end,
+    })
+}
+
+/// The last probe of a run.
+fn last_probe(lines: &[Line]) -> Option<&Probe> {
+    lines.iter().rev().find_map(|line| match line {
+        Line::Probe(probe) => Some(probe.as_ref()),
+        Line::Call(_) | Line::Text(_) => None,
+    })
 }
 
 /// The parameters that the parameter file must list to be seen at the end: all, where numbers are computed.

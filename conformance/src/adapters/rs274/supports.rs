@@ -5,8 +5,9 @@ use std::path::{Component, Path};
 use gaugeblock_trace::scenario::{Bench, Start};
 use gaugeblock_trace::{Axis, Language, LengthUnit, Machine, Program, Scenario};
 
-use super::source::Source;
-use super::workspace::{INI, LAST_PARAMETER, PARAMETERS, TOOLS};
+use super::workspace::{INI, PARAMETERS, TOOLS};
+use crate::adapters::probing::instrument::LAST_PARAMETER;
+use crate::adapters::probing::source::Source;
 
 /// The bench that answers as this controller does.
 const OWN_BENCH: &str = "stand-alone rs274";

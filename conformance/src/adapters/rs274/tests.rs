@@ -287,3 +287,51 @@ fn a_missing_binary_is_told() {
     let error = Rs274::find(Some(Path::new("/bin/true"))).unwrap_err();
     assert!(matches!(error, ControllerError::WrongVersion { .. }), "{error}");
 }
+
+#[test]
+fn only_the_end_that_was_reached_is_executed() {
+    let program = "#31=[1]\no1 if [#31 eq 2]\n  m30\no1 endif\ng55\nn7 M2 (done)\n";
+    let Some(outcome) = run(program) else { return };
+    assert_eq!(outcome.end, End::ProgramEnd);
+    assert_eq!(outcome.steps.last().map(|step| step.block.line), Some(6));
+    let shuttles = effects(&outcome).into_iter().filter(|(_, name)| name == "pallet_shuttle");
+    assert_eq!(shuttles.count(), 0);
+    assert_eq!(settings_at_end(&outcome).work_offset, Some(1));
+}
+
+#[test]
+fn an_end_is_not_entered_where_an_error_stopped_the_program() {
+    let long = format!("m2 ({})", "x".repeat(230));
+    for end in ["m2", long.as_str()] {
+        let Some(outcome) = run(&format!("g55\n#31=5\ng0 x1 x1\n{end}\n")) else { return };
+        let End::Fault(fault) = &outcome.end else { panic!("accepted") };
+        assert_eq!(fault.kind, Some(FaultKind::RepeatedWord));
+        let parameters = outcome.parameters.expect("parameters at the end");
+        assert_eq!(parameters.0.get(&31).map(|value| value.to_bits()), Some(5.0_f64.to_bits()));
+        // G55 stays; an end would have brought back the first system.
+        assert_eq!(parameters.0.get(&5220).map(|value| value.to_bits()), Some(2.0_f64.to_bits()));
+    }
+}
+
+#[test]
+fn an_end_that_is_refused_is_refused_where_it_stands() {
+    let Some((kind, block)) = refusal("f5\ng80 x1 m2\n") else { return };
+    assert_eq!(block, Some(Block::new("main.ngc", 2)));
+    assert_eq!(kind, Some(FaultKind::AxisWords));
+}
+
+#[test]
+fn a_long_end_shows_its_state() {
+    let Some(outcome) = run(&format!("g91\nm2 ({})\n", "x".repeat(230))) else { return };
+    assert_eq!(outcome.end, End::ProgramEnd);
+    assert_eq!(settings_at_end(&outcome).distance, Some(gaugeblock_trace::Distance::Absolute));
+}
+
+#[test]
+fn all_programs_run_unobserved_where_that_is_asked_for() {
+    let Some(mut controller) = controller() else { return };
+    let scenario = Scenario::of("g20 f10\ng1 x1\nm2\n");
+    let sampled = controller.run(&scenario);
+    controller.check_observation();
+    assert_eq!(sampled, controller.run(&scenario));
+}

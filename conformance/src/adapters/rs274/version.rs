@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use super::process::{Limits, Stop, run};
+use super::process::{Limits, Started, Stop, run};
+use super::python::Home;
 use super::workspace::Workspace;
 use crate::adapters::ControllerError;
 
@@ -31,16 +32,30 @@ pub(super) fn find(given: Option<&Path>) -> Result<PathBuf, ControllerError> {
     })
 }
 
-/// The version, such as `2.9.0`.
+/// The version, such as `2.9.0`, and a home in which its Python starts; none where only its own will do.
 ///
 /// # Errors
 /// It does not run, or is of another version.
-pub(super) fn ask(binary: &Path, limits: Limits) -> Result<String, ControllerError> {
+pub(super) fn ask(
+    binary: &Path,
+    limits: Limits,
+) -> Result<(String, Option<Home>), ControllerError> {
+    let homes = Home::candidates().into_iter();
+    let fits = |home: Home| Some((version(binary, Some(&home), limits).ok()?, Some(home)));
+    match homes.filter_map(fits).next() {
+        Some(found) => Ok(found),
+        None => Ok((version(binary, None, limits)?, None)),
+    }
+}
+
+/// The version as it answers in a home.
+fn version(binary: &Path, home: Option<&Home>, limits: Limits) -> Result<String, ControllerError> {
     let workspace = Workspace::new().map_err(ControllerError::Broken)?;
     workspace.write("main.ngc", QUESTION).map_err(ControllerError::Broken)?;
     let arguments = ["-g".into(), "main.ngc".into()];
+    let program = Started { binary, python: home.map(Home::path) };
     let output =
-        run(binary, &arguments, workspace.path(), "", limits).map_err(ControllerError::Broken)?;
+        run(program, &arguments, workspace.path(), "", limits).map_err(ControllerError::Broken)?;
     let wrong =
         |found: &str| ControllerError::WrongVersion { found: found.to_owned(), wanted: "2.9.x" };
     let answer = output.stdout.lines().find_map(|line| line.strip_prefix("version "));

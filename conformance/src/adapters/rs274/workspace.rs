@@ -14,9 +14,6 @@ pub(super) const INI: &str = "machine.ini";
 pub(super) const TOOLS: &str = "tools.tbl";
 pub(super) const PARAMETERS: &str = "parameters.var";
 
-/// Highest parameter number that a parameter file may list.
-pub(super) const LAST_PARAMETER: u32 = 5601;
-
 /// A directory that is removed when it is dropped.
 #[derive(Debug)]
 pub(super) struct Workspace {

@@ -15,7 +15,7 @@ pub(crate) fn index_text(index: &str) -> String {
     plain_or_quoted(index, |c| matches!(c, '(' | ')'))
 }
 
-/// The name of a file or of a pin: plain where it can be, else quoted.
+/// The name of a file: plain where it can be, else quoted.
 pub(super) fn name_text(name: &str) -> String {
     plain_or_quoted(name, |c| matches!(c, '[' | ']' | '/'))
 }

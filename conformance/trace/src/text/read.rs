@@ -5,7 +5,8 @@ use super::{Arguments, TextError};
 use crate::effect::Effect;
 use crate::fault::{Block, Fault, Span};
 use crate::field::{Field, Indexed, Scalar};
-use crate::outcome::{End, Event, Outcome, PinChange, Sample, Step};
+use crate::outcome::{End, Event, Outcome, Sample, Step};
+use crate::pin::PinChange;
 use crate::settings::{Language, Settings, State};
 
 pub(super) fn outcome(text: &str) -> Result<Outcome, TextError> {
@@ -187,9 +188,10 @@ fn parameters(text: &str) -> Result<Indexed<u32, f64>, TextError> {
 }
 
 fn pin(text: &str) -> Result<PinChange, TextError> {
-    let (pin, rest) = name_and_rest(text, |text| text.find(' '))?;
+    let (pin, rest) = text.split_once(' ').unwrap_or((text, ""));
     let mut arguments = Arguments::parse(rest)?;
-    let change = PinChange { time: arguments.take("time")?, pin, value: arguments.take("value")? };
+    let (time, value) = (arguments.take("time")?, arguments.take("value")?);
+    let change = PinChange { time, pin: pin.parse()?, value };
     arguments.finish()?;
     Ok(change)
 }

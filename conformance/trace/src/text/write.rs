@@ -7,6 +7,7 @@ use super::quoted;
 use crate::fault::Fault;
 use crate::field::Entry;
 use crate::outcome::{End, Event, Outcome};
+use crate::pin::PinChange;
 
 pub(super) fn outcome(outcome: &Outcome) -> String {
     let mut text = format!("gaugeblock outcome 0\nlanguage {}\n", outcome.language);
@@ -36,8 +37,8 @@ pub(super) fn outcome(outcome: &Outcome) -> String {
         line(&mut text, &format!("parameters{}", pairs.concat()));
     }
     for change in &outcome.pins {
-        let pin = name_text(&change.pin);
-        line(&mut text, &format!("pin {pin} time={} value={}", change.time, change.value));
+        let PinChange { time, pin, value } = change;
+        line(&mut text, &format!("pin {pin} time={time} value={value}"));
     }
     for sample in &outcome.samples {
         line(&mut text, &format!("sample time={} position={}", sample.time, sample.position));

@@ -196,11 +196,33 @@ fn ends_parameters_pins_samples() {
             ("parameters 31[0]=1", "no index belongs here: [0]"),
             ("pin digital_out[0]", "argument time: it is missing"),
             ("pin digital_out[0] time=1", "argument value: it is missing"),
-            ("pin a time=1 value=2 unit=3", "nothing takes the argument unit"),
+            ("pin coolant_mist time=1 value=2 unit=3", "nothing takes the argument unit"),
             ("sample time=1", "argument position: it is missing"),
             ("sample time=1 position=(x1) speed=2", "nothing takes the argument speed"),
         ],
     );
+}
+
+#[test]
+fn pins() {
+    let known = "digital_out[n], analog_out[n], spindle_on[n], spindle_forward[n], spindle_reverse[n], \
+                 spindle_brake[n], spindle_locked[n], spindle_orient[n], spindle_orient_angle[n], \
+                 spindle_orient_mode[n], coolant_mist, coolant_flood";
+    let wrong = [
+        "horn",
+        "digital_out",
+        "digital_out[]",
+        "digital_out[00]",
+        "digital_out[-1]",
+        "digital_out[65536]",
+        "digital_out[0",
+        "coolant_mist[0]",
+        "coolant_mist]",
+    ];
+    for pin in wrong {
+        let line = format!("pin {pin} time=1 value=1");
+        refused(HEAD, END, &[(&line, &format!("{pin} is none of {known}"))]);
+    }
 }
 
 /// A person may write what `to_text` would not: blank lines, other indentation, names in quotes.

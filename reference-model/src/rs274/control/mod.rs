@@ -56,6 +56,8 @@ pub struct Control {
     pub(crate) continue_remembered: bool,
     /// Quirk rs274.break-remembered: whether a while was broken since the last do loop tested its condition.
     pub(crate) break_remembered: bool,
+    /// Quirk rs274.return-after-call: whether a sub or a numbered program was called before.
+    pub(crate) has_called: bool,
     /// Whether a block with words, or an O-word that does something, was executed.
     begun: bool,
 }
@@ -86,6 +88,7 @@ impl Control {
             at_last_call: [0.0; 30],
             continue_remembered: false,
             break_remembered: false,
+            has_called: false,
             begun: false,
         }
     }

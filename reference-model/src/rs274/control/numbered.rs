@@ -92,6 +92,7 @@ impl Control {
         state.evidence.accepted(if nested { "fanuc-subs.nested" } else { "fanuc-subs.call" });
         state.evidence.accepted("fanuc-subs.repeat-count");
         self.called.insert(first);
+        self.has_called = true;
         state.frames.push(frame);
         Ok(Next::At(first))
     }

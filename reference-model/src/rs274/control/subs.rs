@@ -63,6 +63,8 @@ impl Control {
     /// The end of a sub, with its value.
     ///
     /// Rules subroutines.stray-endsub, subroutines.missing-endsub: it ends the sub that is being executed, and carries its number.
+    ///
+    /// Quirk rs274.any-endsub: it ends that sub whatever its number.
     pub(super) fn end_sub(
         &mut self,
         label: &str,
@@ -71,7 +73,7 @@ impl Control {
         record: &mut Record,
     ) -> Result<Next, Halt> {
         let own = called_label("subroutines.stray-endsub", state)?;
-        if own != label {
+        if own != label && !state.readings.quirk("rs274.any-endsub") {
             let message = format!("o{own} sub cannot end with o{label} endsub");
             return Err(refuse("subroutines.missing-endsub", FaultKind::UnknownLabel, message));
         }
@@ -88,6 +90,10 @@ impl Control {
         state: &mut State,
         record: &mut Record,
     ) -> Result<Next, Halt> {
+        if quirks::control::returns_in_main(self, state) {
+            keep_value(values, state)?;
+            return Ok(Next::Following);
+        }
         let own = called_label("subroutines.stray-return", state)?;
         if own != label && state.readings.is("subroutines.return-label", "own") {
             let message = format!("a return from o{own} carries the number o{label}");
@@ -132,6 +138,7 @@ impl Control {
         let call = Call { label: label.to_owned(), back, style: Style::OWord };
         let frame =
             Frame { arguments: passed(&arguments, state), call: Some(call), ..Frame::default() };
+        self.has_called = true;
         state.frames.push(frame);
         Ok(Next::At(Place { line: sub.line + 1, ..sub }))
     }
@@ -265,12 +272,20 @@ fn called_label(outside: &'static str, state: &State) -> Result<String, Halt> {
 
 /// Leaves the sub.
 ///
-/// Rules subroutines.return-value, subroutines.no-return-value. The value is evaluated in the sub that ends; without one
-/// both value parameters are 0.
-///
 /// Rules subroutines.parameters-restored, subroutines.local-named-deleted. With its frame the sub's parameters are gone
 /// and the caller's are there again.
 fn leave_sub(values: &[Expression], state: &mut State, record: &mut Record) -> Result<Next, Halt> {
+    keep_value(values, state)?;
+    saved_state::restore_at_return(state, record)?;
+    state.evidence.accepted("subroutines.parameters-restored");
+    state.evidence.accepted("subroutines.parameters-local");
+    let left = state.frames.pop().and_then(|frame| frame.call);
+    Ok(Next::At(left.expect("control: only a called frame is left").back))
+}
+
+/// Rules subroutines.return-value, subroutines.no-return-value. The value is evaluated in the sub that ends; without one
+/// both value parameters are 0.
+fn keep_value(values: &[Expression], state: &mut State) -> Result<(), Halt> {
     match values {
         [] => {
             clear_value(state);
@@ -287,11 +302,7 @@ fn leave_sub(values: &[Expression], state: &mut State, record: &mut Record) -> R
             return Err(refuse("subroutines.return-value", FaultKind::BadBlock, message));
         }
     }
-    saved_state::restore_at_return(state, record)?;
-    state.evidence.accepted("subroutines.parameters-restored");
-    state.evidence.accepted("subroutines.parameters-local");
-    let left = state.frames.pop().and_then(|frame| frame.call);
-    Ok(Next::At(left.expect("control: only a called frame is left").back))
+    Ok(())
 }
 
 /// Rule subroutines.value-cleared. Both value parameters are cleared just before the next call.

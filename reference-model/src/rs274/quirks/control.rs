@@ -81,6 +81,13 @@ fn breaks_skipped(control: &mut Control, label: &str, end: u32, state: &mut Stat
     }
 }
 
+/// Quirk rs274.return-after-call. Once something was called, a return in the main program is no error: it keeps its
+/// value as a sub's would, and the program goes on behind it.
+pub fn returns_in_main(control: &Control, state: &State) -> bool {
+    let in_main = state.frame().call.is_none();
+    in_main && control.has_called && state.readings.quirk("rs274.return-after-call")
+}
+
 /// Quirk rs274.value-at-definition. The value of an endsub is evaluated where the sub is defined; named parameters that
 /// do not exist there count as zero.
 ///

@@ -11,8 +11,10 @@ use gaugeblock_trace::{Channel, Effect, Event, FeedMode, Machine, Plane, Positio
 
 use super::lengths::Lengths;
 use super::output::Call;
-use super::source::code;
 use crate::adapters::HarnessError;
+use crate::adapters::probing::probe::Probe;
+use crate::adapters::probing::source::code;
+use crate::adapters::probing::state;
 
 /// What a call means for the run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -87,6 +89,16 @@ impl Canon {
             Some(Event::Set(last)) => last.overlay(&change),
             Some(Event::Do(_)) | None => self.events.push(Event::Set(change)),
         }
+    }
+
+    /// Takes over the modes that a probe shows.
+    ///
+    /// # Errors
+    /// A mode that is not known.
+    pub(super) fn settle(&mut self, probe: &Probe) -> Result<(), HarnessError> {
+        let modes = state::modes(probe, &self.now, &self.block)?;
+        self.set(modes);
+        Ok(())
     }
 
     fn effect(&mut self, effect: Effect) -> Done {

@@ -6,6 +6,7 @@ use gaugeblock_trace::{
 
 use super::{Call, Canon, Done, Mark, whole};
 use crate::adapters::HarnessError;
+use crate::adapters::probing::state;
 
 impl Canon {
     pub(super) fn setting(&mut self, call: &Call, numbers: &[f64]) -> Done {
@@ -83,16 +84,9 @@ impl Canon {
         }
     }
 
-    /// Compensation on a side, as the comment or the probe shows it.
-    pub(in crate::adapters::rs274) fn compensation(&self, side: Compensation) -> Settings {
-        let dynamic = self.block.contains("g41.1") || self.block.contains("g42.1");
-        let compensation = match (side, self.now.compensation) {
-            (Compensation::Left, Some(Compensation::DynamicLeft)) => Compensation::DynamicLeft,
-            (Compensation::Right, Some(Compensation::DynamicRight)) => Compensation::DynamicRight,
-            (Compensation::Left, _) if dynamic => Compensation::DynamicLeft,
-            (Compensation::Right, _) if dynamic => Compensation::DynamicRight,
-            (side, _) => side,
-        };
+    /// Compensation on a side, as the comment shows it.
+    fn compensation(&self, side: Compensation) -> Settings {
+        let compensation = state::compensation(side, self.now.compensation, &self.block);
         Settings { compensation: Some(compensation), ..Settings::default() }
     }
 

@@ -3,7 +3,7 @@
 use gaugeblock_trace::{
     Bound, Channel, Compensation, ControllerMode, Distance, Effect, End, Event, Fault, FaultKind,
     FeedMode, GppState, Language, Lathe, LengthUnit, MacroValue, Motion, NctState, OrientDirection,
-    Outcome, OutputTiming, Path, PinChange, Plane, Retract, Rs274State, Sample, Settings,
+    Outcome, OutputTiming, Path, Pin, PinChange, Plane, Retract, Rs274State, Sample, Settings,
     SpindleLimit, SpindleMode, SpindleTurn, State, Step, Switch, Vacancy, WaitMode,
 };
 use proptest::collection::vec;
@@ -207,7 +207,13 @@ fn end() -> BoxedStrategy<End> {
 }
 
 fn pin() -> BoxedStrategy<PinChange> {
-    let pin = prop_oneof![Just("digital_out[0]".to_owned()), text()];
+    let indexed = proptest::sample::select(Pin::INDEXED_NAMES);
+    let single = proptest::sample::select(Pin::SINGLE_NAMES);
+    let name = prop_oneof![
+        (indexed, any::<u16>()).prop_map(|(name, index)| format!("{name}[{index}]")),
+        single.prop_map(str::to_owned),
+    ];
+    let pin = name.prop_map(|name| name.parse::<Pin>().expect("every name is one of a pin"));
     whole!(PinChange { time: number(), pin: pin, value: number() })
 }
 

@@ -7,13 +7,13 @@ use gaugeblock_trace::{Block, Program};
 
 /// A program as the controller gets it: file names and lines, the main program first.
 #[derive(Clone, Debug)]
-pub(super) struct Source {
+pub(in crate::adapters) struct Source {
     files: Vec<(String, Vec<String>)>,
 }
 
 /// What kind of block a line holds, as far as it matters for observing it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub(in crate::adapters) enum Form {
     /// Nothing but blanks and comments.
     Empty,
     /// A percent sign.
@@ -32,7 +32,7 @@ pub(super) enum Form {
 
 impl Source {
     /// The lines of all files.
-    pub(super) fn new(program: &Program) -> Self {
+    pub(in crate::adapters) fn new(program: &Program) -> Self {
         let main = std::iter::once((Program::MAIN, &program.main));
         let subs = program.files.iter().map(|(name, text)| (name.as_str(), text));
         let files = main.chain(subs).map(|(name, text)| (name.to_owned(), lines(text))).collect();
@@ -40,38 +40,38 @@ impl Source {
     }
 
     /// Names and lines of all files, the main program first.
-    pub(super) fn files(&self) -> &[(String, Vec<String>)] {
+    pub(in crate::adapters) fn files(&self) -> &[(String, Vec<String>)] {
         &self.files
     }
 
     /// The text of a line, from 1; empty where there is none.
-    pub(super) fn line(&self, file: usize, line: u32) -> &str {
+    pub(in crate::adapters) fn line(&self, file: usize, line: u32) -> &str {
         let index = usize::try_from(line).ok().and_then(|line| line.checked_sub(1));
         let lines = self.files.get(file).map(|(_, lines)| lines);
         index.zip(lines).and_then(|(index, lines)| lines.get(index)).map_or("", String::as_str)
     }
 
     /// The block at a line.
-    pub(super) fn block(&self, file: usize, line: u32) -> Block {
+    pub(in crate::adapters) fn block(&self, file: usize, line: u32) -> Block {
         Block::new(self.files.get(file).map_or("", |(name, _)| name.as_str()), line)
     }
 
     /// The only line with this text, blanks at its ends aside.
-    pub(super) fn only_line(&self, text: &str) -> Option<(usize, u32)> {
+    pub(in crate::adapters) fn only_line(&self, text: &str) -> Option<(usize, u32)> {
         let mut found = self.all().filter(|(_, _, line)| line.trim() == text.trim());
         let first = found.next()?;
         found.next().is_none().then_some((first.0, first.1))
     }
 
     /// All lines with file and number.
-    pub(super) fn all(&self) -> impl Iterator<Item = (usize, u32, &str)> {
+    pub(in crate::adapters) fn all(&self) -> impl Iterator<Item = (usize, u32, &str)> {
         self.files.iter().enumerate().flat_map(|(file, (_, lines))| {
             (1_u32..).zip(lines).map(move |(number, line)| (file, number, line.as_str()))
         })
     }
 
     /// Which parameters the text names.
-    pub(super) fn parameters(&self) -> Parameters {
+    pub(in crate::adapters) fn parameters(&self) -> Parameters {
         let mut parameters = Parameters::default();
         for (_, _, line) in self.all() {
             parameters.scan(&compact(line));
@@ -80,12 +80,12 @@ impl Source {
     }
 
     /// Whether the program asks for line numbers, which probes change.
-    pub(super) fn names_line(&self) -> bool {
+    pub(in crate::adapters) fn names_line(&self) -> bool {
         self.all().any(|(_, _, line)| compact(line).contains("#<_line>"))
     }
 
     /// A line that would reach beyond the interpreter: it runs Python, or looks for a sub outside of the directory.
-    pub(super) fn reaches_host(&self) -> Option<Block> {
+    pub(in crate::adapters) fn reaches_host(&self) -> Option<Block> {
         let escapes = |line: &str| {
             let text = compact(line);
             let name = text.find("o<").map(|at| &text[at..]).unwrap_or_default();
@@ -109,7 +109,7 @@ fn compact(line: &str) -> String {
 }
 
 /// A line without comments and blanks, in lower case.
-pub(super) fn code(line: &str) -> String {
+pub(in crate::adapters) fn code(line: &str) -> String {
     let mut code = String::new();
     let mut in_comment = false;
     for c in line.chars() {
@@ -126,19 +126,27 @@ pub(super) fn code(line: &str) -> String {
 }
 
 /// The text of the last comment in parentheses, if nothing but blanks or a semicolon comment follows the block.
-pub(super) fn last_comment(line: &str) -> Option<&str> {
+pub(in crate::adapters) fn last_comment(line: &str) -> Option<&str> {
     let start = line.rfind('(')?;
     let rest = &line[start + 1..];
     rest.find(')').map(|end| &rest[..end])
 }
 
 /// Whether a line begins with a slash, and would be skipped under block delete.
-pub(super) fn has_slash(line: &str) -> bool {
+pub(in crate::adapters) fn has_slash(line: &str) -> bool {
     line.trim_start().starts_with('/')
 }
 
+/// A line without the slash and the line number at its beginning.
+pub(in crate::adapters) fn without_number(line: &str) -> &str {
+    let line = line.trim_start();
+    let line = line.strip_prefix('/').unwrap_or(line).trim_start();
+    let digit = |c: char| c.is_ascii_digit() || c == '.' || c.is_whitespace();
+    line.strip_prefix(['n', 'N']).map_or(line, |rest| rest.trim_start_matches(digit))
+}
+
 /// What kind of block a line holds.
-pub(super) fn form(line: &str) -> Form {
+pub(in crate::adapters) fn form(line: &str) -> Form {
     let code = code(line);
     let code = code.strip_prefix('/').unwrap_or(&code);
     let numbered = code.strip_prefix('n');
@@ -197,13 +205,13 @@ fn m_codes(code: &str) -> impl Iterator<Item = u32> {
 
 /// Parameters that a program names.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Parameters {
+pub(in crate::adapters) struct Parameters {
     /// Numbers that stand behind a `#`.
-    pub(super) numbered: BTreeSet<u32>,
+    pub(in crate::adapters) numbered: BTreeSet<u32>,
     /// Names between `#<` and `>`, in lower case without blanks.
-    pub(super) named: BTreeSet<String>,
+    pub(in crate::adapters) named: BTreeSet<String>,
     /// Whether a number is computed somewhere.
-    pub(super) indirect: bool,
+    pub(in crate::adapters) indirect: bool,
 }
 
 impl Parameters {

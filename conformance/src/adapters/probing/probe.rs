@@ -5,31 +5,31 @@ use crate::adapters::HarnessError;
 
 /// One probe: a place that the run reached, and what it showed there.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Probe {
+pub(in crate::adapters) struct Probe {
     /// File, 0 for the main program.
-    pub(super) file: usize,
+    pub(in crate::adapters) file: usize,
     /// Line that was passed last, 0 before the first.
-    pub(super) line: u32,
+    pub(in crate::adapters) line: u32,
     modes: Vec<i64>,
     numbers: Vec<f64>,
     /// The plan's parameters in its order; none where it does not exist.
-    pub(super) parameters: Vec<Option<f64>>,
+    pub(in crate::adapters) parameters: Vec<Option<f64>>,
 }
 
 impl Probe {
     /// A mode by the name of its parameter.
-    pub(super) fn mode(&self, name: &str) -> i64 {
+    pub(in crate::adapters) fn mode(&self, name: &str) -> i64 {
         let names = MODES.iter().copied().flatten();
         names.zip(&self.modes).find(|(known, _)| **known == name).map_or(-1, |(_, value)| *value)
     }
 
     /// Whether a mode that is either 0 or 1 is on.
-    pub(super) fn is(&self, name: &str) -> bool {
+    pub(in crate::adapters) fn is(&self, name: &str) -> bool {
         self.mode(name) == 1
     }
 
     /// A number by the name of its parameter.
-    pub(super) fn number(&self, name: &str) -> f64 {
+    pub(in crate::adapters) fn number(&self, name: &str) -> f64 {
         let names = NUMBERS.iter();
         names.zip(&self.numbers).find(|(known, _)| **known == name).map_or(0.0, |(_, value)| *value)
     }
@@ -37,7 +37,7 @@ impl Probe {
 
 /// Puts the lines of a probe together.
 #[derive(Debug)]
-pub(super) struct Reader<'a> {
+pub(in crate::adapters) struct Reader<'a> {
     plan: &'a Plan,
     parts: usize,
     values: Vec<Option<f64>>,
@@ -47,13 +47,13 @@ pub(super) struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     /// A reader for the probes of a plan.
-    pub(super) fn new(plan: &'a Plan) -> Self {
+    pub(in crate::adapters) fn new(plan: &'a Plan) -> Self {
         let parts = MODES.len() + 1 + plan.parameter_groups().len();
         Self { plan, parts, values: Vec::new(), place: None, next: 0 }
     }
 
     /// Takes the text of a probe line behind the marker; returns the probe when it is complete.
-    pub(super) fn take(&mut self, line: &str) -> Result<Option<Probe>, HarnessError> {
+    pub(in crate::adapters) fn take(&mut self, line: &str) -> Result<Option<Probe>, HarnessError> {
         let wrong =
             |what: &str| HarnessError::Unreadable { what: what.to_owned(), line: line.to_owned() };
         let mut words = line.split_whitespace();

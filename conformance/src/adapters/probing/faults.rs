@@ -196,7 +196,7 @@ const FRAGMENTS: &[(&str, Kind)] = &[
 ];
 
 /// What a message means, if a row explains it.
-pub(super) fn kind(message: &str) -> Option<Kind> {
+pub(in crate::adapters) fn kind(message: &str) -> Option<Kind> {
     FRAGMENTS.iter().find(|(fragment, _)| message.contains(fragment)).map(|(_, kind)| *kind)
 }
 

@@ -5,36 +5,59 @@ use gaugeblock_trace::{
     Rs274State, Settings, SpindleMode, SpindleTurn, Switch,
 };
 
-use super::canon::Canon;
 use super::instrument::Plan;
 use super::probe::Probe;
 use crate::adapters::HarnessError;
 
-/// Settings that the calls do not show, or show only in part.
-pub(super) fn settle(canon: &mut Canon, probe: &Probe) -> Result<(), HarnessError> {
+/// Settings that canonical calls do not show, or show only in part. `was` is what was in force before, `block` the code
+/// of the block: the parameters do not tell dynamic compensation from static.
+///
+/// # Errors
+/// A mode that is not known.
+pub(in crate::adapters) fn modes(
+    probe: &Probe,
+    was: &Settings,
+    block: &str,
+) -> Result<Settings, HarnessError> {
     let absolute = |on| if on { Distance::Absolute } else { Distance::Incremental };
-    canon.set(Settings {
+    let side = |side| compensation(side, was.compensation, block);
+    let compensation = match probe.mode("_ccomp") {
+        400 => Compensation::Off,
+        410 | 411 => side(Compensation::Left),
+        420 | 421 => side(Compensation::Right),
+        other => return Err(unknown("_ccomp", other)),
+    };
+    Ok(Settings {
         plane: Some(plane(probe)?),
         distance: Some(absolute(probe.is("_absolute"))),
         arc_distance: Some(absolute(probe.is("_ijk_absolute_mode"))),
         feed_mode: Some(feed_mode(probe)),
         retract: Some(if probe.is("_retract_old_z") { Retract::OldZ } else { Retract::RPlane }),
         lathe: Some(if probe.is("_lathe_diameter_mode") { Lathe::Diameter } else { Lathe::Radius }),
+        compensation: Some(compensation),
         ..Settings::default()
-    });
-    let compensation = match probe.mode("_ccomp") {
-        400 => Settings { compensation: Some(Compensation::Off), ..Settings::default() },
-        410 | 411 => canon.compensation(Compensation::Left),
-        420 | 421 => canon.compensation(Compensation::Right),
-        other => return Err(unknown("_ccomp", other)),
-    };
-    canon.set(compensation);
-    Ok(())
+    })
 }
 
-/// Settings before the first block that no call shows.
-pub(super) fn start(canon: &mut Canon, probe: &Probe) -> Result<(), HarnessError> {
-    settle(canon, probe)?;
+/// Compensation on a side, static or dynamic by the block's code or by what was in force before it.
+pub(in crate::adapters) fn compensation(
+    side: Compensation,
+    was: Option<Compensation>,
+    block: &str,
+) -> Compensation {
+    let dynamic = block.contains("g41.1") || block.contains("g42.1");
+    match (side, was) {
+        (Compensation::Left, Some(Compensation::DynamicLeft)) => Compensation::DynamicLeft,
+        (Compensation::Right, Some(Compensation::DynamicRight)) => Compensation::DynamicRight,
+        (Compensation::Left, _) if dynamic => Compensation::DynamicLeft,
+        (Compensation::Right, _) if dynamic => Compensation::DynamicRight,
+        (side, _) => side,
+    }
+}
+
+/// Settings that parameters show of the first spindle and of the rest, beside the modes: all that is known before the
+/// first block.
+pub(in crate::adapters) fn others(probe: &Probe) -> Settings {
     let switch = |name| Some(if probe.is(name) { Switch::On } else { Switch::Off });
     let turn = match (probe.is("_spindle_on"), probe.is("_spindle_cw")) {
         (false, _) => SpindleTurn::Stopped,
@@ -44,10 +67,9 @@ pub(super) fn start(canon: &mut Canon, probe: &Probe) -> Result<(), HarnessError
     let surface = probe.is("_spindle_css_mode");
     let mode = if surface { SpindleMode::SurfaceSpeed } else { SpindleMode::Rpm };
     let speed_override = if probe.is("_speed_override") { Switch::On } else { Switch::Off };
-    canon.set(Settings {
+    Settings {
         units: Some(if probe.is("_metric") { LengthUnit::Millimetre } else { LengthUnit::Inch }),
         feed_rate: Some(probe.number("_feed")),
-        tool_offset: Some(Position::default()),
         mist: switch("_mist"),
         flood: switch("_flood"),
         feed_override: switch("_feed_override"),
@@ -58,12 +80,15 @@ pub(super) fn start(canon: &mut Canon, probe: &Probe) -> Result<(), HarnessError
         spindle_mode: Some(Indexed::one(0, mode)),
         spindle_speed: Some(Indexed::one(0, probe.number("_rpm"))),
         ..Settings::default()
-    });
-    Ok(())
+    }
 }
 
 /// The state after a block, as far as it is shown. The tool comes from the calls: its parameter keeps an old value.
-pub(super) fn state(probe: &Probe, tool: i32, plan: &Plan) -> Result<Rs274State, HarnessError> {
+pub(in crate::adapters) fn state(
+    probe: &Probe,
+    tool: i32,
+    plan: &Plan,
+) -> Result<Rs274State, HarnessError> {
     let whole = |name| i32::try_from(probe.mode(name)).map_err(|_| unknown(name, probe.mode(name)));
     let prepared = if probe.mode("_selected_pocket") == -1 { -1 } else { whole("_selected_tool")? };
     Ok(Rs274State {
@@ -84,7 +109,7 @@ fn parameters(probe: &Probe, plan: &Plan) -> Indexed<String, f64> {
 }
 
 /// The controlled point; U, V and W do not exist on this controller.
-pub(super) fn position(probe: &Probe) -> Position {
+pub(in crate::adapters) fn position(probe: &Probe) -> Position {
     Position {
         x: probe.number("_x"),
         y: probe.number("_y"),

@@ -6,14 +6,19 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use super::source::{Form, Source, form};
-use super::workspace::LAST_PARAMETER;
+use super::source::{Form, Source, form, has_slash, without_number};
+
+/// Highest parameter number that a parameter file may list.
+pub(in crate::adapters) const LAST_PARAMETER: u32 = 5601;
 
 /// Longest line that the interpreter reads.
-pub(super) const LONGEST_LINE: usize = 252;
+pub(in crate::adapters) const LONGEST_LINE: usize = 252;
+
+/// Characters that binding an end to a parameter may take.
+const ROOM_TO_BIND: usize = 40;
 
 /// Parameters that show a mode, printed as whole numbers.
-pub(super) const MODES: [&[&str]; 2] = [
+pub(in crate::adapters) const MODES: [&[&str]; 2] = [
     &[
         "_motion_mode",
         "_plane",
@@ -44,20 +49,21 @@ pub(super) const MODES: [&[&str]; 2] = [
 ];
 
 /// Parameters that show a number, printed with nine decimals.
-pub(super) const NUMBERS: &[&str] = &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c"];
+pub(in crate::adapters) const NUMBERS: &[&str] =
+    &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c"];
 
 /// How a program is observed.
 #[derive(Clone, Debug)]
-pub(super) struct Plan {
+pub(in crate::adapters) struct Plan {
     /// What each probe line begins with; it stands nowhere in the program.
-    pub(super) marker: String,
+    pub(in crate::adapters) marker: String,
     /// Parameters that are shown after each block, as they are written behind `#`.
-    pub(super) parameters: Vec<String>,
+    pub(in crate::adapters) parameters: Vec<String>,
 }
 
 impl Plan {
     /// A plan for a program: it shows the parameters that the text names, #1 to #30, and `more`.
-    pub(super) fn new(source: &Source, more: &BTreeSet<u32>) -> Self {
+    pub(in crate::adapters) fn new(source: &Source, more: &BTreeSet<u32>) -> Self {
         let named = source.parameters();
         let mut numbers: BTreeSet<u32> =
             (1..=30).chain(named.numbered).chain(more.iter().copied()).collect();
@@ -74,8 +80,9 @@ impl Plan {
         Self { marker: unused_marker(source), parameters }
     }
 
-    /// The text of a file with probes and tags.
-    pub(super) fn probed(&self, file: usize, lines: &[String]) -> String {
+    /// The text of a file with probes and tags, and with an error before each line of `ends`: the program stops there,
+    /// its state alive.
+    pub(in crate::adapters) fn probed(&self, file: usize, lines: &[String], ends: &Ends) -> String {
         let mut text = String::new();
         let begins_with_percent = lines
             .iter()
@@ -86,6 +93,9 @@ impl Plan {
         }
         let mut begun = !begins_with_percent;
         for (number, line) in (1_u32..).zip(lines) {
+            if let Some(block) = ends.block(line) {
+                let _never = writeln!(text, "#<{}>=1\n{}", self.reached(block), self.stop());
+            }
             text.push_str(line);
             text.push_str(&self.tag(file, number, line));
             text.push('\n');
@@ -97,25 +107,39 @@ impl Plan {
         text
     }
 
-    /// The text of a file, untouched but for an error after a line: the program stops there, its state alive.
-    pub(super) fn stopped(&self, lines: &[String], after: u32) -> String {
-        let mut text = String::new();
-        let stop = format!("(ABORT,{})\n", self.marker);
-        if after == 0 {
-            text.push_str(&stop);
-        }
-        for (number, line) in (1_u32..).zip(lines) {
-            text.push_str(line);
+    /// What is entered by hand once the program has stopped: a sign, the end before which it stopped, and a probe.
+    ///
+    /// An end is bound to a parameter that is set before it, so that none is executed where an error stopped the program;
+    /// one that leaves no room for that is entered as it is ([`Ends::are_bound`]).
+    pub(in crate::adapters) fn by_hand(&self, ends: &Ends) -> String {
+        let mut text = format!("(PRINT,{})\n", self.by_hand_sign());
+        for (block, end) in ends.blocks.iter().enumerate() {
+            let reached = self.reached(block);
+            let bound = format!("#<{reached}>=[1/#<{reached}>] {end}");
+            let has_room = end.len() <= LONGEST_LINE - ROOM_TO_BIND;
+            text.push_str(if has_room { &bound } else { end });
             text.push('\n');
-            if number == after {
-                text.push_str(&stop);
-            }
         }
-        text
+        text + &self.probe(0, 0) + "quit\n"
+    }
+
+    /// The block that stops the program.
+    pub(in crate::adapters) fn stop(&self) -> String {
+        format!("(ABORT,{})", self.marker)
+    }
+
+    /// What is printed when manual input begins.
+    pub(in crate::adapters) fn by_hand_sign(&self) -> String {
+        format!("{}by hand", self.marker)
+    }
+
+    /// The parameter that says before which end the program stopped.
+    fn reached(&self, block: usize) -> String {
+        format!("_{}{block}", self.marker.trim_matches('@'))
     }
 
     /// The probe lines that stand after a line.
-    pub(super) fn probe(&self, file: usize, line: u32) -> String {
+    pub(in crate::adapters) fn probe(&self, file: usize, line: u32) -> String {
         let mut text = String::new();
         let shown =
             |names: &[&str]| names.iter().map(|name| format!(" #<{name}>")).collect::<String>();
@@ -136,7 +160,7 @@ impl Plan {
     }
 
     /// The parameters that one probe line after another shows.
-    pub(super) fn parameter_groups(&self) -> Vec<&[String]> {
+    pub(in crate::adapters) fn parameter_groups(&self) -> Vec<&[String]> {
         let mut groups = Vec::new();
         let mut rest = self.parameters.as_slice();
         while !rest.is_empty() {
@@ -165,7 +189,7 @@ impl Plan {
     }
 
     /// Which line an error message's echo names by its tag.
-    pub(super) fn tagged(&self, echo: &str) -> Option<(usize, u32)> {
+    pub(in crate::adapters) fn tagged(&self, echo: &str) -> Option<(usize, u32)> {
         let at = echo.rfind(&format!(";{}", self.marker))?;
         let tag = echo[at + 1..].strip_prefix(&self.marker)?;
         let (file, line) = tag.trim().split_once('.')?;
@@ -173,14 +197,65 @@ impl Plan {
     }
 
     /// A text without the tags and probes in it.
-    pub(super) fn untagged<'a>(&self, text: &'a str) -> &'a str {
+    pub(in crate::adapters) fn untagged<'a>(&self, text: &'a str) -> &'a str {
         text.find(&format!(";{}", self.marker)).map_or(text, |at| &text[..at])
+    }
+}
+
+/// The blocks that end a program, each different one once, as they can be entered by hand.
+#[derive(Clone, Debug, Default)]
+pub(in crate::adapters) struct Ends {
+    blocks: Vec<String>,
+    block_delete: bool,
+}
+
+impl Ends {
+    /// The ends of a program.
+    pub(in crate::adapters) fn new(source: &Source, block_delete: bool) -> Self {
+        let mut ends = Self { blocks: Vec::new(), block_delete };
+        for (_, _, line) in source.all() {
+            if let Some(block) = ends.entered(line).filter(|block| !ends.blocks.contains(block)) {
+                ends.blocks.push(block);
+            }
+        }
+        ends
+    }
+
+    /// Those that are not the block at this line.
+    pub(in crate::adapters) fn without(&self, line: &str) -> Self {
+        let block = self.block(line);
+        let others = (0..).zip(&self.blocks).filter(|(number, _)| Some(*number) != block);
+        Self { blocks: others.map(|(_, block)| block.clone()).collect(), ..self.clone() }
+    }
+
+    /// How many different ones there are.
+    pub(in crate::adapters) fn count(&self) -> usize {
+        self.blocks.len()
+    }
+
+    /// Whether each of them is executed by hand only if the program stopped before it.
+    pub(in crate::adapters) fn are_bound(&self) -> bool {
+        self.blocks.iter().all(|block| block.len() <= LONGEST_LINE - ROOM_TO_BIND)
+    }
+
+    /// Which of the blocks a line is.
+    fn block(&self, line: &str) -> Option<usize> {
+        let block = self.entered(line)?;
+        self.blocks.iter().position(|known| *known == block)
+    }
+
+    /// A line that ends a program, without slash and line number; nothing for any other.
+    fn entered(&self, line: &str) -> Option<String> {
+        let is_skipped = self.block_delete && has_slash(line);
+        // A line that holds a carriage return is more than one line to a person's input.
+        let is_one = !line.contains('\r');
+        (form(line) == Form::End && is_one && !is_skipped).then(|| without_number(line).to_owned())
     }
 }
 
 /// Whether a numbered parameter is only written by the program: not offsets and predefined positions, whose unit is
 /// that of stored data, and not the position and the tool, which other fields show.
-pub(super) fn is_plain(number: u32) -> bool {
+pub(in crate::adapters) fn is_plain(number: u32) -> bool {
     (1..=LAST_PARAMETER).contains(&number) && !(5161..=5428).contains(&number)
 }
 
@@ -252,7 +327,7 @@ fn unused_marker(source: &Source) -> String {
     let text: String = source.all().map(|(_, _, line)| line.to_lowercase() + "\n").collect();
     (0_u32..)
         .map(|salt| format!("@gb{salt}@"))
-        .find(|marker| !text.contains(marker))
+        .find(|marker| !text.contains(marker.trim_end_matches('@').trim_start_matches('@')))
         .expect("a finite text does not hold every marker")
 }
 
@@ -268,7 +343,7 @@ mod tests {
 
     fn without_probes(main: &str) -> String {
         let (plan, source) = plan(main);
-        let text = plan.probed(0, &source.files()[0].1);
+        let text = plan.probed(0, &source.files()[0].1, &Ends::default());
         let own = |line: &&str| !line.starts_with("(PRINT,@gb") || line.contains(" 0 %d");
         let short = |line: &str| {
             if line.starts_with("(PRINT") { "probe".to_owned() } else { line.to_owned() }
@@ -295,7 +370,7 @@ mod tests {
         let names: String =
             (0..40).map(|n| format!("#<some_rather_long_name_{n}>=#{}\n", 4000 + n)).collect();
         let (plan, source) = plan(&format!("{long}\n{names}"));
-        let text = plan.probed(99, &source.files()[0].1);
+        let text = plan.probed(99, &source.files()[0].1, &Ends::default());
         assert!(text.lines().all(|line| line.len() <= LONGEST_LINE), "{text}");
         assert!(text.contains(&format!("{long}\n")));
     }

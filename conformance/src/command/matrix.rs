@@ -1,0 +1,57 @@
+//! `gaugeblock rules --matrix`.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use super::{Format, Refused, place, write_out};
+use crate::adapters::Adapter;
+use crate::adapters::reference::Reference;
+use crate::certify::{Plan, certify};
+use crate::report::Report;
+use crate::report::matrix::{Judged, Matrix};
+use crate::suite::Suite;
+use crate::suite::ledger::Ledger;
+
+/// Prints what became of each section of each document, and what the model and the reports say of its rules.
+pub(super) fn matrix(
+    suite: &Suite,
+    ledgers: &[Ledger],
+    reports: &[PathBuf],
+    format: Format,
+) -> Result<u8, Refused> {
+    let judged: Vec<Judged> =
+        reports.iter().map(|path| read(path)).collect::<Result<_, Refused>>()?;
+    let model = model(suite, ledgers);
+    let matrix = Matrix::new(ledgers, &model, &judged);
+    match format {
+        Format::Text => write_out(&matrix.text()),
+        Format::Json => write_out(&format!("{:#}\n", matrix.json())),
+    }
+    Ok(0)
+}
+
+fn read(path: &PathBuf) -> Result<Judged, Refused> {
+    let text = place::program(path)?;
+    Judged::read(&text).map_err(|error| {
+        Refused::wrong(
+            format!("{}: {error}", path.display()),
+            "`gaugeblock certify CONTROLLER --report DIR` writes DIR/report.json",
+        )
+    })
+}
+
+/// The model held to the edition of each document.
+fn model(suite: &Suite, ledgers: &[Ledger]) -> BTreeMap<String, Judged> {
+    let controller = Reference::default();
+    let mut model = BTreeMap::new();
+    for ledger in ledgers {
+        let Some(edition) = suite.edition(&ledger.edition) else { continue };
+        model.entry(edition.id.clone()).or_insert_with(|| {
+            let plan = Plan { suite, edition, only: &[], jobs: super::jobs(None) };
+            let run = certify(plan, &controller, &|| {});
+            let controller = controller.capabilities();
+            Judged::of(&Report { run: &run, controller, troubles: None })
+        });
+    }
+    model
+}

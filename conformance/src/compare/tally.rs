@@ -1,0 +1,100 @@
+//! What a verdict rests on: how many values of each kind were compared.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// A kind of thing that is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Basis {
+    /// Assertions made by hand from the sentence.
+    Assertions,
+    /// How the run ended: whether it was accepted, where it was refused.
+    Acceptance,
+    /// Effects and their arguments.
+    Effects,
+    /// Settings in force at an effect or after a block.
+    Settings,
+    /// What else a state holds after a block.
+    State,
+    /// Numbered parameters at the end.
+    Parameters,
+    /// Values that pins took.
+    Pins,
+}
+
+impl Basis {
+    /// All kinds, in the order in which they are told.
+    pub const ALL: [Self; 7] = [
+        Self::Assertions,
+        Self::Acceptance,
+        Self::Effects,
+        Self::Settings,
+        Self::State,
+        Self::Parameters,
+        Self::Pins,
+    ];
+
+    /// One letter, for tables.
+    pub fn letter(self) -> char {
+        match self {
+            Self::Assertions => 'h',
+            Self::Acceptance => 'a',
+            Self::Effects => 'e',
+            Self::Settings => 's',
+            Self::State => 't',
+            Self::Parameters => 'p',
+            Self::Pins => 'i',
+        }
+    }
+
+    /// The meaning of the letter.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Assertions => "assertions by hand",
+            Self::Acceptance => "acceptance",
+            Self::Effects => "effects",
+            Self::Settings => "settings",
+            Self::State => "state",
+            Self::Parameters => "parameters at the end",
+            Self::Pins => "pins",
+        }
+    }
+}
+
+/// How many values of each kind were compared; a kind that is not listed was not compared at all.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Tally(BTreeMap<Basis, usize>);
+
+impl Tally {
+    /// Counts values of a kind.
+    pub fn add(&mut self, basis: Basis, count: usize) {
+        if count > 0 {
+            *self.0.entry(basis).or_default() += count;
+        }
+    }
+
+    /// Counts what another tally counted.
+    pub fn extend(&mut self, other: &Self) {
+        for (basis, count) in &other.0 {
+            self.add(*basis, *count);
+        }
+    }
+
+    /// All values together.
+    pub fn total(&self) -> usize {
+        self.0.values().sum()
+    }
+
+    /// How many of one kind.
+    pub fn of(&self, basis: Basis) -> usize {
+        self.0.get(&basis).copied().unwrap_or_default()
+    }
+
+    /// The letters of the kinds that were compared.
+    pub fn letters(&self) -> String {
+        Basis::ALL.into_iter().filter(|basis| self.of(*basis) > 0).map(Basis::letter).collect()
+    }
+}
