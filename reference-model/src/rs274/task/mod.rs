@@ -2,8 +2,6 @@
 
 mod record;
 
-use std::collections::BTreeMap;
-
 use gaugeblock_trace::scenario::Start;
 use gaugeblock_trace::{
     Block, Bound, End, Fault, FaultKind, Indexed, Language, Outcome, Position, Program, Scenario,
@@ -20,6 +18,7 @@ use super::parameters::{self, Name, Parameters};
 use super::read::{self, Words};
 use super::readings::Readings;
 use super::refusal::{Halt, Refusal, refuse};
+use super::syntax::Keyword;
 use super::text::Line;
 use super::{check, order, step, syntax};
 use crate::Evidence;
@@ -43,6 +42,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     let record = Record::new(&state);
     let mut run = Run { scenario, state, control, record };
     let end = run.blocks();
+    run.leave_calls();
     let parameters = run.parameters();
     (run.record.finish(end, parameters), run.state.evidence)
 }
@@ -168,6 +168,9 @@ impl Run<'_> {
         let place = self.control.files.block(self.control.place);
         if let Some(word) = &block.o_word {
             let next = self.control.o_word(&block, word, &mut self.state, &mut self.record)?;
+            if matches!(word.keyword, Keyword::Call | Keyword::EndSub | Keyword::Return) {
+                self.record.leads_elsewhere();
+            }
             self.record.step_without_state(place, &self.state);
             return Ok(next);
         }
@@ -175,24 +178,23 @@ impl Run<'_> {
         self.control.begin(&words);
         if Control::asks(&words) {
             let next = self.numbered(&words)?;
+            self.record.leads_elsewhere();
             self.record.step_without_state(place, &self.state);
             return Ok(next);
         }
         check::check(&words, &mut self.state)?;
-        let before = self.changeable(&words);
         let flow = self.execute(&words)?;
         if flow == Flow::ProgramEnd {
             self.ended(block.block_delete)?;
-            self.record.last_step(place, &self.state);
+            self.record.step(place, &mut self.state);
             return Ok(Next::End(End::ProgramEnd));
         }
-        let changed = self.changed(&before);
         let comment_only = block.words.is_empty() && block.settings.is_empty();
         if comment_only && block.line_number.is_none() && self.record.is_idle(&self.state) {
             // A comment that says nothing is no block.
             return Ok(Next::Following);
         }
-        self.record.step(place, &self.state, changed);
+        self.record.step(place, &mut self.state);
         Ok(Next::Following)
     }
 
@@ -232,58 +234,40 @@ impl Run<'_> {
         }
         if inside_sub {
             evidence.accepted("subroutines.program-end-in-sub");
+            self.record.leads_elsewhere();
         }
+        self.leave_calls();
         Ok(())
     }
 
-    /// The parameters that a block can change, as they are before it.
-    fn changeable(&self, words: &Words) -> BTreeMap<Name, Option<f64>> {
-        let settings = words.settings.iter().map(|(name, _)| name.clone());
-        let offsets = if words.g.iter().any(|code| sets_coordinates(*code)) {
-            COORDINATE_PARAMETERS
-        } else {
-            0..0
-        };
-        let all = settings.chain(offsets.map(Name::Numbered));
-        all.map(|name| {
-            let value = parameters::value(&name, &self.state).ok();
-            (name, value)
-        })
-        .collect()
-    }
-
-    /// The parameters that a block has changed.
-    fn changed(&self, before: &BTreeMap<Name, Option<f64>>) -> Indexed<String, f64> {
-        let after = before.iter().filter_map(|(name, before)| {
-            let after = parameters::value(name, &self.state).ok()?;
-            let name = match name {
-                Name::Numbered(number) => number.to_string(),
-                Name::Named(name) => name.clone(),
-            };
-            (Some(after) != *before).then_some((name, after))
-        });
-        after.collect()
-    }
-
-    /// Rule program-end.parameters-kept. All numbered parameters that are not zero.
+    /// Rule program-end.parameters-kept. All numbered parameters that are not zero, position and tool among them.
     fn parameters(&self) -> Indexed<u32, f64> {
         let mut all = self.state.parameters.nonzero();
-        let local = (1..).zip(self.arguments());
-        all.0.extend(local.filter(|(_, value)| value.abs() > 0.0));
+        let others = (1..=30).chain(parameters::computed_numbers());
+        let known = others.filter_map(|number| {
+            let value = parameters::value(&Name::Numbered(number), &self.state).ok()?;
+            Some((number, value))
+        });
+        all.0.extend(known.filter(|(_, value)| value.abs() > 0.0));
         all
     }
 
-    /// Parameters #1 to #30 once the run is over. With it every call is over, so that they are the main program's, which a
-    /// numbered subprogram shares.
-    fn arguments(&self) -> [f64; 30] {
-        let frames = &self.state.frames;
-        let shares = |frame: &&Frame| frame.shares_parameters();
-        match frames.iter().skip(1).take_while(shares).last() {
-            Some(_) if self.state.readings.quirk("rs274.fanuc-changes-at-end") => {
-                self.control.at_last_call
-            }
-            Some(frame) => frame.arguments,
-            None => frames[0].arguments,
+    /// Once the run is over every call is over, so that local parameters are the main program's, which a numbered
+    /// subprogram shares.
+    ///
+    /// Quirk rs274.fanuc-changes-at-end: what a subprogram changed of #1 to #30 is lost.
+    fn leave_calls(&mut self) {
+        let mut called = self.state.frames.split_off(1);
+        let shares = |frame: &&mut Frame| frame.shares_parameters();
+        let Some(sharing) = called.iter_mut().take_while(shares).last() else { return };
+        let main = &mut self.state.frames[0];
+        main.arguments = if self.state.readings.quirk("rs274.fanuc-changes-at-end") {
+            self.control.at_last_call
+        } else {
+            sharing.arguments
+        };
+        if self.state.readings.is("fanuc-subs.named-locals", "shared") {
+            main.locals = std::mem::take(&mut sharing.locals);
         }
     }
 
@@ -310,11 +294,3 @@ impl Run<'_> {
 
 /// The main program among the files.
 const MAIN: usize = 0;
-
-/// Parameters of coordinate systems and their offsets.
-const COORDINATE_PARAMETERS: std::ops::Range<u32> = 5161..5401;
-
-/// Whether a G code, in tenths, can change [`COORDINATE_PARAMETERS`]: G10, G28, G30, G52, G54 to G59.3, G92.
-fn sets_coordinates(code: u32) -> bool {
-    matches!(code, 100 | 280..=301 | 520 | 540..=593 | 920..=923)
-}

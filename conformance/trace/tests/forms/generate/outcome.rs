@@ -3,8 +3,8 @@
 use gaugeblock_trace::{
     Bound, Channel, Compensation, ControllerMode, Distance, Effect, End, Event, Fault, FaultKind,
     FeedMode, GppState, Language, Lathe, LengthUnit, MacroValue, Motion, NctState, OrientDirection,
-    Outcome, OutputTiming, Request, Path, Pin, PinChange, Plane, Retract, Rs274State, Sample, Settings,
-    SpindleLimit, SpindleMode, SpindleTurn, State, Step, Switch, Vacancy, WaitMode,
+    Outcome, OutputTiming, Path, Pin, PinChange, Plane, Request, Retract, Rs274State, Sample,
+    Settings, SpindleLimit, SpindleMode, SpindleTurn, State, Step, Switch, Vacancy, WaitMode,
 };
 use proptest::collection::vec;
 use proptest::option;
