@@ -241,7 +241,7 @@ impl<'a> Assembly<'a> {
             if (probe.file, probe.line) == (0, 0) {
                 if issued.iter().any(is_end) {
                     events.push(Event::Do(Effect::ProgramEnd {}));
-                    self.steps.ended(&probe, events, self.canon.tool)?;
+                    self.steps.ended(&probe, None, events, self.canon.tool)?;
                 }
                 self.steps.restarted(&probe);
                 continue;
@@ -304,7 +304,7 @@ impl<'a> Assembly<'a> {
                 (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
             let mut events = self.events(printed, &issued, probe)?;
             events.push(Event::Do(Effect::ProgramEnd {}));
-            self.steps.ended(probe, events, self.canon.tool)?;
+            self.steps.ended(probe, None, events, self.canon.tool)?;
             return Ok(End::ProgramEnd);
         }
         if let Some(message) = self.stopped.take() {
