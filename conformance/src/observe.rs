@@ -155,13 +155,14 @@ pub(crate) fn is_in_place(effect: &Effect, point: Option<&Position>) -> bool {
 
 /// Where an effect leaves the controlled point, if it moves it.
 pub(crate) fn end_of(effect: &Effect) -> Option<Position> {
-    match effect {
-        Effect::StraightTraverse { end }
-        | Effect::StraightFeed { end }
-        | Effect::ArcFeed { end, .. }
-        | Effect::RigidTap { end } => Some(*end),
-        _ => None,
-    }
+    let (Effect::StraightTraverse { end }
+    | Effect::StraightFeed { end }
+    | Effect::ArcFeed { end, .. }
+    | Effect::RigidTap { end }) = effect
+    else {
+        return None;
+    };
+    Some(*end)
 }
 
 /// Whether the controlled point has other program coordinates after this change.

@@ -97,16 +97,12 @@ impl<'a> Assembly<'a> {
             pins: Vec::new(),
             ends: None,
         };
-        let is_end = |item: &Item| matches!(item, Item::Driver(told) if told.get("ends").is_some());
-        let end = items.iter().position(is_end).map_or(items.len(), |place| place + 1);
+        let end = items.iter().position(Item::is_end).map_or(items.len(), |place| place + 1);
         let (run, after) = items.split_at(end);
         for item in run {
             assembly.item(item)?;
         }
-        let after_end = after.iter().find_map(|item| match item {
-            Item::Probe(probe) => Some(probe.as_ref()),
-            _ => None,
-        });
+        let after_end = after.iter().find_map(Item::probe);
         let end = assembly.end(after_end)?;
         let mut outcome = Outcome {
             language: Language::Rs274,
