@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::scenario::Budget;
 use gaugeblock_trace::{
-    Bound, ControllerMode, End, Event, Indexed, Outcome, Rs274State, State, Step,
+    Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State, Step,
 };
 
 use super::instrument::Plan;
@@ -19,6 +19,8 @@ pub(in crate::adapters) struct Steps<'a> {
     block_delete: bool,
     known: Rs274State,
     at: Option<(usize, u32)>,
+    /// Whether the tool was changed since the last T: then none is selected, though parameters may keep the old one.
+    changed: bool,
     /// Mode of the controller, where it has modes.
     pub(in crate::adapters) mode: Option<ControllerMode>,
     /// The blocks with what they did.
@@ -29,7 +31,8 @@ impl<'a> Steps<'a> {
     /// None yet.
     pub(in crate::adapters) fn new(source: &'a Source, plan: &'a Plan, block_delete: bool) -> Self {
         let known = Rs274State::default();
-        Self { source, plan, block_delete, known, at: None, mode: None, taken: Vec::new() }
+        let (at, mode) = (None, None);
+        Self { source, plan, block_delete, known, at, changed: false, mode, taken: Vec::new() }
     }
 
     /// Whether a probe was seen.
@@ -73,6 +76,7 @@ impl<'a> Steps<'a> {
         events: Vec<Event>,
         tool: i32,
     ) -> Result<(), HarnessError> {
+        self.tool_codes(&events);
         let here = (probe.file, probe.line);
         let Some(next) = self.next() else { return Ok(()) };
         let jumped = here != next;
@@ -113,6 +117,7 @@ impl<'a> Steps<'a> {
         events: Vec<Event>,
         tool: i32,
     ) -> Result<(), HarnessError> {
+        self.tool_codes(&events);
         let shown = self.shown(probe, tool)?;
         let mut changes = shown.since(&self.known);
         self.known.overlay(&changes);
@@ -127,9 +132,20 @@ impl<'a> Steps<'a> {
         self.at = Some((probe.file, probe.line));
     }
 
+    fn tool_codes(&mut self, events: &[Event]) {
+        for event in events {
+            match event {
+                Event::Do(Effect::PrepareTool { .. }) => self.changed = false,
+                Event::Do(Effect::ChangeTool { .. }) => self.changed = true,
+                _ => {}
+            }
+        }
+    }
+
     fn shown(&self, probe: &Probe, tool: i32) -> Result<Rs274State, HarnessError> {
         let shown = state::state(probe, tool, self.plan)?;
-        Ok(Rs274State { controller_mode: self.mode, ..shown })
+        let prepared_tool = if self.changed { Some(-1) } else { shown.prepared_tool };
+        Ok(Rs274State { controller_mode: self.mode, prepared_tool, ..shown })
     }
 
     /// A block of which only its events are known.
