@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, VecDeque};
 
 use gaugeblock_trace::{
     Bound, Channel, ControllerMode, Effect, End, Event, Fault, FaultKind, Indexed, Language,
-    Outcome, PinChange, Scenario, Settings,
+    Outcome, PinChange, Rs274State, Scenario, Settings, State,
 };
 use serde_json::Value;
 
@@ -53,10 +53,9 @@ pub(super) struct Assembly<'a> {
     /// A fault of the machine, told by the error channel.
     stopped: Option<String>,
     aborted: bool,
-    endless: bool,
-    /// How often the program began, and how often the operator started it again.
-    begins: usize,
+    /// How often the operator started the program again, and how often it was seen to begin again.
     starts: usize,
+    restarts: usize,
     pins: Vec<PinChange>,
     ends: Option<String>,
 }
@@ -91,9 +90,8 @@ impl<'a> Assembly<'a> {
             refused: None,
             stopped: None,
             aborted: false,
-            endless: false,
-            begins: 0,
             starts: 0,
+            restarts: 0,
             pins: Vec::new(),
             ends: None,
         };
@@ -158,8 +156,9 @@ impl<'a> Assembly<'a> {
             self.reset = std::mem::take(&mut self.issued);
             self.steps.mode = mode(told);
         } else if let Some(action) = told.get("operator").and_then(Value::as_str) {
-            self.aborted |= action == "abort";
-            self.starts += usize::from(action == "cycle_start");
+            self.aborted = action == "abort" || self.aborted && action != "cycle_start";
+        } else if told.get("starts_again").is_some() {
+            self.starts += 1;
         } else if let Some(mode) = mode(told) {
             self.steps.mode = Some(mode);
             self.issued.push(Issued::own("CONTROLLER_MODE", mode.to_string()));
@@ -205,13 +204,16 @@ impl<'a> Assembly<'a> {
     }
 
     fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
-        self.begins += usize::from((probe.file, probe.line) == (0, 0));
-        self.endless |= self.begins > 1 + self.starts;
+        if (probe.file, probe.line) == (0, 0)
+            && self.reading_at.is_some()
+            && self.restarts < self.starts
+        {
+            // What was read ahead before the program was started again is never carried out.
+            self.read.clear();
+        }
         self.reading_at = Some((probe.file, probe.line));
         self.trace.stands_in(probe.file);
-        if !self.endless {
-            self.read.push_back((std::mem::take(&mut self.printed), probe.clone()));
-        }
+        self.read.push_back((std::mem::take(&mut self.printed), probe.clone()));
         self.carried_out()
     }
 
@@ -233,11 +235,13 @@ impl<'a> Assembly<'a> {
                 self.steps.begin(&probe)?;
                 continue;
             }
-            let mut events = self.events(printed, &issued, &probe)?;
-            if (probe.file, probe.line) == (0, 0) {
+            let events = self.events(printed, &issued, &probe)?;
+            if (probe.file, probe.line) == (0, 0) && self.restarts < self.starts {
+                self.restarts += 1;
                 if issued.iter().any(is_end) {
-                    events.push(Event::Do(Effect::ProgramEnd {}));
                     self.steps.ended(&probe, events, self.canon.tool)?;
+                } else if !events.is_empty() {
+                    self.steps.step(self.steps.next().unwrap_or((0, 1)), events, None);
                 }
                 self.steps.restarted(&probe);
                 continue;
@@ -280,16 +284,16 @@ impl<'a> Assembly<'a> {
             Some("budget") => return Ok(End::BudgetExhausted { bound: Bound::Steps }),
             Some("endless") => return Ok(End::Endless),
             Some("paused") => {
-                self.unfinished(after_end)?;
+                self.paused()?;
                 return Ok(End::Paused);
             }
-            _ if self.endless => return Ok(End::Endless),
             _ => {}
         }
         if let Some(fault) = self.refused.take() {
             return Ok(End::Fault(fault));
         }
         if self.aborted {
+            self.unfinished(after_end)?;
             return Ok(End::Aborted);
         }
         if self.issued.iter().any(is_end) {
@@ -298,8 +302,7 @@ impl<'a> Assembly<'a> {
             };
             let (printed, issued) =
                 (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
-            let mut events = self.events(printed, &issued, probe)?;
-            events.push(Event::Do(Effect::ProgramEnd {}));
+            let events = self.events(printed, &issued, probe)?;
             self.steps.ended(probe, events, self.canon.tool)?;
             return Ok(End::ProgramEnd);
         }
@@ -313,16 +316,33 @@ impl<'a> Assembly<'a> {
         Err(unreadable("a run without an end"))
     }
 
-    /// The block that was being carried out when the run stopped: its events, and no state.
-    fn unfinished(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
+    /// The block at which the run pauses. Nothing can be asked of a program that pauses: of its state only what was read
+    /// ahead is known, and else that it is as before.
+    fn paused(&mut self) -> Result<(), HarnessError> {
         let Some(next) = self.steps.next() else { return Ok(()) };
-        let (printed, probe) = match (self.read.pop_front(), after_end) {
-            (Some(read), _) => read,
-            (None, Some(probe)) => (std::mem::take(&mut self.printed), probe.clone()),
-            (None, None) => return Ok(()),
-        };
         let issued = std::mem::take(&mut self.issued);
-        let events = self.events(printed, &issued, &probe)?;
+        if let Some((printed, probe)) = self.read.pop_front() {
+            let events = self.events(printed, &issued, &probe)?;
+            return self.steps.passed(&probe, events, self.canon.tool);
+        }
+        for effect in std::mem::take(&mut self.printed) {
+            self.canon.push(effect);
+        }
+        for issued in &issued {
+            self.canon.issue(issued)?;
+        }
+        let state = State::Rs274(Rs274State::default());
+        self.steps.step(next, self.canon.take_events(), Some(state));
+        Ok(())
+    }
+
+    /// The block that was being carried out when the run stopped: its events and what was in force afterwards; no state.
+    fn unfinished(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
+        let (Some(next), Some(probe)) = (self.steps.next(), after_end) else { return Ok(()) };
+        let read = self.read.pop_front().map(|(printed, _)| printed);
+        let printed = read.unwrap_or_else(|| std::mem::take(&mut self.printed));
+        let issued = std::mem::take(&mut self.issued);
+        let events = self.events(printed, &issued, probe)?;
         if !matches!(form(self.source.line(next.0, next.1)), Form::Empty) && !events.is_empty() {
             self.steps.step(next, events, None);
         }
