@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, VecDeque};
 
 use gaugeblock_trace::{
     Bound, Channel, ControllerMode, Effect, End, Event, Fault, FaultKind, Indexed, Language,
-    Outcome, PinChange, Rs274State, Scenario, Settings, State,
+    Outcome, PinChange, Position, Rs274State, Scenario, Settings, State,
 };
 use serde_json::Value;
 
@@ -20,7 +20,7 @@ use crate::adapters::probing::instrument::Plan;
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::source::{Form, Source, form};
 use crate::adapters::probing::steps::{self, Steps};
-use crate::adapters::probing::{faults, refusal};
+use crate::adapters::probing::{faults, refusal, state};
 
 /// A block as it was read: what was printed meanwhile, and the probe after it.
 type ReadBlock = (Vec<Effect>, Probe);
@@ -53,6 +53,10 @@ pub(super) struct Assembly<'a> {
     /// A fault of the machine, told by the error channel.
     stopped: Option<String>,
     aborted: bool,
+    /// Whether another mode was asked for, which a controller may take as an abort.
+    asked_for_mode: bool,
+    /// The mode in which the program ended.
+    mode_at_end: Option<ControllerMode>,
     /// How often the operator started the program again, and how often it was seen to begin again.
     starts: usize,
     restarts: usize,
@@ -90,6 +94,8 @@ impl<'a> Assembly<'a> {
             refused: None,
             stopped: None,
             aborted: false,
+            asked_for_mode: false,
+            mode_at_end: None,
             starts: 0,
             restarts: 0,
             pins: Vec::new(),
@@ -157,6 +163,7 @@ impl<'a> Assembly<'a> {
             self.steps.mode = mode(told);
         } else if let Some(action) = told.get("operator").and_then(Value::as_str) {
             self.aborted = action == "abort" || self.aborted && action != "cycle_start";
+            self.asked_for_mode |= action == "mode";
         } else if told.get("starts_again").is_some() {
             self.starts += 1;
         } else if let Some(mode) = mode(told) {
@@ -189,6 +196,9 @@ impl<'a> Assembly<'a> {
         }
         if issued.name == "TRAJ_DELAY" && std::mem::take(&mut self.at_gate) {
             return Ok(());
+        }
+        if is_end(issued) {
+            self.mode_at_end = self.steps.mode;
         }
         self.issued.push(issued.clone());
         Ok(())
@@ -239,7 +249,7 @@ impl<'a> Assembly<'a> {
             if (probe.file, probe.line) == (0, 0) && self.restarts < self.starts {
                 self.restarts += 1;
                 if issued.iter().any(is_end) {
-                    self.steps.ended(&probe, events, self.canon.tool)?;
+                    self.ended(&probe, events)?;
                 } else if !events.is_empty() {
                     self.steps.step(self.steps.next().unwrap_or((0, 1)), events, None);
                 }
@@ -303,7 +313,7 @@ impl<'a> Assembly<'a> {
             let (printed, issued) =
                 (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
             let events = self.events(printed, &issued, probe)?;
-            self.steps.ended(probe, events, self.canon.tool)?;
+            self.ended(probe, events)?;
             return Ok(End::ProgramEnd);
         }
         if let Some(message) = self.stopped.take() {
@@ -313,7 +323,20 @@ impl<'a> Assembly<'a> {
         if self.steps.next_form() == Form::Percent {
             return Ok(End::PercentEnd);
         }
+        if self.asked_for_mode {
+            self.unfinished(after_end)?;
+            return Ok(End::Aborted);
+        }
         Err(unreadable("a run without an end"))
+    }
+
+    /// The program ended, in the mode that the controller was in then.
+    fn ended(&mut self, probe: &Probe, events: Vec<Event>) -> Result<(), HarnessError> {
+        let mode = self.steps.mode;
+        self.steps.mode = self.mode_at_end.or(mode);
+        self.steps.ended(probe, events, self.canon.tool)?;
+        self.steps.mode = mode;
+        Ok(())
     }
 
     /// The block at which the run pauses. Nothing can be asked of a program that pauses: of its state only what was read
@@ -342,7 +365,15 @@ impl<'a> Assembly<'a> {
         let read = self.read.pop_front().map(|(printed, _)| printed);
         let printed = read.unwrap_or_else(|| std::mem::take(&mut self.printed));
         let issued = std::mem::take(&mut self.issued);
-        let events = self.events(printed, &issued, probe)?;
+        let mut events = self.events(printed, &issued, probe)?;
+        let at = state::position(probe);
+        // A move that was broken off has not been made, and a wait for an input has read nothing.
+        events.retain(|event| !matches!(event, Event::Do(effect) if is_broken_off(effect, &at)));
+        for event in &mut events {
+            if let Event::Do(Effect::WaitInput { read, .. }) = event {
+                *read = -1.0;
+            }
+        }
         if !matches!(form(self.source.line(next.0, next.1)), Form::Empty) && !events.is_empty() {
             self.steps.step(next, events, None);
         }
@@ -360,6 +391,18 @@ impl<'a> Assembly<'a> {
         let block = self.steps.taken.last().map(|step| step.block.clone());
         Ok(End::Fault(Fault { kind: Some(kind), block, span: None, message }))
     }
+}
+
+/// Whether a move did not reach its end.
+fn is_broken_off(effect: &Effect, at: &Position) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-5;
+    let (Effect::StraightTraverse { end }
+    | Effect::StraightFeed { end }
+    | Effect::ArcFeed { end, .. }) = effect
+    else {
+        return false;
+    };
+    !end.to_array().into_iter().zip(at.to_array()).all(|(a, b)| near(a, b))
 }
 
 /// Whether a command ends the program.

@@ -319,6 +319,7 @@ class Driver:
         elif name == "pause":
             command.auto(linuxcnc.AUTO_PAUSE)
         elif name == "abort":
+            self.first = None
             command.abort()
         elif name == "mode":
             command.mode(next(mode for mode, word in self.modes.items() if word == value))

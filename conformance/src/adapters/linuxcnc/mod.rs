@@ -276,7 +276,7 @@ fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: Value) -> V
             .as_ref()
             .is_some_and(|marks| marks.gates.contains(&(place, event.when.block.line)));
         let begins = if has_gate { GATE.parse().unwrap_or_default() } else { 0.0 };
-        let begins = if is_switched_before(event) { 0.0 } else { begins + 0.02 };
+        let begins = if is_switched_before(event) { 0.0 } else { begins + 0.004 };
         told["offset"] = (event.when.offset + begins).into();
         Some(told)
     });
