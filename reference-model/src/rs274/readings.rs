@@ -94,6 +94,7 @@ pub const QUIRKS: &[&str] = &[
     "linuxcnc.modes-of-last-motion",
     "linuxcnc.orient-while-locked",
     "linuxcnc.output-number-with-motion",
+    "linuxcnc.selection-used-up",
     "rs274.additional-length-axes",
     "rs274.any-endsub",
     "rs274.blend-q-without-p",

@@ -251,7 +251,8 @@ impl<'a> Assembly<'a> {
                 if issued.iter().any(is_end) {
                     self.ended(&probe, events)?;
                 } else if !events.is_empty() {
-                    self.steps.step(self.steps.next().unwrap_or((0, 1)), events, None);
+                    let next = self.steps.next().unwrap_or((0, 1));
+                    self.steps.step(next, events, after_stop(&issued));
                 }
                 self.steps.restarted(&probe);
                 continue;
@@ -365,6 +366,7 @@ impl<'a> Assembly<'a> {
         let read = self.read.pop_front().map(|(printed, _)| printed);
         let printed = read.unwrap_or_else(|| std::mem::take(&mut self.printed));
         let issued = std::mem::take(&mut self.issued);
+        let state = after_stop(&issued);
         let mut events = self.events(printed, &issued, probe)?;
         let at = state::position(probe);
         // A move that was broken off has not been made, and a wait for an input has read nothing.
@@ -375,7 +377,7 @@ impl<'a> Assembly<'a> {
             }
         }
         if !matches!(form(self.source.line(next.0, next.1)), Form::Empty) && !events.is_empty() {
-            self.steps.step(next, events, None);
+            self.steps.step(next, events, state);
         }
         Ok(())
     }
@@ -383,7 +385,9 @@ impl<'a> Assembly<'a> {
     fn machine_fault(&self, message: String) -> Result<End, HarnessError> {
         let kind = if message.starts_with("user program") {
             FaultKind::UserCode
-        } else if message.starts_with("wait for orient complete") {
+        } else if message.starts_with("wait for orient complete")
+            || message.ends_with("during orient in progress")
+        {
             FaultKind::Orient
         } else {
             faults::kind(&message).ok_or_else(|| HarnessError::UnknownMessage(message.clone()))?
@@ -391,6 +395,14 @@ impl<'a> Assembly<'a> {
         let block = self.steps.taken.last().map(|step| step.block.clone());
         Ok(End::Fault(Fault { kind: Some(kind), block, span: None, message }))
     }
+}
+
+/// A block that pauses is over when it does; of its state nothing more is known.
+fn after_stop(issued: &[Issued]) -> Option<State> {
+    let is_stop = |issued: &Issued| {
+        ["TASK_PLAN_PAUSE", "TASK_PLAN_OPTIONAL_STOP"].contains(&issued.name.as_str())
+    };
+    issued.iter().any(is_stop).then(|| State::Rs274(Rs274State::default()))
 }
 
 /// Whether a move did not reach its end.

@@ -6,6 +6,7 @@ use super::tool::entry;
 use super::{outputs, pass, spindle, whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::converted;
+use crate::rs274::quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -34,6 +35,7 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), Halt> {
     pass(state.outside.tool_change_time(), state);
     swap(tool, state);
     state.selected_for_change = false;
+    quirks::task::selection_after_change(state);
     state.evidence.accepted("tool.change");
     state.evidence.accepted("tool.change-keeps");
     state.evidence.accepted("tool.change-keeps-length");
