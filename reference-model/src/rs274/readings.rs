@@ -93,6 +93,7 @@ pub const QUIRKS: &[&str] = &[
     "linuxcnc.input-number",
     "linuxcnc.modes-of-last-motion",
     "linuxcnc.orient-while-locked",
+    "linuxcnc.output-number-at-once",
     "linuxcnc.output-number-with-motion",
     "linuxcnc.selection-used-up",
     "rs274.additional-length-axes",

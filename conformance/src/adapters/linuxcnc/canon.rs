@@ -276,6 +276,8 @@ impl Canon {
             2 => WaitMode::Fall,
             3 => WaitMode::High,
             4 => WaitMode::Low,
+            // It takes numbers that mean nothing, and waits for nothing.
+            5.. => WaitMode::Immediate,
             _ => return Err(issued.unreadable()),
         };
         let timeout = issued.number(3)?;

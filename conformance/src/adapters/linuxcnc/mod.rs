@@ -339,7 +339,9 @@ fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String {
     if switches {
         let digital = (0..machine.digital_io).map(|output| format!("M65 P{output}\n"));
         let analog = (0..machine.analog_io).map(|output| format!("M68 E{output} Q0\n"));
-        outputs = digital.chain(analog).collect();
+        // What waits for a motion is carried out first, so that it does not come after.
+        let motion = ["G53 G0 X1\n".to_owned(), "G53 G0 X0\n".to_owned()];
+        outputs = motion.into_iter().chain(digital).chain(analog).collect();
     }
 
     let axes: String = scenario
@@ -390,7 +392,7 @@ fn has(source: &Source, word: &str) -> bool {
 
 /// Parameters at the end, without those that only repeat position and tool.
 fn shown_parameters(parameters: BTreeMap<u32, f64>) -> BTreeMap<u32, f64> {
-    parameters.into_iter().filter(|(number, _)| !(5400..=5428).contains(number)).collect()
+    parameters.into_iter().filter(|(number, _)| !(5399..=5428).contains(number)).collect()
 }
 
 fn capabilities(version: String) -> Capabilities {
@@ -409,7 +411,7 @@ fn capabilities(version: String) -> Capabilities {
         final_parameters: true,
         moves_in_place: false,
         fields_at_effects: owned(FIELDS_AT_EFFECTS, &[]),
-        hidden_parameters: vec![5400..=5428],
+        hidden_parameters: vec![5399..=5428],
     }
 }
 

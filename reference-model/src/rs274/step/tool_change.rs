@@ -33,9 +33,12 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), Halt> {
         record.effect(state, Effect::PromptTool { tool });
     }
     pass(state.outside.tool_change_time(), state);
+    let changes = tool != state.tool;
     swap(tool, state);
     state.selected_for_change = false;
-    quirks::task::selection_after_change(state);
+    if changes {
+        quirks::task::selection_after_change(state);
+    }
     state.evidence.accepted("tool.change");
     state.evidence.accepted("tool.change-keeps");
     state.evidence.accepted("tool.change-keeps-length");
