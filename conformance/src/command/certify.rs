@@ -21,6 +21,8 @@ const EXAMPLES: &str = "Examples:
       hold it to what is known of it; write out/report.json, out/junit.xml, out/report.txt
   gaugeblock certify rs274 --profile modal-save --profile subroutines
       fail unless it passes every rule of these profiles
+  gaugeblock certify linuxcnc --only outputs --only inputs
+      hold LinuxCNC's whole controller, with a simulated machine, to two chapters of its manual
   gaugeblock certify reference --edition m70-draft --only saved-state
       hold the specification to one chapter of an edition";
 

@@ -13,6 +13,7 @@ use crate::suite::Suite;
 const EXAMPLES: &str = "Examples:
   gaugeblock run part.ngc
   gaugeblock run part.ngc --iut rs274
+  gaugeblock run part.ngc --iut linuxcnc
   gaugeblock run part.ngc --scenario mill.toml --format json
   gaugeblock run part.ngc --option saved-state.motion-mode=restored
 

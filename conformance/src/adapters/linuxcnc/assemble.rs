@@ -97,16 +97,12 @@ impl<'a> Assembly<'a> {
             pins: Vec::new(),
             ends: None,
         };
-        let is_end = |item: &Item| matches!(item, Item::Driver(told) if told.get("ends").is_some());
-        let end = items.iter().position(is_end).map_or(items.len(), |place| place + 1);
+        let end = items.iter().position(Item::is_end).map_or(items.len(), |place| place + 1);
         let (run, after) = items.split_at(end);
         for item in run {
             assembly.item(item)?;
         }
-        let after_end = after.iter().find_map(|item| match item {
-            Item::Probe(probe) => Some(probe.as_ref()),
-            _ => None,
-        });
+        let after_end = after.iter().find_map(Item::probe);
         let end = assembly.end(after_end)?;
         let mut outcome = Outcome {
             language: Language::Rs274,
@@ -241,7 +237,7 @@ impl<'a> Assembly<'a> {
             if (probe.file, probe.line) == (0, 0) {
                 if issued.iter().any(is_end) {
                     events.push(Event::Do(Effect::ProgramEnd {}));
-                    self.steps.ended(&probe, events, self.canon.tool)?;
+                    self.steps.ended(&probe, None, events, self.canon.tool)?;
                 }
                 self.steps.restarted(&probe);
                 continue;
@@ -304,7 +300,7 @@ impl<'a> Assembly<'a> {
                 (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
             let mut events = self.events(printed, &issued, probe)?;
             events.push(Event::Do(Effect::ProgramEnd {}));
-            self.steps.ended(probe, events, self.canon.tool)?;
+            self.steps.ended(probe, None, events, self.canon.tool)?;
             return Ok(End::ProgramEnd);
         }
         if let Some(message) = self.stopped.take() {

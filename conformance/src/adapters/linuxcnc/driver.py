@@ -211,6 +211,11 @@ class Driver:
             lambda: self.stat.echo_serial_number == serial and self.stat.state != self.linuxcnc.RCS_EXEC, seconds
         )
 
+    def taken(self):
+        """Until the last command has been taken; one that starts a program is done only when that ends or pauses."""
+        serial = self.command.serial
+        self.wait(lambda: self.stat.echo_serial_number == serial, 5.0)
+
     # Before a run.
 
     def power_on(self):
@@ -304,10 +309,10 @@ class Driver:
         complaints = self.complaints
         if name in ("cycle_start", "resume"):
             self.wait(lambda: self.is_paused() or self.is_idle(), 0.5)
-        if name == "cycle_start" and not self.is_paused():
-            self.starts += 1
+        if name == "cycle_start":
+            self.starts += not self.is_paused()
             command.auto(linuxcnc.AUTO_RUN, 0)
-        elif name in ("cycle_start", "resume"):
+        elif name == "resume":
             command.auto(linuxcnc.AUTO_RESUME)
         elif name == "pause":
             command.auto(linuxcnc.AUTO_PAUSE)
@@ -328,10 +333,7 @@ class Driver:
         elif name == "feed_hold":
             self.bench.set("motion.feed-hold", int(value))
             return
-        if name not in ("cycle_start", "mdi"):
-            self.done()
-        else:
-            self.wait(lambda: self.stat.echo_serial_number == command.serial, 5.0)
+        self.taken()
         self.wait(lambda: self.complaints > complaints, 0.03)
         if self.complaints > complaints:
             report(request_refused=name)
@@ -371,7 +373,7 @@ class Driver:
             ending = self.run_by_hand(order["by_hand"], order["seconds"])
         else:
             self.run_file(order["program"])
-            self.done(order["seconds"])
+            self.taken()
             ending = self.follow(order["seconds"])
         # What was set last shows in the samples of the next cycles.
         self.wait(lambda: False, 4 * self.settings["period"] if order["linger"] else 0.0)

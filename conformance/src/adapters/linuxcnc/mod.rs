@@ -112,10 +112,7 @@ impl LinuxCnc {
                     if is_new { return Err(error) } else { continue }
                 }
             };
-            let first = seen.items.iter().find_map(|item| match item {
-                Item::Probe(probe) => Some(probe.as_ref().clone()),
-                _ => None,
-            });
+            let first = seen.items.iter().find_map(Item::probe).cloned();
             let stores = !scenario.machine.parameters.0.is_empty();
             let is_same = stores
                 || is_new
@@ -351,13 +348,9 @@ fn foreign_names(source: &Source) -> BTreeSet<String> {
 /// Whether a run leaves something in the interpreter that no reset takes back: a loop that it was to leave or a call
 /// that it was to repeat, or, after some refusals, the refusal itself.
 fn leaves_traces(source: &Source, items: &[Item]) -> bool {
-    let ends = |item: &Item| matches!(item, Item::Driver(told) if told.get("ends").is_some());
-    let end = items.iter().position(ends).unwrap_or_default();
+    let end = items.iter().position(Item::is_end).unwrap_or_default();
     let refuses_all = items[end..].iter().any(|item| matches!(item, Item::Refused(_)));
-    let last = items[..end].iter().rev().find_map(|item| match item {
-        Item::Probe(probe) => Some(probe),
-        _ => None,
-    });
+    let last = items[..end].iter().rev().find_map(Item::probe);
     let in_sub = last.is_some_and(|probe| probe.mode("_call_level") > 0);
     let has = |word: &str| source.all().any(|(_, _, line)| code(line).contains(word));
     refuses_all || has("continue") || has("break") || in_sub && has("m98")

@@ -92,6 +92,18 @@ pub(super) enum Item {
     Driver(Value),
 }
 
+impl Item {
+    /// The probe, if it is one.
+    pub(super) fn probe(&self) -> Option<&Probe> {
+        if let Self::Probe(probe) = self { Some(probe) } else { None }
+    }
+
+    /// Whether it is the driver's word that the run is over.
+    pub(super) fn is_end(&self) -> bool {
+        matches!(self, Self::Driver(told) if told.get("ends").is_some())
+    }
+}
+
 /// Beginnings of lines that say nothing about the program.
 const NOISE: &[&str] = &[
     "emcTaskPlan",
@@ -113,6 +125,13 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
     let mut reader = Reader::new(plan);
     let mut executing = false;
     let mut refusal: Option<String> = None;
+    let told: Vec<Value> = lines
+        .iter()
+        .filter_map(|line| serde_json::from_str(line.strip_prefix(MARK)?).ok())
+        .collect();
+    // What goes to the error channel is printed besides.
+    let messages: Vec<&str> =
+        told.iter().filter_map(|told| told.get("message").and_then(Value::as_str)).collect();
     for line in lines {
         if let Some(told) = line.strip_prefix(MARK) {
             let told: Value = serde_json::from_str(told).map_err(|_| unreadable("driver", line))?;
@@ -124,11 +143,9 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
         } else if let Some(probe) = line.strip_prefix(&plan.marker) {
             items.extend(reader.take(probe)?.map(|probe| Item::Probe(Box::new(probe))));
         } else if let Some(item) = controller(line) {
-            match &item {
-                Item::Block(..) => executing = true,
-                Item::Executed => executing = false,
-                Item::Refused(message) => refusal = Some(message.clone()),
-                _ => {}
+            executing = matches!(item, Item::Block(..)) || executing && item != Item::Executed;
+            if let Item::Refused(message) = &item {
+                refusal = Some(message.clone());
             }
             items.push(item);
         } else if refusal.as_ref() == Some(line) {
@@ -137,7 +154,10 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
         } else if !NOISE.iter().any(|start| line.starts_with(start)) {
             if executing {
                 items.push(Item::Text(line.clone()));
-            } else if !line.trim().is_empty() && !is_remark(line) {
+            } else if !line.trim().is_empty()
+                && !is_remark(line)
+                && !messages.contains(&line.as_str())
+            {
                 return Err(unreadable("line", line));
             }
         }
