@@ -29,7 +29,7 @@ use gaugeblock_trace::scenario::{Action, OperatorEvent, Start};
 use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::{Value, json};
 
-use super::probing::instrument::{Ends, Marks, Plan, is_plain};
+use super::probing::instrument::{Ends, GATE, Marks, Plan, is_plain};
 use super::probing::source::{DEBUG_SWITCH, Source, code, has_slash};
 use super::probing::workspace;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
@@ -47,6 +47,9 @@ const SPARE: Duration = Duration::from_secs(15);
 
 /// Feed override under which programs run whose pace nobody looks at.
 const HURRY: f64 = 10_000.0;
+
+/// The parameter that holds what M66 has read.
+const INPUT_READ: &str = "5399";
 
 /// Fields that it does not show.
 const HIDDEN_FIELDS: &[&str] = &["tool_length", "naive_cam_tolerance", "spindle_limit"];
@@ -156,6 +159,9 @@ impl Adapter for LinuxCnc {
                 shows.effects.remove(hidden);
             }
             shows.fields.remove("speed_override");
+            if has(&Source::new(&scenario.program), "m19") {
+                shows.fields.remove("spindle");
+            }
         }
         shows
     }
@@ -200,7 +206,12 @@ fn plan(scenario: &Scenario, source: &Source, more: &BTreeSet<u32>) -> Plan {
             |event: &OperatorEvent| Some((file(&event.when.block.file)?, event.when.block.line));
         events.filter_map(place).collect()
     };
-    let mut plan = Plan::new(source, &more.iter().copied().chain([5399]).collect());
+    let mut plan = Plan::new(source, more);
+    // What an M66 reads; no effect but this one needs it.
+    if source.all().any(|(_, _, line)| code(line).contains('m')) && !source.names_line() {
+        plan.parameters.retain(|name| name != INPUT_READ);
+        plan.parameters.push(INPUT_READ.to_owned());
+    }
     plan.marks = Some(Marks { before: places(|_| true), gates: places(is_switched_before) });
     plan
 }
@@ -236,7 +247,7 @@ fn run_on(
         }
         session.write(&format!("programs/{name}"), &text)?;
     }
-    session.write("after.ngc", &after(scenario, plan))?;
+    session.write("after.ngc", &after(scenario, source, plan))?;
     let listed = source.listed();
     session.write("parameters.var", &workspace::parameter_file(&scenario.machine, &listed))?;
     let tools = workspace::tool_table(&scenario.machine);
@@ -271,8 +282,13 @@ fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: Value) -> V
         told["marker"] = plan.mark_before(place, event.when.block.line).into();
         told["execution"] = event.when.execution.into();
         // A block has begun once its command has gone out.
-        let least = if is_switched_before(event) { 0.0 } else { 0.02 };
-        told["offset"] = event.when.offset.max(least).into();
+        let has_gate = plan
+            .marks
+            .as_ref()
+            .is_some_and(|marks| marks.gates.contains(&(place, event.when.block.line)));
+        let begins = if has_gate { GATE.parse().unwrap_or_default() } else { 0.0 };
+        let begins = if is_switched_before(event) { 0.0 } else { begins + 0.004 };
+        told["offset"] = (event.when.offset + begins).into();
         Some(told)
     });
     let may_stop = source.all().any(|(_, _, line)| {
@@ -314,7 +330,18 @@ fn action(action: &Action) -> Value {
 }
 
 /// What is run after each program: a probe of what it left, and the way back to where the next one begins.
-fn after(scenario: &Scenario, plan: &Plan) -> String {
+fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String {
+    let machine = &scenario.machine;
+    let switches = (2..=8).any(|code| has(source, &format!("m6{code}")))
+        || has(source, "m[")
+        || has(source, "m#");
+    let mut outputs = String::new();
+    if switches {
+        let digital = (0..machine.digital_io).map(|output| format!("M65 P{output}\n"));
+        let analog = (0..machine.analog_io).map(|output| format!("M68 E{output} Q0\n"));
+        outputs = digital.chain(analog).collect();
+    }
+
     let axes: String = scenario
         .machine
         .axes
@@ -322,7 +349,7 @@ fn after(scenario: &Scenario, plan: &Plan) -> String {
         .map(|axis| format!(" {}0", axis.word().to_uppercase()))
         .collect();
     let tool = if scenario.machine.random_tool_changer { "" } else { "M61 Q0\n" };
-    format!("{}M71\nG40\nG90 G49\nG53 G0{axes}\n{tool}M2\n", plan.probe(0, 0))
+    format!("{}M71\nG40\nG90 G49\nG53 G0{axes}\n{tool}{outputs}M2\n", plan.probe(0, 0))
 }
 
 /// Names that a program may find given a value by a program before it: they stay for as long as the controller runs.
@@ -346,14 +373,19 @@ fn foreign_names(source: &Source) -> BTreeSet<String> {
 }
 
 /// Whether a run leaves something in the interpreter that no reset takes back: a loop that it was to leave or a call
-/// that it was to repeat, or, after some refusals, the refusal itself.
+/// that it was to repeat, or, after some refusals, the refusal itself; or an angle at the pins of a spindle.
 fn leaves_traces(source: &Source, items: &[Item]) -> bool {
     let end = items.iter().position(Item::is_end).unwrap_or_default();
     let refuses_all = items[end..].iter().any(|item| matches!(item, Item::Refused(_)));
     let last = items[..end].iter().rev().find_map(Item::probe);
     let in_sub = last.is_some_and(|probe| probe.mode("_call_level") > 0);
-    let has = |word: &str| source.all().any(|(_, _, line)| code(line).contains(word));
-    refuses_all || has("continue") || has("break") || in_sub && has("m98")
+    let has = |word: &str| has(source, word);
+    refuses_all || has("continue") || has("break") || has("m19") || in_sub && has("m98")
+}
+
+/// Whether this stands in the code of a program.
+fn has(source: &Source, word: &str) -> bool {
+    source.all().any(|(_, _, line)| code(line).contains(word))
 }
 
 /// Parameters at the end, without those that only repeat position and tool.

@@ -169,6 +169,8 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
 fn is_remark(line: &str) -> bool {
     [
         "wait for orient complete",
+        "ERROR: ",
+        "fault ",
         "Note: ",
         "Found file",
         "Machine configuration",
