@@ -97,6 +97,7 @@ pub const QUIRKS: &[&str] = &[
     "linuxcnc.input-number",
     "linuxcnc.modes-of-last-motion",
     "linuxcnc.orient-while-locked",
+    "linuxcnc.output-number-at-once",
     "linuxcnc.output-number-with-motion",
     "rs274.additional-length-axes",
     "rs274.any-endsub",
