@@ -12,7 +12,7 @@ use crate::adapters::Adapter;
 use crate::compare::{Basis, Tally, compare};
 use crate::judge::{Finding, judge};
 use crate::observe::Observed;
-use crate::suite::{Assertion, Case, ChoiceKind, Edition, Rule, Suite};
+use crate::suite::{Assertion, Case, Choice, ChoiceKind, Edition, Rule, Suite};
 
 /// What came of a case.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -271,7 +271,8 @@ fn is_charged_elsewhere(suite: &Suite, rule: &Rule, departure: &Departure) -> bo
         })
 }
 
-/// The one quirk, or the one other option of a choice, under which the model does what the controller did.
+/// The one quirk, or the one other option of a choice, under which the model does what the controller did; or two of them,
+/// where the rule names one.
 ///
 /// Those that the rule names are tried first. Nothing is explained where the outcomes are equal and an assertion fails.
 fn explain(
@@ -283,21 +284,40 @@ fn explain(
 ) -> Option<String> {
     let found = Observed::of(found);
     let shows = controller.shows(scenario);
-    let named = suite.choices.iter().filter(|choice| rule.options.contains(&choice.id));
-    let quirks = suite.choices.iter().filter(|choice| choice.kind == ChoiceKind::Quirk);
-    let others = quirks.filter(|choice| !rule.options.contains(&choice.id));
-    let candidates = named.chain(others).flat_map(|choice| {
-        let other =
-            |option: &&crate::suite::ChoiceOption| !scenario.options.is(&choice.id, &option.name);
-        choice.options.iter().filter(other).map(move |option| (choice, &option.name))
-    });
-    candidates.into_iter().find_map(|(choice, option)| {
-        let mut tried = scenario.clone();
-        tried.options.0.insert(choice.id.clone(), option.clone());
-        let expected = Observed::of(&gaugeblock_reference::run(&tried).0);
-        compare(&expected, &found, &shows).divergence.is_none().then(|| match choice.kind {
-            ChoiceKind::Quirk => choice.id.clone(),
-            ChoiceKind::Choice => format!("{} = {option}", choice.id),
-        })
-    })
+    let is_named = |choice: &Choice| rule.options.contains(&choice.id);
+    let named: Vec<Other<'_>> =
+        suite.choices.iter().filter(|c| is_named(c)).flat_map(|c| others(c, scenario)).collect();
+    let quirks = suite.choices.iter().filter(|c| c.kind == ChoiceKind::Quirk && !is_named(c));
+    let quirks: Vec<Other<'_>> = quirks.flat_map(|c| others(c, scenario)).collect();
+    let explains = |tried: &[Other<'_>]| {
+        let mut scenario = scenario.clone();
+        for (choice, option) in tried {
+            scenario.options.0.insert(choice.id.clone(), (*option).to_owned());
+        }
+        let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
+        compare(&expected, &found, &shows).divergence.is_none()
+    };
+    let all: Vec<Other<'_>> = named.iter().chain(&quirks).copied().collect();
+    if let Some(one) = all.iter().find(|one| explains(&[**one])) {
+        return Some(name(*one));
+    }
+    let pairs = named.iter().flat_map(|one| all.iter().map(move |other| [*one, *other]));
+    let pair = pairs.filter(|[one, other]| one.0.id != other.0.id).find(|pair| explains(pair));
+    pair.map(|[one, other]| format!("{} and {}", name(one), name(other)))
+}
+
+/// An option of a choice that is not the one in force.
+type Other<'a> = (&'a Choice, &'a str);
+
+fn others<'a>(choice: &'a Choice, scenario: &Scenario) -> impl Iterator<Item = Other<'a>> {
+    let in_force = scenario.options.get(&choice.id).map(str::to_owned);
+    let options = choice.options.iter().map(|option| option.name.as_str());
+    options.filter(move |name| in_force.as_deref() != Some(*name)).map(move |name| (choice, name))
+}
+
+fn name((choice, option): Other<'_>) -> String {
+    match choice.kind {
+        ChoiceKind::Quirk => choice.id.clone(),
+        ChoiceKind::Choice => format!("{} = {option}", choice.id),
+    }
 }

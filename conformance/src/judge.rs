@@ -103,7 +103,8 @@ impl Judge<'_> {
         self.fields(fields, &entries, |field| self.shows.fields.contains(field))
     }
 
-    /// After the last block no state is recorded, so that only what effects show is judged, and parameters.
+    /// Where no state is recorded after the last block, an o-word, M98 or M99, only what effects show is judged, and
+    /// numbered parameters.
     fn at_end(&self, fields: &[Expected]) -> Finding {
         let stated = self.run.steps.last().is_some_and(|step| step.state.is_some());
         let mut entries = self.run.last_settings().entries();

@@ -104,6 +104,7 @@ impl Observed {
                 }
             }
             if let Some(change) = &step.state {
+                forget_local_names(&mut state, change);
                 state.overlay(change);
                 if let State::Rs274(state) = &state {
                     point = state.position.or(point);
@@ -173,6 +174,22 @@ fn moves_coordinates(change: &Settings) -> bool {
         || change.tool_offset.is_some()
 }
 
+/// After a call or return, which the record of a call level tells, only those local named parameters exist that are recorded
+/// anew.
+fn forget_local_names(state: &mut State, change: &State) {
+    if let (State::Rs274(state), State::Rs274(change)) = (state, change)
+        && change.call_level.is_some()
+        && let Some(parameters) = &mut state.parameter
+    {
+        parameters.0.retain(|name, _| !is_local_name(name));
+    }
+}
+
+/// Whether a parameter, as it stands in a record, is a local named one: no number, and no underscore before the name.
+pub(crate) fn is_local_name(name: &str) -> bool {
+    !name.starts_with('_') && name.parse::<u32>().is_err()
+}
+
 /// The values of each pin in order; one that is told again is no change.
 fn pins(changes: &[PinChange]) -> BTreeMap<Pin, Vec<f64>> {
     let mut pins: BTreeMap<Pin, Vec<f64>> = BTreeMap::new();
@@ -191,4 +208,50 @@ pub fn value_of(entries: &[Entry], field: &str, index: Option<&str>) -> Option<V
         .iter()
         .find(|entry| entry.field == field && entry.index.as_deref() == index)
         .map(|entry| entry.value.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use gaugeblock_reference::run;
+    use gaugeblock_trace::Scenario;
+
+    use super::*;
+
+    /// What is known of a parameter after each state.
+    fn shown(program: &str, parameter: &str) -> Vec<(u32, Option<Value>)> {
+        let observed = Observed::of(&run(&Scenario::of(program)).0);
+        let states = observed.steps.iter().filter_map(|step| {
+            let entries = step.state.as_ref()?.entries();
+            Some((step.block.line, value_of(&entries, "parameter", Some(parameter))))
+        });
+        states.collect()
+    }
+
+    #[test]
+    fn a_local_name_is_shown_where_it_exists() {
+        let program = "#<w> = 5\no1 sub\ng0\n#<w> = 9\no1 endsub\no1 call\no1 call\ng0\nm2\n";
+        let number = |value| Some(Value::Number(value));
+        assert_eq!(
+            shown(program, "w"),
+            [
+                (1, number(5.0)),
+                (3, None),
+                (4, number(9.0)),
+                (3, None),
+                (4, number(9.0)),
+                (8, number(5.0)),
+                (9, number(5.0)),
+            ]
+        );
+    }
+
+    #[test]
+    fn a_global_name_and_a_number_stay_in_sight() {
+        let program = "#<_depth> = 5 #31 = 5\no1 sub\ng0\no1 endsub\no1 call\nm2\n";
+        for parameter in ["_depth", "31"] {
+            let five = Some(Value::Number(5.0));
+            let expected = [(1, five.clone()), (3, five.clone()), (6, five)];
+            assert_eq!(shown(program, parameter), expected, "{parameter}");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! `gaugeblock rules --matrix`.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::{Format, Refused, place, write_out};
 use crate::adapters::Adapter;
@@ -20,7 +20,7 @@ pub(super) fn matrix(
     format: Format,
 ) -> Result<u8, Refused> {
     let judged: Vec<Judged> =
-        reports.iter().map(|path| read(path)).collect::<Result<_, Refused>>()?;
+        reports.iter().map(|path| read(path.as_path())).collect::<Result<_, Refused>>()?;
     let model = model(suite, ledgers);
     let matrix = Matrix::new(ledgers, &model, &judged);
     match format {
@@ -30,7 +30,7 @@ pub(super) fn matrix(
     Ok(0)
 }
 
-fn read(path: &PathBuf) -> Result<Judged, Refused> {
+fn read(path: &Path) -> Result<Judged, Refused> {
     let text = place::program(path)?;
     Judged::read(&text).map_err(|error| {
         Refused::wrong(

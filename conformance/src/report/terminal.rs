@@ -109,7 +109,7 @@ fn divergence(text: &mut String, result: &CaseResult<'_>) {
     }
     program(text, result);
     if let Some((assertion, found)) = &departure.assertion {
-        line!(text, "  expected  {}", styled(GREEN, assertion));
+        line!(text, "  expected  {}", styled(GREEN, without_guard(assertion)));
         line!(text, "  found     {}", styled(RED, found));
     }
     if let Some(divergence) = &departure.divergence {
@@ -119,6 +119,12 @@ fn divergence(text: &mut String, result: &CaseResult<'_>) {
         line!(text, "  explained by {}", styled(YELLOW, explanation));
     }
     line!(text);
+}
+
+/// An assertion without the option under which it is made: that the run was held to it says enough.
+fn without_guard(assertion: &str) -> &str {
+    let guarded = assertion.strip_prefix("when ").and_then(|rest| rest.split_once(": "));
+    guarded.map_or(assertion, |(_, claim)| claim)
 }
 
 fn program(text: &mut String, result: &CaseResult<'_>) {

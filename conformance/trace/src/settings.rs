@@ -119,13 +119,15 @@ record! {
         position: Position,
         /// Tool number in the spindle; 0 for none.
         tool: i32,
-        /// Tool number that T selected; -1 for none.
+        /// Tool number that T selected for the next change; -1 for none.
         prepared_tool: i32,
         /// Mode of the controller.
         controller_mode: ControllerMode,
-        /// Depth of calls; 0 in the main program.
+        /// Depth of calls; 0 in the main program. In the first record after a call or return it stands even when it is the
+        /// same: local named parameters that stand in no record since then do not exist.
         call_level: u32,
-        /// Parameters that the block changed: `31` for `#31`, `x` for `#<x>`, `_x` for `#<_x>`.
+        /// Parameters that changed: `31` for `#31`, `x` for `#<x>`, `_x` for `#<_x>`. In a record with a call level all
+        /// local named parameters that exist.
         parameter: Indexed<String, f64>,
     }
 }

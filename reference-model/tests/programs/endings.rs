@@ -53,3 +53,11 @@ fn an_option_that_nobody_knows_ends_the_run_before_it_begins() {
         assert!(outcome.steps.is_empty());
     }
 }
+
+#[test]
+fn nobody_says_whose_p_it_is_when_two_codes_use_it() {
+    for program in ["g64 g4 p1\nm2\n", "g4 p1 m50\nm2\n", "g10 l2 p1 x1 g64\nm2\n"] {
+        assert_eq!(ending(&outcome(program)), "unspecified at main.ngc:1", "{program}");
+    }
+    refuses("g64 g4 p1 q0.1 h1\nm2\n", "unused_word at main.ngc:1");
+}

@@ -75,3 +75,69 @@ fn the_call_level_is_that_after_the_block() {
     }
     assert_eq!(levels, [(4, Some(0)), (2, Some(1)), (6, Some(0)), (7, Some(0))]);
 }
+
+/// The call level and the parameters that each state records.
+fn scopes(program: &str) -> Vec<(u32, Option<u32>, String)> {
+    let outcome = outcome(program);
+    let states = outcome.steps.iter().filter_map(|step| match &step.state {
+        Some(State::Rs274(state)) => {
+            let parameters = state.parameter.iter().flat_map(|parameters| &parameters.0);
+            let texts: Vec<_> = parameters.map(|(name, value)| format!("{name}={value}")).collect();
+            Some((step.block.line, state.call_level, texts.join(" ")))
+        }
+        _ => None,
+    });
+    states.collect()
+}
+
+#[test]
+fn after_a_call_or_return_a_state_tells_whose_parameters_are_in_sight() {
+    let program =
+        "o1 sub\n#<w> = 9 #1 = 3\no1 endsub\n#<w> = 5 #<v> = 6 #1 = 4\no1 call [7]\ng0\nm2\n";
+    let record = |line, level, parameters: &str| (line, level, parameters.to_owned());
+    assert_eq!(
+        scopes(program),
+        [
+            record(4, Some(0), "1=4 v=6 w=5"),
+            record(2, Some(1), "1=3 w=9"),
+            record(6, Some(0), "1=4 v=6 w=5"),
+            record(7, None, ""),
+        ]
+    );
+}
+
+#[test]
+fn a_call_right_after_a_return_is_another_level_of_the_same_depth() {
+    let program = "o1 sub\n#<w> = 9\no1 endsub\no2 sub\ng0\no2 endsub\no1 call\no2 call [2]\nm2\n";
+    let record = |line, level, parameters: &str| (line, level, parameters.to_owned());
+    assert_eq!(
+        scopes(program),
+        [record(2, Some(1), "w=9"), record(5, Some(1), "1=2"), record(9, Some(0), "1=0")]
+    );
+}
+
+#[test]
+fn a_program_end_leaves_every_call() {
+    let program = "o1 sub\n#1 = 3\nm2\no1 endsub\nm98 p5\nm2\no5\n#1 = 7\no1 call [2]\nm99\n";
+    let record = |line, level, parameters: &str| (line, level, parameters.to_owned());
+    assert_eq!(
+        scopes(program),
+        [
+            record(8, Some(1), "1=7"),
+            record(2, Some(2), "1=3"),
+            // A numbered subprogram works on the main program's parameters.
+            record(3, Some(0), "1=7"),
+        ]
+    );
+}
+
+#[test]
+fn whatever_changes_a_parameter_it_is_recorded() {
+    let system = |program: &str| -> Vec<String> {
+        let texts = scopes(program).into_iter().map(|(_, _, parameters)| parameters);
+        texts.filter(|text| text.contains("5220")).collect()
+    };
+    assert_eq!(system("g55\nm70\ng56\nm72\nm2\n"), ["5220=2", "5220=3", "5220=2", "5220=1"]);
+    assert_eq!(system("o1 sub\nm73\ng56\no1 endsub\no1 call\ng0\nm30\n"), ["5220=3", "5220=1"]);
+    assert_eq!(scopes("m98 p5 #31=8\ng0\nm2\no5\nm99\n")[0].2, "31=8");
+}

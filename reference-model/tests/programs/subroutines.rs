@@ -93,9 +93,11 @@ fn a_definition_may_be_reached_again() {
 #[test]
 fn numbered_programs_share_their_caller_s_parameters() {
     let program = "o1\n#1 = 0\n#<width> = 5\nm98 p100 l5\n#33 = #<width>\nm30\no100\n#1 = [#1 + 1]\nm98 p200 l5\n#<width> = [#<width> + 1]\nm99\no200\n#1 = [#1 + 0.01]\n#31 = [#31 + 1]\nm99\n";
-    gives(program, &[(1, 5.25), (31, 25.0), (33, 10.0)]);
-    let hidden = outcome_under(&[("rs274.fanuc-locals", "observed")], program);
-    assert_eq!(ending(&hidden), "no_such_parameter at main.ngc:10");
+    let shared = outcome_under(&[("fanuc-subs.named-locals", "shared")], program);
+    for (number, expected) in [(1, 5.25), (31, 25.0), (33, 10.0)] {
+        assert!((parameter(&shared, number) - expected).abs() < 1e-9, "#{number}");
+    }
+    refuses(program, "no_such_parameter at main.ngc:10");
 }
 
 #[test]

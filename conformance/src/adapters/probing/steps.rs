@@ -1,8 +1,10 @@
 //! Executed blocks, made of one probe after the other.
 
+use std::collections::BTreeMap;
+
 use gaugeblock_trace::scenario::Budget;
 use gaugeblock_trace::{
-    Bound, ControllerMode, End, Event, Indexed, Outcome, Rs274State, State, Step,
+    Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State, Step,
 };
 
 use super::instrument::Plan;
@@ -10,6 +12,7 @@ use super::probe::Probe;
 use super::source::{Form, Source, form, has_slash};
 use super::state;
 use crate::adapters::HarnessError;
+use crate::observe::is_local_name;
 
 /// The blocks that were executed so far.
 #[derive(Debug)]
@@ -18,7 +21,11 @@ pub(in crate::adapters) struct Steps<'a> {
     plan: &'a Plan,
     block_delete: bool,
     known: Rs274State,
+    /// Depth of calls where the last probe stood.
+    level: i64,
     at: Option<(usize, u32)>,
+    /// Whether the tool was changed since the last T: then none is selected, though parameters may keep the old one.
+    changed: bool,
     /// Mode of the controller, where it has modes.
     pub(in crate::adapters) mode: Option<ControllerMode>,
     /// The blocks with what they did.
@@ -29,7 +36,17 @@ impl<'a> Steps<'a> {
     /// None yet.
     pub(in crate::adapters) fn new(source: &'a Source, plan: &'a Plan, block_delete: bool) -> Self {
         let known = Rs274State::default();
-        Self { source, plan, block_delete, known, at: None, mode: None, taken: Vec::new() }
+        Self {
+            source,
+            plan,
+            block_delete,
+            known,
+            level: 0,
+            at: None,
+            changed: false,
+            mode: None,
+            taken: Vec::new(),
+        }
     }
 
     /// Whether a probe was seen.
@@ -73,9 +90,14 @@ impl<'a> Steps<'a> {
         events: Vec<Event>,
         tool: i32,
     ) -> Result<(), HarnessError> {
+        self.tool_codes(&events);
         let here = (probe.file, probe.line);
         let Some(next) = self.next() else { return Ok(()) };
         let jumped = here != next;
+        let level = std::mem::replace(&mut self.level, probe.mode("_call_level"));
+        if level != self.level || self.next_form() == Form::Return {
+            self.led_elsewhere();
+        }
         match self.next_form() {
             Form::Call if jumped => {
                 // The call counts when it returns; what its block did, it did before the sub.
@@ -103,21 +125,33 @@ impl<'a> Steps<'a> {
         Ok(())
     }
 
-    /// The program ended with the next block; what was shown afterwards.
+    /// After a call or return the level is recorded anew, and with it the local names that exist.
+    fn led_elsewhere(&mut self) {
+        self.known.call_level = None;
+        if let Some(parameters) = &mut self.known.parameter {
+            parameters.0.retain(|name, _| !is_local_name(name));
+        }
+    }
+
+    /// The program ended with the next block; what was shown afterwards, and all numbered parameters that are not zero.
     ///
     /// # Errors
     /// A mode that is not known.
     pub(in crate::adapters) fn ended(
         &mut self,
         probe: &Probe,
+        parameters: Option<&BTreeMap<u32, f64>>,
         events: Vec<Event>,
         tool: i32,
     ) -> Result<(), HarnessError> {
-        let shown = self.shown(probe, tool)?;
-        let mut changes = shown.since(&self.known);
+        self.tool_codes(&events);
+        let mut shown = self.shown(probe, tool)?;
+        if self.level != 0 {
+            self.led_elsewhere();
+            arguments_at_end(&mut shown, parameters);
+        }
+        let changes = shown.since(&self.known);
         self.known.overlay(&changes);
-        changes.parameter = None;
-        changes.call_level = None;
         self.step(self.next().unwrap_or((0, 1)), events, Some(State::Rs274(changes)));
         Ok(())
     }
@@ -127,9 +161,20 @@ impl<'a> Steps<'a> {
         self.at = Some((probe.file, probe.line));
     }
 
+    fn tool_codes(&mut self, events: &[Event]) {
+        for event in events {
+            match event {
+                Event::Do(Effect::PrepareTool { .. }) => self.changed = false,
+                Event::Do(Effect::ChangeTool { .. }) => self.changed = true,
+                _ => {}
+            }
+        }
+    }
+
     fn shown(&self, probe: &Probe, tool: i32) -> Result<Rs274State, HarnessError> {
         let shown = state::state(probe, tool, self.plan)?;
-        Ok(Rs274State { controller_mode: self.mode, ..shown })
+        let prepared_tool = if self.changed { Some(-1) } else { shown.prepared_tool };
+        Ok(Rs274State { controller_mode: self.mode, prepared_tool, ..shown })
     }
 
     /// A block of which only its events are known.
@@ -140,6 +185,17 @@ impl<'a> Steps<'a> {
         state: Option<State>,
     ) {
         self.taken.push(Step { block: self.source.block(file, line), events, state });
+    }
+}
+
+/// Where a run ended in a sub, it was not the end but the stop before it that showed #1 to #30: the list at the end has
+/// what they are.
+fn arguments_at_end(shown: &mut Rs274State, parameters: Option<&BTreeMap<u32, f64>>) {
+    let shown = shown.parameter.iter_mut().flat_map(|shown| shown.0.iter_mut());
+    for (name, value) in shown {
+        if let (Some(list), Ok(number @ 1..=30)) = (parameters, name.parse()) {
+            *value = list.get(&number).copied().unwrap_or_default();
+        }
     }
 }
 

@@ -28,6 +28,8 @@ pub(super) struct Seen<'a> {
     pub(super) cut_off: bool,
     /// What was shown after the end, if the program reached its end.
     pub(super) after_end: Option<&'a Probe>,
+    /// Numbered parameters that are not zero at the end.
+    pub(super) parameters: Option<&'a BTreeMap<u32, f64>>,
 }
 
 /// An outcome in the making.
@@ -131,7 +133,7 @@ impl Assembly<'_> {
         };
         self.canon.end(|canon| canon.settle(probe))?;
         let events = self.canon.take_events();
-        self.steps.ended(probe, events, self.canon.tool)?;
+        self.steps.ended(probe, seen.parameters, events, self.canon.tool)?;
         self.end = Some(End::ProgramEnd);
         Ok(())
     }
@@ -186,6 +188,7 @@ mod tests {
             refused: true,
             cut_off: false,
             after_end: None,
+            parameters: None,
         };
         let parameters = BTreeMap::from([(2, 7.0), (5220, 1.0), (5599, 1.0)]);
         let outcome = outcome(&scenario, &source, &plan, &seen, Some(parameters)).unwrap();
@@ -204,6 +207,7 @@ mod tests {
             refused: false,
             cut_off: false,
             after_end: None,
+            parameters: None,
         };
         assert!(outcome(&scenario, &source, &plan, &seen, None).is_err());
     }

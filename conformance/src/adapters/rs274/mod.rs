@@ -129,6 +129,7 @@ impl Adapter for Rs274 {
             refused: observed.refused,
             cut_off: status.is_none(),
             after_end: observed.after_end.as_ref(),
+            parameters: status.is_some().then_some(&observed.parameters),
         };
         let parameters = status.is_some().then(|| shown_parameters(scenario, &observed.parameters));
         let outcome = assemble::outcome(scenario, &source, &observed.plan, &seen, parameters);

@@ -16,8 +16,9 @@ pub struct OperatorEvent {
     pub action: Action,
 }
 
-/// A point of the run: an execution of a block, plus an offset on the interpreter's clock, which only dwells and
-/// waits move. In the dynamics layer the clock is the servo cycle.
+/// A point of the run: an execution of a block, plus an offset on the interpreter's clock, which only dwells, waits and
+/// pauses move, and the idle controller. At an offset of zero it comes before the block does anything. In the dynamics
+/// layer the clock is the servo cycle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct When {

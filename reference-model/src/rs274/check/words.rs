@@ -28,7 +28,23 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
         && words.letters.contains_key(&'q')
         && !words.letters.contains_key(&'p')
     {
-        return naive_cam_alone(state);
+        naive_cam_alone(state)?;
+    }
+    one_meaning_of_p(words)
+}
+
+/// P of one code is not that of another: seconds, a number of a coordinate system, a tolerance, a switch. No document says
+/// whose it is when two codes of a block use it. M50 to M53 mean the same by it.
+fn one_meaning_of_p(words: &Words) -> Result<(), Halt> {
+    if !words.letters.contains_key(&'p') {
+        return Ok(());
+    }
+    let uses = |code: &&Code| code.words.contains('p');
+    let by_g = words.g.iter().filter_map(|code| g_code(*code)).filter(uses).count();
+    let by_m = words.m.iter().filter_map(|code| m_code(*code)).filter(uses).count();
+    if by_g > 1 || by_g == 1 && by_m > 0 {
+        let why = "two codes of the block use P, and nothing says whose it is";
+        return Err(Halt::Unspecified(why.to_owned()));
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::FaultKind;
 
-use super::{Control, Next, Open, Place, Structure, condition};
+use super::{Control, Next, Open, Place, Structure, condition, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::refusal::{Halt, refuse};
@@ -102,24 +102,26 @@ impl Control {
         }
         if state.frame().ended_conditions.contains(label) {
             let followed = state.readings.is("control.ended-label", "followed");
-            let message = format!("the condition o{label} has ended");
+            let message = format!("the condition {} has ended", o_word(label));
             let refusal = refuse("control.unmatched-endif", FaultKind::UnknownLabel, message);
             return if followed { Ok(None) } else { Err(refusal) };
         }
         let defined = self.definitions(label);
         if defined.is_empty() {
             if matches!(keyword, Keyword::Else | Keyword::ElseIf) {
-                let message = format!("no if has the label o{label}");
+                let message = format!("no if has the label {}", o_word(label));
                 return Err(refuse("control.undefined-else", FaultKind::UnknownLabel, message));
             }
         } else if defined.iter().any(|definition| definition.keyword == Keyword::If)
             && !quirks::control::is_left_behind(state)
         {
-            let why =
-                format!("the condition o{label} is in the text, but was not entered by its if");
+            let why = format!(
+                "the condition {} is in the text, but was not entered by its if",
+                o_word(label)
+            );
             return Err(Halt::Unspecified(why));
         }
-        let message = format!("o{label} is no open condition");
+        let message = format!("{} is no open condition", o_word(label));
         Err(refuse("control.unmatched-endif", FaultKind::UnknownLabel, message))
     }
 
@@ -215,8 +217,10 @@ impl Control {
     ) -> Result<(), Halt> {
         let frame = state.frame_mut();
         if frame.find_open(label, kind).map(|place| place + 1) != Some(frame.open.len()) {
-            let why =
-                format!("o{label} ends while a condition or loop that began inside it is open");
+            let why = format!(
+                "{} ends while a condition or loop that began inside it is open",
+                o_word(label)
+            );
             return Err(Halt::Unspecified(why));
         }
         if let Some(open) = frame.open.pop() {
@@ -228,6 +232,6 @@ impl Control {
 
 /// The refusal of a label that is defined elsewhere.
 pub(super) fn duplicate(label: &str, rule: &'static str) -> Halt {
-    let message = format!("the label o{label} is defined elsewhere");
+    let message = format!("the label {} is defined elsewhere", o_word(label));
     refuse(rule, FaultKind::DuplicateLabel, message)
 }

@@ -4,7 +4,7 @@ use gaugeblock_trace::FaultKind;
 
 use super::conditions::duplicate;
 use super::labels::Definition;
-use super::{Control, Next, Structure, condition, single};
+use super::{Control, Next, Structure, condition, o_word, single};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::refusal::{Halt, refuse};
@@ -87,7 +87,10 @@ impl Control {
         let first = self.defined_elsewhere(label, state);
         let of_do = |definition: &Definition| definition.keyword == Keyword::Do;
         if first.is_some() && !self.definitions(label).iter().all(of_do) {
-            let why = format!("a do whose label o{label} is that of a condition or another loop");
+            let why = format!(
+                "a do whose label {} is that of a condition or another loop",
+                o_word(label)
+            );
             return Err(Halt::Unspecified(why));
         }
         let line = match (first, state.readings.choice("control.do-label")) {
@@ -215,13 +218,17 @@ impl Control {
         }
         let repeat = frame.find_open(label, is_repeat).is_some();
         let rule = if repeat { "control.break-in-repeat" } else { "control.stray-break" };
-        Err(refuse(rule, FaultKind::UnknownLabel, format!("o{label} is no open while or do")))
+        Err(refuse(
+            rule,
+            FaultKind::UnknownLabel,
+            format!("{} is no open while or do", o_word(label)),
+        ))
     }
 }
 
 /// The refusal of an endwhile or endrepeat without its head.
 fn unmatched(label: &str) -> Halt {
-    let message = format!("o{label} is no open loop of this kind");
+    let message = format!("{} is no open loop of this kind", o_word(label));
     refuse("control.unmatched-endwhile", FaultKind::UnknownLabel, message)
 }
 

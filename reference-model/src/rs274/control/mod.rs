@@ -191,7 +191,7 @@ impl Control {
         state: &mut State,
     ) -> Result<u32, Halt> {
         self.find(label, keywords, after, state).ok_or_else(|| {
-            let message = format!("o{label} has no end further on");
+            let message = format!("{} has no end further on", o_word(label));
             refuse("control.missing-end", FaultKind::MissingEnd, message)
         })
     }
@@ -222,6 +222,11 @@ fn label_of(label: &Label, state: &mut State) -> Result<String, Halt> {
             whole(number)
         }
     }
+}
+
+/// A label as it is written, for messages: `o100`, `o<cave>`.
+fn o_word(label: &str) -> String {
+    if label.parse::<i64>().is_ok() { format!("o{label}") } else { format!("o<{label}>") }
 }
 
 /// A number close to an integer, as a label.

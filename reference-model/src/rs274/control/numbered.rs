@@ -4,7 +4,7 @@ use gaugeblock_trace::{End, FaultKind};
 
 use super::loops::saturated;
 use super::subs::{clear_value, deeper};
-use super::{Call, Control, Frame, Next, Place, Style};
+use super::{Call, Control, Frame, Next, Place, Style, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::read::Words;
@@ -133,7 +133,7 @@ impl Control {
             return Err(refuse("fanuc-subs.sub-follows", FaultKind::UnknownSub, message));
         }
         if self.subs.contains_key(label) || !labels.subs(label).is_empty() {
-            let message = format!("o{label} begins with sub: M98 does not call it");
+            let message = format!("{} begins with sub: M98 does not call it", o_word(label));
             return Err(refuse("fanuc-subs.mixed-m98", FaultKind::MixedStyles, message));
         }
         let message = format!("the file defines no subprogram {label}");
@@ -152,7 +152,7 @@ impl Control {
             return Ok(Next::End(End::Endless));
         };
         let Style::Numbered { first, turns_left } = call.style else {
-            let message = format!("o{} ends with endsub", call.label);
+            let message = format!("{} ends with endsub", o_word(&call.label));
             return Err(refuse("fanuc-subs.mixed-m99", FaultKind::MixedStyles, message));
         };
         saved_state::restore_at_return(state, record)?;
@@ -169,25 +169,27 @@ impl Control {
         Ok(Next::At(first))
     }
 
-    /// Rules fanuc-subs.shared-parameters, fanuc-subs.named-locals. What a subprogram changed stays for its caller.
+    /// Rule fanuc-subs.shared-parameters. What a subprogram changed stays for its caller; of local named parameters
+    /// that is a choice (fanuc-subs.named-locals).
     fn share_back(&self, state: &mut State) {
         let left = state.frames.pop().expect("control: only a called frame is left");
-        let keeps_locals = state.readings.quirk("rs274.fanuc-locals");
+        let shared = state.readings.is("fanuc-subs.named-locals", "shared");
         let caller = state.frame_mut();
         caller.arguments = left.arguments;
-        if !keeps_locals {
+        if shared {
             caller.locals = left.locals;
         }
     }
 }
 
-/// Rules fanuc-subs.shared-parameters, fanuc-subs.named-locals. A subprogram works on its caller's parameters.
+/// Rule fanuc-subs.shared-parameters. A subprogram works on its caller's #1 to #30.
+/// Rule fanuc-subs.named-locals. Whether it sees the caller's local named parameters is a choice.
 fn shared_frame(call: Call, state: &mut State) -> Frame {
     state.evidence.accepted("fanuc-subs.shared-parameters");
     state.evidence.accepted("fanuc-subs.named-locals");
-    let hides_locals = state.readings.quirk("rs274.fanuc-locals");
+    let shared = state.readings.is("fanuc-subs.named-locals", "shared");
     let caller = state.frame();
-    let locals = if hides_locals { Default::default() } else { caller.locals.clone() };
+    let locals = if shared { caller.locals.clone() } else { Default::default() };
     Frame { arguments: caller.arguments, locals, call: Some(call), ..Frame::default() }
 }
 

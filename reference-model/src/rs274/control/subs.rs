@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::FaultKind;
 
-use super::{Call, Control, Frame, Next, Place, Style, evaluated};
+use super::{Call, Control, Frame, Next, Place, Style, evaluated, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::refusal::{Halt, refuse};
@@ -22,11 +22,11 @@ impl Control {
     /// Rule subroutines.unique-name. A second definition is refused; the same one may be reached again.
     pub(super) fn sub(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         if state.call_level() > 0 {
-            let message = format!("o{label} is defined inside another sub");
+            let message = format!("{} is defined inside another sub", o_word(label));
             return Err(refuse("subroutines.nested-definition", FaultKind::NestedSub, message));
         }
         if self.subs.get(label).is_some_and(|known| *known != self.place) {
-            let message = format!("there is a sub o{label} already");
+            let message = format!("there is a sub {} already", o_word(label));
             return Err(refuse("subroutines.unique-name", FaultKind::DuplicateSub, message));
         }
         let end = self.define(label, self.place, state)?;
@@ -48,12 +48,12 @@ impl Control {
         let end = labels.find(label, &[Keyword::EndSub], place.line, place.line + 1, state);
         if let Some(inner) = labels.sub_between(place.line, end.unwrap_or(u32::MAX)) {
             self.place = Place { line: inner, ..place };
-            let message = format!("a sub begins inside o{label}");
+            let message = format!("a sub begins inside {}", o_word(label));
             return Err(refuse("subroutines.nested-definition", FaultKind::NestedSub, message));
         }
         let Some(end) = end else {
             self.place = place;
-            let message = format!("o{label} sub has no endsub");
+            let message = format!("{} sub has no endsub", o_word(label));
             return Err(refuse("subroutines.missing-endsub", FaultKind::MissingEnd, message));
         };
         self.subs.insert(label.to_owned(), place);
@@ -74,7 +74,7 @@ impl Control {
     ) -> Result<Next, Halt> {
         let own = called_label("subroutines.stray-endsub", state)?;
         if own != label && !state.readings.quirk("rs274.any-endsub") {
-            let message = format!("o{own} sub cannot end with o{label} endsub");
+            let message = format!("{} sub cannot end with {} endsub", o_word(&own), o_word(label));
             return Err(refuse("subroutines.missing-endsub", FaultKind::UnknownLabel, message));
         }
         leave_sub(values, state, record)
@@ -96,7 +96,8 @@ impl Control {
         }
         let own = called_label("subroutines.stray-return", state)?;
         if own != label && state.readings.is("subroutines.return-label", "own") {
-            let message = format!("a return from o{own} carries the number o{label}");
+            let message =
+                format!("a return from {} carries the number {}", o_word(&own), o_word(label));
             return Err(refuse("subroutines.return-label", FaultKind::UnknownLabel, message));
         }
         if own != label {
@@ -158,7 +159,7 @@ impl Control {
         }
         let labels = self.files.labels(self.place.file);
         if !labels.numbers(label).is_empty() {
-            let message = format!("o{label} is a numbered program: it is called by M98");
+            let message = format!("{} is a numbered program: it is called by M98", o_word(label));
             return Err(refuse("fanuc-subs.mixed-o-call", FaultKind::MixedStyles, message));
         }
         let later = labels.subs(label).iter().copied().find(|line| *line > self.place.line);
@@ -171,7 +172,7 @@ impl Control {
                 self.subs.insert(label.to_owned(), sub);
                 return Ok(sub);
             }
-            let message = format!("o{label} is called before its definition");
+            let message = format!("{} is called before its definition", o_word(label));
             let rule = "subroutines.defined-before-call";
             return Err(refuse(rule, FaultKind::UnknownSub, message));
         }
@@ -180,7 +181,7 @@ impl Control {
         } else {
             "subroutines.file-call"
         });
-        let message = format!("neither the program nor a file defines o{label}");
+        let message = format!("neither the program nor a file defines {}", o_word(label));
         Err(refuse("subroutines.unknown-sub", FaultKind::UnknownSub, message))
     }
 
@@ -195,11 +196,11 @@ impl Control {
         let subs: Vec<_> = self.files.labels(first.file).all_subs().collect();
         let own = subs.iter().position(|(_, found)| *found == Some(label));
         let Some(own) = own else {
-            let message = format!("the file {name} has no sub o{label}");
+            let message = format!("the file {name} has no sub {}", o_word(label));
             return Err(refuse("subroutines.file-call", FaultKind::UnknownSub, message));
         };
         if subs.len() > 1 && !state.readings.quirk("rs274.file-with-two-subs") {
-            let message = format!("the file {name} defines other subs beside o{label}");
+            let message = format!("the file {name} defines other subs beside {}", o_word(label));
             return Err(refuse("subroutines.file-one-sub", FaultKind::DuplicateSub, message));
         }
         let sub = Place { line: subs[own].0, ..first };

@@ -120,9 +120,11 @@ impl Spindle {
 impl Modes {
     /// The modes before the first block.
     ///
-    /// Rule modal-groups.initial-modes. XY plane, radius mode, incremental arc distance, and the coordinate system that
-    /// #5220 names. Motion mode, return mode and length unit are choices. The documents say no more; everything else begins as a controller is usually found:
-    /// absolute distance, feed per minute, nothing on but overrides and feed stop.
+    /// Rule modal-groups.initial-modes. XY plane, radius mode, incremental arc distance, blending without a tolerance, and
+    /// the coordinate system that #5220 names. Motion mode, return mode and length unit are choices.
+    ///
+    /// The documents say no more. Everything else begins as the README of this crate tells: absolute distance, feed per
+    /// minute, nothing on but overrides and feed stop.
     pub fn new(machine: &Machine, readings: &Readings) -> Self {
         let stored = |number: u32| machine.parameters.0.get(&number).copied().unwrap_or(0.0);
         // Choice units-planes.initial-unit.

@@ -121,7 +121,7 @@ pub const ORDER_RULES: &[OrderRule] = &[
     rule("order.units-before-motion", &[P::Units], &[P::Motion]),
     rule("order.units-before-offset-data", &[P::Units], &[P::OffsetData]),
     rule("order.units-before-path", &[P::Units], &[P::Path]),
-    rule("order.user-code-before-dwell", &[P::UserCode], &[P::Dwell]),
+    rule("order.user-code-before-modes", &[P::UserCode], MODES),
     rule("order.words-in-any-order", Phase::ALL, Phase::ALL),
     rule("order.work-offset-before-motion", &[P::WorkOffset], &[P::Motion]),
     rule("order.work-offset-before-offset-data", &[P::WorkOffset], &[P::OffsetData]),

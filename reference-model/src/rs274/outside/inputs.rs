@@ -113,7 +113,7 @@ impl Outside {
         let name = input.name();
         let changes = self.bench.inputs.iter();
         let past = changes.filter(|change| change.input == name && change.time <= time);
-        past.last().map_or(0.0, |change| change.value)
+        past.map(|change| change.value).next_back().unwrap_or(0.0)
     }
 }
 

@@ -97,7 +97,7 @@ impl Outside {
 
     /// Gives a pin a value at a time that has just gone by.
     pub(crate) fn set_at(&mut self, time: f64, pin: Pin, value: f64) {
-        if self.level(pin) != value {
+        if (self.level(pin) - value).abs() > 0.0 {
             self.levels.insert(pin, value);
             self.changes.push(PinChange { time, pin, value });
         }

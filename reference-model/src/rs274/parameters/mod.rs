@@ -8,13 +8,14 @@ mod rules;
 mod tests;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
 use gaugeblock_trace::{FaultKind, Indexed, Machine};
 
 use super::machine::State;
 use super::readings::Readings;
 use super::refusal::{Halt, refuse};
-pub use numbered::{DEBUG_SWITCH, last};
+pub use numbered::{DEBUG_SWITCH, computed_numbers, last};
 pub use rules::{refused_too, rules_of, rules_of_existence};
 
 /// A parameter by number or by name.
@@ -24,6 +25,23 @@ pub enum Name {
     Numbered(u32),
     /// `#<name>`: lower case, without blanks; global when it begins with an underscore.
     Named(String),
+}
+
+impl Name {
+    /// Whether it names a parameter that belongs to one call: it is no number and begins without an underscore.
+    pub fn is_local_name(&self) -> bool {
+        matches!(self, Self::Named(name) if !is_global(name))
+    }
+}
+
+impl fmt::Display for Name {
+    /// As it stands behind `#`, a name without its marks.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Numbered(number) => number.fmt(f),
+            Self::Named(name) => name.fmt(f),
+        }
+    }
 }
 
 /// Global parameters. The local ones are in the frames.
@@ -37,6 +55,8 @@ pub struct Parameters {
     local_names: BTreeSet<String>,
     /// Settings of the block that is being executed, which take effect at its end.
     announced: Vec<(Name, f64)>,
+    /// Parameters that were given a value since somebody asked last, the same one or another.
+    written: BTreeSet<Name>,
     /// `#<_value>`: what the last return gave; zero when nothing.
     pub returned: f64,
     /// `#<_value_returned>`: whether the last return gave a value.
@@ -56,7 +76,13 @@ impl Parameters {
 
     /// Stores a numbered parameter without any check.
     pub fn store(&mut self, number: u32, value: f64) {
+        self.written.insert(Name::Numbered(number));
         self.numbered.insert(number, value);
+    }
+
+    /// The parameters that were given a value since this was asked last.
+    pub fn take_written(&mut self) -> BTreeSet<Name> {
+        std::mem::take(&mut self.written)
     }
 
     /// All stored numbered parameters that are not zero. The local ones are not among them: they are in the
@@ -132,6 +158,7 @@ pub fn value(name: &Name, state: &State) -> Result<f64, Halt> {
 pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), Halt> {
     writable(name, state)?;
     rules_of(name, state).into_iter().for_each(|rule| state.evidence.accepted(rule));
+    state.parameters.written.insert(name.clone());
     match name {
         Name::Numbered(number) => numbered::assign(*number, value, state),
         Name::Named(name) if is_global(name) => {

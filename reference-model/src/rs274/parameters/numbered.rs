@@ -77,6 +77,11 @@ pub fn last(readings: &Readings) -> u32 {
     if readings.quirk("rs274.last-parameter") { quirks::LAST_PARAMETER } else { LAST }
 }
 
+/// The parameters whose value the machine's state decides.
+pub fn computed_numbers() -> impl Iterator<Item = u32> {
+    (TOOL..POSITION + 9).filter(|number| is_computed(*number))
+}
+
 /// Whether the machine's state decides a parameter's value.
 pub(super) fn is_computed(number: u32) -> bool {
     (TOOL..=5413).contains(&number) || position_of(number).is_some()

@@ -61,9 +61,7 @@ const PREDEFINED: &[Predefined] = &[
         lathe(state, Lathe::Diameter)
     }),
     Predefined("_lathe_radius_mode", "parameters.lathe-mode", |state| lathe(state, Lathe::Radius)),
-    Predefined("_spindle_on", "parameters.spindle-status", |state| {
-        flag(matches!(spindle(state).turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise))
-    }),
+    Predefined("_spindle_on", "parameters.spindle-status", spindle_on),
     Predefined("_spindle_cw", "parameters.spindle-status", |state| {
         flag(spindle(state).turn == SpindleTurn::Clockwise)
     }),
@@ -155,6 +153,15 @@ fn flag(holds: bool) -> f64 {
 /// Values of spindle parameters are those of the first spindle.
 fn spindle(state: &State) -> Spindle {
     state.modes.spindles.first().copied().unwrap_or(Spindle::AT_START)
+}
+
+/// Rule parameters.spindle-status. `_spindle_on` is 1 after M3 or M4.
+/// Choice parameters.spindle-on-at-zero: as commanded, or as it turns, which it does not at a speed of zero.
+fn spindle_on(state: &State) -> f64 {
+    let Spindle { turn, speed, .. } = spindle(state);
+    let commanded = matches!(turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise);
+    let by_command = state.readings.is("parameters.spindle-on-at-zero", "commanded");
+    flag(commanded && (by_command || speed > 0.0))
 }
 
 /// Rule parameters.motion-mode. `_motion_mode` is ten times the number of the active motion code; 800 for G80.
@@ -259,7 +266,7 @@ fn selected_tool(state: &State) -> f64 {
     if state.readings.quirk("rs274.selected-tool-zero") {
         return f64::from(quirks::selected_tool(state));
     }
-    f64::from(state.prepared_tool)
+    f64::from(state.selected_tool)
 }
 
 /// The names of the predefined parameters but those of axes and pockets.

@@ -76,6 +76,9 @@ pub fn refused_too(name: &Name, state: &State) -> Vec<&'static str> {
     let mut rules = vec!["parameters.named-absent"];
     if state.frames.iter().any(|frame| frame.locals.contains_key(name)) {
         rules.push("subroutines.caller-locals");
+        if state.frame().shares_parameters() {
+            rules.push("fanuc-subs.named-locals");
+        }
     } else if state.parameters.local_names.contains(name) {
         rules.push("subroutines.local-named-deleted");
     }

@@ -6,19 +6,11 @@ use gaugeblock_trace::{
     Compensation, FaultKind, FeedMode, Path, Position, SpindleLimit, SpindleMode, Switch,
 };
 
-use crate::rs274::control::Frame;
 use crate::rs274::machine::State;
-use crate::rs274::modes::{Modes, SavedState, Spindle, unit_size};
+use crate::rs274::modes::{Modes, Spindle, unit_size};
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::restore::same;
 use crate::rs274::step::tool_length::{apply, table_offset};
-
-/// Quirk rs274.one-store-per-level. M70 and M73 share one place: the end of a sub restores what was saved last, if an M73
-/// was executed there, whatever M71 did before.
-pub(crate) fn promised_at_return(frame: &Frame) -> Option<SavedState> {
-    let saved = frame.saved.as_ref().filter(|saved| saved.valid);
-    saved.filter(|_| frame.restore_at_return.is_some()).cloned()
-}
 
 /// Quirk rs274.tool-offset-restore. G43 is programmed again when the offset is off, with the tool in the spindle; an offset
 /// that is on stays as it is.

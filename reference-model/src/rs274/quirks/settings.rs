@@ -1,6 +1,6 @@
 //! Quirks of modes, offsets, spindle, overrides and the program end.
 
-use gaugeblock_trace::{FaultKind, SpindleLimit, SpindleMode, Switch};
+use gaugeblock_trace::{Distance, FaultKind, SpindleLimit, SpindleMode, Switch};
 
 use crate::rs274::machine::State;
 use crate::rs274::modes::{ModalGroup, converted};
@@ -62,6 +62,16 @@ pub(crate) fn tool_offset_as_programmed(state: &mut State) {
 pub(crate) fn group_of(m_code: u32, state: &State) -> Option<ModalGroup> {
     let saves = (70..=73).contains(&m_code);
     (saves && state.readings.quirk("rs274.save-in-spindle-group")).then_some(ModalGroup::Spindle)
+}
+
+/// Quirk rs274.machine-incremental. G53 needs absolute distance mode.
+pub(crate) fn machine_incremental(state: &State) -> Result<(), Halt> {
+    let rule = "rs274.machine-incremental";
+    if state.modes.distance == Distance::Incremental && state.readings.quirk(rule) {
+        let message = "G53 in incremental distance mode";
+        return Err(refuse(rule, FaultKind::ModalConflict, message));
+    }
+    Ok(())
 }
 
 /// Quirk rs274.machine-under-zero-radius. A radius of zero is as good as no compensation.

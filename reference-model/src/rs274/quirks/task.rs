@@ -11,10 +11,3 @@ pub(crate) fn modes_of_last_motion(modes: &Modes, state: &mut State) {
         state.position = state.modes.program_point(machine);
     }
 }
-
-/// Quirk linuxcnc.selection-used-up. With M6 the tool is no longer selected.
-pub(crate) fn selection_after_change(state: &mut State) {
-    if state.readings.quirk("linuxcnc.selection-used-up") {
-        state.prepared_tool = -1;
-    }
-}

@@ -1,7 +1,7 @@
 //! G0, G1, G80, and axis words alone.
 
 use gaugeblock_trace::{
-    Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Position, SpindleMode, SpindleTurn,
+    Compensation, Effect, FaultKind, FeedMode, Motion, Position, SpindleMode, SpindleTurn,
 };
 
 use super::target::{end_point, machine_end_point};
@@ -126,7 +126,7 @@ fn move_to(
 
 /// Rule offsets.machine-needs-motion. G53 needs G0 or G1 to be active, in its block or before (offsets.machine-motion).
 /// Rule offsets.machine-under-compensation. It is refused while cutter compensation is on.
-/// Rule offsets.machine-incremental. What it does in incremental distance mode is a choice.
+/// Rule offsets.machine-incremental. In incremental distance mode too it goes to the absolute point.
 fn machine_coordinates_possible(
     motion: Motion,
     words: &Words,
@@ -141,11 +141,7 @@ fn machine_coordinates_possible(
         let message = "G53 while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
-    let incremental = state.modes.distance == Distance::Incremental;
-    if incremental && state.readings.is("offsets.machine-incremental", "refused") {
-        let message = "G53 in incremental distance mode";
-        return Err(refuse("offsets.machine-incremental", FaultKind::ModalConflict, message));
-    }
+    quirks::machine_incremental(state)?;
     state.evidence.accepted("offsets.machine-incremental");
     if !words.g.iter().any(|code| [0, 10].contains(code)) {
         state.evidence.accepted("offsets.machine-motion");

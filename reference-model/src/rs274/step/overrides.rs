@@ -36,20 +36,24 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
 
 /// Rules overrides.enable-both and overrides.disable-both: the feed override and the speed override.
 ///
-/// Rule overrides.both-selected. $ says which spindle's speed override is meant.
+/// Rule overrides.both-selected. $ says which spindle's speed override is meant; whether the feed override is meant too
+/// is a choice (overrides.selected-feed).
 fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), Halt> {
     let spindles = speed_overrides(words, state)?;
     state.evidence.accepted(match switch {
         Switch::On => "overrides.enable-both",
         Switch::Off => "overrides.disable-both",
     });
-    if word(words, '$').is_some() {
+    let selected = word(words, '$').is_some();
+    if selected {
         state.evidence.accepted("overrides.both-selected");
     }
     if state.modes.feed_override == switch {
         state.evidence.accepted("overrides.repeated");
     }
-    state.modes.feed_override = switch;
+    if !selected || state.readings.is("overrides.selected-feed", "switched") {
+        state.modes.feed_override = switch;
+    }
     for place in spindles {
         state.modes.spindles[place].speed_override = switch;
     }

@@ -63,10 +63,10 @@ fn reset(state: &mut State) {
     let every = state.readings.is("program-end.spindles", "all");
     let stopped = if every { all(state) } else { vec![0] };
     let speed_override = !state.readings.quirk("rs274.speed-override-at-end");
+    per_minute(state);
     let modes = &mut state.modes;
     modes.plane = Plane::Xy;
     modes.distance = Distance::Absolute;
-    modes.feed_mode = FeedMode::PerMinute;
     modes.feed_override = Switch::On;
     if speed_override {
         for spindle in &mut modes.spindles {
@@ -81,4 +81,14 @@ fn reset(state: &mut State) {
         set_turn(SpindleTurn::Stopped, place, state);
     }
     quirks::program_end(state);
+}
+
+/// Rule program-end.feed-mode. The feed counts per minute.
+/// Choice program-end.feed-after-mode-change: whether F keeps its number where it counted otherwise before.
+fn per_minute(state: &mut State) {
+    let switched = state.modes.feed_mode != FeedMode::PerMinute;
+    if switched && state.readings.is("program-end.feed-after-mode-change", "zero") {
+        state.modes.feed_rate = 0.0;
+    }
+    state.modes.feed_mode = FeedMode::PerMinute;
 }

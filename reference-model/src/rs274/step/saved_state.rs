@@ -3,11 +3,10 @@
 use gaugeblock_trace::FaultKind;
 
 use super::restore::restore;
-use crate::rs274::control::Style;
+use crate::rs274::control::{Frame, Style};
 use crate::rs274::machine::State;
 use crate::rs274::modes::SavedState;
 use crate::rs274::order::Rest;
-use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -76,9 +75,10 @@ fn levels(state: &State) -> Vec<&'static str> {
 ///
 /// Rule saved-state.invalidated-level. The saved state of this level cannot be restored from any more; no other level is
 /// touched.
-/// Rule saved-state.autorestore-cancelled. Nor does the end of the sub restore.
+/// Rule saved-state.autorestore-cancelled. Nor does the end of the sub restore. Where M70 and M73 have one place
+/// (saved-state.places) the promise stays, and waits for a valid state there.
 fn invalidate(state: &mut State) -> Result<(), Halt> {
-    let is_quirk = state.readings.quirk("rs274.one-store-per-level");
+    let apart = state.readings.is("saved-state.places", "apart");
     let refused = state.readings.is("saved-state.invalidate-nothing", "refused");
     let frame = state.frame_mut();
     match &mut frame.saved {
@@ -90,7 +90,7 @@ fn invalidate(state: &mut State) -> Result<(), Halt> {
         None => {}
     }
     let promised = frame.restore_at_return.is_some();
-    if !is_quirk {
+    if apart {
         frame.restore_at_return = None;
     }
     state.evidence.accepted("saved-state.invalidated-level");
@@ -141,8 +141,8 @@ fn restore_explicitly(state: &mut State) -> Result<Rest, Halt> {
 /// Rules saved-state.autorestore-endsub, saved-state.autorestore-return, saved-state.autorestore-m99. Whichever way it is
 /// left, the state in force at the M73 comes back.
 /// Rule saved-state.autorestore-nested. Each level restores its own caller's.
-/// Rule saved-state.autorestore-then-save. An M70 since does not change what comes back, nor does it revive a restore that
-/// M71 cancelled (saved-state.cancelled-then-saved).
+/// Rules saved-state.autorestore-then-save, saved-state.cancelled-then-saved. Whether an M70 since changes what comes
+/// back, and revives a restore that M71 cancelled, follows from a choice (saved-state.places).
 /// Rule saved-state.unprotected. Without an M73 what the sub changed stays changed; an M70 alone restores nothing
 /// (saved-state.save-alone).
 ///
@@ -150,8 +150,8 @@ fn restore_explicitly(state: &mut State) -> Result<Rest, Halt> {
 /// None where the documents are followed; a restore as `rs274` does it can fail.
 pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), Halt> {
     let frame = state.frame();
-    let promised = if state.readings.quirk("rs274.one-store-per-level") {
-        quirks::promised_at_return(frame)
+    let promised = if state.readings.is("saved-state.places", "one") {
+        latest_if_promised(frame)
     } else {
         frame.restore_at_return.clone()
     };
@@ -180,6 +180,12 @@ pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), 
         state.evidence.accepted("saved-state.autorestore-then-save");
     }
     restore(&promised.modes, state)
+}
+
+/// Where M70 and M73 have one place: what was saved last there, if an M73 promised a restore.
+fn latest_if_promised(frame: &Frame) -> Option<SavedState> {
+    let saved = frame.saved.as_ref().filter(|saved| saved.valid);
+    saved.filter(|_| frame.restore_at_return.is_some()).cloned()
 }
 
 /// Rule saved-state.autorestore-fault. A run that is broken off in a sub with M73 does not restore.

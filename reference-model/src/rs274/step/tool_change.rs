@@ -6,14 +6,14 @@ use super::tool::entry;
 use super::{outputs, pass, spindle, whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::converted;
-use crate::rs274::quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
 
 /// Puts the selected tool into the spindle.
 ///
-/// Rule tool.change. The tool in the spindle is then the one that T selected last, on the same line or before.
+/// Rule tool.change. The tool in the spindle is then the one that T selected last, on the same line or before; none is
+/// selected any more.
 /// Rule tool.change-stops-spindle. The spindle stands afterwards.
 /// Rule tool.change-keeps. Nothing else changes: coolant flows on, and the length offset stays (tool.change-keeps-length).
 ///
@@ -33,11 +33,12 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), Halt> {
         record.effect(state, Effect::PromptTool { tool });
     }
     pass(state.outside.tool_change_time(), state);
+    // Quirk linuxcnc.same-tool-selected. Where the tool is in the spindle already, it stays selected.
     let changes = tool != state.tool;
     swap(tool, state);
     state.selected_for_change = false;
-    if changes {
-        quirks::task::selection_after_change(state);
+    if changes || !state.readings.quirk("linuxcnc.same-tool-selected") {
+        state.prepared_tool = -1;
     }
     state.evidence.accepted("tool.change");
     state.evidence.accepted("tool.change-keeps");
@@ -55,7 +56,8 @@ fn tool_to_load(state: &mut State) -> Result<i32, Halt> {
         }
         state.evidence.accepted(rule);
     }
-    Ok(state.prepared_tool.max(0))
+    let selected = if state.selected_for_change { state.prepared_tool } else { state.tool };
+    Ok(selected.max(0))
 }
 
 /// Every spindle stops.

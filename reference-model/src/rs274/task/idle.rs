@@ -43,17 +43,26 @@ impl Run<'_> {
         self.state.evidence.accepted(rule);
         if !aborted {
             self.state.evidence.accepted("task.modes-carry-over");
+            self.state.evidence.accepted("task.parameters-carry-over");
         }
         self.change_mode_to(ControllerMode::Auto);
-        self.leave_calls();
+        self.begin_anew();
         self.control = Control::new(&self.scenario.program, &mut self.state);
         self.entries = open_entries(self.scenario, &mut self.control, &mut self.state);
     }
 
-    /// A run is over: with it every call, and what was local to it.
-    fn leave_calls(&mut self) {
-        let arguments = self.arguments();
-        self.state.frames = vec![Frame { arguments, ..Frame::default() }];
+    /// What ran before is over: with it every call, and every condition and loop.
+    ///
+    /// Rule task.parameters-carry-over. What is local to the main program has its value again in the next run, as all that
+    /// is global has.
+    fn begin_anew(&mut self) {
+        if self.state.call_level() > 0 {
+            self.record.leads_elsewhere();
+        }
+        self.leave_calls();
+        let main = &mut self.state.frames[0];
+        let locals = std::mem::take(&mut main.locals);
+        *main = Frame { arguments: main.arguments, locals, ..Frame::default() };
     }
 
     /// A block that the operator enters by hand.
@@ -71,7 +80,7 @@ impl Run<'_> {
     ///
     /// How it ended when it ended the program; an abort leaves the controller idle.
     fn by_hand(&mut self, place: Place) -> Result<Option<End>, Halt> {
-        self.leave_calls();
+        self.begin_anew();
         self.by_hand = true;
         self.control.place = place;
         let after = Place { line: place.line + 1, ..place };

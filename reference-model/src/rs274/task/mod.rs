@@ -33,7 +33,7 @@ use super::control::{Control, Frame, Place};
 use super::machine::{Panel, State, slots};
 use super::modes::Modes;
 use super::outside::Outside;
-use super::parameters::Parameters;
+use super::parameters::{self, Name, Parameters};
 use super::readings::Readings;
 use super::refusal::{Halt, Refusal};
 use super::step;
@@ -53,6 +53,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     let record = Record::new(&state);
     let mut run = Run::new(scenario, state, record);
     let end = run.whole();
+    run.leave_calls();
     let parameters = run.parameters();
     let pins = run.state.outside.changes().to_vec();
     (run.record.finish(end, parameters, pins), run.state.evidence)
@@ -76,6 +77,7 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         machine,
         tool: 0,
         prepared_tool: -1,
+        selected_tool: -1,
         selected_for_change: false,
         slots: slots(&scenario.machine),
         frames: vec![Frame::default()],
@@ -191,25 +193,34 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Rule program-end.parameters-kept. All numbered parameters that are not zero.
+    /// Rule program-end.parameters-kept. All numbered parameters that are not zero, position and tool among them.
     fn parameters(&self) -> Indexed<u32, f64> {
         let mut all = self.state.parameters.nonzero();
-        let local = (1..).zip(self.arguments());
-        all.0.extend(local.filter(|(_, value)| value.abs() > 0.0));
+        let others = (1..=30).chain(parameters::computed_numbers());
+        let known = others.filter_map(|number| {
+            let value = parameters::value(&Name::Numbered(number), &self.state).ok()?;
+            Some((number, value))
+        });
+        all.0.extend(known.filter(|(_, value)| value.abs() > 0.0));
         all
     }
 
-    /// Parameters #1 to #30 once the run is over. With it every call is over, so that they are the main program's, which a
-    /// numbered subprogram shares.
-    fn arguments(&self) -> [f64; 30] {
-        let frames = &self.state.frames;
-        let shares = |frame: &&Frame| frame.shares_parameters();
-        match frames.iter().skip(1).take_while(shares).last() {
-            Some(_) if self.state.readings.quirk("rs274.fanuc-changes-at-end") => {
-                self.control.at_last_call
-            }
-            Some(frame) => frame.arguments,
-            None => frames[0].arguments,
+    /// Once the run is over every call is over, so that local parameters are the main program's, which a numbered
+    /// subprogram shares.
+    ///
+    /// Quirk rs274.fanuc-changes-at-end: what a subprogram changed of #1 to #30 is lost.
+    fn leave_calls(&mut self) {
+        let mut called = self.state.frames.split_off(1);
+        let shares = |frame: &&mut Frame| frame.shares_parameters();
+        let Some(sharing) = called.iter_mut().take_while(shares).last() else { return };
+        let main = &mut self.state.frames[0];
+        main.arguments = if self.state.readings.quirk("rs274.fanuc-changes-at-end") {
+            self.control.at_last_call
+        } else {
+            sharing.arguments
+        };
+        if self.state.readings.is("fanuc-subs.named-locals", "shared") {
+            main.locals = std::mem::take(&mut sharing.locals);
         }
     }
 

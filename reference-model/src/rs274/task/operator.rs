@@ -71,3 +71,36 @@ impl<'a> Operator<'a> {
         self.events.is_empty()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use gaugeblock_trace::scenario::When;
+
+    use super::*;
+
+    fn event(line: u32, execution: u32, offset: f64, action: Action) -> OperatorEvent {
+        let block = Block::new("main.ngc", line);
+        OperatorEvent { when: When { block, execution, offset }, action }
+    }
+
+    #[test]
+    fn events_come_in_the_order_of_their_times() {
+        let events = [
+            event(2, 1, 0.3, Action::Abort),
+            event(2, 1, 0.1, Action::Pause),
+            event(1, 2, 0.0, Action::CycleStart),
+            event(2, 1, 0.1, Action::Resume),
+        ];
+        let mut operator = Operator::new(&events);
+        let places = |operator: &mut Operator<'_>, until| {
+            std::iter::from_fn(|| operator.next(until).map(|h| h.place)).collect::<Vec<_>>()
+        };
+        operator.begins(&Block::new("main.ngc", 1), 0.0);
+        assert!(places(&mut operator, f64::INFINITY).is_empty());
+        operator.begins(&Block::new("main.ngc", 2), 1.0);
+        assert_eq!(places(&mut operator, 1.2), [1, 3]);
+        operator.begins(&Block::new("main.ngc", 1), 2.0);
+        assert_eq!(places(&mut operator, f64::INFINITY), [0, 2]);
+        assert!(operator.is_done());
+    }
+}

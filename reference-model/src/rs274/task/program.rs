@@ -1,13 +1,10 @@
 //! The program, block after block: parsed, evaluated, checked, executed, recorded.
 
-use std::collections::BTreeMap;
-
-use gaugeblock_trace::{End, FaultKind, Indexed};
+use gaugeblock_trace::{End, FaultKind};
 
 use super::{MAIN, Run};
 use crate::rs274::control::{self, Control, Next};
 use crate::rs274::order::{Phase, Rest};
-use crate::rs274::parameters::{self, Name};
 use crate::rs274::read::{self, Words};
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::syntax::Keyword;
@@ -74,6 +71,9 @@ impl Run<'_> {
             self.by_hand_only(word.keyword == Keyword::Call, "an O-word other than call")?;
             let next = self.control.o_word(&block, word, &mut self.state, &mut self.record)?;
             self.show(Some(Phase::SavedState));
+            if matches!(word.keyword, Keyword::Call | Keyword::EndSub | Keyword::Return) {
+                self.record.leads_elsewhere();
+            }
             self.record.step_without_state(place, &self.state);
             return Ok(next);
         }
@@ -83,24 +83,23 @@ impl Run<'_> {
             self.by_hand_only(false, "M98 or M99")?;
             let next = self.numbered(&words)?;
             self.show(Some(Phase::SavedState));
+            self.record.leads_elsewhere();
             self.record.step_without_state(place, &self.state);
             return Ok(next);
         }
         check::check(&words, &mut self.state)?;
-        let before = self.changeable(&words);
         let rest = self.execute(&words)?;
         if rest == Rest::ProgramEnd {
             self.ended(block.block_delete)?;
-            self.record.last_step(place, &self.state);
+            self.record.step(place, &mut self.state);
             return Ok(Next::End(End::ProgramEnd));
         }
-        let changed = self.changed(&before);
         let comment_only = block.words.is_empty() && block.settings.is_empty();
         if comment_only && block.line_number.is_none() && self.record.is_idle(&self.state) {
             // A comment that says nothing is no block.
             return Ok(Next::Following);
         }
-        self.record.step(place, &self.state, changed);
+        self.record.step(place, &mut self.state);
         if rest == Rest::Pause {
             self.paused(&words)?;
         }
@@ -188,47 +187,11 @@ impl Run<'_> {
         }
         if inside_sub {
             evidence.accepted("subroutines.program-end-in-sub");
+            self.record.leads_elsewhere();
         }
+        self.leave_calls();
         Ok(())
     }
-
-    /// The parameters that a block can change, as they are before it.
-    fn changeable(&self, words: &Words) -> BTreeMap<Name, Option<f64>> {
-        let settings = words.settings.iter().map(|(name, _)| name.clone());
-        let offsets = if words.g.iter().any(|code| sets_coordinates(*code)) {
-            COORDINATE_PARAMETERS
-        } else {
-            0..0
-        };
-        let read = words.m.contains(&66).then_some(step::inputs::RESULT);
-        let all = settings.chain(offsets.chain(read).map(Name::Numbered));
-        all.map(|name| {
-            let value = parameters::value(&name, &self.state).ok();
-            (name, value)
-        })
-        .collect()
-    }
-
-    /// The parameters that a block has changed.
-    fn changed(&self, before: &BTreeMap<Name, Option<f64>>) -> Indexed<String, f64> {
-        let after = before.iter().filter_map(|(name, before)| {
-            let after = parameters::value(name, &self.state).ok()?;
-            let name = match name {
-                Name::Numbered(number) => number.to_string(),
-                Name::Named(name) => name.clone(),
-            };
-            (Some(after) != *before).then_some((name, after))
-        });
-        after.collect()
-    }
-}
-
-/// Parameters of coordinate systems and their offsets.
-const COORDINATE_PARAMETERS: std::ops::Range<u32> = 5161..5401;
-
-/// Whether a G code, in tenths, can change [`COORDINATE_PARAMETERS`]: G10, G28, G30, G52, G54 to G59.3, G92.
-fn sets_coordinates(code: u32) -> bool {
-    matches!(code, 100 | 280..=301 | 520 | 540..=593 | 920..=923)
 }
 
 /// Whether a phase waits for what the machine answers, so that nothing behind it can be read before.

@@ -1,14 +1,18 @@
 //! What is observed of a run, block by block.
 
+use std::collections::BTreeMap;
+
 use gaugeblock_trace::{
     Block, Effect, End, Event, Indexed, Language, Outcome, PinChange, Rs274State, Settings, Step,
 };
 
 use crate::rs274::machine::State;
+use crate::rs274::parameters::{self, Name};
 
 /// What has been observed so far.
 ///
-/// Settings and states are recorded as what changed since they were recorded last.
+/// Settings, states and parameters are recorded as what changed since they were recorded last. After a call or return the
+/// call level is recorded anew, even when it is the same, and with it all local named parameters that exist.
 #[derive(Debug)]
 pub struct Record {
     start: Settings,
@@ -19,6 +23,10 @@ pub struct Record {
     settings: Settings,
     /// State as recorded last, without parameters.
     state: Rs274State,
+    /// Parameters as recorded last; numbered ones that are not among them are zero.
+    parameters: BTreeMap<Name, f64>,
+    /// Whether a call or return has led elsewhere since a state was recorded last.
+    elsewhere: bool,
     /// Effects so far.
     effects: u32,
     /// Whether a block is being executed.
@@ -29,7 +37,10 @@ impl Record {
     /// Nothing has happened yet; the settings in force are recorded in full.
     pub fn new(state: &State) -> Self {
         let start = state.settings();
+        let stored = state.parameters.nonzero().0.into_iter();
         Self {
+            parameters: stored.map(|(number, value)| (Name::Numbered(number), value)).collect(),
+            elsewhere: false,
             settings: start.clone(),
             start,
             steps: Vec::new(),
@@ -90,12 +101,24 @@ impl Record {
         self.events.is_empty() && state.settings() == self.settings
     }
 
+    /// A call or return leads to another level, or to another call at the same one.
+    pub fn leads_elsewhere(&mut self) {
+        self.elsewhere = true;
+    }
+
     /// The end of a block after which the state is recorded.
-    pub fn step(&mut self, block: Block, state: &State, parameters: Indexed<String, f64>) {
+    pub fn step(&mut self, block: Block, state: &mut State) {
         self.settings(state);
+        let written = state.parameters.take_written();
+        let mut names: Vec<Name> = written.into_iter().collect();
+        if std::mem::take(&mut self.elsewhere) {
+            names.extend(self.local_names(state));
+            self.state.call_level = None;
+        }
         let now = state.record();
         let mut changed = now.since(&self.state);
         self.state = now;
+        let parameters = self.parameters(&names, state);
         if !parameters.0.is_empty() {
             changed.parameter = Some(parameters);
         }
@@ -108,14 +131,22 @@ impl Record {
         });
     }
 
-    /// The end of the block that ends the program: it has left every call.
-    pub fn last_step(&mut self, block: Block, state: &State) {
-        self.step(block, state, Indexed::default());
-        if let Some(Step { state: Some(gaugeblock_trace::State::Rs274(state)), .. }) =
-            self.steps.last_mut()
-        {
-            state.call_level = None;
-        }
+    /// The local parameters where the run is now. Local names that were recorded elsewhere are forgotten.
+    fn local_names(&mut self, state: &State) -> Vec<Name> {
+        self.parameters.retain(|name, _| !name.is_local_name());
+        let named = state.frame().locals.keys().cloned().map(Name::Named);
+        (1..=30).map(Name::Numbered).chain(named).collect()
+    }
+
+    /// Those of some parameters that exist and are not as they were recorded last.
+    fn parameters(&mut self, names: &[Name], state: &State) -> Indexed<String, f64> {
+        let changed = names.iter().filter_map(|name| {
+            let value = parameters::value(name, state).ok()?;
+            let unset = matches!(name, Name::Numbered(_)).then_some(0.0);
+            let before = self.parameters.insert(name.clone(), value).or(unset);
+            (Some(value) != before).then(|| (name.to_string(), value))
+        });
+        changed.collect()
     }
 
     /// The end of a block after which no state is recorded: O-words, M98, M99.

@@ -59,7 +59,7 @@ impl Assembly<'_> {
     pub(super) fn ended(&mut self, probe: &Probe, events: Vec<Event>) -> Result<(), HarnessError> {
         let mode = self.steps.mode;
         self.steps.mode = self.mode_at_end.or(mode);
-        self.steps.ended(probe, events, self.canon.tool)?;
+        self.steps.ended(probe, None, events, self.canon.tool)?;
         self.steps.mode = mode;
         Ok(())
     }
