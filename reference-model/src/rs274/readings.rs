@@ -100,6 +100,7 @@ pub const QUIRKS: &[&str] = &[
     "linuxcnc.output-number-at-once",
     "linuxcnc.output-number-with-motion",
     "linuxcnc.same-tool-selected",
+    "linuxcnc.speed-releases-brake",
     "rs274.additional-length-axes",
     "rs274.any-endsub",
     "rs274.blend-q-without-p",

@@ -45,6 +45,7 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), Halt> {
         }
         if let Some(speed) = speed {
             spindle.speed = speed;
+            quirks::speed_while_standing(place, state);
         }
     }
     if let Some(speed) = speed {

@@ -243,9 +243,11 @@ impl<'a> Run<'a> {
             Halt::Unspecified(why) => End::Unspecified { block, why },
             Halt::WaitsForEver => End::BudgetExhausted { bound: Bound::Time },
             Halt::Ended(end) => {
-                self.record.broken_off(block, &self.state);
                 if end == End::Aborted {
+                    self.record.broken_off(block, &self.state);
                     self.aborted();
+                } else {
+                    self.record.stands(block, &self.state);
                 }
                 end
             }

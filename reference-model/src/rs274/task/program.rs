@@ -99,10 +99,10 @@ impl Run<'_> {
             // A comment that says nothing is no block.
             return Ok(Next::Following);
         }
-        self.record.step(place, &mut self.state);
         if rest == Rest::Pause {
             self.paused(&words)?;
         }
+        self.record.step(place, &mut self.state);
         Ok(Next::Following)
     }
 

@@ -79,10 +79,26 @@ impl Record {
         self.in_block = true;
     }
 
-    /// The block that is being executed, if there is one, is broken off; no state is recorded after it.
-    pub fn broken_off(&mut self, block: Block, state: &State) {
+    /// The block that is being executed, if there is one, stands, and the run with it; no state is recorded after it.
+    pub fn stands(&mut self, block: Block, state: &State) {
         if self.in_block {
             self.step_without_state(block, state);
+        }
+    }
+
+    /// The block that is being executed, if there is one, is broken off. What it did itself is not recorded, as with one
+    /// that is refused; what the controller refused meanwhile is.
+    pub fn broken_off(&mut self, block: Block, state: &State) {
+        if !self.in_block {
+            return;
+        }
+        let refused = |event: &Event| matches!(event, Event::Do(Effect::RequestRefused { .. }));
+        self.events.retain(refused);
+        if self.steps.is_empty() {
+            self.step_without_state(block, state);
+        } else {
+            self.in_block = false;
+            self.leave_to_last();
         }
     }
 

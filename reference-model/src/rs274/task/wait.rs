@@ -47,7 +47,8 @@ impl Run<'_> {
         Ok(longer)
     }
 
-    /// Rules pause.always, pause.optional, pause.pallet. The program pauses after a block.
+    /// Rules pause.always, pause.optional, pause.pallet. The program pauses at the end of a block, which
+    /// is over once it goes on.
     ///
     /// Rule pause.by-hand. A block entered by hand is followed by a stop anyway: the next one can be entered.
     pub(super) fn paused(&mut self, words: &Words) -> Result<(), Halt> {
