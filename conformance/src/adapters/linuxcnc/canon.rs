@@ -249,6 +249,11 @@ impl Canon {
             "TRAJ_SET_FH_ENABLE" => Settings { feed_stop: switch(0)?, ..none },
             "MOTION_ADAPTIVE" => Settings { adaptive_feed: switch(0)?, ..none },
             // Which spindle is not told; the probe after the block shows the first one's.
+            "SPINDLE_ON" | "SPINDLE_OFF" if self.spindles == 1 => {
+                // The probe after the block shows which way it turns.
+                let turn = SpindleTurn::Stopped;
+                Settings { spindle: Some(Indexed::one(0, turn)), ..none }
+            }
             "TRAJ_SET_SO_ENABLE" | "SPINDLE_SPEED" | "SPINDLE_ON" | "SPINDLE_OFF" => none,
             "TRAJ_SET_SPINDLESYNC" | "TRAJ_CLEAR_PROBE_TRIPPED_FLAG" | "TOOL_START_CHANGE" => none,
             name if name.starts_with("TASK_") => none,
@@ -271,6 +276,8 @@ impl Canon {
             2 => WaitMode::Fall,
             3 => WaitMode::High,
             4 => WaitMode::Low,
+            // It takes numbers that mean nothing, and waits for nothing.
+            5.. => WaitMode::Immediate,
             _ => return Err(issued.unreadable()),
         };
         let timeout = issued.number(3)?;

@@ -256,12 +256,6 @@ class Driver:
             command.set_adaptive_feed(0)
         if not stat.feed_hold_enabled:
             command.set_feed_hold(1)
-        for number, value in enumerate(stat.dout):
-            if value:
-                command.set_digital_output(number, 0)
-        for number, value in enumerate(stat.aout):
-            if value:
-                command.set_analog_output(number, 0.0)
         command.reset_interpreter()
         self.done()
         if order["block_delete"] is not None:

@@ -14,7 +14,9 @@
 
 mod assemble;
 mod canon;
+mod order;
 mod pool;
+mod reuse;
 mod session;
 mod setup;
 mod stream;
@@ -25,16 +27,18 @@ mod version;
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-use gaugeblock_trace::scenario::{Action, OperatorEvent, Start};
+use gaugeblock_trace::scenario::Start;
 use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
-use serde_json::{Value, json};
+use serde_json::Value;
 
-use super::probing::instrument::{Ends, GATE, Marks, Plan, is_plain};
-use super::probing::source::{DEBUG_SWITCH, Source, code, has_slash};
+use super::probing::instrument::{Ends, Plan, is_plain};
+use super::probing::source::{DEBUG_SWITCH, Source};
 use super::probing::workspace;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
 use assemble::Assembly;
+use order::{after, order, plan};
 use pool::Pool;
+use reuse::{foreign_names, has, leaves_traces};
 use session::Session;
 use setup::Setup;
 use stream::Item;
@@ -44,9 +48,6 @@ const LONGEST_RUN: Duration = Duration::from_secs(30);
 
 /// How much longer the driver has for the rest.
 const SPARE: Duration = Duration::from_secs(15);
-
-/// Feed override under which programs run whose pace nobody looks at.
-const HURRY: f64 = 10_000.0;
 
 /// Fields that it does not show.
 const HIDDEN_FIELDS: &[&str] = &["tool_length", "naive_cam_tolerance", "spindle_limit"];
@@ -156,6 +157,9 @@ impl Adapter for LinuxCnc {
                 shows.effects.remove(hidden);
             }
             shows.fields.remove("speed_override");
+            if has(&Source::new(&scenario.program), "m19") {
+                shows.fields.remove("spindle");
+            }
         }
         shows
     }
@@ -191,33 +195,6 @@ impl Adapter for LinuxCnc {
     }
 }
 
-fn plan(scenario: &Scenario, source: &Source, more: &BTreeSet<u32>) -> Plan {
-    let names = source.files().iter().map(|(name, _)| name);
-    let file = |name: &str| names.clone().position(|known| known == name);
-    let places = |wanted: fn(&OperatorEvent) -> bool| -> BTreeSet<(usize, u32)> {
-        let events = scenario.operator.iter().filter(|event| wanted(event));
-        let place =
-            |event: &OperatorEvent| Some((file(&event.when.block.file)?, event.when.block.line));
-        events.filter_map(place).collect()
-    };
-    let mut plan = Plan::new(source, &more.iter().copied().chain([5399]).collect());
-    plan.marks = Some(Marks { before: places(|_| true), gates: places(is_switched_before) });
-    plan
-}
-
-/// Whether an event sets a switch before its block begins.
-fn is_switched_before(event: &OperatorEvent) -> bool {
-    let is_switch = matches!(
-        event.action,
-        Action::OptionalStop(_)
-            | Action::FeedOverride(_)
-            | Action::RapidOverride(_)
-            | Action::SpindleOverride { .. }
-            | Action::FeedHold(_)
-    );
-    is_switch && event.when.offset <= 0.0
-}
-
 /// Writes the program, gives the order, and reads what was printed.
 fn run_on(
     session: &mut Session,
@@ -236,7 +213,7 @@ fn run_on(
         }
         session.write(&format!("programs/{name}"), &text)?;
     }
-    session.write("after.ngc", &after(scenario, plan))?;
+    session.write("after.ngc", &after(scenario, source, plan))?;
     let listed = source.listed();
     session.write("parameters.var", &workspace::parameter_file(&scenario.machine, &listed))?;
     let tools = workspace::tool_table(&scenario.machine);
@@ -253,117 +230,9 @@ fn run_on(
     Ok(Seen { items, parameters: session.parameters()? })
 }
 
-fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: Value) -> Value {
-    let inputs = scenario.bench.inputs.iter().filter_map(|change| {
-        let pin = setup::input_pin(&change.input)?;
-        let is_bit = pin.contains("digital") || pin.ends_with("feed-hold");
-        let value = if is_bit {
-            u8::from(change.value > 0.5).to_string()
-        } else {
-            change.value.to_string()
-        };
-        Some(json!([change.time, pin, value]))
-    });
-    let file = |name: &str| source.files().iter().position(|(known, _)| known == name);
-    let events = scenario.operator.iter().filter_map(|event| {
-        let mut told = action(&event.action);
-        let place = file(&event.when.block.file)?;
-        told["marker"] = plan.mark_before(place, event.when.block.line).into();
-        told["execution"] = event.when.execution.into();
-        // A block has begun once its command has gone out.
-        let has_gate = plan
-            .marks
-            .as_ref()
-            .is_some_and(|marks| marks.gates.contains(&(place, event.when.block.line)));
-        let begins = if has_gate { GATE.parse().unwrap_or_default() } else { 0.0 };
-        let begins = if is_switched_before(event) { 0.0 } else { begins + 0.004 };
-        told["offset"] = (event.when.offset + begins).into();
-        Some(told)
-    });
-    let may_stop = source.all().any(|(_, _, line)| {
-        let code = code(line);
-        code.contains("m1") || code.contains("m01") || code.contains("m#") || code.contains("m[")
-    });
-    json!({
-        "marker": plan.marker,
-        "first": plan.mark_after(0, 0),
-        "steps": scenario.budget.steps,
-        "optional_stop": may_stop.then_some(false),
-        "block_delete": source.all().any(|(_, _, line)| has_slash(line)).then_some(scenario.program.block_delete),
-        "feed_override": if setup::has_own_pace(scenario) { 1.0 } else { HURRY },
-        "inputs": inputs.collect::<Vec<_>>(),
-        "events": events.collect::<Vec<_>>(),
-        "by_hand": by_hand,
-        "program": "programs/main.ngc",
-        "after": "after.ngc",
-        "linger": true,
-    })
-}
-
-fn action(action: &Action) -> Value {
-    match action {
-        Action::CycleStart => json!({ "action": "cycle_start" }),
-        Action::Pause => json!({ "action": "pause" }),
-        Action::Resume => json!({ "action": "resume" }),
-        Action::Abort => json!({ "action": "abort" }),
-        Action::Mode(mode) => json!({ "action": "mode", "value": mode.to_string() }),
-        Action::Mdi(block) => json!({ "action": "mdi", "value": block }),
-        Action::OptionalStop(on) => json!({ "action": "optional_stop", "value": on }),
-        Action::FeedOverride(factor) => json!({ "action": "feed_override", "value": factor }),
-        Action::RapidOverride(factor) => json!({ "action": "rapid_override", "value": factor }),
-        Action::SpindleOverride { spindle, factor } => {
-            json!({ "action": "spindle_override", "value": factor, "spindle": spindle })
-        }
-        Action::FeedHold(on) => json!({ "action": "feed_hold", "value": on }),
-    }
-}
-
-/// What is run after each program: a probe of what it left, and the way back to where the next one begins.
-fn after(scenario: &Scenario, plan: &Plan) -> String {
-    let axes: String = scenario
-        .machine
-        .axes
-        .iter()
-        .map(|axis| format!(" {}0", axis.word().to_uppercase()))
-        .collect();
-    let tool = if scenario.machine.random_tool_changer { "" } else { "M61 Q0\n" };
-    format!("{}M71\nG40\nG90 G49\nG53 G0{axes}\n{tool}M2\n", plan.probe(0, 0))
-}
-
-/// Names that a program may find given a value by a program before it: they stay for as long as the controller runs.
-/// One that is given a value before it is looked at, and before anything jumps, is not among them.
-fn foreign_names(source: &Source) -> BTreeSet<String> {
-    let mut own: BTreeSet<String> = BTreeSet::new();
-    for (file, _, line) in source.all() {
-        let text: String = line.to_lowercase().split_whitespace().collect();
-        let assigned = text.strip_prefix("#<").and_then(|rest| rest.split_once(">="));
-        let is_only = text.matches('#').count() == 1 || text.matches("#<").count() == 1;
-        match assigned {
-            Some((name, _)) if file == 0 && is_only => {
-                own.insert(name.to_owned());
-            }
-            _ if text.starts_with('o') || text.contains("#<") => break,
-            _ => {}
-        }
-    }
-    let named = source.parameters().named.into_iter();
-    named.filter(|name| !own.contains(name) && !name.contains('[')).collect()
-}
-
-/// Whether a run leaves something in the interpreter that no reset takes back: a loop that it was to leave or a call
-/// that it was to repeat, or, after some refusals, the refusal itself.
-fn leaves_traces(source: &Source, items: &[Item]) -> bool {
-    let end = items.iter().position(Item::is_end).unwrap_or_default();
-    let refuses_all = items[end..].iter().any(|item| matches!(item, Item::Refused(_)));
-    let last = items[..end].iter().rev().find_map(Item::probe);
-    let in_sub = last.is_some_and(|probe| probe.mode("_call_level") > 0);
-    let has = |word: &str| source.all().any(|(_, _, line)| code(line).contains(word));
-    refuses_all || has("continue") || has("break") || in_sub && has("m98")
-}
-
 /// Parameters at the end, without those that only repeat position and tool.
 fn shown_parameters(parameters: BTreeMap<u32, f64>) -> BTreeMap<u32, f64> {
-    parameters.into_iter().filter(|(number, _)| !(5400..=5428).contains(number)).collect()
+    parameters.into_iter().filter(|(number, _)| !(5399..=5428).contains(number)).collect()
 }
 
 fn capabilities(version: String) -> Capabilities {
@@ -382,7 +251,7 @@ fn capabilities(version: String) -> Capabilities {
         final_parameters: true,
         moves_in_place: false,
         fields_at_effects: owned(FIELDS_AT_EFFECTS, &[]),
-        hidden_parameters: vec![5400..=5428],
+        hidden_parameters: vec![5399..=5428],
     }
 }
 

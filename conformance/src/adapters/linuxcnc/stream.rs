@@ -28,9 +28,15 @@ impl Issued {
     /// It is none.
     pub(super) fn number(&self, place: usize) -> Result<f64, HarnessError> {
         let text = self.arguments.get(place).map(String::as_str).unwrap_or_default();
-        let number = match text.strip_prefix('\\') {
-            Some(byte) => byte.parse::<u8>().ok().map(f64::from),
-            None => text.strip_prefix('+').unwrap_or(text).parse().ok(),
+        let mut characters = text.chars();
+        let number = match (characters.next(), characters.next()) {
+            // A byte: its number, or the character that it stands for. Of a negative one the digits are lost.
+            (Some('\\'), Some('-')) => Some(-1.0),
+            (Some('\\'), _) => text[1..].parse::<u8>().ok().map(f64::from),
+            (Some(character), None) if !character.is_ascii_digit() => {
+                u8::try_from(character).ok().map(f64::from)
+            }
+            _ => text.strip_prefix('+').unwrap_or(text).parse().ok(),
         };
         number.ok_or_else(|| self.unreadable())
     }
@@ -169,6 +175,8 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
 fn is_remark(line: &str) -> bool {
     [
         "wait for orient complete",
+        "ERROR: ",
+        "fault ",
         "Note: ",
         "Found file",
         "Machine configuration",

@@ -3,7 +3,7 @@
 use std::io::Write as _;
 use std::sync::OnceLock;
 
-use gaugeblock_trace::scenario::{InputChange, OperatorEvent, OrientAnswer, When};
+use gaugeblock_trace::scenario::{Action, InputChange, OperatorEvent, OrientAnswer, When};
 use gaugeblock_trace::{Block, ControllerMode, End, Event, Machine, State};
 
 use super::*;

@@ -140,8 +140,11 @@ fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State
     if locked && state.readings.quirk("linuxcnc.orient-while-locked") {
         return;
     }
+    // On its way it is neither locked nor braked, however short the way is.
+    state.outside.set(Pin::SpindleLocked(spindle), 0.0);
     state.outside.set(Pin::SpindleOrient(spindle), 1.0);
     state.outside.begin_orientation(place);
+    brake(place, state);
 }
 
 /// Rule orient.timeout. A spindle that does not stand at its angle within Q seconds is an error.

@@ -87,7 +87,7 @@ fn timing(code: u32) -> OutputTiming {
 /// Rules outputs.number-range and outputs.analog-number-range. Outputs are counted from 0, as many as the machine has,
 /// which may be more or fewer than four (outputs.count).
 /// Quirk rs274.io-number-rounded: a fraction is rounded.
-/// Quirk linuxcnc.output-number-with-motion: the number of no output is accepted for an output that waits for a motion.
+/// Quirks linuxcnc.output-number-with-motion and linuxcnc.output-number-at-once: the number of no output is accepted.
 fn number(
     value: f64,
     letter: char,
@@ -97,10 +97,11 @@ fn number(
     state: &mut State,
 ) -> Result<i32, Halt> {
     let whole = quirks::number(value, state);
-    let with_motion = timing == OutputTiming::WithMotion
-        && state.readings.quirk("linuxcnc.output-number-with-motion");
-    let unchecked =
-        (state.outside.is_stand_alone() || with_motion) && (letter == 'P' || value >= 0.0);
+    let any = state.readings.quirk(match timing {
+        OutputTiming::WithMotion => "linuxcnc.output-number-with-motion",
+        OutputTiming::AtOnce => "linuxcnc.output-number-at-once",
+    });
+    let unchecked = (any || state.outside.is_stand_alone()) && (letter == 'P' || value >= 0.0);
     let fits = |number: &i32| unchecked || (0..i32::from(of_machine)).contains(number);
     let number = whole.filter(fits).ok_or_else(|| {
         let message = format!("{letter}{value} names no output of {of_machine}");

@@ -4,23 +4,26 @@
 //! Both come in the order of the program, so that the n-th probe and the n-th mark belong together. A block whose mark
 //! never came was read, and not executed.
 
+mod ending;
+
 use std::collections::{BTreeMap, VecDeque};
 
 use gaugeblock_trace::{
-    Bound, Channel, ControllerMode, Effect, End, Event, Fault, FaultKind, Indexed, Language,
-    Outcome, PinChange, Position, Rs274State, Scenario, Settings, State,
+    Channel, ControllerMode, Effect, End, Event, Fault, Indexed, Language, Outcome, PinChange,
+    Scenario, Settings,
 };
 use serde_json::Value;
 
+use self::ending::after_stop;
 use super::canon::Canon;
 use super::stream::{Issued, Item};
 use super::trace::Trace;
 use crate::adapters::HarnessError;
 use crate::adapters::probing::instrument::Plan;
 use crate::adapters::probing::probe::Probe;
-use crate::adapters::probing::source::{Form, Source, form};
+use crate::adapters::probing::refusal;
+use crate::adapters::probing::source::Source;
 use crate::adapters::probing::steps::{self, Steps};
-use crate::adapters::probing::{faults, refusal, state};
 
 /// A block as it was read: what was printed meanwhile, and the probe after it.
 type ReadBlock = (Vec<Effect>, Probe);
@@ -251,7 +254,8 @@ impl<'a> Assembly<'a> {
                 if issued.iter().any(is_end) {
                     self.ended(&probe, events)?;
                 } else if !events.is_empty() {
-                    self.steps.step(self.steps.next().unwrap_or((0, 1)), events, None);
+                    let next = self.steps.next().unwrap_or((0, 1));
+                    self.steps.step(next, events, after_stop(&issued));
                 }
                 self.steps.restarted(&probe);
                 continue;
@@ -288,121 +292,6 @@ impl<'a> Assembly<'a> {
         self.refused = Some(refusal::fault(&stderr, self.source, self.plan, next)?);
         Ok(())
     }
-
-    fn end(&mut self, after_end: Option<&Probe>) -> Result<End, HarnessError> {
-        match self.ends.as_deref() {
-            Some("budget") => return Ok(End::BudgetExhausted { bound: Bound::Steps }),
-            Some("endless") => return Ok(End::Endless),
-            Some("paused") => {
-                self.paused()?;
-                return Ok(End::Paused);
-            }
-            _ => {}
-        }
-        if let Some(fault) = self.refused.take() {
-            return Ok(End::Fault(fault));
-        }
-        if self.aborted {
-            self.unfinished(after_end)?;
-            return Ok(End::Aborted);
-        }
-        if self.issued.iter().any(is_end) {
-            let Some(probe) = after_end else {
-                return Err(unreadable("an end whose state was not shown"));
-            };
-            let (printed, issued) =
-                (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
-            let events = self.events(printed, &issued, probe)?;
-            self.ended(probe, events)?;
-            return Ok(End::ProgramEnd);
-        }
-        if let Some(message) = self.stopped.take() {
-            self.unfinished(after_end)?;
-            return self.machine_fault(message);
-        }
-        if self.steps.next_form() == Form::Percent {
-            return Ok(End::PercentEnd);
-        }
-        if self.asked_for_mode {
-            self.unfinished(after_end)?;
-            return Ok(End::Aborted);
-        }
-        Err(unreadable("a run without an end"))
-    }
-
-    /// The program ended, in the mode that the controller was in then.
-    fn ended(&mut self, probe: &Probe, events: Vec<Event>) -> Result<(), HarnessError> {
-        let mode = self.steps.mode;
-        self.steps.mode = self.mode_at_end.or(mode);
-        self.steps.ended(probe, None, events, self.canon.tool)?;
-        self.steps.mode = mode;
-        Ok(())
-    }
-
-    /// The block at which the run pauses. Nothing can be asked of a program that pauses: of its state only what was read
-    /// ahead is known, and else that it is as before.
-    fn paused(&mut self) -> Result<(), HarnessError> {
-        let Some(next) = self.steps.next() else { return Ok(()) };
-        let issued = std::mem::take(&mut self.issued);
-        if let Some((printed, probe)) = self.read.pop_front() {
-            let events = self.events(printed, &issued, &probe)?;
-            return self.steps.passed(&probe, events, self.canon.tool);
-        }
-        for effect in std::mem::take(&mut self.printed) {
-            self.canon.push(effect);
-        }
-        for issued in &issued {
-            self.canon.issue(issued)?;
-        }
-        let state = State::Rs274(Rs274State::default());
-        self.steps.step(next, self.canon.take_events(), Some(state));
-        Ok(())
-    }
-
-    /// The block that was being carried out when the run stopped: its events and what was in force afterwards; no state.
-    fn unfinished(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
-        let (Some(next), Some(probe)) = (self.steps.next(), after_end) else { return Ok(()) };
-        let read = self.read.pop_front().map(|(printed, _)| printed);
-        let printed = read.unwrap_or_else(|| std::mem::take(&mut self.printed));
-        let issued = std::mem::take(&mut self.issued);
-        let mut events = self.events(printed, &issued, probe)?;
-        let at = state::position(probe);
-        // A move that was broken off has not been made, and a wait for an input has read nothing.
-        events.retain(|event| !matches!(event, Event::Do(effect) if is_broken_off(effect, &at)));
-        for event in &mut events {
-            if let Event::Do(Effect::WaitInput { read, .. }) = event {
-                *read = -1.0;
-            }
-        }
-        if !matches!(form(self.source.line(next.0, next.1)), Form::Empty) && !events.is_empty() {
-            self.steps.step(next, events, None);
-        }
-        Ok(())
-    }
-
-    fn machine_fault(&self, message: String) -> Result<End, HarnessError> {
-        let kind = if message.starts_with("user program") {
-            FaultKind::UserCode
-        } else if message.starts_with("wait for orient complete") {
-            FaultKind::Orient
-        } else {
-            faults::kind(&message).ok_or_else(|| HarnessError::UnknownMessage(message.clone()))?
-        };
-        let block = self.steps.taken.last().map(|step| step.block.clone());
-        Ok(End::Fault(Fault { kind: Some(kind), block, span: None, message }))
-    }
-}
-
-/// Whether a move did not reach its end.
-fn is_broken_off(effect: &Effect, at: &Position) -> bool {
-    let near = |a: f64, b: f64| (a - b).abs() < 1e-5;
-    let (Effect::StraightTraverse { end }
-    | Effect::StraightFeed { end }
-    | Effect::ArcFeed { end, .. }) = effect
-    else {
-        return false;
-    };
-    !end.to_array().into_iter().zip(at.to_array()).all(|(a, b)| near(a, b))
 }
 
 /// Whether a command ends the program.
