@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::Outcome;
+use gaugeblock_trace::{End, Outcome};
 
 use crate::certify::scenario_of;
 use crate::suite::{Case, Edition, Rule, RuleOutcome, Suite};
@@ -67,6 +67,22 @@ pub fn faults(suite: &Suite) -> Vec<String> {
         }
     }
     faults
+}
+
+/// Why the model says nothing of a case: it does not support it, or the documents leave it open.
+pub fn unsaid(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
+    let edition = editions_of(suite, rule, case).into_iter().next()?;
+    match model_run(suite, case, edition).0.end {
+        End::Unsupported { what, .. } => Some(what),
+        End::Unspecified { why, .. } => Some(why),
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::Endless
+        | End::Paused
+        | End::Aborted
+        | End::Fault(_)
+        | End::BudgetExhausted { .. } => None,
+    }
 }
 
 /// The text that a case's golden must be.

@@ -227,7 +227,18 @@ fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, Refuse
 
 fn bless(suite: &Suite, folder: &Path, arguments: &Arguments) -> Result<u8, Refused> {
     let mut changed = 0;
-    for rule in selected(suite, arguments) {
+    let rules = selected(suite, arguments);
+    // A model that does not know the suite's options says nothing that could be blessed.
+    for rule in &rules {
+        if let Some(what) = rule.cases.first().and_then(|case| catalogue::unsaid(suite, rule, case))
+        {
+            return Err(Refused::wrong(
+                format!("{}: the model has nothing to bless: {what}", rule.id),
+                "build the command from the sources to which the pages belong",
+            ));
+        }
+    }
+    for rule in rules {
         let path = folder.join(&suite.paths[&rule.id]);
         let text = place::program(&path)?;
         let blessed = with_goldens(suite, rule, &text).map_err(|error| {

@@ -163,10 +163,10 @@ impl<'a> Steps<'a> {
 
     fn tool_codes(&mut self, events: &[Event]) {
         for event in events {
-            match event {
-                Event::Do(Effect::PrepareTool { .. }) => self.changed = false,
-                Event::Do(Effect::ChangeTool { .. }) => self.changed = true,
-                _ => {}
+            if let Event::Do(Effect::PrepareTool { .. }) = event {
+                self.changed = false;
+            } else if let Event::Do(Effect::ChangeTool { .. }) = event {
+                self.changed = true;
             }
         }
     }
