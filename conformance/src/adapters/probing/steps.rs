@@ -163,9 +163,10 @@ impl<'a> Steps<'a> {
 
     fn tool_codes(&mut self, events: &[Event]) {
         for event in events {
-            if let Event::Do(Effect::PrepareTool { .. }) = event {
+            let Event::Do(effect) = event else { continue };
+            if matches!(effect, Effect::PrepareTool { .. }) {
                 self.changed = false;
-            } else if let Event::Do(Effect::ChangeTool { .. }) = event {
+            } else if matches!(effect, Effect::ChangeTool { .. }) {
                 self.changed = true;
             }
         }
