@@ -119,7 +119,7 @@ record! {
         position: Position,
         /// Tool number in the spindle; 0 for none.
         tool: i32,
-        /// Tool number that T selected; -1 for none.
+        /// Tool number that T selected for the next change; -1 for none.
         prepared_tool: i32,
         /// Mode of the controller.
         controller_mode: ControllerMode,

@@ -24,8 +24,10 @@ pub struct State {
     pub position: Position,
     /// Tool number in the spindle; 0 for none.
     pub tool: i32,
-    /// Tool number that T selected; -1 for none.
+    /// Tool number that T selected for the next change; -1 for none.
     pub prepared_tool: i32,
+    /// Tool number of the last T, changed or not; -1 before.
+    pub selected_tool: i32,
     /// Whether T has selected a tool since the last tool change.
     pub selected_for_change: bool,
     /// The tool of each slot of the changer, be it in its slot or in the spindle.
@@ -148,6 +150,7 @@ impl State {
             position: Position::default(),
             tool: 0,
             prepared_tool: -1,
+            selected_tool: -1,
             selected_for_change: false,
             slots: BTreeMap::new(),
             frames: vec![Frame::default()],

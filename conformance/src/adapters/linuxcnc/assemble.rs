@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, VecDeque};
 
 use gaugeblock_trace::{
     Bound, Channel, ControllerMode, Effect, End, Event, Fault, FaultKind, Indexed, Language,
-    Outcome, PinChange, Scenario, Settings,
+    Outcome, PinChange, Position, Rs274State, Scenario, Settings, State,
 };
 use serde_json::Value;
 
@@ -20,7 +20,7 @@ use crate::adapters::probing::instrument::Plan;
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::source::{Form, Source, form};
 use crate::adapters::probing::steps::{self, Steps};
-use crate::adapters::probing::{faults, refusal};
+use crate::adapters::probing::{faults, refusal, state};
 
 /// A block as it was read: what was printed meanwhile, and the probe after it.
 type ReadBlock = (Vec<Effect>, Probe);
@@ -53,10 +53,13 @@ pub(super) struct Assembly<'a> {
     /// A fault of the machine, told by the error channel.
     stopped: Option<String>,
     aborted: bool,
-    endless: bool,
-    /// How often the program began, and how often the operator started it again.
-    begins: usize,
+    /// Whether another mode was asked for, which a controller may take as an abort.
+    asked_for_mode: bool,
+    /// The mode in which the program ended.
+    mode_at_end: Option<ControllerMode>,
+    /// How often the operator started the program again, and how often it was seen to begin again.
     starts: usize,
+    restarts: usize,
     pins: Vec<PinChange>,
     ends: Option<String>,
 }
@@ -91,9 +94,10 @@ impl<'a> Assembly<'a> {
             refused: None,
             stopped: None,
             aborted: false,
-            endless: false,
-            begins: 0,
+            asked_for_mode: false,
+            mode_at_end: None,
             starts: 0,
+            restarts: 0,
             pins: Vec::new(),
             ends: None,
         };
@@ -158,8 +162,10 @@ impl<'a> Assembly<'a> {
             self.reset = std::mem::take(&mut self.issued);
             self.steps.mode = mode(told);
         } else if let Some(action) = told.get("operator").and_then(Value::as_str) {
-            self.aborted |= action == "abort";
-            self.starts += usize::from(action == "cycle_start");
+            self.aborted = action == "abort" || self.aborted && action != "cycle_start";
+            self.asked_for_mode |= action == "mode";
+        } else if told.get("starts_again").is_some() {
+            self.starts += 1;
         } else if let Some(mode) = mode(told) {
             self.steps.mode = Some(mode);
             self.issued.push(Issued::own("CONTROLLER_MODE", mode.to_string()));
@@ -191,6 +197,9 @@ impl<'a> Assembly<'a> {
         if issued.name == "TRAJ_DELAY" && std::mem::take(&mut self.at_gate) {
             return Ok(());
         }
+        if is_end(issued) {
+            self.mode_at_end = self.steps.mode;
+        }
         self.issued.push(issued.clone());
         Ok(())
     }
@@ -205,13 +214,16 @@ impl<'a> Assembly<'a> {
     }
 
     fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
-        self.begins += usize::from((probe.file, probe.line) == (0, 0));
-        self.endless |= self.begins > 1 + self.starts;
+        if (probe.file, probe.line) == (0, 0)
+            && self.reading_at.is_some()
+            && self.restarts < self.starts
+        {
+            // What was read ahead before the program was started again is never carried out.
+            self.read.clear();
+        }
         self.reading_at = Some((probe.file, probe.line));
         self.trace.stands_in(probe.file);
-        if !self.endless {
-            self.read.push_back((std::mem::take(&mut self.printed), probe.clone()));
-        }
+        self.read.push_back((std::mem::take(&mut self.printed), probe.clone()));
         self.carried_out()
     }
 
@@ -233,11 +245,13 @@ impl<'a> Assembly<'a> {
                 self.steps.begin(&probe)?;
                 continue;
             }
-            let mut events = self.events(printed, &issued, &probe)?;
-            if (probe.file, probe.line) == (0, 0) {
+            let events = self.events(printed, &issued, &probe)?;
+            if (probe.file, probe.line) == (0, 0) && self.restarts < self.starts {
+                self.restarts += 1;
                 if issued.iter().any(is_end) {
-                    events.push(Event::Do(Effect::ProgramEnd {}));
-                    self.steps.ended(&probe, None, events, self.canon.tool)?;
+                    self.ended(&probe, events)?;
+                } else if !events.is_empty() {
+                    self.steps.step(self.steps.next().unwrap_or((0, 1)), events, None);
                 }
                 self.steps.restarted(&probe);
                 continue;
@@ -280,16 +294,16 @@ impl<'a> Assembly<'a> {
             Some("budget") => return Ok(End::BudgetExhausted { bound: Bound::Steps }),
             Some("endless") => return Ok(End::Endless),
             Some("paused") => {
-                self.unfinished(after_end)?;
+                self.paused()?;
                 return Ok(End::Paused);
             }
-            _ if self.endless => return Ok(End::Endless),
             _ => {}
         }
         if let Some(fault) = self.refused.take() {
             return Ok(End::Fault(fault));
         }
         if self.aborted {
+            self.unfinished(after_end)?;
             return Ok(End::Aborted);
         }
         if self.issued.iter().any(is_end) {
@@ -298,9 +312,8 @@ impl<'a> Assembly<'a> {
             };
             let (printed, issued) =
                 (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
-            let mut events = self.events(printed, &issued, probe)?;
-            events.push(Event::Do(Effect::ProgramEnd {}));
-            self.steps.ended(probe, None, events, self.canon.tool)?;
+            let events = self.events(printed, &issued, probe)?;
+            self.ended(probe, events)?;
             return Ok(End::ProgramEnd);
         }
         if let Some(message) = self.stopped.take() {
@@ -310,19 +323,57 @@ impl<'a> Assembly<'a> {
         if self.steps.next_form() == Form::Percent {
             return Ok(End::PercentEnd);
         }
+        if self.asked_for_mode {
+            self.unfinished(after_end)?;
+            return Ok(End::Aborted);
+        }
         Err(unreadable("a run without an end"))
     }
 
-    /// The block that was being carried out when the run stopped: its events, and no state.
-    fn unfinished(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
+    /// The program ended, in the mode that the controller was in then.
+    fn ended(&mut self, probe: &Probe, events: Vec<Event>) -> Result<(), HarnessError> {
+        let mode = self.steps.mode;
+        self.steps.mode = self.mode_at_end.or(mode);
+        self.steps.ended(probe, None, events, self.canon.tool)?;
+        self.steps.mode = mode;
+        Ok(())
+    }
+
+    /// The block at which the run pauses. Nothing can be asked of a program that pauses: of its state only what was read
+    /// ahead is known, and else that it is as before.
+    fn paused(&mut self) -> Result<(), HarnessError> {
         let Some(next) = self.steps.next() else { return Ok(()) };
-        let (printed, probe) = match (self.read.pop_front(), after_end) {
-            (Some(read), _) => read,
-            (None, Some(probe)) => (std::mem::take(&mut self.printed), probe.clone()),
-            (None, None) => return Ok(()),
-        };
         let issued = std::mem::take(&mut self.issued);
-        let events = self.events(printed, &issued, &probe)?;
+        if let Some((printed, probe)) = self.read.pop_front() {
+            let events = self.events(printed, &issued, &probe)?;
+            return self.steps.passed(&probe, events, self.canon.tool);
+        }
+        for effect in std::mem::take(&mut self.printed) {
+            self.canon.push(effect);
+        }
+        for issued in &issued {
+            self.canon.issue(issued)?;
+        }
+        let state = State::Rs274(Rs274State::default());
+        self.steps.step(next, self.canon.take_events(), Some(state));
+        Ok(())
+    }
+
+    /// The block that was being carried out when the run stopped: its events and what was in force afterwards; no state.
+    fn unfinished(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
+        let (Some(next), Some(probe)) = (self.steps.next(), after_end) else { return Ok(()) };
+        let read = self.read.pop_front().map(|(printed, _)| printed);
+        let printed = read.unwrap_or_else(|| std::mem::take(&mut self.printed));
+        let issued = std::mem::take(&mut self.issued);
+        let mut events = self.events(printed, &issued, probe)?;
+        let at = state::position(probe);
+        // A move that was broken off has not been made, and a wait for an input has read nothing.
+        events.retain(|event| !matches!(event, Event::Do(effect) if is_broken_off(effect, &at)));
+        for event in &mut events {
+            if let Event::Do(Effect::WaitInput { read, .. }) = event {
+                *read = -1.0;
+            }
+        }
         if !matches!(form(self.source.line(next.0, next.1)), Form::Empty) && !events.is_empty() {
             self.steps.step(next, events, None);
         }
@@ -340,6 +391,18 @@ impl<'a> Assembly<'a> {
         let block = self.steps.taken.last().map(|step| step.block.clone());
         Ok(End::Fault(Fault { kind: Some(kind), block, span: None, message }))
     }
+}
+
+/// Whether a move did not reach its end.
+fn is_broken_off(effect: &Effect, at: &Position) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-5;
+    let (Effect::StraightTraverse { end }
+    | Effect::StraightFeed { end }
+    | Effect::ArcFeed { end, .. }) = effect
+    else {
+        return false;
+    };
+    !end.to_array().into_iter().zip(at.to_array()).all(|(a, b)| near(a, b))
 }
 
 /// Whether a command ends the program.

@@ -87,7 +87,12 @@ impl Canon {
         others.work_offset = u32::try_from(after.mode("_coord_system")).ok().map(work_offset);
         self.set(others);
         self.position = state::position(after);
-        Ok(std::mem::take(&mut self.events))
+        Ok(self.take_events())
+    }
+
+    /// The events since the last time.
+    pub(super) fn take_events(&mut self) -> Vec<Event> {
+        std::mem::take(&mut self.events)
     }
 
     /// What the program did while it was read: messages that pass no queue.
@@ -129,6 +134,7 @@ impl Canon {
             }
             "TASK_PLAN_PAUSE" => Effect::Stop { optional: false },
             "TASK_PLAN_OPTIONAL_STOP" => Effect::Stop { optional: true },
+            "TASK_PLAN_END" => Effect::ProgramEnd {},
             "CONTROLLER_MODE" => Effect::ChangeControllerMode { mode: word(issued)? },
             "REQUEST_REFUSED" => Effect::RequestRefused { request: word(issued)? },
             _ => return self.other(issued),

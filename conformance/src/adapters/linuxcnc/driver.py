@@ -291,7 +291,7 @@ class Driver:
             self.command.mdi(line)
             if not self.done(seconds) or not self.wait(lambda: self.is_idle() or self.is_paused(), seconds):
                 return "late"
-            if self.stat.state == self.linuxcnc.RCS_ERROR or self.is_paused():
+            if self.stat.state == self.linuxcnc.RCS_ERROR:
                 break
         return "paused" if self.is_paused() else "idle"
 
@@ -310,13 +310,16 @@ class Driver:
         if name in ("cycle_start", "resume"):
             self.wait(lambda: self.is_paused() or self.is_idle(), 0.5)
         if name == "cycle_start":
-            self.starts += not self.is_paused()
+            if self.is_idle():
+                self.starts += 1
+                report(starts_again=True)
             command.auto(linuxcnc.AUTO_RUN, 0)
         elif name == "resume":
             command.auto(linuxcnc.AUTO_RESUME)
         elif name == "pause":
             command.auto(linuxcnc.AUTO_PAUSE)
         elif name == "abort":
+            self.first = None
             command.abort()
         elif name == "mode":
             command.mode(next(mode for mode, word in self.modes.items() if word == value))
@@ -348,7 +351,7 @@ class Driver:
                 self.events.remove(ready)
                 self.act(ready)
                 continue
-            if len(self.seen.get(self.first, [])) > self.starts:
+            if not self.events and len(self.seen.get(self.first, [])) > self.starts:
                 return "endless"
             if sum(len(seen) for text, seen in self.seen.items() if text[-1] != "+") > self.steps:
                 return "budget"

@@ -29,7 +29,7 @@ use gaugeblock_trace::scenario::{Action, OperatorEvent, Start};
 use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::{Value, json};
 
-use super::probing::instrument::{Ends, Marks, Plan, is_plain};
+use super::probing::instrument::{Ends, GATE, Marks, Plan, is_plain};
 use super::probing::source::{DEBUG_SWITCH, Source, code, has_slash};
 use super::probing::workspace;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
@@ -271,8 +271,13 @@ fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: Value) -> V
         told["marker"] = plan.mark_before(place, event.when.block.line).into();
         told["execution"] = event.when.execution.into();
         // A block has begun once its command has gone out.
-        let least = if is_switched_before(event) { 0.0 } else { 0.02 };
-        told["offset"] = event.when.offset.max(least).into();
+        let has_gate = plan
+            .marks
+            .as_ref()
+            .is_some_and(|marks| marks.gates.contains(&(place, event.when.block.line)));
+        let begins = if has_gate { GATE.parse().unwrap_or_default() } else { 0.0 };
+        let begins = if is_switched_before(event) { 0.0 } else { begins + 0.004 };
+        told["offset"] = (event.when.offset + begins).into();
         Some(told)
     });
     let may_stop = source.all().any(|(_, _, line)| {

@@ -103,8 +103,8 @@ impl Plan {
             .find(|line| !line.trim().is_empty())
             .is_some_and(|line| form(line) == Form::Percent);
         if file == 0 && !begins_with_percent {
-            text.push_str(&self.marks(file, 0));
             text.push_str(&self.probe(file, 0));
+            text.push_str(&self.marks(file, 0));
         }
         let mut begun = !begins_with_percent;
         for (number, line) in (1_u32..).zip(lines) {
@@ -120,8 +120,8 @@ impl Plan {
             text.push('\n');
             begun |= !line.trim().is_empty();
             if begun {
-                text.push_str(&self.marks(file, number));
                 text.push_str(&self.probe(file, number));
+                text.push_str(&self.marks(file, number));
             }
         }
         text

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use gaugeblock_trace::scenario::Budget;
 use gaugeblock_trace::{
-    Bound, ControllerMode, End, Event, Indexed, Outcome, Rs274State, State, Step,
+    Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State, Step,
 };
 
 use super::instrument::Plan;
@@ -24,6 +24,8 @@ pub(in crate::adapters) struct Steps<'a> {
     /// Depth of calls where the last probe stood.
     level: i64,
     at: Option<(usize, u32)>,
+    /// Whether the tool was changed since the last T: then none is selected, though parameters may keep the old one.
+    changed: bool,
     /// Mode of the controller, where it has modes.
     pub(in crate::adapters) mode: Option<ControllerMode>,
     /// The blocks with what they did.
@@ -41,6 +43,7 @@ impl<'a> Steps<'a> {
             known,
             level: 0,
             at: None,
+            changed: false,
             mode: None,
             taken: Vec::new(),
         }
@@ -87,6 +90,7 @@ impl<'a> Steps<'a> {
         events: Vec<Event>,
         tool: i32,
     ) -> Result<(), HarnessError> {
+        self.tool_codes(&events);
         let here = (probe.file, probe.line);
         let Some(next) = self.next() else { return Ok(()) };
         let jumped = here != next;
@@ -140,6 +144,7 @@ impl<'a> Steps<'a> {
         events: Vec<Event>,
         tool: i32,
     ) -> Result<(), HarnessError> {
+        self.tool_codes(&events);
         let mut shown = self.shown(probe, tool)?;
         if self.level != 0 {
             self.led_elsewhere();
@@ -156,9 +161,20 @@ impl<'a> Steps<'a> {
         self.at = Some((probe.file, probe.line));
     }
 
+    fn tool_codes(&mut self, events: &[Event]) {
+        for event in events {
+            match event {
+                Event::Do(Effect::PrepareTool { .. }) => self.changed = false,
+                Event::Do(Effect::ChangeTool { .. }) => self.changed = true,
+                _ => {}
+            }
+        }
+    }
+
     fn shown(&self, probe: &Probe, tool: i32) -> Result<Rs274State, HarnessError> {
         let shown = state::state(probe, tool, self.plan)?;
-        Ok(Rs274State { controller_mode: self.mode, ..shown })
+        let prepared_tool = if self.changed { Some(-1) } else { shown.prepared_tool };
+        Ok(Rs274State { controller_mode: self.mode, prepared_tool, ..shown })
     }
 
     /// A block of which only its events are known.

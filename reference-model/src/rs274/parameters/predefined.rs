@@ -266,7 +266,7 @@ fn selected_tool(state: &State) -> f64 {
     if state.readings.quirk("rs274.selected-tool-zero") {
         return f64::from(quirks::selected_tool(state));
     }
-    f64::from(state.prepared_tool)
+    f64::from(state.selected_tool)
 }
 
 /// The names of the predefined parameters but those of axes and pockets.

@@ -55,5 +55,5 @@ pub(crate) fn has_tool_offset(state: &State) -> bool {
 
 /// Quirk rs274.selected-tool-zero: `_selected_tool` is 0 before the first T.
 pub(crate) fn selected_tool(state: &State) -> i32 {
-    state.prepared_tool.max(0)
+    state.selected_tool.max(0)
 }

@@ -33,6 +33,7 @@ pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(
         state.evidence.accepted(rule);
     }
     state.prepared_tool = tool.unwrap_or(-1);
+    state.selected_tool = tool.unwrap_or(0);
     state.selected_for_change = true;
     record.effect(state, Effect::PrepareTool { tool: tool.unwrap_or(0) });
     Ok(())

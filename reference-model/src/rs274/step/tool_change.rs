@@ -12,7 +12,8 @@ use crate::rs274::task::Record;
 
 /// Puts the selected tool into the spindle.
 ///
-/// Rule tool.change. The tool in the spindle is then the one that T selected last, on the same line or before.
+/// Rule tool.change. The tool in the spindle is then the one that T selected last, on the same line or before; none is
+/// selected any more.
 /// Rule tool.change-stops-spindle. The spindle stands afterwards.
 /// Rule tool.change-keeps. Nothing else changes: coolant flows on, and the length offset stays (tool.change-keeps-length).
 ///
@@ -34,6 +35,7 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), Halt> {
     pass(state.outside.tool_change_time(), state);
     swap(tool, state);
     state.selected_for_change = false;
+    state.prepared_tool = -1;
     state.evidence.accepted("tool.change");
     state.evidence.accepted("tool.change-keeps");
     state.evidence.accepted("tool.change-keeps-length");
@@ -50,7 +52,8 @@ fn tool_to_load(state: &mut State) -> Result<i32, Halt> {
         }
         state.evidence.accepted(rule);
     }
-    Ok(state.prepared_tool.max(0))
+    let selected = if state.selected_for_change { state.prepared_tool } else { state.tool };
+    Ok(selected.max(0))
 }
 
 /// Every spindle stops.

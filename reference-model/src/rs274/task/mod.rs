@@ -77,6 +77,7 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         machine,
         tool: 0,
         prepared_tool: -1,
+        selected_tool: -1,
         selected_for_change: false,
         slots: slots(&scenario.machine),
         frames: vec![Frame::default()],
