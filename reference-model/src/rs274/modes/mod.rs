@@ -104,6 +104,8 @@ pub struct Spindle {
     pub turn: SpindleTurn,
     /// Whether its speed override control is enabled.
     pub speed_override: Switch,
+    /// Whether a speed has released its brake since it was stopped; only a quirk asks for it.
+    pub brake_released: bool,
 }
 
 impl Spindle {
@@ -114,6 +116,7 @@ impl Spindle {
         limit: SpindleLimit::None,
         turn: SpindleTurn::Stopped,
         speed_override: Switch::On,
+        brake_released: false,
     };
 }
 

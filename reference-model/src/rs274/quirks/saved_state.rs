@@ -117,6 +117,7 @@ fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Hal
         limit,
         turn: saved.turn,
         speed_override: now.speed_override,
+        brake_released: now.brake_released,
     })
 }
 

@@ -1,6 +1,6 @@
 //! Quirks of modes, offsets, spindle, overrides and the program end.
 
-use gaugeblock_trace::{Distance, FaultKind, Pin, SpindleLimit, SpindleMode, SpindleTurn, Switch};
+use gaugeblock_trace::{Distance, FaultKind, SpindleLimit, SpindleMode, Switch};
 
 use crate::rs274::machine::State;
 use crate::rs274::modes::{ModalGroup, converted};
@@ -93,13 +93,8 @@ pub(crate) fn program_end(state: &mut State) {
     }
 }
 
-/// Quirk linuxcnc.speed-releases-brake. A speed releases the brake of a spindle that stands, and it stays released.
+/// Quirk linuxcnc.speed-releases-brake. A speed releases the brake of a spindle that stands, until the next stop.
 pub(crate) fn speed_while_standing(place: usize, state: &mut State) {
-    let stands = state.modes.spindles[place].turn == SpindleTurn::Stopped;
-    if stands
-        && state.readings.quirk("linuxcnc.speed-releases-brake")
-        && let Ok(number) = u16::try_from(place)
-    {
-        state.outside.set(Pin::SpindleBrake(number), 0.0);
-    }
+    let quirk = state.readings.quirk("linuxcnc.speed-releases-brake");
+    state.modes.spindles[place].brake_released |= quirk;
 }

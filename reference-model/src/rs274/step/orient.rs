@@ -203,7 +203,8 @@ fn brake(place: usize, state: &mut State) {
     let stands = !turns(place, state) && state.outside.orientation(place).is_none();
     let locked = state.outside.level(Pin::SpindleLocked(spindle)) != 0.0;
     let standing = state.readings.is("orient.brake-otherwise", "while-standing");
-    let applied = locked || stands && standing;
+    let released = state.modes.spindles[place].brake_released;
+    let applied = locked || stands && standing && !released;
     if locked {
         state.evidence.accepted("orient.brake-otherwise");
     }

@@ -126,6 +126,7 @@ pub fn turn(words: &Words, state: &mut State) -> Result<(), Halt> {
 /// Starts or stops a spindle, which ends an orientation.
 pub(crate) fn set_turn(turn: SpindleTurn, place: usize, state: &mut State) {
     state.modes.spindles[place].turn = turn;
+    state.modes.spindles[place].brake_released = false;
     orient::clear(place, state);
 }
 
