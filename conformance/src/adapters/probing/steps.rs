@@ -166,7 +166,7 @@ impl<'a> Steps<'a> {
             match event {
                 Event::Do(Effect::PrepareTool { .. }) => self.changed = false,
                 Event::Do(Effect::ChangeTool { .. }) => self.changed = true,
-                _ => {}
+                Event::Set(_) | Event::Do(_) => {}
             }
         }
     }
