@@ -30,10 +30,8 @@ pub(super) fn foreign_names(source: &Source) -> BTreeSet<String> {
 pub(super) fn leaves_traces(source: &Source, items: &[Item]) -> bool {
     let end = items.iter().position(Item::is_end).unwrap_or_default();
     let refuses_all = items[end..].iter().any(|item| matches!(item, Item::Refused(_)));
-    let last = items[..end].iter().rev().find_map(Item::probe);
-    let in_sub = last.is_some_and(|probe| probe.mode("_call_level") > 0);
-    let has = |word: &str| has(source, word);
-    refuses_all || has("continue") || has("break") || has("m19") || in_sub && has("m98")
+    let has = |word| has(source, word);
+    refuses_all || ["continue", "break", "m19", "m98"].into_iter().any(has)
 }
 
 /// Whether this stands in the code of a program.

@@ -163,11 +163,10 @@ impl<'a> Steps<'a> {
 
     fn tool_codes(&mut self, events: &[Event]) {
         for event in events {
-            let Event::Do(effect) = event else { continue };
-            if matches!(effect, Effect::PrepareTool { .. }) {
-                self.changed = false;
-            } else if matches!(effect, Effect::ChangeTool { .. }) {
-                self.changed = true;
+            match event {
+                Event::Do(Effect::PrepareTool { .. }) => self.changed = false,
+                Event::Do(Effect::ChangeTool { .. }) => self.changed = true,
+                Event::Set(_) | Event::Do(_) => {}
             }
         }
     }

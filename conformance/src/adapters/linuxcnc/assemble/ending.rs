@@ -1,13 +1,12 @@
 //! How a run ends, and what the block did that it ended with.
 
-use gaugeblock_trace::{Bound, Effect, End, Event, Fault, FaultKind, Position, Rs274State, State};
+use gaugeblock_trace::{Bound, Effect, End, Event, Fault, FaultKind};
 
 use super::{Assembly, is_end, unreadable};
 use crate::adapters::HarnessError;
-use crate::adapters::linuxcnc::stream::Issued;
+use crate::adapters::probing::faults;
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::source::{Form, form};
-use crate::adapters::probing::{faults, state};
 
 impl Assembly<'_> {
     /// How the run ended, and its last block.
@@ -28,7 +27,7 @@ impl Assembly<'_> {
             return Ok(End::Fault(fault));
         }
         if self.aborted {
-            self.unfinished(after_end)?;
+            self.aborted(after_end)?;
             return Ok(End::Aborted);
         }
         if self.issued.iter().any(is_end) {
@@ -49,7 +48,7 @@ impl Assembly<'_> {
             return Ok(End::PercentEnd);
         }
         if self.asked_for_mode {
-            self.unfinished(after_end)?;
+            self.aborted(after_end)?;
             return Ok(End::Aborted);
         }
         Err(unreadable("a run without an end"))
@@ -64,23 +63,56 @@ impl Assembly<'_> {
         Ok(())
     }
 
-    /// The block at which the run pauses. Nothing can be asked of a program that pauses: of its state only what was read
-    /// ahead is known, and else that it is as before.
+    /// The block at which the run pauses: what it did, and no state, since it is not over.
     fn paused(&mut self) -> Result<(), HarnessError> {
         let Some(next) = self.steps.next() else { return Ok(()) };
         let issued = std::mem::take(&mut self.issued);
-        if let Some((printed, probe)) = self.read.pop_front() {
-            let events = self.events(printed, &issued, &probe)?;
-            return self.steps.passed(&probe, events, self.canon.tool);
+        let events = if let Some((printed, probe)) = self.read.pop_front() {
+            self.events(printed, &issued, &probe)?
+        } else {
+            for effect in std::mem::take(&mut self.printed) {
+                self.canon.push(effect);
+            }
+            for issued in &issued {
+                self.canon.issue(issued)?;
+            }
+            self.canon.take_events()
+        };
+        self.steps.step(next, events, None);
+        Ok(())
+    }
+
+    /// An abort broke a block off. What it did itself is not recorded; what was in force afterwards is, and what the
+    /// controller refused meanwhile.
+    pub(super) fn broken_off(&mut self, events: Vec<Event>) {
+        let stays = |event: &Event| {
+            matches!(
+                event,
+                Event::Set(_)
+                    | Event::Do(
+                        Effect::RequestRefused { .. } | Effect::ChangeControllerMode { .. }
+                    )
+            )
+        };
+        let events = events.into_iter().filter(stays);
+        match self.steps.taken.last_mut() {
+            Some(last) => last.events.extend(events),
+            None => {
+                let next = self.steps.next().unwrap_or((0, 1));
+                let events: Vec<_> = events.collect();
+                if !events.is_empty() {
+                    self.steps.step(next, events, None);
+                }
+            }
         }
-        for effect in std::mem::take(&mut self.printed) {
-            self.canon.push(effect);
-        }
-        for issued in &issued {
-            self.canon.issue(issued)?;
-        }
-        let state = State::Rs274(Rs274State::default());
-        self.steps.step(next, self.canon.take_events(), Some(state));
+    }
+
+    /// The run was aborted; what a probe showed afterwards.
+    fn aborted(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
+        let Some(probe) = after_end else { return Ok(()) };
+        let issued = std::mem::take(&mut self.issued);
+        let events = self.events(Vec::new(), &issued, probe)?;
+        self.broken_off(events);
         Ok(())
     }
 
@@ -90,18 +122,9 @@ impl Assembly<'_> {
         let read = self.read.pop_front().map(|(printed, _)| printed);
         let printed = read.unwrap_or_else(|| std::mem::take(&mut self.printed));
         let issued = std::mem::take(&mut self.issued);
-        let state = after_stop(&issued);
-        let mut events = self.events(printed, &issued, probe)?;
-        let at = state::position(probe);
-        // A move that was broken off has not been made, and a wait for an input has read nothing.
-        events.retain(|event| !matches!(event, Event::Do(effect) if is_broken_off(effect, &at)));
-        for event in &mut events {
-            if let Event::Do(Effect::WaitInput { read, .. }) = event {
-                *read = -1.0;
-            }
-        }
+        let events = self.events(printed, &issued, probe)?;
         if !matches!(form(self.source.line(next.0, next.1)), Form::Empty) && !events.is_empty() {
-            self.steps.step(next, events, state);
+            self.steps.step(next, events, None);
         }
         Ok(())
     }
@@ -119,24 +142,4 @@ impl Assembly<'_> {
         let block = self.steps.taken.last().map(|step| step.block.clone());
         Ok(End::Fault(Fault { kind: Some(kind), block, span: None, message }))
     }
-}
-
-/// A block that pauses is over when it does; of its state nothing more is known.
-pub(super) fn after_stop(issued: &[Issued]) -> Option<State> {
-    let is_stop = |issued: &Issued| {
-        ["TASK_PLAN_PAUSE", "TASK_PLAN_OPTIONAL_STOP"].contains(&issued.name.as_str())
-    };
-    issued.iter().any(is_stop).then(|| State::Rs274(Rs274State::default()))
-}
-
-/// Whether a move did not reach its end.
-fn is_broken_off(effect: &Effect, at: &Position) -> bool {
-    let near = |a: f64, b: f64| (a - b).abs() < 1e-5;
-    let (Effect::StraightTraverse { end }
-    | Effect::StraightFeed { end }
-    | Effect::ArcFeed { end, .. }) = effect
-    else {
-        return false;
-    };
-    !end.to_array().into_iter().zip(at.to_array()).all(|(a, b)| near(a, b))
 }

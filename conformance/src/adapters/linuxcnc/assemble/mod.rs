@@ -14,7 +14,6 @@ use gaugeblock_trace::{
 };
 use serde_json::Value;
 
-use self::ending::after_stop;
 use super::canon::Canon;
 use super::stream::{Issued, Item};
 use super::trace::Trace;
@@ -253,9 +252,8 @@ impl<'a> Assembly<'a> {
                 self.restarts += 1;
                 if issued.iter().any(is_end) {
                     self.ended(&probe, events)?;
-                } else if !events.is_empty() {
-                    let next = self.steps.next().unwrap_or((0, 1));
-                    self.steps.step(next, events, after_stop(&issued));
+                } else {
+                    self.broken_off(events);
                 }
                 self.steps.restarted(&probe);
                 continue;
