@@ -56,7 +56,7 @@ pub(super) struct Arguments {
     /// Run each program also unobserved, to see that observing changes nothing [default: a sample]
     #[arg(long)]
     check_observation: bool,
-    /// How many cases run at once [default: the number of processors]
+    /// How many cases run at once [default: one more than there are processors]
     #[arg(long, short, value_name = "N")]
     jobs: Option<NonZero<usize>>,
     /// Show known divergences too, and count what was not shown

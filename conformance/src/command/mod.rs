@@ -202,5 +202,7 @@ fn write_error(text: &str) {
 /// How many runs at once: the processors, unless it is said.
 fn jobs(asked: Option<std::num::NonZero<usize>>) -> std::num::NonZero<usize> {
     let processors = std::thread::available_parallelism();
-    asked.or_else(|| processors.ok()).unwrap_or(std::num::NonZero::<usize>::MIN)
+    // One more than there are processors: while a controller starts or ends, a processor would have nothing to do.
+    let one_more = processors.ok().map(|processors| processors.saturating_add(1));
+    asked.or(one_more).unwrap_or(std::num::NonZero::<usize>::MIN)
 }
