@@ -101,16 +101,7 @@ impl Canon {
     }
 
     fn set(&mut self, change: Settings) {
-        let before = self.now.clone();
-        self.now.overlay(&change);
-        let change = self.now.since(&before);
-        if change.is_empty() {
-            return;
-        }
-        match self.events.last_mut() {
-            Some(Event::Set(last)) => last.overlay(&change),
-            Some(Event::Do(_)) | None => self.events.push(Event::Set(change)),
-        }
+        state::set(&mut self.now, &mut self.events, &change);
     }
 
     /// Takes over a command.

@@ -142,8 +142,8 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
         if let Some(told) = line.strip_prefix(MARK) {
             let told: Value = serde_json::from_str(told).map_err(|_| unreadable("driver", line))?;
             if told.get("ends").is_some() {
-                // A run may end within a probe.
-                reader = Reader::new(plan);
+                // A run may end within a probe, and print the rest of it until it stands.
+                reader = Reader::broken_off(plan);
             }
             items.push(Item::Driver(told));
         } else if let Some(probe) = line.strip_prefix(&plan.marker) {

@@ -184,9 +184,10 @@ fn a_program_that_never_ends_is_told_and_ended() {
     let mut endless = Scenario::of("o1 do\n#1=[#1+1]\no1 while [1]\nm2\n");
     endless.budget.steps = 50;
     controller.longest = Duration::from_secs(20);
-    // FIXME: on a busy machine what it prints without end may be too much, or torn. Then it is an error, never an outcome.
-    if let Ok(outcome) = controller.run(&endless) {
-        assert!(matches!(outcome.end, End::BudgetExhausted { .. }));
+    // On a busy machine it prints more than it may before it can be stopped.
+    match controller.run(&endless) {
+        Ok(outcome) => assert!(matches!(outcome.end, End::BudgetExhausted { .. })),
+        Err(error) => assert!(matches!(error, HarnessError::Flooded { .. }), "{error}"),
     }
     assert_eq!(controller.run(&Scenario::of("g0 x1\nm99\n")).expect("a run").end, End::Endless);
 }

@@ -48,13 +48,20 @@ pub(in crate::adapters) struct Reader<'a> {
     values: Vec<Option<f64>>,
     place: Option<(usize, u32)>,
     next: usize,
+    /// Whether the rest of a probe may come first.
+    torn: bool,
 }
 
 impl<'a> Reader<'a> {
     /// A reader for the probes of a plan.
     pub(in crate::adapters) fn new(plan: &'a Plan) -> Self {
         let parts = MODES.len() + 1 + plan.parameter_groups().len();
-        Self { plan, parts, values: Vec::new(), place: None, next: 0 }
+        Self { plan, parts, values: Vec::new(), place: None, next: 0, torn: false }
+    }
+
+    /// A reader where a run was broken off, perhaps within a probe: what is left of that one is passed over.
+    pub(in crate::adapters) fn broken_off(plan: &'a Plan) -> Self {
+        Self { torn: true, ..Self::new(plan) }
     }
 
     /// Takes the text of a probe line behind the marker; returns the probe when it is complete.
@@ -68,6 +75,10 @@ impl<'a> Reader<'a> {
         let file = usize::try_from(number("probe's file")?).map_err(|_| wrong("probe's file"))?;
         let place = (file, number("probe's line")?);
         let part = number("probe's part")?;
+        if self.torn && part != 0 {
+            return Ok(None);
+        }
+        self.torn = false;
         if usize::try_from(part) != Ok(self.next) || (self.next > 0 && self.place != Some(place)) {
             return Err(wrong("probe out of order"));
         }
@@ -132,6 +143,16 @@ mod tests {
             [1.5, -90.0].map(f64::to_bits)
         );
         assert_eq!(probe.parameters, vec![Some(2.5), None]);
+    }
+
+    #[test]
+    fn the_rest_of_a_torn_probe_is_passed_over() {
+        let plan = plan();
+        let mut reader = Reader::broken_off(&plan);
+        assert_eq!(reader.take("0 2 3  54.000000000 1"), Ok(None));
+        assert_eq!(reader.take("1 7 0  10 170 1 1 0 1 400 540 1 0 0"), Ok(None));
+        // From its first part on a probe is whole again.
+        assert!(reader.take("1 7 2  1 0 0 0 0 0 0 0").is_err());
     }
 
     #[test]

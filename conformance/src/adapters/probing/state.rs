@@ -1,13 +1,27 @@
 //! What a probe shows, in the fields of the vocabulary.
 
 use gaugeblock_trace::{
-    Compensation, Distance, FeedMode, Indexed, Lathe, LengthUnit, Motion, Plane, Position, Retract,
-    Rs274State, Settings, SpindleMode, SpindleTurn, Switch,
+    Compensation, Distance, Event, FeedMode, Indexed, Lathe, LengthUnit, Motion, Plane, Position,
+    Retract, Rs274State, Settings, SpindleMode, SpindleTurn, Switch,
 };
 
 use super::instrument::Plan;
 use super::probe::Probe;
 use crate::adapters::HarnessError;
+
+/// Takes over a setting: an event only where it changes something, and one for what changes between two effects.
+pub(in crate::adapters) fn set(now: &mut Settings, events: &mut Vec<Event>, change: &Settings) {
+    let before = now.clone();
+    now.overlay(change);
+    let change = now.since(&before);
+    if change.is_empty() {
+        return;
+    }
+    match events.last_mut() {
+        Some(Event::Set(last)) => last.overlay(&change),
+        Some(Event::Do(_)) | None => events.push(Event::Set(change)),
+    }
+}
 
 /// Settings that canonical calls do not show, or show only in part. `was` is what was in force before, `block` the code
 /// of the block: the parameters do not tell dynamic compensation from static.

@@ -79,16 +79,7 @@ impl Canon {
 
     /// Takes over a setting; an event only where it changes something.
     pub(super) fn set(&mut self, change: Settings) {
-        let before = self.now.clone();
-        self.now.overlay(&change);
-        let change = self.now.since(&before);
-        if change.is_empty() {
-            return;
-        }
-        match self.events.last_mut() {
-            Some(Event::Set(last)) => last.overlay(&change),
-            Some(Event::Do(_)) | None => self.events.push(Event::Set(change)),
-        }
+        state::set(&mut self.now, &mut self.events, &change);
     }
 
     /// Takes over the modes that a probe shows.
