@@ -97,17 +97,24 @@ pub struct Plan<'a> {
 pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + Sync)) -> Run<'a> {
     let options = plan.suite.options(plan.edition);
     let (void, cases) = select(plan);
+    let mut order: Vec<(String, usize)> = cases
+        .iter()
+        .map(|(_, case)| controller.order_key(&scenario_of(case, &options, plan.edition)))
+        .zip(0..)
+        .collect();
+    order.sort();
     let results: Mutex<Vec<Option<CaseResult<'a>>>> = Mutex::new(vec![None; cases.len()]);
     let next = AtomicUsize::new(0);
     std::thread::scope(|scope| {
         for _ in 0..plan.jobs.get().min(cases.len()) {
             scope.spawn(|| {
                 loop {
-                    let place = next.fetch_add(1, Ordering::Relaxed);
-                    let Some((rule, case)) = cases.get(place) else { break };
+                    let turn = next.fetch_add(1, Ordering::Relaxed);
+                    let Some((_, place)) = order.get(turn) else { break };
+                    let (rule, case) = cases[*place];
                     let result = run_case(plan, &options, controller, rule, case);
                     let mut results = results.lock().unwrap_or_else(PoisonError::into_inner);
-                    results[place] = Some(result);
+                    results[*place] = Some(result);
                     done();
                 }
             });

@@ -55,7 +55,16 @@ pub struct Observed {
     pub parameters: Option<Indexed<u32, f64>>,
     /// The values that each pin took over the whole run, in order, without the one that it had before; times are
     /// not compared.
-    pub pins: BTreeMap<Pin, Vec<f64>>,
+    pub pins: BTreeMap<Pin, Vec<PinValue>>,
+}
+
+/// A value that a pin took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PinValue {
+    /// The value.
+    pub value: f64,
+    /// For how long, seconds; without end for the last one.
+    pub lasts: f64,
 }
 
 impl Observed {
@@ -191,12 +200,18 @@ pub(crate) fn is_local_name(name: &str) -> bool {
 }
 
 /// The values of each pin in order; one that is told again is no change.
-fn pins(changes: &[PinChange]) -> BTreeMap<Pin, Vec<f64>> {
-    let mut pins: BTreeMap<Pin, Vec<f64>> = BTreeMap::new();
-    for PinChange { pin, value, .. } in changes {
+fn pins(changes: &[PinChange]) -> BTreeMap<Pin, Vec<PinValue>> {
+    let mut pins: BTreeMap<Pin, Vec<PinValue>> = BTreeMap::new();
+    let mut since: BTreeMap<Pin, f64> = BTreeMap::new();
+    for PinChange { pin, value, time } in changes {
         let values = pins.entry(*pin).or_default();
-        if values.last() != Some(value) {
-            values.push(*value);
+        let last = values.last_mut();
+        if last.as_ref().is_none_or(|last| last.value != *value) {
+            let begun = since.insert(*pin, *time).unwrap_or(*time);
+            if let Some(last) = last {
+                last.lasts = time - begun;
+            }
+            values.push(PinValue { value: *value, lasts: f64::INFINITY });
         }
     }
     pins

@@ -10,6 +10,7 @@ pub mod rs274;
 
 use std::collections::BTreeSet;
 use std::fmt;
+use std::num::NonZero;
 use std::ops::RangeInclusive;
 
 use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
@@ -39,6 +40,8 @@ pub struct Capabilities {
     pub hidden_parameters: Vec<RangeInclusive<u32>>,
     /// Names of the pins whose changes it shows, without index.
     pub pins: BTreeSet<String>,
+    /// How long a pin must keep a value for it to be seen for sure, seconds.
+    pub pin_period: f64,
 }
 
 impl Capabilities {
@@ -60,6 +63,7 @@ impl Capabilities {
             final_parameters: true,
             hidden_parameters: Vec::new(),
             pins: Pin::names().map(str::to_owned).collect(),
+            pin_period: 0.0,
         }
     }
 
@@ -80,6 +84,7 @@ impl Capabilities {
             hidden_parameters: [self.hidden_parameters.clone(), other.hidden_parameters.clone()]
                 .concat(),
             pins: both(&self.pins, &other.pins),
+            pin_period: self.pin_period.max(other.pin_period),
         }
     }
 }
@@ -100,6 +105,18 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// # Errors
     /// The reason why it cannot; such a case counts as unsupported.
     fn supports(&self, scenario: &Scenario) -> Result<(), String>;
+
+    /// Scenarios with equal keys run fastest one after the other, in the order of their keys: a controller with much to
+    /// set up can be kept between them.
+    fn order_key(&self, scenario: &Scenario) -> String {
+        let _in_any_order = scenario;
+        String::new()
+    }
+
+    /// How many scenarios it best runs at once, where that does not follow from the number of processors.
+    fn best_jobs(&self) -> Option<NonZero<usize>> {
+        None
+    }
 
     /// From now on each program also runs unobserved, where observing it could change it; otherwise a sample does.
     fn check_observation(&mut self) {}

@@ -85,7 +85,8 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     if let Some(expectations) = &expectations {
         fits(expectations, controller.capabilities(), &edition.id)?;
     }
-    let plan = Plan { suite, edition, only: &arguments.only, jobs: super::jobs(arguments.jobs) };
+    let jobs = super::jobs(arguments.jobs.or(controller.best_jobs()));
+    let plan = Plan { suite, edition, only: &arguments.only, jobs };
     let cases = count(plan);
     if cases == 0 {
         return Err(Refused::wrong(

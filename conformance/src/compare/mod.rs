@@ -1,5 +1,6 @@
 //! Two outcomes side by side: the first divergence, and what could not be compared.
 
+pub mod pins;
 mod tally;
 pub mod tolerance;
 
@@ -254,12 +255,14 @@ impl Walk<'_> {
             let values = |run: &Observed| run.pins.get(&pin).cloned().unwrap_or_default();
             let (a, b) = (values(expected), values(found));
             self.comparison.compared.add(Basis::Pins, a.len().max(1));
-            if !tolerance::sequences(&a, &b, self.shows.resolution) {
+            let (all, seen) = (a.iter().map(|at| at.value), b.iter().map(|at| at.value));
+            let (all, seen): (Vec<f64>, Vec<f64>) = (all.collect(), seen.collect());
+            if !pins::are_seen(&a, &seen, self.shows) {
                 return Some(Divergence {
                     block: None,
                     field: format!("pin {pin}"),
-                    expected: pin_values(&a),
-                    found: pin_values(&b),
+                    expected: pin_values(&all),
+                    found: pin_values(&seen),
                 });
             }
         }

@@ -16,6 +16,8 @@ import time
 
 MARK = "@gaugeblock@ "
 PAUSE = 0.0005
+# How long a motion stands still before it counts as held, seconds.
+STILL = 1.0
 
 
 def guard(command):
@@ -67,6 +69,7 @@ class Bench:
             self.streams.append(hal.stream(self.component, 0x48534130 + number, types))
         self.names = settings["pins"]
         self.values = None
+        self.at_first = None
         self.changes = []
         self.asked = {}
         self.inputs = []
@@ -77,13 +80,23 @@ class Bench:
         self.hal.set_p(pin, str(value))
 
     def begin(self, inputs):
-        for pin, value in self.settings["resting"]:
-            self.set(pin, value)
+        self.rest()
         self.inputs = sorted(inputs, key=lambda change: change[0])
-        self.begun = None
         self.change_inputs(0.0)
         self.record()
         self.changes = []
+        if self.at_first is None:
+            self.at_first = self.values
+
+    def is_as_new(self):
+        """Whether the pins are as they were before the first run."""
+        return self.values == self.at_first
+
+    def rest(self):
+        for pin, value in self.settings["resting"]:
+            self.set(pin, value)
+        self.inputs = []
+        self.begun = None
 
     def start(self):
         self.begun = time.monotonic()
@@ -150,6 +163,12 @@ class Driver:
         self.looked = 0.0
         self.mode_told = None
         self.complaints = 0
+        self.stands_at = (None, 0.0)
+        self.motion_waits = (
+            linuxcnc.EXEC_WAITING_FOR_MOTION,
+            linuxcnc.EXEC_WAITING_FOR_MOTION_QUEUE,
+            linuxcnc.EXEC_WAITING_FOR_MOTION_AND_IO,
+        )
         self.modes = {linuxcnc.MODE_AUTO: "auto", linuxcnc.MODE_MDI: "mdi", linuxcnc.MODE_MANUAL: "manual"}
 
     # Waiting.
@@ -191,6 +210,21 @@ class Driver:
             and stat.queued_mdi_commands == 0
         )
 
+    def is_held(self):
+        """Whether a motion waits, and nothing that is known to come lets it go on."""
+        stat, linuxcnc = self.stat, self.linuxcnc
+        stands = (
+            stat.exec_state in self.motion_waits
+            and stat.queue > 0
+            and stat.current_vel == 0.0
+            and stat.delay_left <= 0.0
+            and not self.bench.inputs
+        )
+        place = (stat.motion_id, stat.actual_position, stat.distance_to_go) if stands else None
+        if place is None or place != self.stands_at[0]:
+            self.stands_at = (place, time.monotonic())
+        return place is not None and time.monotonic() - self.stands_at[1] > STILL
+
     def is_paused(self):
         return self.stat.interp_state == self.linuxcnc.INTERP_PAUSED or self.stat.paused
 
@@ -226,6 +260,14 @@ class Driver:
         self.poll()
         return self.stat.task_state == linuxcnc.STATE_ON
 
+    def warm_up(self):
+        """Moves to and fro: an abort brings back the modes of the last motion, whichever program that was in."""
+        self.mode(self.linuxcnc.MODE_MDI)
+        for block in ("G53 G0 X1", "G53 G0 X0"):
+            self.command.mdi(block)
+            self.done()
+            self.wait(self.is_idle, 5.0)
+
     def mode(self, mode):
         self.poll()
         if self.stat.task_mode != mode:
@@ -239,6 +281,9 @@ class Driver:
         self.poll()
         if order["load_tools"]:
             command.load_tool_table()
+            self.done()
+            # What the program before stored is stored once more now.
+            command.reset_interpreter()
             self.done()
         if not stat.feed_override_enabled:
             command.set_feed_override(1)
@@ -256,6 +301,7 @@ class Driver:
             command.set_adaptive_feed(0)
         if not stat.feed_hold_enabled:
             command.set_feed_hold(1)
+        shutil.copyfile("parameters.new", "parameters.var")
         command.reset_interpreter()
         self.done()
         if order["block_delete"] is not None:
@@ -352,6 +398,8 @@ class Driver:
             pending = [event for event in self.events if len(self.seen.get(event["marker"], [])) >= event["execution"]]
             if not pending and (self.is_idle() or self.is_paused()):
                 return "paused" if self.is_paused() and not self.is_idle() else "idle"
+            if not self.events and self.is_held():
+                return "held"
             time.sleep(PAUSE)
         return "late"
 
@@ -365,7 +413,7 @@ class Driver:
         self.bench.begin(order["inputs"])
         self.mode(self.linuxcnc.MODE_AUTO if order["by_hand"] is None else self.linuxcnc.MODE_MDI)
         self.mode_told = self.modes.get(self.stat.task_mode)
-        report(begins=True, mode=self.mode_told)
+        report(begins=True, mode=self.mode_told, as_new=self.bench.is_as_new())
         if order["by_hand"] is not None:
             ending = self.run_by_hand(order["by_hand"], order["seconds"])
         else:
@@ -382,6 +430,9 @@ class Driver:
         if not self.is_idle():
             self.command.abort()
             self.done()
+        self.bench.rest()
+        if self.stat.feedrate == 0.0:
+            self.command.feedrate(1.0)
         shutil.copyfile("parameters.var", "parameters.end")
         self.run_file(order["after"])
         if not self.done() or not self.wait(self.is_idle, 10.0):
@@ -397,6 +448,7 @@ def main():
     if not driver.power_on():
         report(failed="the machine cannot be switched on")
         return
+    driver.warm_up()
     report(ready=True)
     for line in sys.stdin:
         if not driver.run(json.loads(line)):

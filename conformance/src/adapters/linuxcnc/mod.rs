@@ -25,6 +25,7 @@ mod trace;
 mod version;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::num::NonZero;
 use std::time::Duration;
 
 use gaugeblock_trace::scenario::Start;
@@ -69,6 +70,9 @@ const HIDDEN_EFFECTS: &[&str] = &[
     "probe_log_open",
     "probe_log_close",
 ];
+
+/// How long a pin's value lasts that is seen for sure: some cycles of the servo thread and of the I/O controller.
+const PIN_PERIOD: f64 = 0.01;
 
 /// The controller.
 #[derive(Debug)]
@@ -115,11 +119,13 @@ impl LinuxCnc {
             };
             let first = seen.items.iter().find_map(Item::probe).cloned();
             let stores = !scenario.machine.parameters.0.is_empty();
-            let is_same = stores
-                || is_new
-                || first.as_ref().is_none_or(|first| {
-                    session.fresh.as_ref().is_none_or(|fresh| fresh.shows_same_modes(first))
-                });
+            let has_new_pins = seen.items.iter().all(Item::begins_as_new);
+            let is_same = is_new
+                || has_new_pins && stores
+                || has_new_pins
+                    && first.as_ref().is_none_or(|first| {
+                        session.fresh.as_ref().is_none_or(|fresh| fresh.shows_same_modes(first))
+                    });
             if is_new && !stores {
                 session.fresh = first;
             }
@@ -166,6 +172,17 @@ impl Adapter for LinuxCnc {
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
         supports::supports(scenario)
+    }
+
+    /// By setup, since another one costs a start; within it first those that leave nothing behind.
+    fn order_key(&self, scenario: &Scenario) -> String {
+        let source = Source::new(&scenario.program);
+        let leaves = reuse::words_leave_traces(&source);
+        format!("{} {leaves}", Setup::of(scenario).key())
+    }
+
+    fn best_jobs(&self) -> Option<NonZero<usize>> {
+        NonZero::new(pool::MOST)
     }
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
@@ -215,7 +232,7 @@ fn run_on(
     }
     session.write("after.ngc", &after(scenario, source, plan))?;
     let listed = source.listed();
-    session.write("parameters.var", &workspace::parameter_file(&scenario.machine, &listed))?;
+    session.write("parameters.new", &workspace::parameter_file(&scenario.machine, &listed))?;
     let tools = workspace::tool_table(&scenario.machine);
     let load_tools = session.tools != tools;
     if load_tools {
@@ -247,6 +264,7 @@ fn capabilities(version: String) -> Capabilities {
         fields: owned(&fields, HIDDEN_FIELDS),
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
         pins: Pin::names().map(str::to_owned).collect(),
+        pin_period: PIN_PERIOD,
         faults_have_kinds: true,
         final_parameters: true,
         moves_in_place: false,

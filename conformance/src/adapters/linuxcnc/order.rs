@@ -3,8 +3,8 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::Scenario;
 use gaugeblock_trace::scenario::{Action, OperatorEvent};
+use gaugeblock_trace::{LengthUnit, Scenario};
 use serde_json::{Value, json};
 
 use super::reuse::has;
@@ -127,9 +127,7 @@ pub(super) fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String
     if switches {
         let digital = (0..machine.digital_io).map(|output| format!("M65 P{output}\n"));
         let analog = (0..machine.analog_io).map(|output| format!("M68 E{output} Q0\n"));
-        // What waits for a motion is carried out first, so that it does not come after.
-        let motion = ["G53 G0 X1\n".to_owned(), "G53 G0 X0\n".to_owned()];
-        outputs = motion.into_iter().chain(digital).chain(analog).collect();
+        outputs = digital.chain(analog).collect();
     }
 
     let axes: String = scenario
@@ -138,6 +136,18 @@ pub(super) fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String
         .iter()
         .map(|axis| format!(" {}0", axis.word().to_uppercase()))
         .collect();
+    // The angle that was asked for last stays at the pins.
+    let turns_back = has(source, "m19") && scenario.bench.orient.is_empty();
+    let spindles = (0..machine.spindles).filter(|_| turns_back);
+    outputs.extend(spindles.map(|spindle| format!("M19 R0 Q1 ${spindle}\nM5 ${spindle}\n")));
+    // The last motion is one in the initial modes: an abort of the next program may bring them back.
+    let unit = match machine.length_unit {
+        LengthUnit::Millimetre => "G21",
+        LengthUnit::Inch => "G20",
+    };
     let tool = if scenario.machine.random_tool_changer { "" } else { "M61 Q0\n" };
-    format!("{}M71\nG40\nG90 G49\nG53 G0{axes}\n{tool}{outputs}M2\n", plan.probe(0, 0))
+    format!(
+        "{}M71\nG40\nG17 {unit} G90 G94 G49 G53 G0 X1\nG53 G0{axes}\n{tool}{outputs}M2\n",
+        plan.probe(0, 0)
+    )
 }

@@ -26,12 +26,16 @@ pub(super) fn foreign_names(source: &Source) -> BTreeSet<String> {
 }
 
 /// Whether a run leaves something in the interpreter that no reset takes back: a loop that it was to leave or a call
-/// that it was to repeat, or, after some refusals, the refusal itself; or an angle at the pins of a spindle.
+/// that it was to repeat, or, after some refusals, the refusal itself.
 pub(super) fn leaves_traces(source: &Source, items: &[Item]) -> bool {
     let end = items.iter().position(Item::is_end).unwrap_or_default();
     let refuses_all = items[end..].iter().any(|item| matches!(item, Item::Refused(_)));
-    let has = |word| has(source, word);
-    refuses_all || ["continue", "break", "m19", "m98"].into_iter().any(has)
+    refuses_all || words_leave_traces(source)
+}
+
+/// Whether a program has words that may leave something behind.
+pub(super) fn words_leave_traces(source: &Source) -> bool {
+    ["continue", "break", "m98"].into_iter().any(|word| has(source, word))
 }
 
 /// Whether this stands in the code of a program.

@@ -46,6 +46,13 @@ impl Setup {
     }
 }
 
+impl Setup {
+    /// Equal for equal setups, and different for different ones.
+    pub(super) fn key(&self) -> String {
+        format!("{:?}", (&self.programs, &self.driver, &self.hal, &self.ini))
+    }
+}
+
 /// Whether a person or the bench acts on the speed of the machine, so that it must not be hurried.
 pub(super) fn has_own_pace(scenario: &Scenario) -> bool {
     !scenario.operator.is_empty() || !scenario.bench.inputs.is_empty()

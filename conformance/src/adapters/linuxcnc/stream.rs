@@ -104,6 +104,12 @@ impl Item {
         if let Self::Probe(probe) = self { Some(probe) } else { None }
     }
 
+    /// Whether it is not the driver's word that pins were otherwise than before the first run.
+    pub(super) fn begins_as_new(&self) -> bool {
+        let Self::Driver(told) = self else { return true };
+        told.get("as_new").and_then(Value::as_bool) != Some(false)
+    }
+
     /// Whether it is the driver's word that the run is over.
     pub(super) fn is_end(&self) -> bool {
         matches!(self, Self::Driver(told) if told.get("ends").is_some())

@@ -177,6 +177,7 @@ fn capabilities(version: String) -> Capabilities {
         fields_at_effects: owned(Settings::FIELDS, HIDDEN_FIELDS),
         hidden_parameters: vec![5400..=5428],
         pins: BTreeSet::new(),
+        pin_period: 0.0,
     }
 }
 

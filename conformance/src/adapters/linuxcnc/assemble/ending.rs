@@ -17,8 +17,8 @@ impl Assembly<'_> {
         match self.ends.as_deref() {
             Some("budget") => return Ok(End::BudgetExhausted { bound: Bound::Steps }),
             Some("endless") => return Ok(End::Endless),
-            Some("paused") => {
-                self.paused()?;
+            Some(word @ ("paused" | "held")) => {
+                self.paused(word == "held")?;
                 return Ok(End::Paused);
             }
             _ => {}
@@ -63,8 +63,9 @@ impl Assembly<'_> {
         Ok(())
     }
 
-    /// The block at which the run pauses: what it did, and no state, since it is not over.
-    fn paused(&mut self) -> Result<(), HarnessError> {
+    /// The block at which the run pauses: what it did, and no state, since it is not over. A move that is held has not
+    /// been made.
+    fn paused(&mut self, is_held: bool) -> Result<(), HarnessError> {
         let Some(next) = self.steps.next() else { return Ok(()) };
         let issued = std::mem::take(&mut self.issued);
         let events = if let Some((printed, probe)) = self.read.pop_front() {
@@ -78,7 +79,9 @@ impl Assembly<'_> {
             }
             self.canon.take_events()
         };
-        self.steps.step(next, events, None);
+        let is_move = |event: &Event| matches!(event, Event::Do(effect) if matches!(effect.name(), "straight_traverse" | "straight_feed" | "arc_feed"));
+        let made = events.into_iter().filter(|event| !(is_held && is_move(event)));
+        self.steps.step(next, made.collect(), None);
         Ok(())
     }
 
