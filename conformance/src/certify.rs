@@ -67,6 +67,9 @@ pub struct CaseResult<'a> {
     pub masked: BTreeSet<String>,
     /// What was compared.
     pub compared: Tally,
+    /// Whether it was run again on a new controller, since the used one departed from the documents. What the new one did
+    /// is judged.
+    pub repeated: bool,
 }
 
 /// The suite, run.
@@ -163,6 +166,7 @@ fn run_case<'a>(
         verdict: Verdict::Pass,
         masked: BTreeSet::new(),
         compared: Tally::default(),
+        repeated: false,
     };
     if let Err(reason) = controller.supports(&scenario) {
         result.verdict = Verdict::Unsupported(reason);
@@ -199,7 +203,7 @@ fn run_case<'a>(
         return result;
     }
     let against = Against { scenario: &scenario, edition: &plan.edition.id, controller };
-    if let Some(departure) = against.departure(case, &expected, &found, &mut result) {
+    if let Some((departure, found)) = against.lasting(case, &expected, found, &mut result) {
         let explained = departure.divergence.as_ref();
         let explanation =
             explained.and_then(|_| explain(plan.suite, rule, &scenario, &found, controller));
@@ -237,6 +241,25 @@ struct Against<'a> {
 }
 
 impl Against<'_> {
+    /// The departure that a controller shows on which nothing ran before, and what it did; another one may only have kept
+    /// something of an earlier program.
+    fn lasting(
+        &self,
+        case: &Case,
+        expected: &Outcome,
+        found: Outcome,
+        result: &mut CaseResult<'_>,
+    ) -> Option<(Departure, Outcome)> {
+        let unjudged = result.clone();
+        let departure = self.departure(case, expected, &found, result)?;
+        let Some(Ok(anew)) = self.controller.run_anew(self.scenario) else {
+            return Some((departure, found));
+        };
+        *result = CaseResult { repeated: true, ..unjudged };
+        let departure = self.departure(case, expected, &anew, result)?;
+        Some((departure, anew))
+    }
+
     fn departure(
         &self,
         case: &Case,

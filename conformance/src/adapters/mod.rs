@@ -126,6 +126,12 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// # Errors
     /// There is no outcome to judge: the controller crashed, hung, flooded, or was not understood.
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError>;
+
+    /// Runs the scenario on a controller that nothing ran on before. None where each run is such a one anyway.
+    fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
+        let _always_anew = scenario;
+        None
+    }
 }
 
 /// The controller cannot be used at all.

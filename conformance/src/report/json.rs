@@ -33,6 +33,7 @@ pub fn json(report: &Report<'_>) -> Value {
                 "case": result.case.name,
                 "compared": result.compared,
                 "masked": result.masked,
+                "repeated": result.repeated,
             });
             let (verdict, more) = match &result.verdict {
                 Verdict::Pass => ("pass", json!(null)),

@@ -209,6 +209,16 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
             line!(text, "not shown by this controller: {} (-v counts them)", names.join(", "));
         }
     }
+    let repeated = report.run.cases.iter().filter(|result| result.repeated);
+    let repeated: Vec<_> =
+        repeated.map(|result| format!("{} / {}", result.rule.id, result.case.name)).collect();
+    if !repeated.is_empty() {
+        line!(
+            text,
+            "judged on a new controller, since a used one departed (what an earlier program left there, or chance): {}",
+            repeated.join(", ")
+        );
+    }
     line!(text);
 }
 

@@ -92,6 +92,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
 /// Every quirk that the model can show.
 pub const QUIRKS: &[&str] = &[
     "linuxcnc.auto-after-program-end",
+    "linuxcnc.auto-while-running",
     "linuxcnc.cycle-start-while-paused",
     "linuxcnc.initial-tolerance",
     "linuxcnc.input-number",
@@ -101,6 +102,7 @@ pub const QUIRKS: &[&str] = &[
     "linuxcnc.output-number-with-motion",
     "linuxcnc.same-tool-selected",
     "linuxcnc.speed-releases-brake",
+    "linuxcnc.wait-mode-times-out",
     "rs274.additional-length-axes",
     "rs274.any-endsub",
     "rs274.blend-q-without-p",

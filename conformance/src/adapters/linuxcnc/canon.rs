@@ -267,7 +267,7 @@ impl Canon {
             2 => WaitMode::Fall,
             3 => WaitMode::High,
             4 => WaitMode::Low,
-            // It takes numbers that mean nothing, and waits for nothing.
+            // It takes numbers that mean nothing, and lets the time-out go by.
             5.. => WaitMode::Immediate,
             _ => return Err(issued.unreadable()),
         };

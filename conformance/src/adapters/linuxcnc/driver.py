@@ -327,13 +327,16 @@ class Driver:
         self.mode(self.linuxcnc.MODE_MDI)
         self.bench.start()
         self.begun = time.monotonic()
+        was_paused = False
         for line in lines:
+            # A pause by hand stays in the state, while blocks can be entered as before.
+            was_paused = self.is_paused()
             self.command.mdi(line)
             if not self.done(seconds) or not self.wait(lambda: self.is_idle() or self.is_paused(), seconds):
                 return "late"
             if self.stat.state == self.linuxcnc.RCS_ERROR:
                 break
-        return "paused" if self.is_paused() else "idle"
+        return "paused" if self.is_paused() and not was_paused else "idle"
 
     def due(self, event):
         """Whether the block of an event has begun as often as it says, and its offset has passed."""

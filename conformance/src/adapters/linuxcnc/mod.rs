@@ -102,13 +102,16 @@ impl LinuxCnc {
         scenario: &Scenario,
         source: &Source,
         plan: &Plan,
+        new: bool,
     ) -> Result<Seen, HarnessError> {
         let setup = Setup::of(scenario);
         let tools = workspace::tool_table(&scenario.machine);
         let names = foreign_names(source);
+        // Stored parameters change where the machine stands to begin with.
+        let stores = !scenario.machine.parameters.0.is_empty();
         // A controller that was used before may be other than a new one; then the run is repeated on a new one.
         loop {
-            let mut session = self.pool.take(&setup, &names, &tools)?;
+            let mut session = self.pool.take(&setup, &names, &tools, new || stores)?;
             let is_new = session.fresh.is_none();
             let seen = match run_on(&mut session, scenario, source, plan, self.longest) {
                 Ok(seen) => seen,
@@ -118,19 +121,16 @@ impl LinuxCnc {
                 }
             };
             let first = seen.items.iter().find_map(Item::probe).cloned();
-            let stores = !scenario.machine.parameters.0.is_empty();
-            let has_new_pins = seen.items.iter().all(Item::begins_as_new);
-            let is_same = is_new
-                || has_new_pins && stores
-                || has_new_pins
-                    && first.as_ref().is_none_or(|first| {
-                        session.fresh.as_ref().is_none_or(|fresh| fresh.shows_same_modes(first))
-                    });
-            if is_new && !stores {
+            let shows_same = first.as_ref().is_none_or(|first| {
+                session.fresh.as_ref().is_none_or(|fresh| fresh.shows_same_modes(first))
+            });
+            let is_same = is_new || shows_same && seen.items.iter().all(Item::begins_as_new);
+            if is_new {
                 session.fresh = first;
             }
             session.names.extend(source.parameters().named);
-            let keeps = scenario.machine.random_tool_changer || !session.setup.programs.is_empty();
+            let machine_keeps = stores || scenario.machine.random_tool_changer;
+            let keeps = machine_keeps || !session.setup.programs.is_empty();
             if !is_same || keeps || leaves_traces(source, &seen.items) {
                 self.pool.end(session);
             } else {
@@ -155,9 +155,15 @@ impl Adapter for LinuxCnc {
         &self.capabilities
     }
 
-    /// Of several spindles it does not tell which one a command is for.
+    /// Of several spindles it does not tell which one a command is for; and under constant surface speed the pins
+    /// of a spindle's speed, and with it of its brake, follow the radius, which is a matter of motion.
     fn shows(&self, scenario: &Scenario) -> Capabilities {
         let mut shows = self.capabilities.clone();
+        if has(&Source::new(&scenario.program), "g96") {
+            for pin in [Pin::SpindleSpeed(0), Pin::SpindleBrake(0)] {
+                shows.pins.remove(pin.name());
+            }
+        }
         if scenario.machine.spindles > 1 {
             for hidden in ["orient_spindle", "wait_orient"] {
                 shows.effects.remove(hidden);
@@ -186,13 +192,24 @@ impl Adapter for LinuxCnc {
     }
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        self.observe(scenario, false)
+    }
+
+    fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
+        Some(self.observe(scenario, true))
+    }
+}
+
+impl LinuxCnc {
+    /// Runs the scenario, perhaps more than once until all is seen that it changes.
+    fn observe(&self, scenario: &Scenario, new: bool) -> Result<Outcome, HarnessError> {
         // What is refused here could reach the host: it must not run even if nobody asked before.
         self.supports(scenario).map_err(HarnessError::NotRun)?;
         let source = Source::new(&scenario.program);
         let mut more = BTreeSet::new();
         loop {
             let plan = plan(scenario, &source, &more);
-            let seen = self.run_once(scenario, &source, &plan)?;
+            let seen = self.run_once(scenario, &source, &plan, new)?;
             // Once more where it turns out that a parameter was written that no probe showed.
             let is_unseen =
                 |number: &u32| is_plain(*number) && !plan.parameters.contains(&number.to_string());

@@ -27,8 +27,8 @@ struct State {
 }
 
 impl Pool {
-    /// A controller of this setup in which none of the names was ever given a value; another waiting one makes
-    /// room where there are too many.
+    /// A controller of this setup in which none of the names was ever given a value, or a `new` one; another waiting one
+    /// makes room where there are too many.
     ///
     /// # Errors
     /// It does not start.
@@ -37,11 +37,13 @@ impl Pool {
         setup: &Setup,
         names: &BTreeSet<String>,
         tools: &str,
+        new: bool,
     ) -> Result<Session, HarnessError> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         loop {
-            let fits =
-                |session: &Session| session.setup == *setup && session.names.is_disjoint(names);
+            let fits = |session: &Session| {
+                !new && session.setup == *setup && session.names.is_disjoint(names)
+            };
             if let Some(place) = state.idle.iter().rposition(fits) {
                 return Ok(state.idle.remove(place));
             }

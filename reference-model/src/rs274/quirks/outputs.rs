@@ -1,7 +1,8 @@
 //! Quirks of inputs and outputs.
 
 use crate::rs274::machine::State;
-use crate::rs274::step::whole;
+use crate::rs274::read::Words;
+use crate::rs274::step::{whole, word};
 
 /// Quirk rs274.output-value-optional. The value of M67 and M68 without Q.
 pub(crate) const ABSENT_VALUE: f64 = -1.0;
@@ -13,4 +14,11 @@ pub(crate) fn number(value: f64, state: &State) -> Option<i32> {
     } else {
         whole(value)
     }
+}
+
+/// Quirk linuxcnc.wait-mode-times-out. Under an L above 4 the time-out goes by, whatever the input does; its seconds.
+pub(crate) fn waits_for_nothing(words: &Words, state: &State) -> Option<f64> {
+    let quirk = state.readings.quirk("linuxcnc.wait-mode-times-out");
+    let is_unknown = word(words, 'l').and_then(whole).is_some_and(|mode| mode > 4);
+    (quirk && is_unknown).then(|| word(words, 'q').unwrap_or(0.0))
 }

@@ -1,13 +1,29 @@
 //! Quirks of the whole controller.
 
+use gaugeblock_trace::ControllerMode;
+
+use super::settings::speed_while_standing;
 use crate::rs274::machine::State;
 use crate::rs274::modes::Modes;
 
-/// Quirk linuxcnc.modes-of-last-motion. An abort brings back the modes that were in force at the last motion.
+/// Quirk linuxcnc.modes-of-last-motion. An abort brings back the modes that were in force at the last motion, or at the
+/// beginning where nothing moved; but not the motion mode itself, and none where that motion was in a sub.
 pub(crate) fn modes_of_last_motion(modes: &Modes, state: &mut State) {
     if state.readings.quirk("linuxcnc.modes-of-last-motion") {
         let machine = state.modes.machine_point(state.position);
-        state.modes = modes.clone();
+        let restored = Modes { motion: state.modes.motion, ..modes.clone() };
+        let before = std::mem::replace(&mut state.modes, restored);
         state.position = state.modes.program_point(machine);
+        for (place, spindle) in before.spindles.iter().enumerate() {
+            state.modes.spindles[place].brake_released = spindle.brake_released;
+            if (state.modes.spindles[place].speed - spindle.speed).abs() > 0.0 {
+                speed_while_standing(place, state);
+            }
+        }
     }
+}
+
+/// Quirk linuxcnc.auto-while-running. A request for the mode that a program runs in drops the program.
+pub(crate) fn drops_program(mode: ControllerMode, state: &State) -> bool {
+    mode == ControllerMode::Auto && state.readings.quirk("linuxcnc.auto-while-running")
 }

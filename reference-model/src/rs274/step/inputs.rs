@@ -33,7 +33,13 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         analog_mode(mode, state)?;
     }
     let timeout = timeout(mode, words, state)?;
-    let awaited = state.outside.await_input(input, mode, timeout);
+    let awaited = match quirks::waits_for_nothing(words, state) {
+        Some(seconds) => {
+            pass(seconds, state);
+            Awaited::TimedOut
+        }
+        None => state.outside.await_input(input, mode, timeout),
+    };
     pass(0.0, state);
     let read = match awaited {
         Awaited::Came(value) => value,
@@ -111,13 +117,14 @@ fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Resul
 }
 
 /// Rule inputs.mode-range. L is 0 to 4. Rule inputs.mode-optional. Without L there is no wait.
-/// Quirk rs274.wait-mode-any: a greater number is accepted; nothing is awaited then.
+/// Quirks rs274.wait-mode-any and linuxcnc.wait-mode-times-out: a greater number is accepted.
 fn mode(words: &Words, state: &mut State) -> Result<WaitMode, Halt> {
     let Some(value) = word(words, 'l') else {
         state.evidence.accepted("inputs.mode-optional");
         return Ok(WaitMode::Immediate);
     };
-    let any = state.readings.quirk("rs274.wait-mode-any");
+    let quirks = ["rs274.wait-mode-any", "linuxcnc.wait-mode-times-out"];
+    let any = quirks.iter().any(|quirk| state.readings.quirk(quirk));
     let mode = match whole(value) {
         Some(0) => WaitMode::Immediate,
         Some(1) => WaitMode::Rise,

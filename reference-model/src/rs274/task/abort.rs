@@ -21,10 +21,11 @@ impl Run<'_> {
         if reads_on && !self.by_hand && !self.waits_for_machine {
             self.read_on();
         }
+        self.switch_off();
         if let Some(modes) = &self.at_last_motion {
             quirks::modes_of_last_motion(modes, &mut self.state);
+            self.switch_off();
         }
-        self.switch_off();
     }
 
     /// Choice abort.spindle-and-coolant. An abort stops all spindles and switches coolant off, or leaves them alone.
@@ -59,7 +60,7 @@ impl Run<'_> {
             by_hand: false,
             ahead: true,
             waits_for_machine: false,
-            at_last_motion: None,
+            at_last_motion: self.at_last_motion.clone(),
         };
         let _how_far: End = ahead.program();
         self.take_over(ahead.state);

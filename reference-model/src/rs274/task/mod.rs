@@ -114,7 +114,7 @@ struct Run<'a> {
     ahead: bool,
     /// Whether the block that is executed waits for what the machine answers.
     waits_for_machine: bool,
-    /// The modes in force at the last motion outside of subs.
+    /// The modes in force at the last motion, or before the first block; none where that motion was in a sub.
     at_last_motion: Option<Modes>,
 }
 
@@ -122,6 +122,7 @@ impl<'a> Run<'a> {
     fn new(scenario: &'a Scenario, mut state: State, record: Record) -> Self {
         let mut control = Control::new(&scenario.program, &mut state);
         let entries = open_entries(scenario, &mut control, &mut state);
+        let at_last_motion = Some(state.modes.clone());
         Self {
             scenario,
             state,
@@ -132,7 +133,7 @@ impl<'a> Run<'a> {
             by_hand: false,
             ahead: false,
             waits_for_machine: false,
-            at_last_motion: None,
+            at_last_motion,
         }
     }
 

@@ -6,6 +6,7 @@ use super::Run;
 use crate::rs274::machine::State;
 use crate::rs274::modes::Spindle;
 use crate::rs274::order::Phase;
+use crate::rs274::step;
 
 impl Run<'_> {
     /// Brings the pins up to date after a phase of a block, or after something that the operator did.
@@ -17,6 +18,7 @@ impl Run<'_> {
         }) {
             self.state.evidence.accepted(rule);
         }
+        step::pass(0.0, &mut self.state);
         for (pin, value) in pins(&self.state) {
             if (self.state.outside.level(pin) - value).abs() > 0.0 {
                 self.state.outside.set(pin, value);

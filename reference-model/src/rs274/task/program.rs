@@ -133,8 +133,9 @@ impl Run<'_> {
                 Err(Halt::WaitsForEver) => return Err(self.waits_for_ever()),
                 done => done?,
             };
-            if phase == Phase::Motion && self.state.call_level() == 0 {
-                self.at_last_motion = Some(self.state.modes.clone());
+            if phase == Phase::Motion {
+                let in_main = self.state.call_level() == 0;
+                self.at_last_motion = in_main.then(|| self.state.modes.clone());
             }
             self.show(Some(phase));
             if rest == Rest::Drop {

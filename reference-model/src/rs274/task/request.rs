@@ -5,6 +5,7 @@ use gaugeblock_trace::{ControllerMode, Effect, End, Request};
 
 use super::Run;
 use super::operator::Happening;
+use crate::rs274::quirks::task as quirks;
 use crate::rs274::refusal::Halt;
 
 /// What the controller is doing.
@@ -116,7 +117,8 @@ impl Run<'_> {
     /// Rules task.mode-kept and pause.mode-kept. While a program runs or pauses the controller remains in auto mode.
     fn change_mode(&mut self, mode: ControllerMode, activity: Activity) -> Result<(), Halt> {
         if mode == self.state.modes.controller_mode {
-            return Ok(());
+            let drops = activity == Activity::Running && quirks::drops_program(mode, &self.state);
+            return if drops { Err(Halt::Ended(End::Aborted)) } else { Ok(()) };
         }
         if activity == Activity::Idle {
             self.state.evidence.accepted("task.mode-kept");
