@@ -100,7 +100,6 @@ pub const QUIRKS: &[&str] = &[
     "linuxcnc.orient-while-locked",
     "linuxcnc.output-number-at-once",
     "linuxcnc.output-number-with-motion",
-    "linuxcnc.same-tool-selected",
     "linuxcnc.speed-releases-brake",
     "linuxcnc.wait-mode-times-out",
     "rs274.additional-length-axes",

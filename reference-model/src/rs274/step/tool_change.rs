@@ -33,13 +33,9 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), Halt> {
         record.effect(state, Effect::PromptTool { tool });
     }
     pass(state.outside.tool_change_time(), state);
-    // Quirk linuxcnc.same-tool-selected. Where the tool is in the spindle already, it stays selected.
-    let changes = tool != state.tool;
     swap(tool, state);
     state.selected_for_change = false;
-    if changes || !state.readings.quirk("linuxcnc.same-tool-selected") {
-        state.prepared_tool = -1;
-    }
+    state.prepared_tool = -1;
     state.evidence.accepted("tool.change");
     state.evidence.accepted("tool.change-keeps");
     state.evidence.accepted("tool.change-keeps-length");
