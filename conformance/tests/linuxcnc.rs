@@ -7,7 +7,10 @@ use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
+use gaugeblock::adapters::Adapter;
 use gaugeblock::adapters::linuxcnc::LinuxCnc;
+use gaugeblock::certify::{Plan, Verdict, certify};
+use gaugeblock::suite::{Suite, files};
 
 /// The command, unless the controller cannot be used here.
 fn gaugeblock(left_out: &str, arguments: &[&str]) -> Option<Command> {
@@ -132,4 +135,42 @@ fn it_does_what_is_known_of_it() {
         return;
     };
     ends_with(&command.output().expect("the command runs"), 0);
+}
+
+/// The cases that `hostile.txt` names, and none else.
+fn hostile() -> Suite {
+    let mut suite = Suite::read(&files::built_in()).expect("the suite that is built in");
+    let text = include_str!("hostile.txt");
+    let listed = text.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let mut listed: Vec<(&str, &str)> =
+        listed.map(|line| line.split_once(" / ").expect("a rule and its case")).collect();
+    assert!(listed.len() >= 40, "forty hostile scenarios at least");
+    for rule in &mut suite.rules {
+        rule.cases.retain(|case| {
+            let place = listed.iter().position(|(id, name)| *id == rule.id && *name == case.name);
+            place.map(|place| listed.swap_remove(place)).is_some()
+        });
+    }
+    assert!(listed.is_empty(), "no such cases: {listed:?}");
+    suite
+}
+
+#[test]
+fn the_model_and_the_controller_agree_on_hostile_scenarios() {
+    let suite = hostile();
+    let controller = match LinuxCnc::find() {
+        Ok(controller) => controller,
+        Err(error) => {
+            let notice = format!("left out: hostile scenarios ({error})\n");
+            std::io::stderr().write_all(notice.as_bytes()).expect("standard error can be written");
+            return;
+        }
+    };
+    let edition = suite.edition("linuxcnc-2.9-observed").expect("an edition of the suite");
+    let jobs = controller.best_jobs().expect("several at once");
+    let plan = Plan { suite: &suite, edition, only: &[], jobs };
+    let run = certify(plan, &controller, &|| {});
+    let others = run.cases.iter().filter(|result| result.verdict != Verdict::Pass);
+    let others: Vec<_> = others.map(|one| (&one.rule.id, &one.case.name, &one.verdict)).collect();
+    assert!(others.is_empty(), "{others:#?}");
 }
