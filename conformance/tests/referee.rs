@@ -62,6 +62,7 @@ fn the_order_of_work_changes_nothing() {
         let report = Report {
             run: &run,
             controller: model.capabilities(),
+            notes: Vec::new(),
             profiles: Vec::new(),
             troubles: None,
         };
@@ -87,6 +88,7 @@ fn a_crash_is_no_pass_and_the_report_is_complete() {
     let report = Report {
         run: &run,
         controller: crashing.capabilities(),
+        notes: Vec::new(),
         profiles: Vec::new(),
         troubles: None,
     };
@@ -103,7 +105,8 @@ fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
         let passed = profiles.iter().filter(|profile| profile.passes());
         let passed: Vec<_> = passed.map(|profile| profile.profile.id.clone()).collect();
         let controller = controller.capabilities();
-        (passed, Report { run: &run, controller, profiles, troubles: None }.exit_status())
+        let notes = Vec::new();
+        (passed, Report { run: &run, controller, notes, profiles, troubles: None }.exit_status())
     };
     let (modal_save, task) = ("modal-save".to_owned(), "task".to_owned());
     let modest = faulty(|mut outcome| {

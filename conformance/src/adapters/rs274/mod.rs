@@ -10,10 +10,12 @@
 
 mod assemble;
 mod canon;
+mod fork;
 mod output;
 mod process;
 mod python;
 mod session;
+mod streams;
 mod supports;
 mod version;
 
@@ -26,6 +28,7 @@ use gaugeblock_trace::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settin
 use super::probing::source::Source;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
 use assemble::Seen;
+use fork::Servers;
 use process::{Limits, Started, Stop};
 use python::Home;
 use session::{Session, Unprobed};
@@ -60,6 +63,7 @@ const HIDDEN_EFFECTS: &[&str] = &[
 pub struct Rs274 {
     binary: PathBuf,
     python: Option<Home>,
+    servers: Servers,
     capabilities: Capabilities,
     limits: Limits,
     unprobed: Unprobed,
@@ -74,7 +78,14 @@ impl Rs274 {
         let binary = version::find(path)?;
         let (version, python) = version::ask(&binary, LIMITS)?;
         let capabilities = capabilities(version);
-        Ok(Self { binary, python, capabilities, limits: LIMITS, unprobed: Unprobed::Sample })
+        Ok(Self {
+            binary,
+            python,
+            servers: Servers::new(),
+            capabilities,
+            limits: LIMITS,
+            unprobed: Unprobed::Sample,
+        })
     }
 }
 
@@ -100,12 +111,17 @@ impl Adapter for Rs274 {
         self.unprobed = Unprobed::All;
     }
 
+    fn notes(&self) -> Vec<String> {
+        self.servers.trouble().into_iter().collect()
+    }
+
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         // What is refused here could reach the host: it must not run even if nobody asked before.
         self.supports(scenario).map_err(HarnessError::NotRun)?;
         let source = Source::new(&scenario.program);
         let session = Session {
             program: Started { binary: &self.binary, python: self.python.as_ref().map(Home::path) },
+            servers: &self.servers,
             limits: self.limits,
             unprobed: self.unprobed,
             scenario,
