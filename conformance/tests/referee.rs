@@ -96,6 +96,24 @@ fn a_crash_is_no_pass_and_the_report_is_complete() {
 }
 
 #[test]
+fn what_a_person_should_know_of_the_run_is_in_the_report() {
+    let suite = suite();
+    let only = ["saved-state".to_owned()];
+    let model = Reference::default();
+    let run = run(&suite, &model, &only, 2);
+    let report = Report {
+        run: &run,
+        controller: model.capabilities(),
+        notes: vec!["it was slow".to_owned()],
+        profiles: Vec::new(),
+        troubles: None,
+    };
+    assert_eq!(terminal::terminal(&report, false).matches("it was slow").count(), 1);
+    assert_eq!(json::json(&report)["notes"][0], "it was slow");
+    assert_eq!(report.exit_status(), 0, "a note is no verdict");
+}
+
+#[test]
 fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
     let suite = suite();
     let only = ["saved-state".to_owned()];

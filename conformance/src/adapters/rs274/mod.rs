@@ -2,7 +2,8 @@
 //!
 //! It prints canonical calls, and what an error is, but neither blocks nor modes. The program is therefore run with a
 //! probe line after each line (`instrument`), which prints the place and the modes. A sample of programs, or all, are run
-//! once more without, to see that observing changed nothing (`session`). Calls become settings and effects (`canon`),
+//! once more without, to see that observing changed nothing (`session`). A run is a fork of a controller that has started
+//! (`fork`); those of the sample are started each, so that forking is checked with observing. Calls become settings and effects (`canon`),
 //! probes the rest of the state (`state`), the error message a fault (`refusal`, `faults`).
 //!
 //! What it cannot show: the tool length mode apart from the offset, F under inverse time (had back from the moves), and
@@ -87,6 +88,11 @@ impl Rs274 {
             unprobed: Unprobed::Sample,
         })
     }
+
+    /// What is started.
+    fn program(&self) -> Started<'_> {
+        Started { binary: &self.binary, python: self.python.as_ref().map(Home::path) }
+    }
 }
 
 impl Adapter for Rs274 {
@@ -120,7 +126,7 @@ impl Adapter for Rs274 {
         self.supports(scenario).map_err(HarnessError::NotRun)?;
         let source = Source::new(&scenario.program);
         let session = Session {
-            program: Started { binary: &self.binary, python: self.python.as_ref().map(Home::path) },
+            program: self.program(),
             servers: &self.servers,
             limits: self.limits,
             unprobed: self.unprobed,

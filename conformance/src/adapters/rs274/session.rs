@@ -19,9 +19,9 @@ use crate::adapters::probing::{faults, refusal};
 const BY_HAND: &str = "starting MDI";
 
 /// Stop at an error and take blocks from standard input.
-const MANUAL_INPUT: &[&str] = &["-n", "1"];
+pub(super) const MANUAL_INPUT: &[&str] = &["-n", "1"];
 
-/// Every so many programs one is also run without probes, unless all are.
+/// Every so many programs one is also run without probes, on a controller started for it, unless all are.
 const SAMPLE: u64 = 32;
 
 /// One scenario on one binary.
@@ -52,7 +52,7 @@ pub(super) enum Unprobed {
 
 /// What a run's process comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum From {
+pub(super) enum From {
     /// A start of its own.
     Start,
     /// A fork of one that has started; a start of its own where that cannot be.
@@ -183,14 +183,14 @@ impl Session<'_> {
     }
 
     /// One run of the files that `text` makes of the program's.
-    fn run(
+    pub(super) fn run(
         &self,
         from: From,
         how: &[&str],
         input: &str,
         text: impl Fn(usize, &[String]) -> String,
     ) -> Result<(Output, Workspace), HarnessError> {
-        let workspace = Workspace::new("rs274")?;
+        let workspace = Workspace::in_memory("rs274")?;
         workspace.write_machine(&self.scenario.machine, &self.source.listed())?;
         for (file, (name, lines)) in self.source.files().iter().enumerate() {
             workspace.write(name, &text(file, lines))?;

@@ -24,6 +24,9 @@ use server::{Answer, PATIENCE, Server};
 /// The library, as the build script made it; nothing where it could not.
 const LIBRARY: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/fork-server.so"));
 
+/// The file of the library in its folder.
+const NAME: &str = "fork-server.so";
+
 /// How many servers are kept at rest. They differ in what the controller was started with.
 const AT_REST: usize = 12;
 
@@ -77,7 +80,7 @@ impl Servers {
             match fresh.and_then(|server| self.fork(server, start, directory)) {
                 Ok(run) => Some(run),
                 Err(error) => {
-                    lock(&self.failed).push((start.clone(), error.to_string()));
+                    lock(&self.failed).push((start.clone(), why(&error)));
                     None
                 }
             }
@@ -88,9 +91,7 @@ impl Servers {
     pub(super) fn trouble(&self) -> Option<String> {
         let failed = lock(&self.failed);
         let (_, why) = failed.first()?;
-        Some(format!(
-            "slow: the controller is started for each program, since it cannot be forked ({why})"
-        ))
+        Some(format!("slow: some or all programs were started and not forked, since {why}"))
     }
 
     fn start(&self, program: Started<'_>, start: &Start) -> io::Result<Server> {
@@ -164,8 +165,17 @@ impl Fork<'_> {
     }
 }
 
-/// The file of the library in its folder.
-const NAME: &str = "fork-server.so";
+/// Why a start cannot be forked, for a person.
+fn why(error: &io::Error) -> String {
+    let silent = [io::ErrorKind::WouldBlock, io::ErrorKind::TimedOut];
+    if error.kind() == io::ErrorKind::UnexpectedEof {
+        "it ended before it could be forked".to_owned()
+    } else if silent.contains(&error.kind()) {
+        format!("it could not be forked after {} s", PATIENCE.as_secs())
+    } else {
+        error.to_string()
+    }
+}
 
 fn library() -> io::Result<Workspace> {
     if LIBRARY.is_empty() {
@@ -183,3 +193,6 @@ fn library() -> io::Result<Workspace> {
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
+
+#[cfg(test)]
+mod tests;

@@ -12,6 +12,7 @@
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <poll.h>
@@ -58,18 +59,18 @@ static bool tell(int32_t kind, int32_t number) {
 }
 
 /* Lists what is open. */
-static bool list_open(fd_set *open) {
-    FD_ZERO(open);
+static bool list_open(fd_set *all) {
+    FD_ZERO(all);
     DIR *descriptors = opendir("/proc/self/fd");
     if (!descriptors) return false;
-    bool all = true;
+    bool fits = true;
     for (struct dirent *entry; (entry = readdir(descriptors));) {
         int descriptor = entry->d_name[0] == '.' ? dirfd(descriptors) : atoi(entry->d_name);
-        if (descriptor >= FD_SETSIZE) all = false;
-        else if (descriptor != dirfd(descriptors)) FD_SET(descriptor, open);
+        if (descriptor >= FD_SETSIZE) fits = false;
+        else if (descriptor != dirfd(descriptors)) FD_SET(descriptor, all);
     }
     closedir(descriptors);
-    return all;
+    return fits;
 }
 
 /* Takes the control socket from standard input, where a controller finds a pipe. */
@@ -117,16 +118,21 @@ void *mmap64(void *at, size_t length, int protection, int flags, int descriptor,
     return mmap(at, length, protection, flags, descriptor, offset);
 }
 
+static int open_process(pid_t process) {
+    return (int)syscall(SYS_pidfd_open, process, 0);
+}
+
 /* Whether forks will be as the controller: it has one thread, and opened nothing but what a fork gets anew. */
 static bool is_fit(void) {
     struct stat threads;
-    fd_set open;
-    if (unfit || stat("/proc/self/task", &threads) != 0 || !list_open(&open)) return false;
+    fd_set now;
+    if (unfit || stat("/proc/self/task", &threads) != 0 || !list_open(&now)) return false;
     for (int descriptor = 0; descriptor < FD_SETSIZE; descriptor++) {
         bool known = FD_ISSET(descriptor, &inherited) || descriptor == shared.descriptor;
-        if (FD_ISSET(descriptor, &open) && !known) return false;
+        if (FD_ISSET(descriptor, &now) && !known) return false;
     }
-    return threads.st_nlink == 3;
+    int self = open_process(getpid());
+    return threads.st_nlink == 3 && self >= 0 && close(self) == 0;
 }
 
 /* Puts a file in this folder, with the same bytes, where the server's is mapped and open. */
@@ -177,22 +183,24 @@ static void become(const char *folder, const int streams[3], pid_t server) {
 }
 
 /* Waits for the end of a fork, or until it is let go; then ends what is left of it. */
-static void attend(pid_t fork) {
+static void attend(pid_t forked) {
     char byte;
     siginfo_t end = {0};
-    setpgid(fork, fork);
-    struct pollfd events[] = {{.fd = (int)syscall(SYS_pidfd_open, fork, 0), .events = POLLIN},
+    setpgid(forked, forked);
+    struct pollfd events[] = {{.fd = open_process(forked), .events = POLLIN},
                               {.fd = control, .events = POLLIN}};
-    bool let_go = events[0].fd < 0 || poll(events, 2, -1) < 0 || events[1].revents;
-    if (let_go) kill(-fork, SIGKILL);
-    waitid(P_PID, fork, &end, WEXITED | WNOWAIT);
+    /* A fork ends with its server. */
+    if (events[0].fd < 0) _exit(EXIT_FAILURE);
+    while (poll(events, 2, -1) < 0 && errno == EINTR) {}
+    if (events[1].revents) kill(-forked, SIGKILL);
+    waitid(P_PID, forked, &end, WEXITED | WNOWAIT);
     tell(ENDED, end.si_code == CLD_EXITED ? end.si_status << 8 : end.si_status);
+    bool listens = read(control, &byte, 1) == 1;
     /* Until it is waited for, its number is its own and its group's. */
-    bool ours_too = read(control, &byte, 1) <= 0;
-    kill(-fork, SIGKILL);
-    waitpid(fork, NULL, 0);
-    if (ours_too) _exit(EXIT_SUCCESS);
+    kill(-forked, SIGKILL);
+    waitpid(forked, NULL, 0);
     close(events[0].fd);
+    if (!listens) _exit(EXIT_SUCCESS);
 }
 
 /* Serves until the control socket ends. Only forks return. */

@@ -47,7 +47,7 @@ impl Server {
     /// # Errors
     /// It did not start, or not in time, or did not come to the point where it forks.
     pub(super) fn start(program: Started<'_>, library: &Path, start: &Start) -> io::Result<Self> {
-        let home = Workspace::new("rs274").map_err(io::Error::other)?;
+        let home = Workspace::in_memory("rs274").map_err(io::Error::other)?;
         home.write(TOOLS, &start.tools).map_err(io::Error::other)?;
         let (control, theirs) = UnixStream::pair()?;
         let mut command = program.command(&start.arguments, home.path());
@@ -108,10 +108,23 @@ impl Server {
     }
 }
 
-impl Drop for Server {
-    fn drop(&mut self) {
-        // Its forks end with it. If it is gone already, that is what we want.
+impl Server {
+    /// Ends it. Its forks end with it.
+    pub(super) fn kill(&mut self) {
+        // If it is gone already, that is what we want.
         let _gone = self.child.kill();
         let _status = self.child.wait();
+    }
+
+    /// Leaves it to itself, as the end of this process does.
+    #[cfg(test)]
+    pub(super) fn hang_up(&self) {
+        self.control.shutdown(std::net::Shutdown::Both).expect("the socket is open");
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        self.kill();
     }
 }
