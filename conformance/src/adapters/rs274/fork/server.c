@@ -85,8 +85,8 @@ __attribute__((constructor)) static void begin(void) {
     unfit = !list_open(&inherited);
 }
 
-/* Remembers what is behind a shared mapping: one file in the controller's folder, or a fork cannot have its own. */
-static void remember(void *address, size_t length, int protection, int descriptor) {
+/* Remembers what is behind a shared mapping: one whole file in the controller's folder, or a fork cannot have its own. */
+static void remember(void *address, size_t length, int protection, int descriptor, off_t offset) {
     char link[64], path[PATH_MAX] = "";
     struct stat mapped, named;
     snprintf(link, sizeof link, "/proc/self/fd/%d", descriptor);
@@ -94,7 +94,7 @@ static void remember(void *address, size_t length, int protection, int descripto
     const char *name = slash ? slash + 1 : "";
     bool found = fstat(descriptor, &mapped) == 0 && stat(name, &named) == 0;
     bool here = found && mapped.st_dev == named.st_dev && mapped.st_ino == named.st_ino;
-    if (shared.address || !here || strlen(name) > NAME_MAX) {
+    if (shared.address || !here || offset != 0 || strlen(name) > NAME_MAX) {
         unfit = true;
         return;
     }
@@ -107,15 +107,18 @@ static void remember(void *address, size_t length, int protection, int descripto
 
 void *mmap(void *at, size_t length, int protection, int flags, int descriptor, off_t offset) {
     void *mapped = (void *)syscall(SYS_mmap, at, length, protection, flags, descriptor, offset);
-    bool is_shared = !(flags & MAP_ANONYMOUS) && (flags & MAP_TYPE) != MAP_PRIVATE;
-    if (control >= 0 && mapped != MAP_FAILED && is_shared) {
-        remember(mapped, length, protection, descriptor);
-    }
+    bool is_shared = mapped != MAP_FAILED && (flags & MAP_TYPE) != MAP_PRIVATE;
+    if (control >= 0 && is_shared) remember(mapped, length, protection, descriptor, offset);
     return mapped;
 }
 
 void *mmap64(void *at, size_t length, int protection, int flags, int descriptor, off64_t offset) {
     return mmap(at, length, protection, flags, descriptor, offset);
+}
+
+int munmap(void *at, size_t length) {
+    if (at == shared.address) unfit = true;
+    return (int)syscall(SYS_munmap, at, length);
 }
 
 static int open_process(pid_t process) {
