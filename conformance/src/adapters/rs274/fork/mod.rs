@@ -179,12 +179,12 @@ fn why(error: &io::Error) -> String {
 
 fn library() -> io::Result<Workspace> {
     if LIBRARY.is_empty() {
-        return Err(io::Error::other("built without a C compiler, or not for Linux"));
+        return Err(io::Error::other("it was built without a C compiler, or not for Linux"));
     }
     let folder = Workspace::new("rs274").map_err(io::Error::other)?;
     // The loader takes a list that these would end.
     if folder.path().to_string_lossy().contains([' ', ':']) {
-        return Err(io::Error::other("a blank or colon in the path of temporary files"));
+        return Err(io::Error::other("the path of temporary files has a blank or colon"));
     }
     std::fs::write(folder.path().join(NAME), LIBRARY)?;
     Ok(folder)
