@@ -62,6 +62,7 @@ fn the_order_of_work_changes_nothing() {
         let report = Report {
             run: &run,
             controller: model.capabilities(),
+            notes: Vec::new(),
             profiles: Vec::new(),
             troubles: None,
         };
@@ -87,10 +88,29 @@ fn a_crash_is_no_pass_and_the_report_is_complete() {
     let report = Report {
         run: &run,
         controller: crashing.capabilities(),
+        notes: Vec::new(),
         profiles: Vec::new(),
         troubles: None,
     };
     assert_eq!(report.exit_status(), 3);
+}
+
+#[test]
+fn what_a_person_should_know_of_the_run_is_in_the_report() {
+    let suite = suite();
+    let only = ["saved-state".to_owned()];
+    let model = Reference::default();
+    let run = run(&suite, &model, &only, 2);
+    let report = Report {
+        run: &run,
+        controller: model.capabilities(),
+        notes: vec!["it was slow".to_owned()],
+        profiles: Vec::new(),
+        troubles: None,
+    };
+    assert_eq!(terminal::terminal(&report, false).matches("it was slow").count(), 1);
+    assert_eq!(json::json(&report)["notes"][0], "it was slow");
+    assert_eq!(report.exit_status(), 0, "a note is no verdict");
 }
 
 #[test]
@@ -103,7 +123,8 @@ fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
         let passed = profiles.iter().filter(|profile| profile.passes());
         let passed: Vec<_> = passed.map(|profile| profile.profile.id.clone()).collect();
         let controller = controller.capabilities();
-        (passed, Report { run: &run, controller, profiles, troubles: None }.exit_status())
+        let notes = Vec::new();
+        (passed, Report { run: &run, controller, notes, profiles, troubles: None }.exit_status())
     };
     let (modal_save, task) = ("modal-save".to_owned(), "task".to_owned());
     let modest = faulty(|mut outcome| {

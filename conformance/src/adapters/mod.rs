@@ -121,6 +121,11 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// From now on each program also runs unobserved, where observing it could change it; otherwise a sample does.
     fn check_observation(&mut self) {}
 
+    /// What a person should know of how it has been run, a sentence each.
+    fn notes(&self) -> Vec<String> {
+        Vec::new()
+    }
+
     /// Runs the scenario.
     ///
     /// # Errors

@@ -100,9 +100,10 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let whole = arguments.only.is_empty();
     let troubles = expectations.map(|expectations| expectations.hold(&run, whole));
     let profiles = profiles::profiles(suite, &run, &arguments.profile);
-    let report = Report { run: &run, controller: controller.capabilities(), profiles, troubles };
+    let (notes, controller) = (controller.notes(), controller.capabilities());
+    let report = Report { run: &run, controller, notes, profiles, troubles };
     if let Some(file) = &arguments.write_expectations {
-        write_expectations(file, &run, controller.capabilities())?;
+        write_expectations(file, &run, controller)?;
     }
     if let Some(folder) = &arguments.report {
         write_report(folder, &report)?;

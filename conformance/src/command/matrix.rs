@@ -50,7 +50,8 @@ fn model(suite: &Suite, ledgers: &[Ledger]) -> BTreeMap<String, Judged> {
             let plan = Plan { suite, edition, only: &[], jobs: super::jobs(None) };
             let run = certify(plan, &controller, &|| {});
             let controller = controller.capabilities();
-            Judged::of(&Report { run: &run, controller, profiles: Vec::new(), troubles: None })
+            let (notes, profiles) = (Vec::new(), Vec::new());
+            Judged::of(&Report { run: &run, controller, notes, profiles, troubles: None })
         });
     }
     model

@@ -69,6 +69,7 @@ pub fn json(report: &Report<'_>) -> Value {
         "tolerances": crate::compare::tolerance::VERSION,
         "controller": report.controller.name,
         "version": report.controller.version,
+        "notes": report.notes,
         "edition": report.run.edition.id,
         "exit_status": report.exit_status(),
         "counts": {

@@ -54,6 +54,8 @@ pub struct Report<'a> {
     pub run: &'a Run<'a>,
     /// The controller.
     pub controller: &'a Capabilities,
+    /// What a person should know of how it was run.
+    pub notes: Vec<String>,
     /// Each profile that the edition has rules of.
     pub profiles: Vec<ProfileResult<'a>>,
     /// Where it disagrees with the expectations, if there are any.

@@ -47,6 +47,9 @@ fn head(text: &mut String, report: &Report<'_>) {
     let controller = format!("{} {}", report.controller.name, report.controller.version);
     line!(text, "{} held to {}", styled(BOLD, &controller), styled(BOLD, &report.run.edition.id));
     line!(text, "{}", styled(DIM, &report.run.edition.sentence));
+    for note in &report.notes {
+        line!(text, "{} {note}", styled(YELLOW, "note"));
+    }
     line!(text);
 }
 

@@ -2,7 +2,8 @@
 //!
 //! It prints canonical calls, and what an error is, but neither blocks nor modes. The program is therefore run with a
 //! probe line after each line (`instrument`), which prints the place and the modes. A sample of programs, or all, are run
-//! once more without, to see that observing changed nothing (`session`). Calls become settings and effects (`canon`),
+//! once more without, to see that observing changed nothing (`session`). A run is a fork of a controller that has started
+//! (`fork`); those of the sample are started each, so that forking is checked with observing. Calls become settings and effects (`canon`),
 //! probes the rest of the state (`state`), the error message a fault (`refusal`, `faults`).
 //!
 //! What it cannot show: the tool length mode apart from the offset, F under inverse time (had back from the moves), and
@@ -10,10 +11,12 @@
 
 mod assemble;
 mod canon;
+mod fork;
 mod output;
 mod process;
 mod python;
 mod session;
+mod streams;
 mod supports;
 mod version;
 
@@ -26,6 +29,7 @@ use gaugeblock_trace::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settin
 use super::probing::source::Source;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
 use assemble::Seen;
+use fork::Servers;
 use process::{Limits, Started, Stop};
 use python::Home;
 use session::{Session, Unprobed};
@@ -60,6 +64,7 @@ const HIDDEN_EFFECTS: &[&str] = &[
 pub struct Rs274 {
     binary: PathBuf,
     python: Option<Home>,
+    servers: Servers,
     capabilities: Capabilities,
     limits: Limits,
     unprobed: Unprobed,
@@ -74,7 +79,19 @@ impl Rs274 {
         let binary = version::find(path)?;
         let (version, python) = version::ask(&binary, LIMITS)?;
         let capabilities = capabilities(version);
-        Ok(Self { binary, python, capabilities, limits: LIMITS, unprobed: Unprobed::Sample })
+        Ok(Self {
+            binary,
+            python,
+            servers: Servers::new(),
+            capabilities,
+            limits: LIMITS,
+            unprobed: Unprobed::Sample,
+        })
+    }
+
+    /// What is started.
+    fn program(&self) -> Started<'_> {
+        Started { binary: &self.binary, python: self.python.as_ref().map(Home::path) }
     }
 }
 
@@ -100,12 +117,17 @@ impl Adapter for Rs274 {
         self.unprobed = Unprobed::All;
     }
 
+    fn notes(&self) -> Vec<String> {
+        self.servers.trouble().into_iter().collect()
+    }
+
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         // What is refused here could reach the host: it must not run even if nobody asked before.
         self.supports(scenario).map_err(HarnessError::NotRun)?;
         let source = Source::new(&scenario.program);
         let session = Session {
-            program: Started { binary: &self.binary, python: self.python.as_ref().map(Home::path) },
+            program: self.program(),
+            servers: &self.servers,
             limits: self.limits,
             unprobed: self.unprobed,
             scenario,

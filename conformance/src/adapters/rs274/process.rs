@@ -1,16 +1,17 @@
 //! One run of the program: a cleaned environment, limits, and nothing left behind.
 
 use std::ffi::OsString;
-use std::io::{Read, Write};
+use std::io;
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::path::Path;
-use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::process::{Child, Command, ExitStatus};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, waitid};
 
+use super::fork::Fork;
+use super::streams::Streams;
 use crate::adapters::HarnessError;
 
 /// What is started.
@@ -43,7 +44,7 @@ pub(super) enum Stop {
 }
 
 /// What a run left.
-#[derive(Debug)]
+#[derive(Debug, PartialEq, Eq)]
 pub(super) struct Output {
     /// How it stopped.
     pub(super) stop: Stop,
@@ -61,62 +62,106 @@ impl Output {
     }
 }
 
-/// One of the two output streams, read to its end or its limit.
-struct Stream {
-    is_error: bool,
-    bytes: Vec<u8>,
-    flooded: bool,
+/// A run that has begun.
+#[derive(Debug)]
+pub(super) struct Run<'a> {
+    /// Its process.
+    pub(super) process: Process<'a>,
+    /// Its streams.
+    pub(super) streams: Streams,
 }
 
-/// Runs the program in `directory`, which is its home as well, and waits until it and all that it started are gone.
-///
-/// # Errors
-/// It could not be started, or it was ended by a signal that is not ours.
-pub(super) fn run(
-    program: Started<'_>,
-    arguments: &[OsString],
-    directory: &Path,
-    input: &str,
-    limits: Limits,
-) -> Result<Output, HarnessError> {
-    let not_run = |error: std::io::Error| HarnessError::NotRun(error.to_string());
-    let python = program.python.map(|home| ("PYTHONHOME", home));
-    let mut child = Command::new(program.binary)
-        .args(arguments)
-        .current_dir(directory)
-        .env_clear()
-        .env("HOME", directory)
-        .env("LC_ALL", "C")
-        .envs(python)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .process_group(0)
-        .spawn()
-        .map_err(not_run)?;
-    let streams = read_streams(&mut child, limits.bytes);
-    if let Some(mut stdin) = child.stdin.take() {
-        // The program may end before it has read everything; that is its right.
-        let _unread = stdin.write_all(input.as_bytes());
+/// The process of a run, which leads a group of its own.
+#[derive(Debug)]
+pub(super) enum Process<'a> {
+    /// Started for this run.
+    Plain(Child),
+    /// Forked from one that had started before.
+    Forked(Fork<'a>),
+}
+
+impl Started<'_> {
+    /// The program in `directory`, which is its home as well.
+    pub(super) fn command(&self, arguments: &[OsString], directory: &Path) -> Command {
+        let mut command = Command::new(self.binary);
+        command.args(arguments).current_dir(directory).process_group(0);
+        command.env_clear().env("HOME", directory).env("LC_ALL", "C");
+        command.envs(self.python.map(|home| ("PYTHONHOME", home)));
+        command
     }
-    let deadline = now() + limits.time;
-    let (stdout, stderr, early) = collect(&streams, deadline);
-    let early = early.or_else(|| (!exits(&child, deadline)).then_some(Stop::TimedOut));
-    end_group(&child);
-    let status = child.wait().map_err(not_run)?;
-    let stop = match early {
-        Some(early) => early,
-        None => Stop::Exited(exit_code(status, &stderr)?),
-    };
-    Ok(Output { stop, stdout, stderr })
+
+    /// Starts the program in `directory`.
+    ///
+    /// # Errors
+    /// It could not be started.
+    pub(super) fn run(
+        &self,
+        arguments: &[OsString],
+        directory: &Path,
+    ) -> Result<Run<'static>, HarnessError> {
+        let begin = || {
+            let (streams, ends) = Streams::new()?;
+            let mut command = self.command(arguments, directory);
+            command.stdin(ends.input).stdout(ends.output).stderr(ends.errors);
+            Ok(Run { process: Process::Plain(command.spawn()?), streams })
+        };
+        begin().map_err(not_run)
+    }
+}
+
+impl Run<'_> {
+    /// Waits until the program and all that it started are gone.
+    ///
+    /// # Errors
+    /// It was ended by a signal that is not ours.
+    pub(super) fn watch(mut self, input: &str, limits: Limits) -> Result<Output, HarnessError> {
+        let deadline = now() + limits.time;
+        let early = self.streams.pass(input, limits.bytes, deadline);
+        let early = early.or_else(|| (!self.process.exits(deadline)).then_some(Stop::TimedOut));
+        let status = self.process.end().map_err(not_run)?;
+        let (stdout, stderr) = (self.streams.output.text(), self.streams.errors.text());
+        let stop = match early {
+            Some(early) => early,
+            None => Stop::Exited(exit_code(status, &stderr)?),
+        };
+        Ok(Output { stop, stdout, stderr })
+    }
+}
+
+impl Process<'_> {
+    /// Whether it exits in time. It is not reaped yet: its number stays taken, and its group can be ended safely.
+    fn exits(&mut self, deadline: Instant) -> bool {
+        match self {
+            Self::Plain(child) => exits(child, deadline),
+            Self::Forked(fork) => fork.exits(deadline),
+        }
+    }
+
+    /// Ends it, if it still runs, and whatever it left behind.
+    fn end(self) -> io::Result<ExitStatus> {
+        match self {
+            Self::Plain(mut child) => {
+                if let Some(pid) = pid(&child) {
+                    // An empty group is what we want.
+                    let _gone = kill_process_group(pid, Signal::KILL);
+                }
+                child.wait()
+            }
+            Self::Forked(fork) => fork.end(),
+        }
+    }
 }
 
 #[expect(
     clippy::disallowed_methods,
     reason = "a foreign program may hang; its outcome does not depend on the time"
 )]
-fn now() -> Instant {
+pub(super) fn now() -> Instant {
     Instant::now()
+}
+
+fn not_run(error: io::Error) -> HarnessError {
+    HarnessError::NotRun(error.to_string())
 }
 
 fn exit_code(status: ExitStatus, stderr: &str) -> Result<i32, HarnessError> {
@@ -129,57 +174,10 @@ fn exit_code(status: ExitStatus, stderr: &str) -> Result<i32, HarnessError> {
     })
 }
 
-/// Reads both streams in threads of their own, so that neither blocks the program.
-fn read_streams(child: &mut Child, limit: usize) -> Receiver<Stream> {
-    let (sender, receiver) = channel();
-    if let Some(stdout) = child.stdout.take() {
-        read_one(stdout, false, limit, sender.clone());
-    }
-    if let Some(stderr) = child.stderr.take() {
-        read_one(stderr, true, limit, sender);
-    }
-    receiver
-}
-
-fn read_one(
-    stream: impl Read + Send + 'static,
-    is_error: bool,
-    limit: usize,
-    sender: Sender<Stream>,
-) {
-    thread::spawn(move || {
-        let mut bytes = Vec::new();
-        let most = u64::try_from(limit).unwrap_or(u64::MAX).saturating_add(1);
-        // A stream that breaks is judged by what came before.
-        let _broken = stream.take(most).read_to_end(&mut bytes);
-        let flooded = bytes.len() > limit;
-        // Nobody listens any more once the time is up.
-        let _late = sender.send(Stream { is_error, bytes, flooded });
-    });
-}
-
-/// Waits for both streams: standard output, standard error, and why to stop before the program ends.
-fn collect(streams: &Receiver<Stream>, deadline: Instant) -> (String, String, Option<Stop>) {
-    let (mut stdout, mut stderr) = (String::new(), String::new());
-    for _ in 0..2 {
-        let left = deadline.saturating_duration_since(now());
-        let Ok(read) = streams.recv_timeout(left) else {
-            return (stdout, stderr, Some(Stop::TimedOut));
-        };
-        let text = String::from_utf8_lossy(&read.bytes).into_owned();
-        *if read.is_error { &mut stderr } else { &mut stdout } = text;
-        if read.flooded {
-            return (stdout, stderr, Some(Stop::Flooded));
-        }
-    }
-    (stdout, stderr, None)
-}
-
 fn pid(child: &Child) -> Option<Pid> {
     i32::try_from(child.id()).ok().and_then(Pid::from_raw)
 }
 
-/// Whether the program exits in time. It is not reaped yet: its number stays taken, and its group can be ended safely.
 fn exits(child: &Child, deadline: Instant) -> bool {
     let Some(pid) = pid(child) else { return false };
     let options = WaitIdOptions::EXITED | WaitIdOptions::NOWAIT | WaitIdOptions::NOHANG;
@@ -192,14 +190,6 @@ fn exits(child: &Child, deadline: Instant) -> bool {
     }
 }
 
-/// Ends the program, if it still runs, and whatever it left behind.
-fn end_group(child: &Child) {
-    if let Some(pid) = pid(child) {
-        // An empty group is what we want.
-        let _gone = kill_process_group(pid, Signal::KILL);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -207,7 +197,8 @@ mod tests {
     fn shell(script: &str, limits: Limits) -> Result<Output, HarnessError> {
         let directory = std::env::temp_dir();
         let program = Started { binary: Path::new("/bin/sh"), python: None };
-        run(program, &["-c".into(), script.into()], &directory, "from stdin\n", limits)
+        let arguments = ["-c".into(), script.into()];
+        program.run(&arguments, &directory)?.watch("from stdin\n", limits)
     }
 
     const SHORT: Limits = Limits { time: Duration::from_millis(300), bytes: 1000 };

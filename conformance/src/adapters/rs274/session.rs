@@ -5,22 +5,23 @@ use std::ffi::OsString;
 
 use gaugeblock_trace::{FaultKind, Program, Scenario};
 
+use super::fork::{Servers, Start};
 use super::output::{self, Line};
-use super::process::{self, Limits, Output, Started, Stop};
+use super::process::{Limits, Output, Started, Stop};
 use crate::adapters::HarnessError;
 use crate::adapters::probing::instrument::{Ends, Plan, is_plain};
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::source::{DEBUG_SWITCH, Source};
-use crate::adapters::probing::workspace::{INI, PARAMETERS, TOOLS, Workspace};
+use crate::adapters::probing::workspace::{INI, PARAMETERS, TOOLS, Workspace, tool_table};
 use crate::adapters::probing::{faults, refusal};
 
 /// What the program says when an error has stopped it and it takes blocks from standard input.
 const BY_HAND: &str = "starting MDI";
 
 /// Stop at an error and take blocks from standard input.
-const MANUAL_INPUT: &[&str] = &["-n", "1"];
+pub(super) const MANUAL_INPUT: &[&str] = &["-n", "1"];
 
-/// Every so many programs one is also run without probes, unless all are.
+/// Every so many programs one is also run without probes, on a controller started for it, unless all are.
 const SAMPLE: u64 = 32;
 
 /// One scenario on one binary.
@@ -28,6 +29,8 @@ const SAMPLE: u64 = 32;
 pub(super) struct Session<'a> {
     /// The binary, and how it is started.
     pub(super) program: Started<'a>,
+    /// Those that have started already.
+    pub(super) servers: &'a Servers,
     /// What each run may cost.
     pub(super) limits: Limits,
     /// Which programs are also run without probes.
@@ -45,6 +48,15 @@ pub(super) enum Unprobed {
     Sample,
     /// All.
     All,
+}
+
+/// What a run's process comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum From {
+    /// A start of its own.
+    Start,
+    /// A fork of one that has started; a start of its own where that cannot be.
+    Fork,
 }
 
 /// What the runs showed.
@@ -122,7 +134,7 @@ impl Session<'_> {
             let plan = Plan::new(self.source, &more);
             let input = plan.by_hand(ends);
             let text = |file: usize, lines: &[String]| plan.probed(file, lines, ends);
-            let (output, workspace) = self.run(MANUAL_INPUT, &input, text)?;
+            let (output, workspace) = self.run(From::Fork, MANUAL_INPUT, &input, text)?;
             let exited = matches!(output.stop, Stop::Exited(_));
             let parameters =
                 if exited { workspace.read_parameters(PARAMETERS)? } else { BTreeMap::new() };
@@ -142,7 +154,9 @@ impl Session<'_> {
     fn run_plain(&self, observed: &mut Observed) -> Result<(), HarnessError> {
         let plain =
             |_: usize, lines: &[String]| lines.iter().map(|line| format!("{line}\n")).collect();
-        let (output, workspace) = self.run(&[], "", plain)?;
+        let sampled = self.unprobed == Unprobed::All || self.is_sampled();
+        let from = if sampled { From::Start } else { From::Fork };
+        let (output, workspace) = self.run(from, &[], "", plain)?;
         let exited = matches!(output.stop, Stop::Exited(_));
         let lines = output::lines(&output.stdout, &observed.plan, !exited)?;
         if self.source.names_line() {
@@ -169,17 +183,36 @@ impl Session<'_> {
     }
 
     /// One run of the files that `text` makes of the program's.
-    fn run(
+    pub(super) fn run(
         &self,
+        from: From,
         how: &[&str],
         input: &str,
         text: impl Fn(usize, &[String]) -> String,
     ) -> Result<(Output, Workspace), HarnessError> {
-        let workspace = Workspace::new("rs274")?;
+        let workspace = Workspace::in_memory("rs274")?;
         workspace.write_machine(&self.scenario.machine, &self.source.listed())?;
         for (file, (name, lines)) in self.source.files().iter().enumerate() {
             workspace.write(name, &text(file, lines))?;
         }
+        let start = self.start(how);
+        let forked = match from {
+            From::Fork => self.servers.run(self.program, &start, workspace.path()),
+            From::Start => None,
+        };
+        let is_forked = forked.is_some();
+        let run = match forked {
+            Some(run) => run,
+            None => self.program.run(&start.arguments, workspace.path())?,
+        };
+        match run.watch(input, self.limits) {
+            Err(HarnessError::NotRun(_)) if is_forked => self.run(From::Start, how, input, text),
+            output => Ok((output?, workspace)),
+        }
+    }
+
+    /// What the controller is started with.
+    fn start(&self, how: &[&str]) -> Start {
         let mut arguments: Vec<OsString> = vec!["-g".into()];
         arguments.extend(["-i", INI, "-t", TOOLS, "-v", PARAMETERS].map(OsString::from));
         if self.scenario.program.block_delete {
@@ -187,8 +220,7 @@ impl Session<'_> {
         }
         arguments.extend(how.iter().map(OsString::from));
         arguments.push(Program::MAIN.into());
-        let output = process::run(self.program, &arguments, workspace.path(), input, self.limits)?;
-        Ok((output, workspace))
+        Start { arguments, tools: tool_table(&self.scenario.machine) }
     }
 }
 

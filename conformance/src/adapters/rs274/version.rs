@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use super::process::{Limits, Started, Stop, run};
+use super::process::{Limits, Started, Stop};
 use super::python::Home;
 use crate::adapters::ControllerError;
 use crate::adapters::probing::workspace::Workspace;
@@ -54,8 +54,8 @@ fn version(binary: &Path, home: Option<&Home>, limits: Limits) -> Result<String,
     workspace.write("main.ngc", QUESTION).map_err(ControllerError::Broken)?;
     let arguments = ["-g".into(), "main.ngc".into()];
     let program = Started { binary, python: home.map(Home::path) };
-    let output =
-        run(program, &arguments, workspace.path(), "", limits).map_err(ControllerError::Broken)?;
+    let run = program.run(&arguments, workspace.path());
+    let output = run.and_then(|run| run.watch("", limits)).map_err(ControllerError::Broken)?;
     let wrong =
         |found: &str| ControllerError::WrongVersion { found: found.to_owned(), wanted: "2.9.x" };
     let answer = output.stdout.lines().find_map(|line| line.strip_prefix("version "));
