@@ -10,9 +10,10 @@ use gaugeblock_trace::{End, Options, Outcome, Scenario};
 
 use crate::adapters::Adapter;
 use crate::compare::{Basis, Tally, compare};
+use crate::explain::{Departed, Other};
 use crate::judge::{Finding, judge};
 use crate::observe::Observed;
-use crate::suite::{Assertion, Case, Choice, ChoiceKind, Edition, Rule, Suite};
+use crate::suite::{Assertion, Case, Edition, Rule, Suite};
 
 /// What came of a case.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,8 +40,8 @@ pub struct Departure {
     pub assertion: Option<(String, String)>,
     /// The first divergence from the model's outcome.
     pub divergence: Option<String>,
-    /// The quirk, or the other option of a choice, that alone explains it, if one does.
-    pub explanation: Option<String>,
+    /// The quirks and other options of choices that explain it, as few as possible; none where nothing does.
+    pub explanation: Vec<String>,
 }
 
 impl Departure {
@@ -202,13 +203,14 @@ fn run_case<'a>(
         result.verdict = Verdict::Unsupported(what.clone());
         return result;
     }
-    let against = Against { scenario: &scenario, edition: &plan.edition.id, controller };
+    let against =
+        Against { suite: plan.suite, scenario: &scenario, edition: &plan.edition.id, controller };
     if let Some((departure, found)) = against.lasting(case, &expected, found, &mut result) {
-        let explained = departure.divergence.as_ref();
-        let explanation =
-            explained.and_then(|_| explain(plan.suite, rule, &scenario, &found, controller));
+        let departed = against.departed(rule, case, &found);
+        let why = departure.divergence.as_ref().map(|_| departed.explanation()).unwrap_or_default();
+        let explanation = why.iter().map(Other::name).collect();
         let departure = Departure { explanation, ..departure };
-        result.verdict = if is_charged_elsewhere(plan.suite, rule, &departure) {
+        result.verdict = if is_charged_elsewhere(departed, &departure, &why) {
             Verdict::ChargedElsewhere(departure)
         } else {
             Verdict::Diverges(departure)
@@ -235,6 +237,7 @@ pub fn applies(assertion: &Assertion, options: &Options, edition: &str) -> bool 
 }
 
 struct Against<'a> {
+    suite: &'a Suite,
     scenario: &'a Scenario,
     edition: &'a str,
     controller: &'a dyn Adapter,
@@ -242,7 +245,7 @@ struct Against<'a> {
 
 impl Against<'_> {
     /// The departure that a controller shows on which nothing ran before, and what it did; another one may only have kept
-    /// something of an earlier program.
+    /// something of an earlier program. What it is known to do needs no second run.
     fn lasting(
         &self,
         case: &Case,
@@ -252,12 +255,26 @@ impl Against<'_> {
     ) -> Option<(Departure, Outcome)> {
         let unjudged = result.clone();
         let departure = self.departure(case, expected, &found, result)?;
+        if self.departed(result.rule, case, &found).is_known(self.edition) {
+            return Some((departure, found));
+        }
         let Some(Ok(anew)) = self.controller.run_anew(self.scenario) else {
             return Some((departure, found));
         };
         *result = CaseResult { repeated: true, ..unjudged };
         let departure = self.departure(case, expected, &anew, result)?;
         Some((departure, anew))
+    }
+
+    fn departed<'a>(&'a self, rule: &'a Rule, case: &'a Case, found: &'a Outcome) -> Departed<'a> {
+        Departed {
+            suite: self.suite,
+            rule,
+            case,
+            scenario: self.scenario,
+            found,
+            controller: self.controller,
+        }
     }
 
     fn departure(
@@ -288,66 +305,16 @@ impl Against<'_> {
         result.compared.extend(&comparison.compared);
         let divergence = comparison.divergence.map(|divergence| divergence.to_string());
         let departs = assertion.is_some() || divergence.is_some();
-        departs.then_some(Departure { assertion, divergence, explanation: None })
+        departs.then_some(Departure { assertion, divergence, explanation: Vec::new() })
     }
 }
 
-/// Whether all assertions hold and the difference is a quirk of other rules.
-fn is_charged_elsewhere(suite: &Suite, rule: &Rule, departure: &Departure) -> bool {
-    let named = |rule: &Rule, quirk: &String| rule.options.contains(quirk);
-    departure.assertion.is_none()
-        && departure.explanation.as_ref().is_some_and(|quirk| {
-            !named(rule, quirk) && suite.rules.iter().any(|other| named(other, quirk))
-        })
-}
-
-/// The one quirk, or the one other option of a choice, under which the model does what the controller did; or two of them,
-/// where the rule names one.
-///
-/// Those that the rule names are tried first. Nothing is explained where the outcomes are equal and an assertion fails.
-fn explain(
-    suite: &Suite,
-    rule: &Rule,
-    scenario: &Scenario,
-    found: &Outcome,
-    controller: &dyn Adapter,
-) -> Option<String> {
-    let found = Observed::of(found);
-    let shows = controller.shows(scenario);
-    let is_named = |choice: &Choice| rule.options.contains(&choice.id);
-    let named: Vec<Other<'_>> =
-        suite.choices.iter().filter(|c| is_named(c)).flat_map(|c| others(c, scenario)).collect();
-    let quirks = suite.choices.iter().filter(|c| c.kind == ChoiceKind::Quirk && !is_named(c));
-    let quirks: Vec<Other<'_>> = quirks.flat_map(|c| others(c, scenario)).collect();
-    let explains = |tried: &[Other<'_>]| {
-        let mut scenario = scenario.clone();
-        for (choice, option) in tried {
-            scenario.options.0.insert(choice.id.clone(), (*option).to_owned());
-        }
-        let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
-        compare(&expected, &found, &shows).divergence.is_none()
+/// Whether all assertions hold and the difference is what other rules are about.
+fn is_charged_elsewhere(departed: Departed<'_>, departure: &Departure, why: &[Other<'_>]) -> bool {
+    let is_of_another_rule = |other: &Other<'_>| {
+        departed.suite.rules.iter().any(|rule| rule.options.contains(&other.choice.id))
     };
-    let all: Vec<Other<'_>> = named.iter().chain(&quirks).copied().collect();
-    if let Some(one) = all.iter().find(|one| explains(&[**one])) {
-        return Some(name(*one));
-    }
-    let pairs = named.iter().flat_map(|one| all.iter().map(move |other| [*one, *other]));
-    let pair = pairs.filter(|[one, other]| one.0.id != other.0.id).find(|pair| explains(pair));
-    pair.map(|[one, other]| format!("{} and {}", name(one), name(other)))
-}
-
-/// An option of a choice that is not the one in force.
-type Other<'a> = (&'a Choice, &'a str);
-
-fn others<'a>(choice: &'a Choice, scenario: &Scenario) -> impl Iterator<Item = Other<'a>> {
-    let in_force = scenario.options.get(&choice.id).map(str::to_owned);
-    let options = choice.options.iter().map(|option| option.name.as_str());
-    options.filter(move |name| in_force.as_deref() != Some(*name)).map(move |name| (choice, name))
-}
-
-fn name((choice, option): Other<'_>) -> String {
-    match choice.kind {
-        ChoiceKind::Quirk => choice.id.clone(),
-        ChoiceKind::Choice => format!("{} = {option}", choice.id),
-    }
+    departure.assertion.is_none()
+        && !why.is_empty()
+        && why.iter().all(|other| !departed.is_named(other) && is_of_another_rule(other))
 }

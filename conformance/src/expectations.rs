@@ -109,7 +109,7 @@ impl Expectations {
                 rule: result.rule.id.clone(),
                 case: result.case.name.clone(),
                 found: departure.line(),
-                explanation: departure.explanation.clone(),
+                explanation: joined(&departure.explanation),
             }),
             Verdict::Pass
             | Verdict::ChargedElsewhere(_)
@@ -142,8 +142,12 @@ impl Expectations {
             .iter()
             .map(|known| ((known.rule.as_str(), known.case.as_str()), known))
             .collect();
-        let explained: BTreeSet<&Option<String>> =
-            self.known.iter().map(|known| &known.explanation).filter(|e| e.is_some()).collect();
+        let explained: BTreeSet<&str> = self
+            .known
+            .iter()
+            .filter_map(|known| known.explanation.as_deref())
+            .flat_map(parts)
+            .collect();
         let mut troubles = Vec::new();
         for result in &run.cases {
             let (rule, case) = (result.rule.id.clone(), result.case.name.clone());
@@ -157,7 +161,10 @@ impl Expectations {
                     troubles.push(Trouble::Changed { rule, case, listed, found });
                 }
                 (Verdict::ChargedElsewhere(departure), None)
-                    if !explained.contains(&departure.explanation) =>
+                    if !departure
+                        .explanation
+                        .iter()
+                        .all(|part| explained.contains(part.as_str())) =>
                 {
                     troubles.push(Trouble::New { rule, case, found: departure.line() });
                 }
@@ -186,4 +193,15 @@ impl Expectations {
         }
         troubles
     }
+}
+
+/// What stands between the parts of an explanation.
+const AND: &str = " and ";
+
+fn joined(explanation: &[String]) -> Option<String> {
+    (!explanation.is_empty()).then(|| explanation.join(AND))
+}
+
+fn parts(explanation: &str) -> impl Iterator<Item = &str> {
+    explanation.split(AND)
 }

@@ -13,6 +13,7 @@ pub mod certify;
 pub mod command;
 pub mod compare;
 pub mod expectations;
+pub mod explain;
 pub mod fingerprint;
 pub mod judge;
 pub mod observe;

@@ -132,6 +132,11 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// There is no outcome to judge: the controller crashed, hung, flooded, or was not understood.
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError>;
 
+    /// The edition that says what it really does, if there is one.
+    fn observed_edition(&self) -> Option<&'static str> {
+        None
+    }
+
     /// Runs the scenario on a controller that nothing ran on before. None where each run is such a one anyway.
     fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
         let _always_anew = scenario;

@@ -118,8 +118,9 @@ fn divergence(text: &mut String, result: &CaseResult<'_>) {
     if let Some(divergence) = &departure.divergence {
         line!(text, "  first difference  {divergence}");
     }
-    if let Some(explanation) = &departure.explanation {
-        line!(text, "  explained by {}", styled(YELLOW, explanation));
+    if !departure.explanation.is_empty() {
+        let explanation = departure.explanation.join(" and ");
+        line!(text, "  explained by {}", styled(YELLOW, &explanation));
     }
     line!(text);
 }

@@ -195,6 +195,10 @@ impl Adapter for LinuxCnc {
         self.observe(scenario, false)
     }
 
+    fn observed_edition(&self) -> Option<&'static str> {
+        Some("linuxcnc-2.9-observed")
+    }
+
     fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
         Some(self.observe(scenario, true))
     }

@@ -113,6 +113,10 @@ impl Adapter for Rs274 {
         supports::supports(scenario)
     }
 
+    fn observed_edition(&self) -> Option<&'static str> {
+        Some("rs274-2.9-observed")
+    }
+
     fn check_observation(&mut self) {
         self.unprobed = Unprobed::All;
     }
