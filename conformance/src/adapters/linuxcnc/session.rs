@@ -102,7 +102,8 @@ impl Session {
     pub(super) fn clear_programs(&self) -> Result<(), HarnessError> {
         let clear = || -> io::Result<()> {
             for entry in fs::read_dir(self.workspace.path().join("programs"))? {
-                fs::remove_file(entry?.path())?;
+                let path = entry?.path();
+                if path.is_dir() { fs::remove_dir_all(path)? } else { fs::remove_file(path)? }
             }
             Ok(())
         };
@@ -283,6 +284,9 @@ fn channels(installed: &str) -> String {
 
 fn own(workspace: &Workspace, name: &str, text: &str, mode: u32) -> io::Result<()> {
     let path = workspace.path().join(name);
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder)?;
+    }
     fs::write(&path, text)?;
     give(&path, mode)
 }

@@ -8,6 +8,7 @@ use gaugeblock_trace::scenario::{Action, AxisLimits, Folder, OrientAnswer, UserP
 use gaugeblock_trace::{Axis, LengthUnit, Pin, Scenario};
 use serde_json::{Value, json};
 
+use crate::adapters::probing::source::Source;
 use crate::adapters::probing::workspace::{self, Sections};
 
 /// Seconds of a servo cycle: how often pins are looked at.
@@ -58,13 +59,20 @@ pub(super) fn has_own_pace(scenario: &Scenario) -> bool {
     !scenario.operator.is_empty() || !scenario.bench.inputs.is_empty()
 }
 
-/// A person acts on what is read ahead; where nobody does, the controller reads ahead as little as it can, so that what
-/// stands before a refused block has been executed.
+/// A person acts on what is read ahead, and what changes meanwhile in HAL is read ahead too; otherwise the controller reads
+/// ahead as little as it can, so that what stands before a refused block has been executed.
 fn reads_ahead(scenario: &Scenario) -> bool {
     let interrupts = |action: &Action| {
         matches!(action, Action::Abort | Action::Pause | Action::FeedHold(_) | Action::Mode(_))
     };
     scenario.operator.iter().any(|event| interrupts(&event.action))
+        || scenario.bench.inputs.iter().any(|change| change.time > 0.0)
+            && reads_hal(&Source::new(&scenario.program))
+}
+
+/// Whether a program, or what it prints, names a HAL item.
+fn reads_hal(source: &Source) -> bool {
+    source.all().any(|(_, _, line)| line.to_lowercase().contains("_hal["))
 }
 
 /// A pin of ours, its name in HAL, and its type there.

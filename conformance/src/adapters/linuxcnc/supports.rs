@@ -1,13 +1,11 @@
 //! Which scenarios the controller can run.
 
-use std::path::{Component, Path};
-
 use gaugeblock_trace::scenario::{Action, Bench, OperatorEvent, Start};
 use gaugeblock_trace::{Axis, ControllerMode, Language, Machine, Program, Scenario};
 
 use super::setup::input_pin;
 use crate::adapters::probing::instrument::LAST_PARAMETER;
-use crate::adapters::probing::source::{Form, Source, form};
+use crate::adapters::probing::source::{Form, Source, form, is_sub_file};
 
 /// Most digital and most analog inputs and outputs.
 const MOST_SIGNALS: u16 = 64;
@@ -58,9 +56,7 @@ fn program(program: &Program) -> Result<(), String> {
         return Err(format!("it does not speak {}", program.language));
     }
     for name in program.files.keys() {
-        let mut parts = Path::new(name).components();
-        let plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
-        if !plain || name == Program::MAIN || name.starts_with('.') {
+        if !is_sub_file(name) || name == Program::MAIN {
             return Err(format!("{name:?} is no file name for a sub"));
         }
     }

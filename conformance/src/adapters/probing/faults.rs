@@ -39,6 +39,7 @@ const FRAGMENTS: &[(&str, Kind)] = &[
     ("Parameter number out of range", Kind::ParameterOutOfRange),
     ("read-only parameter", Kind::ReadOnlyParameter),
     ("Parameter is readonly", Kind::ReadOnlyParameter),
+    ("Could not assign #<_hal[", Kind::ReadOnlyParameter),
     ("Equal sign missing", Kind::BadBlock),
     ("Named parameter not terminated", Kind::BadBlock),
     ("not found in INI file", Kind::NoSuchParameter),

@@ -2,6 +2,7 @@
 //! parameters are named.
 
 use std::collections::BTreeSet;
+use std::path::{Component, Path};
 
 use gaugeblock_trace::{Block, Program};
 
@@ -33,6 +34,14 @@ pub(in crate::adapters) enum Form {
     End,
     /// Anything else.
     Other,
+}
+
+/// Whether a file of subs can have this name: a plain one, perhaps in the folder `elsewhere`, which is not looked into.
+pub(in crate::adapters) fn is_sub_file(name: &str) -> bool {
+    let name = name.strip_prefix("elsewhere/").unwrap_or(name);
+    let mut parts = Path::new(name).components();
+    let plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
+    plain && !name.starts_with('.')
 }
 
 impl Source {

@@ -65,7 +65,10 @@ impl Workspace {
 
     /// Writes a file.
     pub(in crate::adapters) fn write(&self, name: &str, text: &str) -> Result<(), HarnessError> {
-        fs::write(self.path.join(name), text)
+        let path = self.path.join(name);
+        let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+        folder
+            .and_then(|()| fs::write(path, text))
             .map_err(|error| HarnessError::NotRun(format!("{name}: {error}")))
     }
 

@@ -1,12 +1,10 @@
 //! Which scenarios the controller can run.
 
-use std::path::{Component, Path};
-
 use gaugeblock_trace::scenario::{Bench, Start};
 use gaugeblock_trace::{Axis, Language, LengthUnit, Machine, Program, Scenario};
 
 use crate::adapters::probing::instrument::LAST_PARAMETER;
-use crate::adapters::probing::source::Source;
+use crate::adapters::probing::source::{Source, is_sub_file};
 use crate::adapters::probing::workspace::{INI, PARAMETERS, TOOLS};
 
 /// The bench that answers as this controller does.
@@ -44,9 +42,7 @@ fn program(program: &Program) -> Result<(), String> {
     }
     let own = [Program::MAIN, INI, TOOLS, PARAMETERS];
     for name in program.files.keys() {
-        let mut parts = Path::new(name).components();
-        let plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
-        if !plain || own.contains(&name.as_str()) || name.starts_with('.') {
+        if !is_sub_file(name) || own.contains(&name.as_str()) {
             return Err(format!("{name:?} is no file name for a sub"));
         }
     }

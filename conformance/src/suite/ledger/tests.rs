@@ -200,7 +200,7 @@ fn faults_of_a_ledger_are_named_with_their_places() {
     items[1].later = Some("some day".into());
     items[2].out_of_scope = Some(String::new());
     items[3].rules = vec!["a.b".into()];
-    items[3].later = Some("Machine and operator".into());
+    items[3].later = Some("Motion, cycles and offsets".into());
     items[3].n = 5;
     assert_eq!(
         ledger.faults(),

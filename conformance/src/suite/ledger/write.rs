@@ -85,7 +85,7 @@ mod tests {
         ledger.partial = true;
         let items = &mut ledger.sections[0].items;
         items[0].rules = vec!["a.b".into(), "a.c".into()];
-        items[0].later = Some("Machine and operator".into());
+        items[0].later = Some("Motion, cycles and offsets".into());
         items[1].choices = vec!["a.b".into()];
         items[1].quirks = vec!["rs274.a".into()];
         items[2].not_observable = Some("it says \"so\"".into());

@@ -76,7 +76,7 @@ pub struct Program {
     pub language: Language,
     /// Text of the main program, whose file name is `main.ngc`. Bytes that are not UTF-8 are out of a scenario's reach.
     pub main: String,
-    /// Text of subroutine files, by file name.
+    /// Text of subroutine files, by file name. One in the folder `elsewhere/` is where no controller looks.
     pub files: BTreeMap<String, String>,
     /// Whether blocks that begin with a slash are skipped.
     pub block_delete: bool,

@@ -56,6 +56,11 @@ impl Files {
         Some(self.add(name, &text, state))
     }
 
+    /// Whether there is a file of this name in a folder that nobody looks into.
+    pub(super) fn has_elsewhere(&self, name: &str) -> bool {
+        self.texts.keys().any(|path| path.rsplit_once('/').is_some_and(|(_, file)| file == name))
+    }
+
     /// Opens a file and reads it once for its labels, up to the percent line that ends it. No rule is reached by that.
     fn add(&mut self, name: &str, text: &str, state: &mut State) -> Place {
         let source = Source::new(name, text, &state.readings);

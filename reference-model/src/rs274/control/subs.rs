@@ -181,12 +181,17 @@ impl Control {
         } else {
             "subroutines.file-call"
         });
+        if self.files.has_elsewhere(&format!("{label}.ngc")) {
+            state.evidence.refused("subroutines.file-folder");
+        }
         let message = format!("neither the program nor a file defines {}", o_word(label));
         Err(refuse("subroutines.unknown-sub", FaultKind::UnknownSub, message))
     }
 
     /// Rules subroutines.file-call, subroutines.file-numbered, subroutines.file-name-case. A sub that the program does not
     /// define is sought in the file of its name, in lower case.
+    ///
+    /// Rule subroutines.file-folder. A file in another folder does not count.
     ///
     /// Rule subroutines.file-one-sub. That file defines this sub and no other. Whether it has an endsub shows when its
     /// body is executed.
@@ -209,6 +214,9 @@ impl Control {
         let rule = if numbered { "subroutines.file-numbered" } else { "subroutines.file-call" };
         state.evidence.accepted(rule);
         state.evidence.accepted("subroutines.file-name-case");
+        if self.files.has_elsewhere(&name) {
+            state.evidence.accepted("subroutines.file-folder");
+        }
         Ok(Some(sub))
     }
 }

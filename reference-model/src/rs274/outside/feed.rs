@@ -17,8 +17,13 @@ impl Outside {
     }
 
     fn feed_input(&self, name: &str) -> Option<f64> {
+        self.feed_input_at(name, self.time)
+    }
+
+    /// The value that one of them had, if it is listed for that time.
+    pub(super) fn feed_input_at(&self, name: &str, time: f64) -> Option<f64> {
         let changes = self.bench.inputs.iter();
-        let past = changes.filter(|change| change.input == name && change.time <= self.time);
+        let past = changes.filter(|change| change.input == name && change.time <= time);
         past.map(|change| change.value).next_back()
     }
 

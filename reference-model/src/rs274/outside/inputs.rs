@@ -103,13 +103,13 @@ impl Outside {
     }
 
     /// The output that is wired to a digital input.
-    fn wire(&self, input: Input) -> Option<Pin> {
+    pub(super) fn wire(&self, input: Input) -> Option<Pin> {
         let Input::Digital(number) = input else { return None };
         let (output, _) = self.bench.wires.iter().find(|(_, wired)| **wired == number)?;
         output.parse().ok().map(Pin::DigitalOut)
     }
 
-    fn input_at(&self, input: Input, time: f64) -> f64 {
+    pub(super) fn input_at(&self, input: Input, time: f64) -> f64 {
         let name = input.name();
         let changes = self.bench.inputs.iter();
         let past = changes.filter(|change| change.input == name && change.time <= time);

@@ -3,6 +3,7 @@
 //! Time is virtual, in seconds since the start. Only dwells and waits move it, so that a run is the same on every day.
 
 mod feed;
+mod hal;
 mod inputs;
 mod orientation;
 mod programs;
@@ -13,6 +14,8 @@ use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{Pin, PinChange};
 
 use super::readings::Readings;
+pub(crate) use hal::Item;
+use hal::Synchronised;
 pub(crate) use inputs::{Awaited, Input};
 pub(crate) use orientation::Orientation;
 pub(crate) use programs::Missing;
@@ -35,6 +38,8 @@ pub struct Outside {
     awaiting_motion: BTreeMap<Pin, f64>,
     /// Orientations that have begun and not ended, by spindle.
     orienting: BTreeMap<usize, Orientation>,
+    /// What a program sees of HAL.
+    synchronised: Synchronised,
 }
 
 impl Outside {
@@ -45,14 +50,17 @@ impl Outside {
         let braked = readings.is("orient.brake-otherwise", "while-standing");
         let brakes = (0..if braked { spindles } else { 0 })
             .filter_map(|spindle| Some((Pin::SpindleBrake(u16::try_from(spindle).ok()?), 1.0)));
-        Self {
+        let mut outside = Self {
             bench: bench.clone(),
             time: 0.0,
             levels: brakes.collect(),
             changes: Vec::new(),
             awaiting_motion: BTreeMap::new(),
             orienting: BTreeMap::new(),
-        }
+            synchronised: Synchronised::default(),
+        };
+        outside.synchronise();
+        outside
     }
 
     /// Whether everything outside answers as the stand-alone interpreter's stubs do.

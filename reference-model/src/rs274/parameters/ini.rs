@@ -3,11 +3,12 @@
 use gaugeblock_trace::FaultKind;
 
 use super::State;
+use crate::rs274::outside::Item;
 use crate::rs274::refusal::{Halt, refuse};
 
 /// Whether a name has the form of a HAL item: `_hal[item]`.
 pub(super) fn is_hal(name: &str) -> bool {
-    name.starts_with("_hal[") && name.ends_with(']')
+    hal_item(name).is_some()
 }
 
 /// Whether a name has the form of an INI entry, `_ini[section]name`, or of a HAL item.
@@ -16,16 +17,18 @@ pub(super) fn is_outside(name: &str) -> bool {
 }
 
 /// Rule parameters.ini. `#<_ini[section]name>` is the value of that entry of the INI file; case does not count.
-/// There is no HAL in a scenario, so no HAL item exists.
+/// Rule parameters.hal. `#<_hal[item]>` is the value of that HAL item, its name in lower case.
+/// Rule parameters.ini-disabled. Where the INI file disables one of them, none of it is there.
 pub(super) fn entry(name: &str, state: &State) -> Option<f64> {
-    let key = ini_key(name)?;
-    let value = state
-        .machine
-        .ini
-        .iter()
-        .find(|(entry, _)| entry.to_uppercase() == key)
-        .map(|(_, value)| *value);
-    value.filter(|value| value.is_finite())
+    if !is_enabled(name, state) {
+        return None;
+    }
+    if let Some(item) = hal_item(name) {
+        // No HAL answers the stand-alone interpreter.
+        let machine = Some(&state.machine).filter(|_| !state.outside.is_stand_alone())?;
+        return Item::of(item, machine).map(|item| state.outside.item(item));
+    }
+    ini_value(&ini_key(name)?, state)
 }
 
 /// Rule parameters.ini-absent. Reading an absent INI entry or HAL item is refused.
@@ -34,6 +37,34 @@ pub(super) fn value(name: &str, state: &State) -> Result<f64, Halt> {
         let message = format!("there is no #<{name}>");
         refuse("parameters.ini-absent", FaultKind::NoSuchParameter, message)
     })
+}
+
+/// The rules that the refusal of an absent one reaches besides its own.
+pub(super) fn refused_too(name: &str, state: &State) -> Vec<&'static str> {
+    let mut rules = Vec::new();
+    if !is_enabled(name, state) {
+        rules.push("parameters.ini-disabled");
+    } else if is_hal(name) {
+        rules.push("parameters.hal");
+    }
+    rules
+}
+
+/// Whether the INI file lets programs read what this is one of; unless it says otherwise it does.
+pub(super) fn is_enabled(name: &str, state: &State) -> bool {
+    let key = if is_hal(name) { "[RS274NGC]HAL_PIN_VARS" } else { "[RS274NGC]INI_VARS" };
+    ini_value(key, state) != Some(0.0)
+}
+
+fn ini_value(key: &str, state: &State) -> Option<f64> {
+    let entries = &state.machine.ini;
+    let value = entries.iter().find(|(entry, _)| entry.to_uppercase() == key);
+    value.map(|(_, value)| *value).filter(|value| value.is_finite())
+}
+
+/// The item of a name `_hal[item]`.
+fn hal_item(name: &str) -> Option<&str> {
+    name.strip_prefix("_hal[")?.strip_suffix(']')
 }
 
 /// The key of an entry, `[SECTION]NAME`.

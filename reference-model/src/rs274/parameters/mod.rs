@@ -15,7 +15,7 @@ use gaugeblock_trace::{FaultKind, Indexed, Machine};
 use super::machine::State;
 use super::readings::Readings;
 use super::refusal::{Halt, refuse};
-pub use numbered::{DEBUG_SWITCH, computed_numbers, last};
+pub use numbered::{DEBUG_SWITCH, changed_persistent, computed_numbers, last};
 pub use rules::{refused_too, rules_of, rules_of_existence};
 
 /// A parameter by number or by name.
@@ -175,7 +175,7 @@ pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), Halt> {
 /// Rule parameters.read-only. Assigning to a predefined named parameter is refused.
 /// Rule parameters.ini-read-only. Assigning to an INI or HAL parameter is refused.
 /// Choice parameters.read-only-numbered: whether 5400 to 5428 can be set.
-/// Quirk rs274.hal-assignment: a name of the form of a HAL item can be assigned.
+/// Quirk rs274.hal-assignment: a name of the form of a HAL item, where there is no such item, can be assigned.
 ///
 /// # Errors
 /// It is read-only.
@@ -190,7 +190,11 @@ pub fn writable(name: &Name, state: &State) -> Result<(), Halt> {
         Name::Named(name) if predefined::is_predefined(name) => {
             ("parameters.read-only", format!("<{name}>"))
         }
-        Name::Named(name) if ini::is_hal(name) && state.readings.quirk("rs274.hal-assignment") => {
+        Name::Named(name)
+            if ini::is_hal(name)
+                && ini::entry(name, state).is_none()
+                && state.readings.quirk("rs274.hal-assignment") =>
+        {
             return Ok(());
         }
         Name::Named(name) if ini::is_outside(name) => {

@@ -1,6 +1,7 @@
 //! Numbered parameters.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 use gaugeblock_trace::{Axis, Machine};
 
@@ -25,13 +26,16 @@ const TOOL: u32 = 5400;
 /// The position by axis, X to W.
 const POSITION: u32 = 5420;
 
+/// The parameters that are kept while the machine is off.
+const PERSISTENT: RangeInclusive<u32> = 5161..=5390;
+
 /// The parameters when a program starts.
 ///
 /// Rule parameters.stored. Stored parameters have their values when a program starts: those of the user, 31 to 5000,
 /// and those that are persistent, 5161 to 5390. All others are volatile and begin with zero.
 /// Rule parameters.debug-switch. 5599 is 1 at the start.
 pub(super) fn at_start(machine: &Machine) -> BTreeMap<u32, f64> {
-    let stored = |number: &u32| (31..=5000).contains(number) || (5161..=5390).contains(number);
+    let stored = |number: &u32| (31..=5000).contains(number) || PERSISTENT.contains(number);
     let mut numbered: BTreeMap<u32, f64> = machine
         .parameters
         .0
@@ -80,6 +84,14 @@ pub fn last(readings: &Readings) -> u32 {
 /// The parameters whose value the machine's state decides.
 pub fn computed_numbers() -> impl Iterator<Item = u32> {
     (TOOL..POSITION + 9).filter(|number| is_computed(*number))
+}
+
+/// Whether a persistent parameter is not as it was when the run began.
+pub fn changed_persistent(state: &State) -> bool {
+    let before = at_start(&state.machine);
+    let set = state.parameters.numbered.iter().filter(|(number, _)| PERSISTENT.contains(number));
+    let before = |number| before.get(number).copied().unwrap_or(0.0);
+    set.into_iter().any(|(number, value)| (value - before(number)).abs() > 0.0)
 }
 
 /// Whether the machine's state decides a parameter's value.

@@ -10,6 +10,9 @@ pub fn rules_of(name: &Name, state: &State) -> Vec<&'static str> {
             if let Some(rule) = predefined::rule(name, state) {
                 return vec![rule];
             }
+            if ini::is_hal(name) {
+                return vec!["parameters.hal", "parameters.hal-time", "parameters.ini-absent"];
+            }
             if ini::is_outside(name) {
                 return vec!["parameters.ini", "parameters.ini-absent"];
             }
@@ -55,7 +58,11 @@ fn of_number(number: u32, state: &State) -> Vec<&'static str> {
 pub fn rules_of_existence(name: &Name, state: &State) -> Vec<&'static str> {
     let Name::Named(text) = name else { return Vec::new() };
     if ini::is_outside(text) {
-        return vec!["parameters.ini-absent"];
+        let mut rules = vec!["parameters.ini-absent"];
+        if !ini::is_enabled(text, state) {
+            rules.push("parameters.ini-disabled");
+        }
+        return rules;
     }
     let mut rules = Vec::new();
     if !exists(name, state) && state.frames.iter().any(|frame| frame.locals.contains_key(text)) {
@@ -71,7 +78,7 @@ pub fn rules_of_existence(name: &Name, state: &State) -> Vec<&'static str> {
 pub fn refused_too(name: &Name, state: &State) -> Vec<&'static str> {
     let Name::Named(name) = name else { return Vec::new() };
     if ini::is_outside(name) {
-        return Vec::new();
+        return ini::refused_too(name, state);
     }
     let mut rules = vec!["parameters.named-absent"];
     if state.frames.iter().any(|frame| frame.locals.contains_key(name)) {

@@ -20,6 +20,7 @@ const TIMED_OUT: f64 = -1.0;
 ///
 /// Rule inputs.immediate. Under L0 it does not wait. Rules inputs.rise, inputs.fall, inputs.high, inputs.low. Otherwise
 /// nothing further is executed until the input does what L says (inputs.waits).
+/// Rule parameters.hal-time. What a program reads of HAL afterwards is as it is now.
 /// Rule inputs.result. #5399 holds the value of the input then, or -1 when it did not come in time (inputs.timeout).
 ///
 /// # Errors
@@ -56,6 +57,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         Input::Analog(number) => (None, Some(i32::from(number))),
     };
     record.effect(state, Effect::WaitInput { digital, analog, mode, timeout, read });
+    state.outside.synchronise();
     Ok(())
 }
 

@@ -1,6 +1,6 @@
 //! S, G96, G97, M3, M4, M5.
 
-use gaugeblock_trace::{FaultKind, SpindleLimit, SpindleMode, SpindleTurn};
+use gaugeblock_trace::{FaultKind, Lathe, SpindleLimit, SpindleMode, SpindleTurn};
 
 use super::{orient, whole, word};
 use crate::rs274::machine::State;
@@ -71,6 +71,7 @@ fn rpm_mode(speed: Option<f64>, state: &mut State) -> Result<(), Halt> {
 }
 
 /// Rule spindle.surface-speed-needs-speed. G96 needs S.
+/// Rule spindle.surface-speed-lathe. Diameter mode changes neither.
 /// Rule spindle.surface-speed-limit. D is the highest speed in revolutions per minute, and optional.
 fn surface_speed(words: &Words, speed: Option<f64>, state: &mut State) -> Result<(), Halt> {
     if speed.is_none() {
@@ -79,6 +80,9 @@ fn surface_speed(words: &Words, speed: Option<f64>, state: &mut State) -> Result
     }
     state.evidence.accepted("spindle.surface-speed-needs-speed");
     state.evidence.accepted("spindle.surface-speed");
+    if state.modes.lathe == Lathe::Diameter {
+        state.evidence.accepted("spindle.surface-speed-lathe");
+    }
     if word(words, 'd').is_some() {
         state.evidence.accepted("spindle.surface-speed-limit");
     }

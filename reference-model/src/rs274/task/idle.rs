@@ -51,7 +51,8 @@ impl Run<'_> {
         self.entries = open_entries(self.scenario, &mut self.control, &mut self.state);
     }
 
-    /// What ran before is over: with it every call, and every condition and loop.
+    /// What ran before is over: with it every call, and every condition and loop; HAL is seen as it is now
+    /// (parameters.hal-time).
     ///
     /// Rule task.parameters-carry-over. What is local to the main program has its value again in the next run, as all that
     /// is global has.
@@ -60,6 +61,7 @@ impl Run<'_> {
             self.record.leads_elsewhere();
         }
         self.leave_calls();
+        self.state.outside.synchronise();
         let main = &mut self.state.frames[0];
         let locals = std::mem::take(&mut main.locals);
         *main = Frame { arguments: main.arguments, locals, ..Frame::default() };

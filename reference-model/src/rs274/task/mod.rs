@@ -195,8 +195,13 @@ impl<'a> Run<'a> {
     }
 
     /// Rule program-end.parameters-kept. All numbered parameters that are not zero, position and tool among them.
-    fn parameters(&self) -> Indexed<u32, f64> {
+    ///
+    /// Rule parameters.saved. Those that are persistent are there to be stored, however the run has ended.
+    fn parameters(&mut self) -> Indexed<u32, f64> {
         let mut all = self.state.parameters.nonzero();
+        if parameters::changed_persistent(&self.state) {
+            self.state.evidence.accepted("parameters.saved");
+        }
         let others = (1..=30).chain(parameters::computed_numbers());
         let known = others.filter_map(|number| {
             let value = parameters::value(&Name::Numbered(number), &self.state).ok()?;
