@@ -30,7 +30,18 @@ pub fn fingerprint<'a>(
     bench: Option<&str>,
     controller: &dyn Adapter,
 ) -> Vec<(&'a Choice, Shown)> {
-    suite.choices.iter().map(|choice| (choice, shown(choice, options, bench, controller))).collect()
+    let known = controller.observed_edition().and_then(|id| suite.edition(id));
+    let known = known.map(|edition| suite.options(edition));
+    let of = |choice: &'a Choice| {
+        let used = shown(choice, options, bench, controller, false);
+        // What is new about a controller must show on one that nothing ran on before.
+        let is_known = known.as_ref().is_none_or(
+            |known| matches!(&used, Shown::Option(option) if known.is(&choice.id, option)),
+        );
+        let shown = if is_known { used } else { shown(choice, options, bench, controller, true) };
+        (choice, shown)
+    };
+    suite.choices.iter().map(of).collect()
 }
 
 fn shown(
@@ -38,6 +49,7 @@ fn shown(
     options: &Options,
     bench: Option<&str>,
     controller: &dyn Adapter,
+    anew: bool,
 ) -> Shown {
     let mut scenario = choice.setup.scenario(&choice.program, options);
     if scenario.bench == Bench::default() {
@@ -46,7 +58,8 @@ fn shown(
     if let Err(why) = controller.supports(&scenario) {
         return Shown::NotRun(why);
     }
-    let outcome = match controller.run(&scenario) {
+    let on_a_new_one = if anew { controller.run_anew(&scenario) } else { None };
+    let outcome = match on_a_new_one.unwrap_or_else(|| controller.run(&scenario)) {
         Ok(outcome) => outcome,
         Err(error) => return Shown::NotRun(error.to_string()),
     };
