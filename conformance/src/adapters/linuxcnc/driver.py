@@ -159,6 +159,7 @@ class Driver:
         self.seen = {}
         self.begun = 0.0
         self.events = []
+        self.probe = []
         self.first, self.steps, self.starts = "", 0, 1
         self.looked = 0.0
         self.mode_told = None
@@ -332,11 +333,46 @@ class Driver:
             # A pause by hand stays in the state, while blocks can be entered as before.
             was_paused = self.is_paused()
             self.command.mdi(line)
-            if not self.done(seconds) or not self.wait(lambda: self.is_idle() or self.is_paused(), seconds):
+            if not self.entered(seconds):
                 return "late"
             if self.stat.state == self.linuxcnc.RCS_ERROR:
                 break
         return "paused" if self.is_paused() and not was_paused else "idle"
+
+    def entered(self, seconds):
+        """Whether the block that was entered last is over in time; meanwhile the operator acts."""
+        serial = self.command.serial
+
+        def is_over():
+            if any(self.due(event) for event in self.events):
+                return True
+            is_done = self.stat.echo_serial_number >= serial and self.stat.state != self.linuxcnc.RCS_EXEC
+            return is_done and (self.is_idle() or self.is_paused())
+
+        while self.wait(is_over, seconds):
+            ready = next((event for event in self.events if self.due(event)), None)
+            if ready is None:
+                return True
+            self.events.remove(ready)
+            self.act(ready)
+        return False
+
+    def enter(self, event):
+        """Enters a block in MDI mode while nothing runs, and shows what is in force before and after it."""
+
+        def show():
+            for line in self.probe:
+                self.command.mdi(line)
+                self.done()
+
+        report(entry="begins", line=event["line"], text=event["value"])
+        show()
+        report(entry="is entered")
+        self.command.mdi(event["value"])
+        self.done()
+        self.wait(self.is_idle, 5.0)
+        report(entry="is over")
+        show()
 
     def due(self, event):
         """Whether the block of an event has begun as often as it says, and its offset has passed."""
@@ -349,11 +385,16 @@ class Driver:
         linuxcnc, command = self.linuxcnc, self.command
         name, value = event["action"], event.get("value")
         report(operator=name, value=value)
+        if name == "mdi" and self.is_idle() and self.stat.task_mode == linuxcnc.MODE_MDI:
+            self.enter(event)
+            return
         complaints = self.complaints
         if name in ("cycle_start", "resume"):
             self.wait(lambda: self.is_paused() or self.is_idle(), 0.5)
         if name == "cycle_start":
             if self.is_idle():
+                # As displays do it: a request to run is refused in any other mode.
+                self.mode(linuxcnc.MODE_AUTO)
                 self.starts += 1
                 report(starts_again=True)
             command.auto(linuxcnc.AUTO_RUN, 0)
@@ -410,6 +451,7 @@ class Driver:
         self.settings["marker"] = order["marker"]
         self.seen = {}
         self.events = order["events"]
+        self.probe = order["probe"]
         self.first, self.steps, self.starts = order["first"], order["steps"], 1
         self.mode_told = None
         self.reset(order)

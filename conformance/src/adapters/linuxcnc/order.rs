@@ -64,8 +64,13 @@ pub(super) fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: 
         Some(json!([change.time, pin, value]))
     });
     let file = |name: &str| source.files().iter().position(|(known, _)| known == name);
+    let mut entered = 0;
     let events = scenario.operator.iter().filter_map(|event| {
         let mut told = action(&event.action);
+        if matches!(event.action, Action::Mdi(_)) {
+            entered += 1;
+            told["line"] = entered.into();
+        }
         let place = file(&event.when.block.file)?;
         told["marker"] = plan.mark_before(place, event.when.block.line).into();
         told["execution"] = event.when.execution.into();
@@ -93,6 +98,7 @@ pub(super) fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: 
         "inputs": inputs.collect::<Vec<_>>(),
         "events": events.collect::<Vec<_>>(),
         "by_hand": by_hand,
+        "probe": plan.probe(0, 0).lines().collect::<Vec<_>>(),
         "program": "programs/main.ngc",
         "after": "after.ngc",
         "linger": true,

@@ -1,11 +1,11 @@
 //! Which scenarios the controller can run.
 
 use gaugeblock_trace::scenario::{Action, Bench, OperatorEvent, Start};
-use gaugeblock_trace::{Axis, ControllerMode, Language, Machine, Program, Scenario};
+use gaugeblock_trace::{Axis, Language, Machine, Program, Scenario};
 
 use super::setup::input_pin;
 use crate::adapters::probing::instrument::LAST_PARAMETER;
-use crate::adapters::probing::source::{Form, Source, form, is_sub_file};
+use crate::adapters::probing::source::{Source, is_sub_file};
 
 /// Most digital and most analog inputs and outputs.
 const MOST_SIGNALS: u16 = 64;
@@ -27,28 +27,13 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     if let Some(event) = scenario.operator.iter().find(|event| event.when.offset > LATEST) {
         return Err(format!("an operator who waits {} s", event.when.offset));
     }
-    if enters_after_the_end(scenario) {
-        return Err(
-            "a block by hand after the program end hides the state that this left".to_owned()
-        );
-    }
-    if scenario.program.start == Start::Mdi && !scenario.operator.is_empty() {
+    let starts_something = |event: &OperatorEvent| {
+        matches!(event.action, Action::CycleStart | Action::Mode(_) | Action::Mdi(_))
+    };
+    if scenario.program.start == Start::Mdi && scenario.operator.iter().any(starts_something) {
         return Err("an operator besides the one who enters blocks".to_owned());
     }
     Ok(())
-}
-
-/// Whether a person asks for MDI mode and enters a block once the program has ended.
-fn enters_after_the_end(scenario: &Scenario) -> bool {
-    let source = Source::new(&scenario.program);
-    let at_end = |event: &&OperatorEvent| {
-        let block = &event.when.block;
-        let line = source.all().find(|(file, line, _)| source.block(*file, *line) == *block);
-        line.is_some_and(|(_, _, text)| form(text) == Form::End)
-    };
-    let mut events = scenario.operator.iter().filter(at_end);
-    events.clone().any(|event| matches!(event.action, Action::Mode(ControllerMode::Mdi)))
-        && events.any(|event| matches!(event.action, Action::Mdi(_)))
 }
 
 fn program(program: &Program) -> Result<(), String> {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use gaugeblock_trace::scenario::Budget;
 use gaugeblock_trace::{
-    Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State, Step,
+    Block, Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State, Step,
 };
 
 use super::instrument::Plan;
@@ -156,8 +156,26 @@ impl<'a> Steps<'a> {
         Ok(())
     }
 
-    /// The program runs again from its first block.
-    pub(in crate::adapters) fn restarted(&mut self, probe: &Probe) {
+    /// A block was entered by hand while no program ran.
+    ///
+    /// # Errors
+    /// A mode that is not known.
+    pub(in crate::adapters) fn entered(
+        &mut self,
+        block: Block,
+        probe: &Probe,
+        events: Vec<Event>,
+        tool: i32,
+    ) -> Result<(), HarnessError> {
+        self.tool_codes(&events);
+        let changes = self.shown(probe, tool)?.since(&self.known);
+        self.known.overlay(&changes);
+        self.taken.push(Step { block, events, state: Some(State::Rs274(changes)) });
+        Ok(())
+    }
+
+    /// The run goes on behind this probe: the program again, or the next block after one that was broken off.
+    pub(in crate::adapters) fn stands_at(&mut self, probe: &Probe) {
         self.at = Some((probe.file, probe.line));
     }
 

@@ -30,6 +30,10 @@ impl Assembly<'_> {
             self.aborted(after_end)?;
             return Ok(End::Aborted);
         }
+        if self.has_ended {
+            self.aborted(after_end)?;
+            return Ok(End::ProgramEnd);
+        }
         if self.issued.iter().any(is_end) {
             let Some(probe) = after_end else {
                 return Err(unreadable("an end whose state was not shown"));
@@ -110,7 +114,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// The run was aborted; what a probe showed afterwards.
+    /// The run was aborted, or has ended before; what a probe showed afterwards.
     fn aborted(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
         let Some(probe) = after_end else { return Ok(()) };
         let issued = std::mem::take(&mut self.issued);

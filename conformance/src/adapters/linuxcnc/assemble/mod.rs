@@ -5,14 +5,18 @@
 //! never came was read, and not executed.
 
 mod ending;
+mod entries;
 
 use std::collections::{BTreeMap, VecDeque};
 
+use gaugeblock_trace::scenario::Start;
 use gaugeblock_trace::{
     Channel, ControllerMode, Effect, End, Event, Fault, Indexed, Language, Outcome, PinChange,
     Scenario, Settings,
 };
 use serde_json::Value;
+
+use entries::Entering;
 
 use super::canon::Canon;
 use super::stream::{Issued, Item};
@@ -57,8 +61,14 @@ pub(super) struct Assembly<'a> {
     aborted: bool,
     /// Whether another mode was asked for, which a controller may take as an abort.
     asked_for_mode: bool,
+    /// Whether each line of the program is entered by hand.
+    by_hand: bool,
+    /// What the next probe has to do with a block that a person enters besides the program.
+    entering: Option<Entering>,
     /// The mode in which the program ended.
     mode_at_end: Option<ControllerMode>,
+    /// Whether its end has become a step.
+    has_ended: bool,
     /// How often the operator started the program again, and how often it was seen to begin again.
     starts: usize,
     restarts: usize,
@@ -97,6 +107,9 @@ impl<'a> Assembly<'a> {
             stopped: None,
             aborted: false,
             asked_for_mode: false,
+            by_hand: scenario.program.start == Start::Mdi,
+            entering: None,
+            has_ended: false,
             mode_at_end: None,
             starts: 0,
             restarts: 0,
@@ -168,6 +181,9 @@ impl<'a> Assembly<'a> {
             self.asked_for_mode |= action == "mode";
         } else if told.get("starts_again").is_some() {
             self.starts += 1;
+            self.has_ended = false;
+        } else if let Some(moment) = told.get("entry").and_then(Value::as_str) {
+            self.entry(moment, told);
         } else if let Some(mode) = mode(told) {
             self.steps.mode = Some(mode);
             self.issued.push(Issued::own("CONTROLLER_MODE", mode.to_string()));
@@ -216,6 +232,9 @@ impl<'a> Assembly<'a> {
     }
 
     fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
+        if let Some(entering) = self.entering.take() {
+            return self.shown_around_entry(entering, probe);
+        }
         if (probe.file, probe.line) == (0, 0)
             && self.reading_at.is_some()
             && self.restarts < self.starts
@@ -255,7 +274,13 @@ impl<'a> Assembly<'a> {
                 } else {
                     self.broken_off(events);
                 }
-                self.steps.restarted(&probe);
+                self.steps.stands_at(&probe);
+                continue;
+            }
+            if self.by_hand && std::mem::take(&mut self.aborted) {
+                // The block was broken off; the next one is entered all the same.
+                self.broken_off(events);
+                self.steps.stands_at(&probe);
                 continue;
             }
             self.steps.passed(&probe, events, self.canon.tool)?;
@@ -271,9 +296,20 @@ impl<'a> Assembly<'a> {
         probe: &Probe,
     ) -> Result<Vec<Event>, HarnessError> {
         let (file, line) = self.steps.next().unwrap_or((0, 1));
+        self.events_of(self.source.line(file, line), printed, issued, probe)
+    }
+
+    /// What a block of this text did.
+    fn events_of(
+        &mut self,
+        text: &str,
+        printed: Vec<Effect>,
+        issued: &[Issued],
+        probe: &Probe,
+    ) -> Result<Vec<Event>, HarnessError> {
         let read = self.plan.parameters.iter().position(|name| name == "5399");
         let read = read.and_then(|place| probe.parameters.get(place).copied().flatten());
-        self.canon.begin(self.source.line(file, line), probe, read);
+        self.canon.begin(text, probe, read);
         for effect in printed {
             self.canon.push(effect);
         }
@@ -287,7 +323,11 @@ impl<'a> Assembly<'a> {
         let next = self.reading_at.map(|(file, line)| (file, line + 1)).or(Some((0, 1)));
         let echo = self.trace.refused_line();
         let stderr = format!("{message}\n{}\n", echo.unwrap_or_default());
-        self.refused = Some(refusal::fault(&stderr, self.source, self.plan, next)?);
+        let mut fault = refusal::fault(&stderr, self.source, self.plan, next)?;
+        if let Some(Entering::Block { line, .. }) = &self.entering {
+            fault.block = Some(entries::block(*line));
+        }
+        self.refused = Some(fault);
         Ok(())
     }
 }
