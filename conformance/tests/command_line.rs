@@ -72,7 +72,7 @@ fn a_wrong_suite_is_told_with_its_page() {
 #[test]
 fn an_absent_controller_could_not_finish() {
     refused(&["certify", "rs274:/no/such/rs274"], 3, &["/no/such/rs274", "hint:"]);
-    refused(&["certify", "production"], 3, &["not there yet"]);
+    refused(&["certify", "exec:./adapter"], 3, &["not there yet"]);
 }
 
 #[test]
