@@ -76,6 +76,15 @@ fn an_absent_controller_could_not_finish() {
 }
 
 #[test]
+fn production_is_held_to_no_quirks() {
+    let observed = ["--edition", "rs274-2.9-observed"];
+    for command in ["certify", "fingerprint"] {
+        let call = [command, "production", observed[0], observed[1]];
+        refused(&call, 2, &["no quirk of other controllers: rs274.", "hint:"]);
+    }
+}
+
+#[test]
 fn a_report_folder_that_cannot_be_written_is_told_before_anything_runs() {
     let here = folder("report");
     let blocked = file(&here, "a-file", b"");

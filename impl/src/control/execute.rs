@@ -70,13 +70,14 @@ impl Interpreter {
             Ok(flow) => flow,
             Err(refusal) => return self.refuse(at, block.line, refusal),
         };
+        let executed = if block.bare { Executed::Comment } else { Executed::Words };
         match flow {
             Some(Flow::More) => {
-                self.done(at, block.line, Executed::Words, sink);
+                self.done(at, block.line, executed, sink);
                 Ok(Progress::More)
             }
             Some(Flow::Stopped) => {
-                self.done(at, block.line, Executed::Words, sink);
+                self.done(at, block.line, executed, sink);
                 Ok(Progress::Stopped)
             }
             Some(Flow::Ended) => self.program_end(at, block, source, sink),
@@ -149,6 +150,7 @@ impl Interpreter {
                 }
             }
         }
+        self.leave_calls();
         self.done(at, block.line, Executed::End, sink);
         Ok(Progress::Ended(End::ProgramEnd))
     }

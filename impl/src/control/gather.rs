@@ -137,6 +137,7 @@ impl Interpreter {
             end: first,
             kind: Kind::Percent,
             comment: NONE,
+            bare: false,
             refused: NONE,
             offset: place.offset,
         };
@@ -198,10 +199,10 @@ impl Interpreter {
         let mut code = Segment { file, ..Segment::default() };
         loop {
             match self.next_into(source, &mut code)? {
+                // A sub of a file is executed as far as it goes: it is refused where its endsub is missed.
+                Next::Over | Next::Percent(_) if file != 0 => break,
                 Next::Over => return Ok(Err(Bad::Endless)),
-                Next::Percent(_) if self.percent == Some(true) || file != 0 => {
-                    return Ok(Err(Bad::Endless));
-                }
+                Next::Percent(_) if self.percent == Some(true) => return Ok(Err(Bad::Endless)),
                 Next::Nothing | Next::Percent(_) => {}
                 Next::Block(Block { kind: Kind::Control(oword), line, .. }) => {
                     if oword.keyword == Keyword::Sub {

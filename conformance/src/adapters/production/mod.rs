@@ -64,6 +64,8 @@ fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     interpreter.set_block_delete(scenario.program.block_delete);
     let mut recorder = Recorder::new(&mut interpreter, Outside::new(scenario));
     let end = end(scenario, &mut interpreter, &mut recorder)?;
+    // With the run every call is over.
+    interpreter.begin();
     let parameters = interpreter.parameters().into_iter().collect();
     Ok(recorder.outcome(end, parameters))
 }

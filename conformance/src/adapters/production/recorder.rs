@@ -157,7 +157,13 @@ impl Sink for Recorder<'_> {
         let with_state = match done.executed() {
             // A pause is over, and the block with it, once somebody lets the program go on.
             Executed::Words => self.halt.is_none(),
-            Executed::End => true,
+            // A comment that says nothing is no block.
+            Executed::Comment if self.events.is_empty() => return,
+            Executed::Comment => true,
+            Executed::End => {
+                self.elsewhere |= self.state.call_level != Some(0);
+                true
+            }
             Executed::OWord => false,
             Executed::Call
             | Executed::Return

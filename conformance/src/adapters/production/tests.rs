@@ -11,10 +11,9 @@ fn outcome(scenario: &Scenario) -> Outcome {
 
 /// The end of a run in a word: its name, or the kind of its fault.
 fn ends(scenario: &Scenario) -> String {
-    match outcome(scenario).end {
-        End::Fault(fault) => fault.kind.map_or_else(String::new, |kind| kind.to_string()),
-        end => end.name().to_owned(),
-    }
+    let end = outcome(scenario).end;
+    let End::Fault(fault) = &end else { return end.name().to_owned() };
+    fault.kind.map_or_else(String::new, |kind| kind.to_string())
 }
 
 #[test]
