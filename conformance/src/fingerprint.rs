@@ -44,7 +44,8 @@ pub fn fingerprint<'a>(
     suite.choices.iter().map(of).collect()
 }
 
-fn shown(
+/// What a controller shows of one choice.
+pub fn shown(
     choice: &Choice,
     options: &Options,
     bench: Option<&str>,

@@ -1,6 +1,8 @@
 //! Where settings and effects go: the canonical commands, as a caller receives them.
 
-use gaugeblock_trace::{Effect, Position, Settings};
+use gaugeblock_trace::{Effect, FaultKind, Position, Settings};
+
+use crate::done::BlockDone;
 
 /// What receives the commands of a program, in order.
 ///
@@ -14,6 +16,12 @@ pub trait Sink {
 
     /// Performs an effect, or queues it, under the settings in force.
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply;
+
+    /// A block is done; for those who record. A refused block is never done.
+    #[inline]
+    fn block_done(&mut self, done: &mut BlockDone<'_>) {
+        let _nothing = done;
+    }
 }
 
 /// What a sink answers to an effect.
@@ -27,6 +35,9 @@ pub enum Reply {
     Input(f64),
     /// Which tool is in the spindle now; 0 for none.
     Tool(i32),
+    /// The outside says no: a user-defined code that is not there or failed, a spindle that did not reach its angle.
+    /// The block is refused with this kind.
+    Failed(FaultKind),
     /// Stop here; the interpreter stays where it is and can be stepped on or aborted.
     Stop,
 }

@@ -1,11 +1,21 @@
 //! The interpreter: program text in, settings and effects out, a block at a time.
 
-use gaugeblock_trace::{End, Machine, Options, State};
+use alloc::collections::BTreeMap;
+use alloc::string::String;
+use alloc::vec;
+use alloc::vec::Vec;
+
+use gaugeblock_trace::{End, Machine, Options, Program, Rs274State, Settings, Tool};
 
 use crate::canon::Sink;
+use crate::control::{Calculator, Cursor, Logs, Parameters, Reader, Scopes};
 use crate::error::Error;
 use crate::limits::Limits;
+use crate::modal::Modal;
+use crate::parameters::{NameId, Named, Numbered};
 use crate::source::Source;
+use crate::syntax::{Choices, Packer, Segment};
+use crate::words::Words;
 
 /// An interpreter of LinuxCNC's dialect of RS-274, with the options of a chosen edition.
 ///
@@ -13,26 +23,89 @@ use crate::source::Source;
 /// packed. In steady state a block allocates nothing.
 ///
 /// ```
-/// use gaugeblock_impl::{Error, Interpreter, Limits};
-/// use gaugeblock_trace::{Machine, Options};
+/// use gaugeblock_impl::{Interpreter, Limits, Memory, Progress, Reply, Sink};
+/// use gaugeblock_trace::{Effect, End, Machine, Options, Settings};
 ///
-/// let interpreter = Interpreter::new(Machine::default(), Options::default(), Limits::default());
-/// assert!(matches!(interpreter, Err(Error::NotYet(_))));
+/// #[derive(Default)]
+/// struct Count(u32);
+/// impl Sink for Count {
+///     fn set(&mut self, _line: u32, _changed: &Settings) {}
+///     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
+///         self.0 += u32::from(matches!(effect, Effect::StraightFeed { .. }));
+///         Reply::Done
+///     }
+/// }
+///
+/// let mut interpreter = Interpreter::new(Machine::default(), Options::default(), Limits::default())?;
+/// let mut source = Memory::new("g1 f100\n o1 repeat [3]\n x[#1] #1=[#1+1]\n o1 endrepeat\nm2\n");
+/// let mut count = Count::default();
+/// let progress = interpreter.run(&mut source, &mut count, 1000)?;
+/// assert_eq!(progress, Progress::Ended(End::ProgramEnd));
+/// assert_eq!(count.0, 3);
+/// # Ok::<(), gaugeblock_impl::Error>(())
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Interpreter {
-    machine: Machine,
-    options: Options,
-    limits: Limits,
-    state: State,
+    pub(crate) machine: Machine,
+    pub(crate) options: Options,
+    pub(crate) limits: Limits,
+    /// Names, and how lines become blocks.
+    pub(crate) packer: Packer,
+    /// Where the source stands.
+    pub(crate) reader: Reader,
+    /// Packed blocks: the line being read, a loop of the main program, numbered subprograms, then subs.
+    pub(crate) segments: Vec<Segment>,
+    /// Names of the files that were read; the main program first.
+    pub(crate) files: Vec<String>,
+    /// The next block.
+    pub(crate) cursor: Cursor,
+    /// Whether the line in the first segment has been read but not executed.
+    pub(crate) held: bool,
+    /// Whether the main program begins with a percent line; not known before its first line.
+    pub(crate) percent: Option<bool>,
+    /// How many loops of the main program have been packed.
+    pub(crate) generation: u32,
+    /// The parameters.
+    pub(crate) parameters: Parameters,
+    /// The modes.
+    pub(crate) modal: Modal,
+    pub(crate) calculator: Calculator,
+    pub(crate) words: Words,
+    /// Call levels and labels.
+    pub(crate) scopes: Scopes,
+    /// Segments of subs by label; `u32::MAX` where there is no such sub.
+    pub(crate) subs: Vec<u32>,
+    /// Numbered subprograms by label, once M98 has looked for them.
+    pub(crate) programs: Option<BTreeMap<NameId, NumberedProgram>>,
+    /// Labels of subs that M98's search has come by.
+    pub(crate) subs_ahead: Vec<NameId>,
+    /// The line of each sub of the main program.
+    pub(crate) defined_lines: BTreeMap<NameId, u32>,
+    /// Bytes of packed subs and subprograms.
+    pub(crate) packed: usize,
+    /// Open log files.
+    pub(crate) logs: Logs,
+    /// How the run ended.
+    ended: Option<Result<End, Error>>,
+}
+
+/// Where a numbered subprogram begins.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NumberedProgram {
+    /// Its first block in the segment of programs.
+    pub(crate) entry: u32,
+    /// The line of its number.
+    pub(crate) line: u32,
+    /// Whether it has been called.
+    pub(crate) called: bool,
 }
 
 /// What a step came to.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Progress {
-    /// A block was executed; there is more.
+    /// As many blocks as were asked for were executed; there is more.
     More,
-    /// The sink asked to stop, within this block; the next step goes on from there.
+    /// The sink asked to stop, within the last block; the next step goes on from there.
     Stopped,
     /// The program is over. A refused block is an [`Error::Fault`] and not an end.
     Ended(End),
@@ -42,10 +115,58 @@ impl Interpreter {
     /// An interpreter that stands before a program's first block, in the machine's initial state.
     ///
     /// # Errors
-    /// [`Error::NotYet`], always, in this version.
+    /// [`Error::Configuration`]: an option that its choice does not have, or a machine that cannot be.
     pub fn new(machine: Machine, options: Options, limits: Limits) -> Result<Self, Error> {
-        let (_machine, _options, _limits) = (machine, options, limits);
-        Err(Error::NotYet("the production interpreter"))
+        let choices = Choices::of(&options)?;
+        let mut numbered = Numbered::new();
+        // DEBUG speaks unless the program turns it off (11.4.3.1).
+        numbered.set(5599, 1.0);
+        let modal = Modal::new(&machine, &options, &mut numbered)?;
+        numbered.take_changes(|_, _| ());
+        Ok(Self {
+            packer: Packer::new(&machine, choices, &limits),
+            machine,
+            options,
+            limits,
+            reader: Reader::new(),
+            segments: vec![Segment::default(); 3],
+            files: vec![Program::MAIN.into()],
+            cursor: Cursor::MAIN,
+            held: false,
+            percent: None,
+            generation: 0,
+            parameters: Parameters {
+                numbered,
+                named: Named::new(),
+                line: 0,
+                call_level: 0,
+                drives: true,
+                value: 0.0,
+                value_returned: false,
+            },
+            modal,
+            calculator: Calculator::new(),
+            words: Words::new(),
+            scopes: Scopes::new(),
+            subs: Vec::new(),
+            programs: None,
+            subs_ahead: Vec::new(),
+            defined_lines: BTreeMap::new(),
+            packed: 0,
+            logs: Logs::default(),
+            ended: None,
+        })
+    }
+
+    /// Whether blocks that begin with a slash are skipped; they are not unless this is called before the program begins.
+    pub fn set_block_delete(&mut self, skipped: bool) {
+        self.packer.block_delete = skipped;
+    }
+
+    /// Says that this run only shows what a program would do: `#<_task>` is 0 then, by which a program can spare a preview what only a
+    /// machine can answer (11.4.3.5).
+    pub fn set_preview(&mut self, preview: bool) {
+        self.parameters.drives = !preview;
     }
 
     /// Reads and executes one block. An endless loop is a step that comes back `More`, for ever; a caller can stop it.
@@ -58,25 +179,94 @@ impl Interpreter {
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
-        let (_source, _sink) = (source, sink);
-        Err(Error::NotYet("the production interpreter"))
+        self.run(source, sink, 1)
+    }
+
+    /// Reads and executes up to so many blocks.
+    ///
+    /// # Errors
+    /// As for [`Self::step`]; all blocks before the refused one have been executed.
+    pub fn run<S: Source, K: Sink>(
+        &mut self,
+        source: &mut S,
+        sink: &mut K,
+        blocks: u64,
+    ) -> Result<Progress, Error> {
+        if let Some(ended) = &self.ended {
+            return ended.clone().map(Progress::Ended);
+        }
+        for _ in 0..blocks {
+            match self.one(source, sink) {
+                Ok(Progress::More) => {}
+                Ok(Progress::Stopped) => return Ok(Progress::Stopped),
+                Ok(Progress::Ended(end)) => {
+                    self.ended = Some(Ok(end.clone()));
+                    return Ok(Progress::Ended(end));
+                }
+                Err(error) => {
+                    self.ended = Some(Err(error.clone()));
+                    return Err(error);
+                }
+            }
+        }
+        Ok(Progress::More)
     }
 
     /// Ends the program as an operator's abort does: saved states and call levels are gone, settings are reset.
     ///
-    /// # Errors
-    /// [`Error::NotYet`], always, in this version.
-    pub fn abort<K: Sink>(&mut self, sink: &mut K) -> Result<(), Error> {
-        let _sink = sink;
-        Err(Error::NotYet("the production interpreter"))
+    /// The interpreter stands before another program's first block then, as after [`Self::begin`].
+    pub fn abort<K: Sink>(&mut self, sink: &mut K) {
+        self.modal.abort(&mut self.parameters.numbered, sink, self.parameters.line);
+        self.begin();
     }
 
-    /// The state after the last executed block.
-    pub fn state(&self) -> &State {
-        &self.state
+    /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it set stays.
+    pub fn begin(&mut self) {
+        self.leave_calls();
+        self.reader = Reader::new();
+        self.segments.truncate(3);
+        self.segments.iter_mut().for_each(Segment::clear);
+        self.files.truncate(1);
+        self.cursor = Cursor::MAIN;
+        self.held = false;
+        self.percent = None;
+        self.scopes = Scopes::new();
+        self.subs.clear();
+        self.programs = None;
+        self.subs_ahead.clear();
+        self.defined_lines.clear();
+        self.packed = 0;
+        self.parameters.value = 0.0;
+        self.parameters.value_returned = false;
+        self.logs = Logs::default();
+        self.modal.begin();
+        self.ended = None;
     }
 
-    /// The machine as the program has changed it: stored parameters, tool table.
+    /// Settings in force.
+    pub fn settings(&self) -> Settings {
+        self.modal.settings()
+    }
+
+    /// The state after the last executed block, without parameters.
+    pub fn state(&self) -> Rs274State {
+        let mut state = self.modal.state();
+        state.call_level = Some(self.parameters.call_level);
+        state
+    }
+
+    /// All numbered parameters that are not zero, in ascending order.
+    pub fn parameters(&mut self) -> Vec<(u32, f64)> {
+        self.modal.publish(&mut self.parameters.numbered);
+        self.parameters.numbered.not_zero().collect()
+    }
+
+    /// The tool table as the program has changed it.
+    pub fn tools(&self) -> &[Tool] {
+        self.modal.tools()
+    }
+
+    /// The machine as it was at the beginning.
     pub fn machine(&self) -> &Machine {
         &self.machine
     }
@@ -90,4 +280,10 @@ impl Interpreter {
     pub fn limits(&self) -> Limits {
         self.limits
     }
+}
+
+/// A segment by its number.
+#[inline]
+pub(crate) fn segment(segments: &[Segment], number: u32) -> Option<&Segment> {
+    usize::try_from(number).ok().and_then(|number| segments.get(number))
 }

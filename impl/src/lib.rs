@@ -5,13 +5,35 @@
 //! Segment ─► Planner ─► OutputParameter    canonical moves to servo samples, a cycle at a time
 //! ```
 //!
-//! **State of this crate:** the interface stands, [`Interpreter::new`] and [`Planner::new`] answer [`Error::NotYet`].
+//! How a program flows through the interpreter:
+//!
+//! ```text
+//! Source      bytes, as many as lie ready
+//!   reader      lines, in place                                     control/reader
+//!   packer      a line becomes a block of operations, once          syntax/
+//!   segment     blocks that can run again lie together, packed      syntax/packed, control/gather
+//!   calculator  operations become words and settings of parameters  control/evaluate, parameters/
+//!   control     o-words, calls, M98, M99: which block comes next    control/
+//!   modal       words become settings and effects, in order         modal/
+//! Sink        settings, effects, and a look at each block when it is done
+//! ```
+//!
+//! A block of the main program is packed, executed and forgotten. A loop is packed when its head is executed, a sub when its definition is, the
+//! numbered subprograms when M98 first looks for them. What cannot be packed is kept as a block that is refused when it is executed, because
+//! the documents refuse blocks and not programs.
+//!
+//! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes and straight moves; codes of a
+//! later round end a run as [`gaugeblock_trace::End::Unsupported`]. [`Planner::new`] answers [`Error::NotYet`].
 //!
 //! **Invariants.**
 //! * It is written from the documents, without reading the reference model, and shares only the vocabulary with it.
 //! * It has no `std`: there is no clock, no file, no environment and no thread to reach for.
 //! * It never panics, on any program; the lints below refuse what could.
-//! * A step of the interpreter is one block at most and a cycle of the planner is bounded, so that a caller can always stop.
+//! * A step of the interpreter is one block at most, and skips or packs no more than the text once; a cycle of the planner is bounded. A caller
+//!   can always stop.
+//! * In steady state a block allocates nothing, unless it shows a message. Memory is bounded by [`Limits`], whatever the length of the program.
+//! * Where a program is cut into pieces by its source changes nothing.
+//! * Names are looked up when a block is packed, and never when it runs.
 #![no_std]
 #![cfg_attr(
     not(test),
@@ -31,15 +53,25 @@
 extern crate alloc;
 
 mod canon;
+mod control;
+mod done;
 mod error;
 mod interpret;
 mod limits;
+mod math;
+mod modal;
+mod parameters;
 pub mod plan;
 mod source;
+mod syntax;
+#[cfg(test)]
+mod tests;
+mod words;
 
 pub use canon::{Reply, Sink};
+pub use done::{BlockDone, Executed};
 pub use error::Error;
 pub use interpret::{Interpreter, Progress};
 pub use limits::{Limit, Limits};
 pub use plan::Planner;
-pub use source::{Line, Source, Unreadable};
+pub use source::{Memory, Source, Unreadable};

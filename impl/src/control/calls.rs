@@ -1,0 +1,329 @@
+//! Calls and returns: by o-words (11.7.4, 11.7.9, 11.7.10), and by M98 and M99 (11.7.4.1).
+
+use gaugeblock_trace::{End, FaultKind};
+
+use crate::canon::Sink;
+use crate::control::flow::{Halt, refuse};
+use crate::control::{Cursor, Frame, FrameKind, PROGRAMS, STREAM};
+use crate::done::Executed;
+use crate::error::Error;
+use crate::interpret::{Interpreter, Progress};
+use crate::math;
+use crate::modal::Refusal;
+use crate::parameters::NameId;
+use crate::source::Source;
+use crate::syntax::packed::{Block, Keyword, NONE, OWord};
+
+/// Deepest nesting of calls (11.7.4).
+const LEVELS: usize = 10;
+/// Letters that M98 takes.
+const P_AND_L: u32 = 1 << (b'P' - b'A') | 1 << (b'L' - b'A');
+
+impl Interpreter {
+    /// The segment of a sub.
+    #[inline]
+    fn segment_of(&self, label: NameId) -> Option<u32> {
+        let place = usize::try_from(label).ok()?;
+        self.subs.get(place).copied().filter(|segment| *segment != NONE)
+    }
+
+    fn set_segment(&mut self, label: NameId, segment: u32) {
+        let Ok(place) = usize::try_from(label) else { return };
+        if self.subs.len() <= place {
+            self.subs.resize(place.saturating_add(1), NONE);
+        }
+        if let Some(slot) = self.subs.get_mut(place) {
+            *slot = segment;
+        }
+    }
+
+    /// A sub begins: its body is packed, and execution goes on behind it.
+    pub(crate) fn sub<S: Source>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<(), Halt> {
+        if at.segment != STREAM {
+            return refuse(FaultKind::NestedSub, "a sub within a sub");
+        }
+        if self.defined_lines.get(&label) == Some(&block.line) {
+            // A jump back has come by here before.
+            return Ok(self.skip_sub(label, source)?);
+        }
+        if self.segment_of(label).is_some() {
+            return refuse(FaultKind::DuplicateSub, "the sub is defined twice");
+        }
+        let segment = self.sub_of_main(block, label, source)?;
+        self.defined_lines.insert(label, block.line);
+        self.set_segment(label, segment);
+        Ok(())
+    }
+
+    /// A sub that lies among packed blocks is defined when it is come by.
+    pub(crate) fn define_sub(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        label: NameId,
+        segment: u32,
+    ) -> Result<(), Error> {
+        match self.segment_of(label) {
+            Some(defined) if defined == segment => Ok(()),
+            Some(_) if self.defined_lines.get(&label) == Some(&block.line) => Ok(()),
+            Some(_) => {
+                let message = "the sub is defined twice".into();
+                Err(self.fault(at.segment, block.line, FaultKind::DuplicateSub, message, None))
+            }
+            None => {
+                self.defined_lines.insert(label, block.line);
+                self.set_segment(label, segment);
+                Ok(())
+            }
+        }
+    }
+
+    /// `call`, with arguments.
+    pub(crate) fn call<S: Source>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        oword: OWord,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<(), Halt> {
+        let segment = match self.segment_of(label) {
+            Some(segment) => segment,
+            None => self.find_sub(label, source)?,
+        };
+        self.values(at, block, oword)?;
+        let entry = Cursor { segment, place: 0 };
+        self.enter(entry, FrameKind::Sub, label)?;
+        for (number, value) in (1_u32..).zip(self.calculator.stack.iter()) {
+            self.parameters.numbered.set(number, *value);
+        }
+        self.parameters.value = 0.0;
+        self.parameters.value_returned = false;
+        Ok(())
+    }
+
+    /// A sub that has not been defined: in a file of its name, or in the other style.
+    #[cold]
+    fn find_sub<S: Source>(&mut self, label: NameId, source: &mut S) -> Result<u32, Halt> {
+        let mixed = "this number begins a numbered program, which M98 calls";
+        if self.programs.as_ref().is_some_and(|programs| programs.contains_key(&label)) {
+            return refuse(FaultKind::MixedStyles, mixed);
+        }
+        if let Some(segment) = self.sub_of_file(label, source)? {
+            self.set_segment(label, segment);
+            return Ok(segment);
+        }
+        let known = self.programs.is_some();
+        if !known
+            && self.gather_programs(source)?
+            && self.programs.as_ref().is_some_and(|programs| programs.contains_key(&label))
+        {
+            return refuse(FaultKind::MixedStyles, mixed);
+        }
+        refuse(FaultKind::UnknownSub, "there is no such sub before this call, and no such file")
+    }
+
+    /// Opens a call level.
+    fn enter(&mut self, entry: Cursor, kind: FrameKind, label: NameId) -> Result<(), Halt> {
+        let most = usize::try_from(self.limits.call_depth).unwrap_or(LEVELS).min(LEVELS);
+        if self.scopes.frames.len() >= most {
+            return refuse(FaultKind::TooManyLevels, "calls are nested too deep");
+        }
+        let shared = self.packer.choices.locals_shared && kind != FrameKind::Sub;
+        let named = &mut self.parameters.named;
+        let mark = if shared { named.share() } else { named.enter() };
+        let frame = Frame {
+            kind,
+            label,
+            back: self.cursor,
+            arguments: self.parameters.numbered.arguments(),
+            mark,
+            definitions: self.scopes.definitions(),
+        };
+        self.scopes.frames.push(frame);
+        self.parameters.call_level = self.parameters.call_level.saturating_add(1);
+        self.modal.enter_call();
+        self.cursor = entry;
+        Ok(())
+    }
+
+    /// Closes the innermost call level.
+    fn leave_level<K: Sink>(&mut self, frame: &Frame, line: u32, sink: &mut K) {
+        self.modal.leave_call(&mut self.parameters.numbered, sink, line);
+        self.parameters.named.leave(frame.mark);
+        self.scopes.forget_definitions(frame.definitions);
+        self.scopes.frames.pop();
+        self.parameters.call_level = self.parameters.call_level.saturating_sub(1);
+    }
+
+    /// The run is over, and with it every call: `#1` to `#30` and local names are those of the main program, which numbered
+    /// subprograms share. Nothing is restored besides: that is for a return (11.6.22).
+    pub(crate) fn leave_calls(&mut self) {
+        let first = self.scopes.frames.iter().find(|frame| frame.kind == FrameKind::Sub);
+        if let Some(arguments) = first.map(|frame| frame.arguments) {
+            self.parameters.numbered.set_arguments(&arguments);
+        }
+        while let Some(frame) = self.scopes.frames.pop() {
+            self.parameters.named.leave(frame.mark);
+        }
+        self.parameters.call_level = 0;
+    }
+
+    /// `return` and `endsub`, with a value or without.
+    pub(crate) fn leave_sub<K: Sink>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        oword: OWord,
+        label: NameId,
+        sink: &mut K,
+    ) -> Result<(), Halt> {
+        let Some(frame) = self.scopes.frames.last().copied() else {
+            return refuse(FaultKind::OutsideSub, "no sub is being executed");
+        };
+        if frame.kind != FrameKind::Sub {
+            return refuse(FaultKind::MixedStyles, "a numbered program ends with M99");
+        }
+        let own = oword.keyword == Keyword::EndSub || self.packer.choices.return_own;
+        if own && label != frame.label {
+            return refuse(FaultKind::UnknownLabel, "this is not the number of the sub");
+        }
+        self.values(at, block, oword)?;
+        let value = self.calculator.stack.first().copied();
+        self.parameters.value = value.unwrap_or(0.0);
+        self.parameters.value_returned = value.is_some();
+        self.leave_level(&frame, block.line, sink);
+        self.parameters.numbered.set_arguments(&frame.arguments);
+        self.cursor = frame.back;
+        Ok(())
+    }
+
+    /// A block with M98 or M99.
+    pub(crate) fn numbered_call<S: Source, K: Sink>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        source: &mut S,
+        sink: &mut K,
+    ) -> Result<Progress, Error> {
+        let (executed, result) = if self.words.has_m(98) {
+            (Executed::NumberedCall, self.call_numbered(block, source))
+        } else {
+            (Executed::NumberedReturn, self.return_numbered(block, sink))
+        };
+        match result {
+            Ok(progress) => {
+                self.done(at, block.line, executed, sink);
+                Ok(progress)
+            }
+            Err(Halt::Refusal(refusal)) => self.refuse(at, block.line, refusal),
+            Err(Halt::Error(error)) => Err(error),
+        }
+    }
+
+    /// Refuses a block that has other words than M98 or M99 and the letters that it takes.
+    fn check_alone(&self, letters: u32) -> Result<(), Halt> {
+        if !self.machine.fanuc_subs {
+            return refuse(FaultKind::FanucDisabled, "M98 and M99 are disabled");
+        }
+        let words = &self.words;
+        if words.g_count != 0 || words.m_count != 1 {
+            return refuse(FaultKind::BadBlock, "another code in a block with M98 or M99");
+        }
+        let signs = words.dollar.is_some() || words.at.is_some() || words.caret.is_some();
+        if words.present & !letters != 0 || signs {
+            return refuse(FaultKind::UnusedWord, "a word that M98 or M99 does not use");
+        }
+        Ok(())
+    }
+
+    /// M98 P L.
+    fn call_numbered<S: Source>(
+        &mut self,
+        block: &Block,
+        source: &mut S,
+    ) -> Result<Progress, Halt> {
+        self.check_alone(P_AND_L)?;
+        let Some(number) = self.words.get(b'P') else {
+            return refuse(FaultKind::MissingWord, "M98 needs P");
+        };
+        let number = count(number)?;
+        let turns = count(self.words.get(b'L').unwrap_or(1.0))?;
+        if turns == 0 {
+            return Ok(Progress::More);
+        }
+        let label = self.packer.computed_label(number);
+        let entry = self.find_program(label, block, source)?;
+        let kind = FrameKind::Numbered { left: turns.saturating_sub(1), entry };
+        self.enter(Cursor { segment: PROGRAMS, place: entry }, kind, label)?;
+        if !self.packer.choices.value_kept {
+            self.parameters.value = 0.0;
+            self.parameters.value_returned = false;
+        }
+        Ok(Progress::More)
+    }
+
+    /// Where a numbered subprogram begins; it must follow the call.
+    fn find_program<S: Source>(
+        &mut self,
+        label: NameId,
+        block: &Block,
+        source: &mut S,
+    ) -> Result<u32, Halt> {
+        let mixed = "this number is that of a sub, which an o-word calls";
+        if self.segment_of(label).is_some() {
+            return refuse(FaultKind::MixedStyles, mixed);
+        }
+        if !self.gather_programs(source)? {
+            let what = "M98 in a source that cannot go back";
+            return Err(Halt::Refusal(Refusal::Unsupported(what.into())));
+        }
+        let call_itself = self.packer.choices.call_itself;
+        let found = self.programs.as_mut().and_then(|programs| programs.get_mut(&label));
+        match found {
+            Some(program) if program.line > block.line || program.called && call_itself => {
+                program.called = true;
+                Ok(program.entry)
+            }
+            None if self.subs_ahead.contains(&label) => refuse(FaultKind::MixedStyles, mixed),
+            Some(_) | None => {
+                refuse(FaultKind::UnknownSub, "no such numbered program follows this call")
+            }
+        }
+    }
+
+    /// M99: the next turn, back to the caller, or, in the main program, for ever from the beginning.
+    fn return_numbered<K: Sink>(&mut self, block: &Block, sink: &mut K) -> Result<Progress, Halt> {
+        self.check_alone(0)?;
+        let Some(frame) = self.scopes.frames.last().copied() else {
+            return Ok(Progress::Ended(End::Endless));
+        };
+        let FrameKind::Numbered { left, entry } = frame.kind else {
+            return refuse(FaultKind::MixedStyles, "a sub ends with endsub");
+        };
+        self.leave_level(&frame, block.line, sink);
+        self.cursor = frame.back;
+        if let Some(left) = left.checked_sub(1) {
+            let kind = FrameKind::Numbered { left, entry };
+            self.enter(Cursor { segment: PROGRAMS, place: entry }, kind, frame.label)?;
+        }
+        Ok(Progress::More)
+    }
+}
+
+/// A number of a program or of turns.
+fn count(value: f64) -> Result<u64, Halt> {
+    let Some(number) = math::near_integer(value) else {
+        return refuse(FaultKind::NotAnInteger, "P and L of M98 are integers");
+    };
+    match u64::try_from(number) {
+        Ok(number) => Ok(number),
+        Err(_) => refuse(FaultKind::WordOutOfRange, "P and L of M98 are not negative"),
+    }
+}

@@ -1,0 +1,283 @@
+//! The machine that runs a block's operations: numbers in, words and settings out.
+
+use alloc::vec::Vec;
+
+use gaugeblock_trace::FaultKind;
+
+use crate::modal::{Modal, Refusal};
+use crate::parameters::{NameId, Named, Numbered, Own};
+use crate::syntax::packed::Op;
+use crate::syntax::{Packer, arithmetic, code_number, is_position, parameter_number};
+use crate::words::Words;
+
+/// The version of the manual, as `_vmajor` tells it.
+const VERSION: f64 = 2.9;
+
+/// All parameters.
+#[derive(Clone, Debug)]
+pub(crate) struct Parameters {
+    /// `#1` and so on.
+    pub(crate) numbered: Numbered,
+    /// `#<name>`.
+    pub(crate) named: Named,
+    /// `_line`.
+    pub(crate) line: u32,
+    /// `_call_level`.
+    pub(crate) call_level: u32,
+    /// `_task`: whether the interpreter drives a machine.
+    pub(crate) drives: bool,
+    /// `_value`.
+    pub(crate) value: f64,
+    /// `_value_returned`.
+    pub(crate) value_returned: bool,
+}
+
+impl Parameters {
+    /// What the interpreter tells of itself.
+    pub(crate) fn own(&self, name: Own) -> f64 {
+        match name {
+            Own::Line => f64::from(self.line),
+            Own::Value => self.value,
+            Own::ValueReturned => f64::from(u8::from(self.value_returned)),
+            Own::CallLevel => f64::from(self.call_level),
+            Own::Task => f64::from(u8::from(self.drives)),
+            Own::RemapLevel | Own::VersionMinor => 0.0,
+            Own::VersionMajor => VERSION,
+        }
+    }
+
+    /// A numbered parameter, also one that the modes keep.
+    #[inline]
+    pub(crate) fn numbered(&self, number: u16, modal: &Modal) -> f64 {
+        let number = u32::from(number);
+        match modal.numbered(number) {
+            Some(value) => value,
+            None => self.numbered.get(number),
+        }
+    }
+}
+
+/// A parameter that a block sets when all its values have been found (11.4.3.1).
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Setting {
+    /// By number.
+    Numbered(u16, f64),
+    /// A local one.
+    Local(NameId, f64),
+    /// A global one.
+    Global(NameId, f64),
+}
+
+/// The stack, and what waits for the end of the block's evaluation.
+#[derive(Clone, Debug)]
+pub(crate) struct Calculator {
+    /// What the operations pushed and nothing took: a label, a condition, arguments.
+    pub(crate) stack: Vec<f64>,
+    /// Settings in the order of writing.
+    pub(crate) settings: Vec<Setting>,
+}
+
+impl Calculator {
+    /// With room for every line that the documents allow.
+    pub(crate) fn new() -> Self {
+        Self { stack: Vec::with_capacity(256), settings: Vec::with_capacity(128) }
+    }
+
+    /// Makes it ready for a block.
+    #[inline]
+    pub(crate) fn clear(&mut self) {
+        self.stack.clear();
+        self.settings.clear();
+    }
+
+    #[inline]
+    fn pop(&mut self) -> f64 {
+        self.stack.pop().unwrap_or(0.0)
+    }
+
+    /// Puts the settings into force.
+    #[inline]
+    pub(crate) fn apply(&mut self, parameters: &mut Parameters) {
+        for setting in self.settings.drain(..) {
+            match setting {
+                Setting::Numbered(number, value) => {
+                    parameters.numbered.set(u32::from(number), value);
+                }
+                Setting::Local(id, value) => parameters.named.set_local(id, value),
+                Setting::Global(id, value) => parameters.named.set_global(id, value),
+            }
+        }
+    }
+
+    /// Runs operations. Words go to `words`, settings wait, and what else was pushed stays on the stack.
+    ///
+    /// # Errors
+    /// A value that there is not.
+    #[expect(clippy::wildcard_enum_match_arm, reason = "the others are matched in `rare`")]
+    pub(crate) fn run(
+        &mut self,
+        ops: &[Op],
+        parameters: &Parameters,
+        modal: &Modal,
+        packer: &Packer,
+        words: &mut Words,
+    ) -> Result<(), Refusal> {
+        let choices = &packer.choices;
+        for op in ops {
+            match *op {
+                Op::WordNumber(letter, value) => words.set(letter, value),
+                Op::GCode(code) => push_g(words, code)?,
+                Op::MCode(code) => push_m(words, code)?,
+                Op::Number(value) => self.stack.push(value),
+                Op::Numbered(number) => {
+                    self.stack.push(parameters.numbered.get(u32::from(number)));
+                }
+                Op::BinaryNumber(operator, right) => {
+                    let left = self.pop();
+                    let result =
+                        arithmetic::binary(operator, left, right, choices).map_err(wrong)?;
+                    self.stack.push(result);
+                }
+                Op::BinaryNumbered(operator, number) => {
+                    let right = parameters.numbered.get(u32::from(number));
+                    let left = self.pop();
+                    let result =
+                        arithmetic::binary(operator, left, right, choices).map_err(wrong)?;
+                    self.stack.push(result);
+                }
+                Op::Binary(operator) => {
+                    let right = self.pop();
+                    let left = self.pop();
+                    let result =
+                        arithmetic::binary(operator, left, right, choices).map_err(wrong)?;
+                    self.stack.push(result);
+                }
+                Op::Word(letter) => {
+                    let value = self.pop();
+                    words.set(letter, value);
+                }
+                Op::WordNumbered(letter, number) => {
+                    words.set(letter, parameters.numbered.get(u32::from(number)));
+                }
+                Op::SetNumbered(number) => {
+                    let value = self.pop();
+                    self.settings.push(Setting::Numbered(number, value));
+                }
+                Op::SetLocal(id) => {
+                    let value = self.pop();
+                    self.settings.push(Setting::Local(id, value));
+                }
+                Op::SetGlobal(id) => {
+                    let value = self.pop();
+                    self.settings.push(Setting::Global(id, value));
+                }
+                Op::Local(id) => match parameters.named.local(id) {
+                    Some(value) => self.stack.push(value),
+                    None => return Err(no_such(packer.names.name(id))),
+                },
+                Op::Global(id) => match parameters.named.global(id) {
+                    Some(value) => self.stack.push(value),
+                    None if choices.absent_zero => self.stack.push(0.0),
+                    None => return Err(no_such(packer.names.name(id))),
+                },
+                Op::Function(function) => {
+                    let value = self.pop();
+                    let result = arithmetic::function(function, value, choices).map_err(wrong)?;
+                    self.stack.push(result);
+                }
+                _ => self.rare(op, parameters, modal, packer, words)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// The operations that hardly a block has.
+    #[expect(clippy::wildcard_enum_match_arm, reason = "the others are matched in `run`")]
+    fn rare(
+        &mut self,
+        op: &Op,
+        parameters: &Parameters,
+        modal: &Modal,
+        packer: &Packer,
+        words: &mut Words,
+    ) -> Result<(), Refusal> {
+        match *op {
+            Op::Mode(name) => self.stack.push(modal.named(name)),
+            Op::Own(name) => self.stack.push(parameters.own(name)),
+            Op::Negate => {
+                let value = self.pop();
+                self.stack.push(-value);
+            }
+            Op::Indirect => {
+                let number = parameter_number(self.pop()).map_err(wrong)?;
+                self.stack.push(if is_position(number) {
+                    parameters.numbered(number, modal)
+                } else {
+                    parameters.numbered.get(u32::from(number))
+                });
+            }
+            Op::Arctangent => {
+                let x = self.pop();
+                let y = self.pop();
+                self.stack.push(arithmetic::arctangent(y, x, &packer.choices));
+            }
+            Op::ExistsLocal(id) => self.push_truth(parameters.named.local(id).is_some()),
+            Op::ExistsGlobal(id) => self.push_truth(parameters.named.global(id).is_some()),
+            Op::Absent => return Err(no_such("of this INI entry or pin")),
+            Op::G => match code_number(self.pop() * 10.0, 999) {
+                Some(code) => push_g(words, code)?,
+                None => return Err(Refusal::fault(FaultKind::UnknownCode, "no such G code")),
+            },
+            Op::M => match code_number(self.pop(), u16::MAX) {
+                Some(code) => push_m(words, code)?,
+                None => return Err(Refusal::fault(FaultKind::UnknownCode, "no such M code")),
+            },
+            Op::Dollar => words.dollar = Some(self.pop()),
+            Op::At => words.at = Some(self.pop()),
+            Op::Caret => words.caret = Some(self.pop()),
+            Op::SetIndirect => {
+                let value = self.pop();
+                let number = parameter_number(self.pop()).map_err(wrong)?;
+                if packer.is_read_only(number) {
+                    return Err(Refusal::fault(
+                        FaultKind::ReadOnlyParameter,
+                        "this parameter is read-only",
+                    ));
+                }
+                self.settings.push(Setting::Numbered(number, value));
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn push_truth(&mut self, holds: bool) {
+        self.stack.push(f64::from(u8::from(holds)));
+    }
+}
+
+#[inline]
+fn push_g(words: &mut Words, code: u16) -> Result<(), Refusal> {
+    if words.push_g(code) {
+        return Ok(());
+    }
+    Err(Refusal::fault(FaultKind::ModalConflict, "more G codes than there are modal groups"))
+}
+
+#[inline]
+fn push_m(words: &mut Words, code: u16) -> Result<(), Refusal> {
+    if words.push_m(code) {
+        return Ok(());
+    }
+    Err(Refusal::fault(FaultKind::TooManyMCodes, "a block has at most four M codes"))
+}
+
+#[cold]
+fn wrong((kind, message): arithmetic::Wrong) -> Refusal {
+    Refusal::fault(*kind, *message)
+}
+
+#[cold]
+fn no_such(name: &str) -> Refusal {
+    Refusal::fault(FaultKind::NoSuchParameter, alloc::format!("there is no parameter {name}"))
+}

@@ -1,0 +1,239 @@
+//! The loop: the next block is found, evaluated, and handed on.
+
+use gaugeblock_trace::{End, FaultKind, Program};
+
+use crate::canon::Sink;
+use crate::control::{Cursor, LOOP, STREAM, View};
+use crate::done::{BlockDone, Executed};
+use crate::error::Error;
+use crate::interpret::{Interpreter, Progress, segment};
+use crate::modal::{Flow, Refusal};
+use crate::source::Source;
+use crate::syntax::packed::{Block, Kind, NONE};
+use crate::syntax::{PercentAlone, Taken};
+
+impl Interpreter {
+    /// Finds and executes one block.
+    #[inline]
+    pub(crate) fn one<S: Source, K: Sink>(
+        &mut self,
+        source: &mut S,
+        sink: &mut K,
+    ) -> Result<Progress, Error> {
+        loop {
+            let at = self.cursor;
+            if at.segment == STREAM && !self.held {
+                if let Some(end) = self.read_block(source)? {
+                    return Ok(Progress::Ended(end));
+                }
+                self.held = true;
+                continue;
+            }
+            let block = segment(&self.segments, at.segment).and_then(|code| code.block(at.place));
+            let Some(block) = block.copied() else {
+                // A segment is over; the last blocks of subs are ends of subs, so this is a loop or the last subprogram.
+                if at.segment == LOOP {
+                    self.cursor = Cursor::MAIN;
+                    continue;
+                }
+                return Err(self.file_ended());
+            };
+            self.held = false;
+            self.cursor = if at.segment == STREAM { at } else { at.after() };
+            self.parameters.line = block.line;
+            if block.refused != NONE {
+                return Err(self.refused(at, &block));
+            }
+            return match block.kind {
+                Kind::Plain => self.plain(at, &block, source, sink),
+                Kind::Control(oword) => self.control(at, &block, oword, source, sink),
+                Kind::Definition { label, segment } => {
+                    self.define_sub(at, &block, label, segment)?;
+                    self.done(at, block.line, Executed::OWord, sink);
+                    Ok(Progress::More)
+                }
+                Kind::Percent => Ok(Progress::Ended(End::PercentEnd)),
+            };
+        }
+    }
+
+    /// Executes a block of words, settings and comments.
+    #[inline]
+    fn plain<S: Source, K: Sink>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        source: &mut S,
+        sink: &mut K,
+    ) -> Result<Progress, Error> {
+        let flow = match self.evaluate_plain(at, block, sink) {
+            Ok(flow) => flow,
+            Err(refusal) => return self.refuse(at, block.line, refusal),
+        };
+        let executed = if block.bare { Executed::Comment } else { Executed::Words };
+        match flow {
+            Some(Flow::More) => {
+                self.done(at, block.line, executed, sink);
+                Ok(Progress::More)
+            }
+            Some(Flow::Stopped) => {
+                self.done(at, block.line, executed, sink);
+                Ok(Progress::Stopped)
+            }
+            Some(Flow::Ended) => self.program_end(at, block, source, sink),
+            None => self.numbered_call(at, block, source, sink),
+        }
+    }
+
+    /// Evaluates such a block and hands its words to the modes; `None` where they are M98 or M99.
+    #[inline]
+    fn evaluate_plain<K: Sink>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        sink: &mut K,
+    ) -> Result<Option<Flow>, Refusal> {
+        let Some(code) = segment(&self.segments, at.segment) else { return Ok(Some(Flow::More)) };
+        self.words.clear(block.line);
+        self.calculator.clear();
+        self.calculator.run(
+            code.ops_of(block),
+            &self.parameters,
+            &self.modal,
+            &self.packer,
+            &mut self.words,
+        )?;
+        let mut stopped = false;
+        if block.comment == NONE {
+            self.calculator.apply(&mut self.parameters);
+        } else {
+            if !self.packer.choices.message_old {
+                self.calculator.apply(&mut self.parameters);
+            }
+            let view = View {
+                parameters: &self.parameters,
+                modal: &self.modal,
+                packer: &self.packer,
+                segment: code,
+            };
+            let comment = usize::try_from(block.comment).ok();
+            if let Some(comment) = comment.and_then(|place| code.comments.get(place)) {
+                stopped = self.logs.perform(*comment, view, block.line, sink)?;
+            }
+            self.calculator.apply(&mut self.parameters);
+        }
+        if self.words.is_empty() {
+            return Ok(Some(if stopped { Flow::Stopped } else { Flow::More }));
+        }
+        if self.words.m_count != 0 && (self.words.has_m(98) || self.words.has_m(99)) {
+            return Ok(None);
+        }
+        let flow = self.modal.execute(&self.words, &mut self.parameters.numbered, sink)?;
+        Ok(Some(if stopped && flow == Flow::More { Flow::Stopped } else { flow }))
+    }
+
+    /// M2 or M30: the end, unless the file must have a second percent line.
+    fn program_end<S: Source, K: Sink>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        source: &mut S,
+        sink: &mut K,
+    ) -> Result<Progress, Error> {
+        if self.packer.choices.percent_needed && self.percent == Some(true) {
+            loop {
+                let percent = self.reader.next(source, |line, _| crate::syntax::is_percent(line));
+                match percent? {
+                    Some(true) => break,
+                    Some(false) => {}
+                    None => return Err(self.file_ended()),
+                }
+            }
+        }
+        self.leave_calls();
+        self.done(at, block.line, Executed::End, sink);
+        Ok(Progress::Ended(End::ProgramEnd))
+    }
+
+    /// Reads the next block of the main program into [`STREAM`]; the end where the file is over.
+    #[inline]
+    pub(crate) fn read_block<S: Source>(&mut self, source: &mut S) -> Result<Option<End>, Error> {
+        loop {
+            let Self { reader, segments, packer, .. } = self;
+            let Some(code) = segments.first_mut() else { return Ok(None) };
+            code.clear();
+            let taken = reader.next(source, |line, place| {
+                let taken = packer.pack(line, place, code);
+                (taken, place, taken == Taken::Nothing && line.trim_ascii().is_empty())
+            })?;
+            if packer.beyond.is_some() || packer.names.len() != self.parameters.named.covered() {
+                self.after_packing(STREAM)?;
+            }
+            match taken {
+                Some((Taken::Block, ..)) => {
+                    if self.percent.is_none() {
+                        self.percent = Some(false);
+                    }
+                    return Ok(None);
+                }
+                Some((Taken::Nothing, _, blank)) => {
+                    if !blank && self.percent.is_none() {
+                        self.percent = Some(false);
+                    }
+                }
+                Some((Taken::Percent, place, _)) => {
+                    if let Some(end) = self.percent_line(place.line)? {
+                        return Ok(Some(end));
+                    }
+                }
+                None => return Err(self.file_ended()),
+            }
+        }
+    }
+
+    /// A line that holds a percent sign only (11.4.1): it begins the file, ends it, or belongs nowhere.
+    pub(crate) fn percent_line(&mut self, line: u32) -> Result<Option<End>, Error> {
+        match (self.percent, self.packer.choices.percent_alone) {
+            (None, _) => {
+                self.percent = Some(true);
+                Ok(None)
+            }
+            (Some(true), _) | (Some(false), PercentAlone::Ends) => Ok(Some(End::PercentEnd)),
+            (Some(false), PercentAlone::Ignored) => Ok(None),
+            (Some(false), PercentAlone::Refused) => {
+                let message = "a percent line in a file that does not begin with one";
+                Err(self.fault(STREAM, line, FaultKind::BadCharacter, message.into(), None))
+            }
+        }
+    }
+
+    /// Makes room for names that a line brought, and tells when there are too many.
+    pub(crate) fn after_packing(&mut self, segment: u32) -> Result<(), Error> {
+        self.parameters.named.cover(&self.packer.names);
+        match self.packer.beyond.take() {
+            Some(limit) => Err(self.beyond(segment, limit)),
+            None => Ok(()),
+        }
+    }
+
+    /// Tells the sink that a block is done.
+    #[inline]
+    pub(crate) fn done<K: Sink>(
+        &mut self,
+        at: Cursor,
+        line: u32,
+        executed: Executed,
+        sink: &mut K,
+    ) {
+        let file = segment(&self.segments, at.segment).map_or(0, |code| code.file);
+        let file = usize::try_from(file).ok().and_then(|file| self.files.get(file));
+        sink.block_done(&mut BlockDone {
+            file: file.map_or(Program::MAIN, |file| file),
+            line,
+            executed,
+            parameters: &mut self.parameters,
+            modal: &self.modal,
+            names: &self.packer.names,
+        });
+    }
+}

@@ -1,0 +1,412 @@
+//! What can run again is packed whole: loops, subs, files, numbered subprograms.
+
+use alloc::collections::BTreeMap;
+use alloc::string::String;
+
+use gaugeblock_trace::{End, FaultKind};
+
+use crate::control::flow::Halt;
+use crate::control::{Cursor, Definition, LOOP, PROGRAMS, Reader, STREAM};
+use crate::error::Error;
+use crate::interpret::{Interpreter, NumberedProgram};
+use crate::limits::Limit;
+use crate::parameters::NameId;
+use crate::source::Source;
+use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord, Op};
+use crate::syntax::{LinePlace, Refused, Segment, Taken, is_oword, is_percent};
+
+/// Bytes that a label takes beside its characters.
+const LABEL: usize = 32;
+
+/// What the next line of a file was.
+enum Next {
+    /// A block, the last one of the segment now.
+    Block(Block),
+    /// Nothing that counts.
+    Nothing,
+    /// A percent line.
+    Percent(LinePlace),
+    /// The file is over.
+    Over,
+}
+
+/// A sub that cannot be packed.
+enum Bad {
+    /// Another one begins within it, at this line.
+    Nested(u32),
+    /// It does not end.
+    Endless,
+}
+
+impl Interpreter {
+    /// Reads the next line into a segment.
+    fn next_into<S: Source>(&mut self, source: &mut S, into: &mut Segment) -> Result<Next, Error> {
+        self.next_of(source, into, false)
+    }
+
+    /// Reads the next line into a segment; of no interest are, if it is asked so, lines without o-words.
+    fn next_of<S: Source>(
+        &mut self,
+        source: &mut S,
+        into: &mut Segment,
+        owords_only: bool,
+    ) -> Result<Next, Error> {
+        let Self { reader, packer, .. } = self;
+        let taken = reader.next(source, |line, place| {
+            if owords_only && !is_oword(line) && !is_percent(line) {
+                return (Taken::Nothing, place);
+            }
+            (packer.pack(line, place, into), place)
+        })?;
+        self.after_packing(STREAM)?;
+        Ok(match taken {
+            None => Next::Over,
+            Some((Taken::Nothing, _)) => Next::Nothing,
+            Some((Taken::Percent, place)) => Next::Percent(place),
+            Some((Taken::Block, _)) => {
+                into.blocks.last().map_or(Next::Nothing, |block| Next::Block(*block))
+            }
+        })
+    }
+
+    /// Packs a loop of the main program whose head has just been read; the head becomes its first block. A loop within a loop or sub is packed
+    /// already.
+    pub(crate) fn gather_loop<S: Source>(
+        &mut self,
+        at: Cursor,
+        label: NameId,
+        end: Keyword,
+        source: &mut S,
+    ) -> Result<(), Halt> {
+        if at.segment != STREAM {
+            return Ok(());
+        }
+        self.segments.swap(0, 1);
+        self.generation = self.generation.wrapping_add(1);
+        let generation = self.generation;
+        let head = Cursor { segment: LOOP, place: 0 };
+        if let Some(definition) = self.scopes.find(label) {
+            definition.at = head;
+            definition.generation = generation;
+        }
+        let mut code = self.segments.get_mut(1).map(core::mem::take).unwrap_or_default();
+        let gathered = self.gather_until(label, end, source, &mut code);
+        code.join_labels();
+        if let Some(slot) = self.segments.get_mut(1) {
+            *slot = code;
+        }
+        gathered?;
+        self.cursor = head.after();
+        Ok(())
+    }
+
+    /// Packs lines up to the end of a loop.
+    fn gather_until<S: Source>(
+        &mut self,
+        label: NameId,
+        end: Keyword,
+        source: &mut S,
+        code: &mut Segment,
+    ) -> Result<(), Error> {
+        loop {
+            match self.next_into(source, code)? {
+                Next::Over => return Ok(()),
+                Next::Nothing => {}
+                Next::Percent(place) => {
+                    if self.percent_into(place, code) {
+                        return Ok(());
+                    }
+                }
+                Next::Block(Block { kind: Kind::Control(oword), .. })
+                    if oword.keyword == end && (oword.label == label || oword.label == NONE) =>
+                {
+                    return Ok(());
+                }
+                Next::Block(block) => self.sub_into(&block, source, code)?,
+            }
+            self.check_size(code)?;
+        }
+    }
+
+    /// A percent line among packed blocks; true where it ends the file.
+    fn percent_into(&mut self, place: LinePlace, code: &mut Segment) -> bool {
+        let first = u32::try_from(code.ops.len()).unwrap_or(NONE);
+        let mut block = Block {
+            line: place.line,
+            first,
+            end: first,
+            kind: Kind::Percent,
+            comment: NONE,
+            bare: false,
+            refused: NONE,
+            offset: place.offset,
+        };
+        match self.percent_line(place.line) {
+            Ok(Some(End::PercentEnd)) => code.blocks.push(block),
+            Ok(_) => return false,
+            Err(_) => {
+                block.refused = u32::try_from(code.refusals.len()).unwrap_or(NONE);
+                code.refusals.push(Refused {
+                    kind: FaultKind::BadCharacter,
+                    message: "a percent line in a file that does not begin with one",
+                    start: 0,
+                    end: 1,
+                });
+                code.blocks.push(block);
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Where a sub begins among packed blocks, it gets a segment of its own.
+    fn sub_into<S: Source>(
+        &mut self,
+        head: &Block,
+        source: &mut S,
+        code: &mut Segment,
+    ) -> Result<(), Error> {
+        let Kind::Control(oword) = head.kind else { return Ok(()) };
+        if oword.keyword != Keyword::Sub || head.refused != NONE {
+            return Ok(());
+        }
+        let gathered = self.gather_sub(oword.label, code.file, source)?;
+        let Some(block) = code.blocks.last_mut() else { return Ok(()) };
+        match gathered {
+            Ok(segment) => block.kind = Kind::Definition { label: oword.label, segment },
+            Err(bad) => {
+                let (kind, message) = match bad {
+                    Bad::Nested(line) => {
+                        block.line = line;
+                        (FaultKind::NestedSub, "a sub within a sub")
+                    }
+                    Bad::Endless => (FaultKind::UnknownLabel, "the sub does not end"),
+                };
+                block.refused = u32::try_from(code.refusals.len()).unwrap_or(NONE);
+                code.refusals.push(Refused { kind, message, start: 0, end: 1 });
+            }
+        }
+        Ok(())
+    }
+
+    /// Packs the body of a sub whose head has just been read, up to its end.
+    fn gather_sub<S: Source>(
+        &mut self,
+        label: NameId,
+        file: u32,
+        source: &mut S,
+    ) -> Result<Result<u32, Bad>, Error> {
+        let mut code = Segment { file, ..Segment::default() };
+        loop {
+            match self.next_into(source, &mut code)? {
+                // A sub of a file is executed as far as it goes: it is refused where its endsub is missed.
+                Next::Over | Next::Percent(_) if file != 0 => break,
+                Next::Over => return Ok(Err(Bad::Endless)),
+                Next::Percent(_) if self.percent == Some(true) => return Ok(Err(Bad::Endless)),
+                Next::Nothing | Next::Percent(_) => {}
+                Next::Block(Block { kind: Kind::Control(oword), line, .. }) => {
+                    if oword.keyword == Keyword::Sub {
+                        return Ok(Err(Bad::Nested(line)));
+                    }
+                    let own = oword.label == label || oword.label == NONE;
+                    if oword.keyword == Keyword::EndSub && own {
+                        break;
+                    }
+                }
+                Next::Block(_) => {}
+            }
+            self.check_size(&code)?;
+        }
+        code.join_labels();
+        let number = u32::try_from(self.segments.len()).unwrap_or(NONE);
+        self.packed = self.packed.saturating_add(code.bytes());
+        self.segments.push(code);
+        Ok(Ok(number))
+    }
+
+    /// Refuses more packed blocks than there may be.
+    fn check_size(&self, code: &Segment) -> Result<(), Error> {
+        let labels = self.label_bytes();
+        let bytes = self.packed.saturating_add(code.bytes()).saturating_add(labels);
+        if usize::try_from(self.limits.packed_bytes).is_ok_and(|most| bytes > most) {
+            return Err(self.beyond(STREAM, Limit::PackedBytes));
+        }
+        Ok(())
+    }
+
+    /// Bytes that labels and what they point to take.
+    fn label_bytes(&self) -> usize {
+        let definitions = self.scopes.definitions().saturating_mul(size_of::<Definition>());
+        let labels = self.packer.labels.len().saturating_mul(LABEL);
+        self.packer.labels.bytes().saturating_add(labels).saturating_add(definitions)
+    }
+
+    /// Refuses more labels than there may be: a program may be longer than memory, but then its labels must repeat.
+    pub(crate) fn check_labels(&self) -> Result<(), Error> {
+        self.check_size(&Segment::default())
+    }
+
+    /// Packs a sub of the main program whose head is being executed.
+    pub(crate) fn sub_of_main<S: Source>(
+        &mut self,
+        block: &Block,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<u32, Error> {
+        match self.gather_sub(label, 0, source)? {
+            Ok(segment) => Ok(segment),
+            Err(Bad::Nested(line)) => Err(self.fault(
+                STREAM,
+                line,
+                FaultKind::NestedSub,
+                "a sub within a sub".into(),
+                None,
+            )),
+            Err(Bad::Endless) => Err(self.fault(
+                STREAM,
+                block.line,
+                FaultKind::UnknownLabel,
+                "the sub does not end".into(),
+                None,
+            )),
+        }
+    }
+
+    /// Packs the sub of a file of its name (11.7.9); none where there is no such file or sub.
+    ///
+    /// # Errors
+    /// The file cannot be read, or the sub cannot be packed.
+    pub(crate) fn sub_of_file<S: Source>(
+        &mut self,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<Option<u32>, Halt> {
+        let name = self.packer.labels.name(label);
+        let plain = |byte: u8| matches!(byte, b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_');
+        if name.is_empty() || !name.bytes().all(plain) {
+            return Ok(None);
+        }
+        let mut name = String::from(name);
+        name.push_str(".ngc");
+        if !source.open(&name).map_err(Error::from)? {
+            return Ok(None);
+        }
+        let file = u32::try_from(self.files.len()).unwrap_or(NONE);
+        self.files.push(name);
+        let caller = core::mem::replace(&mut self.reader, Reader::new());
+        let found = self.read_file(label, file, source);
+        self.reader = caller;
+        source.close();
+        found
+    }
+
+    /// Reads a file for the one sub that it may hold.
+    fn read_file<S: Source>(
+        &mut self,
+        label: NameId,
+        file: u32,
+        source: &mut S,
+    ) -> Result<Option<u32>, Halt> {
+        let mut found = None;
+        let mut percents = 0_u8;
+        let mut code = Segment { file, ..Segment::default() };
+        loop {
+            code.clear();
+            match self.next_into(source, &mut code)? {
+                Next::Over => return Ok(found),
+                Next::Percent(_) if percents != 0 => return Ok(found),
+                Next::Percent(_) => percents = 1,
+                Next::Nothing => {}
+                Next::Block(block) => {
+                    if code.ops.iter().any(|op| matches!(op, Op::MCode(2 | 30))) {
+                        return Ok(found);
+                    }
+                    match block.kind {
+                        Kind::Control(OWord { keyword: Keyword::Sub, label: other, .. }) => {
+                            if found.is_some() || other != label {
+                                return super::flow::refuse(
+                                    FaultKind::BadFile,
+                                    "a file holds one sub, of its own name",
+                                );
+                            }
+                            found = Some(self.sub_in_file(&block, label, file, source)?);
+                        }
+                        Kind::Control(_)
+                        | Kind::Plain
+                        | Kind::Definition { .. }
+                        | Kind::Percent => {}
+                    }
+                }
+            }
+        }
+    }
+
+    /// Packs a sub of a file; its faults have their places there.
+    fn sub_in_file<S: Source>(
+        &mut self,
+        head: &Block,
+        label: NameId,
+        file: u32,
+        source: &mut S,
+    ) -> Result<u32, Error> {
+        let (line, kind, message) = match self.gather_sub(label, file, source)? {
+            Ok(segment) => return Ok(segment),
+            Err(Bad::Nested(line)) => (line, FaultKind::NestedSub, "a sub within a sub"),
+            Err(Bad::Endless) => (head.line, FaultKind::UnknownLabel, "the sub does not end"),
+        };
+        let number = u32::try_from(self.segments.len()).unwrap_or(NONE);
+        self.segments.push(Segment { file, ..Segment::default() });
+        Err(self.fault(number, line, kind, message.into(), None))
+    }
+
+    /// Looks for the numbered subprograms in what follows of the main program (11.7.4.1), once, and packs them together, since one that does
+    /// not end runs into the next. False where the source cannot go back.
+    pub(crate) fn gather_programs<S: Source>(&mut self, source: &mut S) -> Result<bool, Error> {
+        if self.programs.is_some() {
+            return Ok(true);
+        }
+        let here = self.reader.place();
+        let mut code = Segment::default();
+        let mut programs = BTreeMap::new();
+        loop {
+            if programs.is_empty() {
+                code.clear();
+            }
+            match self.next_of(source, &mut code, programs.is_empty())? {
+                Next::Over => break,
+                Next::Nothing => {}
+                Next::Percent(place) => {
+                    if self.percent_into(place, &mut code) {
+                        break;
+                    }
+                }
+                Next::Block(Block {
+                    kind: Kind::Control(OWord { keyword: Keyword::Program, label, .. }),
+                    line,
+                    ..
+                }) => {
+                    let entry = u32::try_from(code.blocks.len()).unwrap_or(NONE);
+                    let begun = NumberedProgram { entry, line, called: false };
+                    programs.entry(label).or_insert(begun);
+                }
+                Next::Block(block) => {
+                    self.sub_into(&block, source, &mut code)?;
+                    if let Some(Block { kind: Kind::Definition { label, .. }, .. }) =
+                        code.blocks.last()
+                    {
+                        self.subs_ahead.push(*label);
+                    }
+                }
+            }
+            self.check_size(&code)?;
+        }
+        code.join_labels();
+        self.packed = self.packed.saturating_add(code.bytes());
+        if let Some(slot) = usize::try_from(PROGRAMS).ok().and_then(|at| self.segments.get_mut(at))
+        {
+            *slot = code;
+        }
+        self.programs = Some(programs);
+        Ok(self.reader.rewind(source, here)?)
+    }
+}

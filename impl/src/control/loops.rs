@@ -1,0 +1,181 @@
+//! Loops (11.7.5, 11.7.7): where they begin, where they turn, and where they are left.
+
+use gaugeblock_trace::FaultKind;
+
+use crate::control::flow::{Halt, refuse};
+use crate::control::seek::Wanted;
+use crate::control::{Cursor, Definition, LOOP};
+use crate::error::Error;
+use crate::interpret::Interpreter;
+use crate::math;
+use crate::modal::Refusal;
+use crate::parameters::NameId;
+use crate::source::Source;
+use crate::syntax::packed::{Block, Keyword, OWord};
+use crate::syntax::{DoLabel, LinePlace, RepeatFraction};
+
+impl Interpreter {
+    /// `while`: the head of a loop, or the end of a do.
+    pub(crate) fn while_block<S: Source>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        oword: OWord,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<(), Halt> {
+        let followed = self.packer.choices.ended_followed;
+        if let Some(head) = self.scopes.find(label).copied()
+            && head.keyword == Keyword::Do
+            && (followed || !head.ended || self.packer.choices.do_label == DoLabel::First)
+        {
+            if self.condition(at, block, oword)? {
+                return self.jump(head, false, source);
+            }
+            if let Some(head) = self.scopes.find(label) {
+                head.ended = true;
+            }
+            return Ok(());
+        }
+        self.check_label(block, label)?;
+        let holds = self.condition(at, block, oword)?;
+        let definition = self.definition(at, block, label, Keyword::While);
+        self.scopes.define(definition);
+        if holds {
+            return self.gather_loop(at, label, Keyword::EndWhile, source);
+        }
+        self.leave(at, block, label, |keyword| keyword == Keyword::EndWhile, source)
+    }
+
+    /// `do`.
+    pub(crate) fn begin_do<S: Source>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<(), Halt> {
+        if let Some(defined) = self.scopes.find(label).copied()
+            && defined.line != block.line
+        {
+            match self.packer.choices.do_label {
+                DoLabel::Each => {}
+                DoLabel::First if defined.keyword == Keyword::Do => return Ok(()),
+                DoLabel::First => {}
+                DoLabel::Refused => self.check_label(block, label)?,
+            }
+        } else {
+            self.check_label(block, label)?;
+        }
+        let definition = self.definition(at, block, label, Keyword::Do);
+        self.scopes.define(definition);
+        self.gather_loop(at, label, Keyword::While, source)
+    }
+
+    /// `repeat`.
+    pub(crate) fn begin_repeat<S: Source>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        oword: OWord,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<(), Halt> {
+        self.check_label(block, label)?;
+        self.values(at, block, oword)?;
+        let count = self.calculator.stack.first().copied().unwrap_or(0.0);
+        let left = self.turns(count)?;
+        let definition = self.definition(at, block, label, Keyword::Repeat);
+        self.scopes.define(Definition { left, ..definition });
+        if left != 0 {
+            return self.gather_loop(at, label, Keyword::EndRepeat, source);
+        }
+        self.leave(at, block, label, |keyword| keyword == Keyword::EndRepeat, source)
+    }
+
+    /// How many turns a repeat makes.
+    fn turns(&self, count: f64) -> Result<u64, Halt> {
+        if count < 0.0 && self.packer.choices.negative_refused {
+            return refuse(FaultKind::WordOutOfRange, "a count is not negative");
+        }
+        let near = math::near_integer(count);
+        let turns = match self.packer.choices.repeat_fraction {
+            RepeatFraction::Rounded => math::floor(count + 0.5),
+            RepeatFraction::RoundedToEven => math::round_even(count),
+            RepeatFraction::RoundedDown => math::floor(count),
+            RepeatFraction::RoundedUp => math::ceil(count),
+            RepeatFraction::Refused if near.is_none() => {
+                return refuse(FaultKind::NotAnInteger, "a count is an integer");
+            }
+            RepeatFraction::Refused => math::round_even(count),
+        };
+        Ok(math::to_count(turns))
+    }
+
+    /// `endrepeat`.
+    pub(crate) fn end_repeat<S: Source>(
+        &mut self,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<(), Halt> {
+        let head = self.pointed(label, |keyword| keyword == Keyword::Repeat)?;
+        if head.ended {
+            let head = *head;
+            return self.jump(head, false, source);
+        }
+        if head.left <= 1 {
+            head.ended = true;
+            return Ok(());
+        }
+        head.left = head.left.saturating_sub(1);
+        let head = *head;
+        self.jump(head, true, source)
+    }
+
+    /// `continue`.
+    pub(crate) fn continue_loop<S: Source>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<(), Halt> {
+        let loops = |keyword| matches!(keyword, Keyword::While | Keyword::Do);
+        let head = *self.pointed(label, loops)?;
+        if head.keyword == Keyword::While {
+            return self.jump(head, false, source);
+        }
+        let wanted = Wanted { label, accept: |keyword| keyword == Keyword::While };
+        self.seek(at, block.line, wanted, source)?;
+        Ok(())
+    }
+
+    /// Goes back to the head of a loop, or behind it.
+    pub(crate) fn jump<S: Source>(
+        &mut self,
+        head: Definition,
+        behind: bool,
+        source: &mut S,
+    ) -> Result<(), Halt> {
+        // Behind the loop in LOOP the text goes on where the source stands; from elsewhere one does not get back into it.
+        let packed = head.at.segment > LOOP
+            || head.at.segment == LOOP
+                && self.cursor.segment == LOOP
+                && head.generation == self.generation;
+        if packed {
+            self.cursor = if behind { head.at.after() } else { head.at };
+            return Ok(());
+        }
+        let place = LinePlace { line: head.line, offset: head.offset };
+        if !self.reader.rewind(source, place).map_err(Error::from)? {
+            let what = "a jump back to a loop that has ended, in a source that cannot go back";
+            return Err(Halt::Refusal(Refusal::Unsupported(what.into())));
+        }
+        self.cursor = Cursor::MAIN;
+        self.held = false;
+        if behind {
+            self.read_block(source)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,142 @@
+//! Active comments at work (11.4.15 to 11.4.20).
+
+use alloc::string::String;
+use core::fmt::Write as _;
+
+use gaugeblock_trace::{Channel, Effect, FaultKind};
+
+use crate::canon::{Reply, Sink};
+use crate::control::evaluate::Parameters;
+use crate::modal::{Modal, Refusal};
+use crate::syntax::packed::{Act, Comment, Piece, Segment};
+use crate::syntax::{AbsentName, Packer};
+
+/// #5599 is zero where DEBUG shall say nothing.
+const DEBUG_SWITCH: u32 = 5599;
+
+/// Which log files the program has opened.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Logs {
+    /// LOGOPEN, LOGAPPEND.
+    log: bool,
+    /// PROBEOPEN.
+    probe: bool,
+}
+
+/// What a comment can see.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View<'a> {
+    /// The parameters.
+    pub(crate) parameters: &'a Parameters,
+    /// The modes.
+    pub(crate) modal: &'a Modal,
+    /// The names and the readings.
+    pub(crate) packer: &'a Packer,
+    /// Where the comment lies.
+    pub(crate) segment: &'a Segment,
+}
+
+impl Logs {
+    /// Performs an active comment; whether the sink asked to stop.
+    ///
+    /// # Errors
+    /// It is ABORT.
+    pub(crate) fn perform<K: Sink>(
+        &mut self,
+        comment: Comment,
+        view: View<'_>,
+        line: u32,
+        sink: &mut K,
+    ) -> Result<bool, Refusal> {
+        let effect = match comment.act {
+            Act::Message => message(Channel::Display, view.text(comment)),
+            Act::Debug if view.parameters.numbered.get(DEBUG_SWITCH).to_bits() << 1 == 0 => {
+                return Ok(false);
+            }
+            Act::Debug => message(Channel::Display, view.text(comment)),
+            Act::Print => message(Channel::Print, view.text(comment)),
+            Act::Log if !self.log => return Ok(false),
+            Act::Log => message(Channel::Log, view.text(comment)),
+            Act::LogOpen | Act::LogAppend => {
+                self.log = true;
+                let append = comment.act == Act::LogAppend;
+                Effect::LogOpen { file: view.text(comment), append }
+            }
+            Act::LogClose if !self.log => return Ok(false),
+            Act::LogClose => {
+                self.log = false;
+                Effect::LogClose {}
+            }
+            Act::ProbeOpen => {
+                self.probe = true;
+                Effect::ProbeLogOpen { file: view.text(comment) }
+            }
+            Act::ProbeClose if !self.probe => return Ok(false),
+            Act::ProbeClose => {
+                self.probe = false;
+                Effect::ProbeLogClose {}
+            }
+            Act::Abort => {
+                return Err(Refusal::fault(FaultKind::AbortedByProgram, view.text(comment)));
+            }
+        };
+        Ok(sink.perform(line, &effect) == Reply::Stop)
+    }
+}
+
+fn message(channel: Channel, text: String) -> Effect {
+    Effect::Message { channel, text }
+}
+
+impl View<'_> {
+    /// A comment's text with its parameters expanded.
+    fn text(&self, comment: Comment) -> String {
+        let mut text = String::new();
+        let mut decimals = if self.packer.choices.default_four { 4 } else { 6 };
+        let first = usize::try_from(comment.first).unwrap_or(usize::MAX);
+        let end = usize::try_from(comment.end).unwrap_or(usize::MAX);
+        for piece in self.segment.pieces.get(first..end).unwrap_or(&[]) {
+            let value = match *piece {
+                Piece::Text(first, end) => {
+                    let first = usize::try_from(first).unwrap_or(usize::MAX);
+                    let end = usize::try_from(end).unwrap_or(usize::MAX);
+                    let bytes = self.segment.texts.get(first..end).unwrap_or(&[]);
+                    text.push_str(&String::from_utf8_lossy(bytes));
+                    continue;
+                }
+                Piece::Decimals(count) => {
+                    decimals = count;
+                    continue;
+                }
+                Piece::Numbered(number) => u16::try_from(number)
+                    .ok()
+                    .map(|number| self.parameters.numbered(number, self.modal)),
+                Piece::Local(id) => self.parameters.named.local(id),
+                Piece::Global(id) => self.parameters.named.global(id),
+                Piece::Mode(name) => Some(self.modal.named(name)),
+                Piece::Own(name) => Some(self.parameters.own(name)),
+                Piece::Constant(place) => usize::try_from(place)
+                    .ok()
+                    .and_then(|place| self.segment.constants.get(place).copied()),
+                Piece::Absent => None,
+            };
+            self.show(value, decimals, &mut text);
+        }
+        text
+    }
+
+    /// A value with so many decimals.
+    fn show(&self, value: Option<f64>, decimals: u8, text: &mut String) {
+        let Some(value) = value else {
+            text.push_str(match self.packer.choices.absent_name {
+                AbsentName::One => "#",
+                AbsentName::Six => "######",
+            });
+            return;
+        };
+        // An integer has no negative zero.
+        let value = if decimals == 0 && value.abs() <= 0.5 { 0.0 } else { value };
+        // Writing into a text cannot fail.
+        let _done = write!(text, "{value:.places$}", places = usize::from(decimals));
+    }
+}

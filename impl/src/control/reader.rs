@@ -1,0 +1,148 @@
+//! Lines out of a source: in place where they lie whole in its text, put together where they do not.
+
+use alloc::vec::Vec;
+
+use crate::source::{Source, Unreadable};
+use crate::syntax::LinePlace;
+
+/// Most bytes of a line that are kept: one more than the longest line of the documents is enough to refuse it.
+const LONGEST: usize = 512;
+
+/// Reads lines and knows where in the file it stands.
+#[derive(Clone, Debug)]
+pub(crate) struct Reader {
+    /// Where the next line begins.
+    place: LinePlace,
+    /// The last line ended in a carriage return at the end of the text: a line feed may belong to it.
+    after_return: bool,
+    /// A line that did not lie whole in the source's text.
+    line: Vec<u8>,
+}
+
+impl Reader {
+    /// At the beginning of a file.
+    pub(crate) fn new() -> Self {
+        Self {
+            place: LinePlace { line: 1, offset: 0 },
+            after_return: false,
+            line: Vec::with_capacity(LONGEST),
+        }
+    }
+
+    /// Where the next line begins.
+    pub(crate) fn place(&self) -> LinePlace {
+        self.place
+    }
+
+    /// Goes back to where a line began; false where the source cannot.
+    pub(crate) fn rewind<S: Source>(
+        &mut self,
+        source: &mut S,
+        place: LinePlace,
+    ) -> Result<bool, Unreadable> {
+        let done = source.rewind(place.offset)?;
+        if done {
+            self.place = place;
+            self.after_return = false;
+        }
+        Ok(done)
+    }
+
+    /// Shows the next line, without its end; `None` at the end of the file.
+    #[inline]
+    pub(crate) fn next<S: Source, T>(
+        &mut self,
+        source: &mut S,
+        show: impl FnOnce(&[u8], LinePlace) -> T,
+    ) -> Result<Option<T>, Unreadable> {
+        if self.after_return {
+            self.finish_line_end(source)?;
+        }
+        let text = source.text()?;
+        let Some(length) = line_end(text) else { return self.long(source, show) };
+        let line = text.get(..length).unwrap_or(text);
+        let taken = length.wrapping_add(match text.get(length..) {
+            Some([b'\r', b'\n', ..]) => 2,
+            Some([b'\r']) => {
+                self.after_return = true;
+                1
+            }
+            _ => 1,
+        });
+        let shown = show(line, self.place);
+        self.consume(source, taken);
+        self.place.line = self.place.line.saturating_add(1);
+        Ok(Some(shown))
+    }
+
+    /// Steps over a line feed that belongs to the carriage return before it.
+    #[cold]
+    fn finish_line_end<S: Source>(&mut self, source: &mut S) -> Result<(), Unreadable> {
+        self.after_return = false;
+        if source.text()?.first() == Some(&b'\n') {
+            self.consume(source, 1);
+        }
+        Ok(())
+    }
+
+    fn consume<S: Source>(&mut self, source: &mut S, bytes: usize) {
+        source.consume(bytes);
+        self.place.offset = self.place.offset.saturating_add(u64::try_from(bytes).unwrap_or(0));
+    }
+
+    /// A line whose end does not lie in the text that is ready. What is too long to be a block is cut.
+    #[cold]
+    fn long<S: Source, T>(
+        &mut self,
+        source: &mut S,
+        show: impl FnOnce(&[u8], LinePlace) -> T,
+    ) -> Result<Option<T>, Unreadable> {
+        let began = self.place;
+        self.line.clear();
+        let mut any = false;
+        loop {
+            let text = source.text()?;
+            if text.is_empty() {
+                break;
+            }
+            any = true;
+            let end = line_end(text);
+            let length = end.unwrap_or(text.len());
+            let room = LONGEST.saturating_sub(self.line.len()).min(length);
+            self.line.extend_from_slice(text.get(..room).unwrap_or(&[]));
+            let returned = text.get(length) == Some(&b'\r');
+            self.consume(source, length.saturating_add(usize::from(end.is_some())));
+            if end.is_some() {
+                self.after_return = returned;
+                break;
+            }
+        }
+        if !any {
+            return Ok(None);
+        }
+        let shown = show(&self.line, began);
+        self.place.line = self.place.line.saturating_add(1);
+        Ok(Some(shown))
+    }
+}
+
+/// Where the first carriage return or line feed stands. Eight bytes at a time: a byte is one of them where a zero byte shows up.
+#[inline]
+fn line_end(text: &[u8]) -> Option<usize> {
+    const ONES: u64 = 0x0101_0101_0101_0101;
+    const HIGHS: u64 = 0x8080_8080_8080_8080;
+    let zero = |word: u64| word.wrapping_sub(ONES) & !word & HIGHS;
+    let mut passed = 0_usize;
+    let (eights, rest) = text.as_chunks::<8>();
+    for eight in eights {
+        let word = u64::from_le_bytes(*eight);
+        let found = zero(word ^ ONES.wrapping_mul(0x0a)) | zero(word ^ ONES.wrapping_mul(0x0d));
+        if found != 0 {
+            let byte = usize::try_from(found.trailing_zeros() >> 3).unwrap_or(0);
+            return Some(passed.wrapping_add(byte));
+        }
+        passed = passed.wrapping_add(8);
+    }
+    let place = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
+    Some(passed.wrapping_add(place))
+}

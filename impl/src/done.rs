@@ -1,0 +1,97 @@
+//! What a sink can see after each block: enough to record a run, at no cost to those who do not look.
+
+use core::fmt;
+
+use gaugeblock_trace::{Rs274State, Settings};
+
+use crate::control::Parameters;
+use crate::modal::Modal;
+use crate::parameters::Names;
+
+/// What kind of block was executed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Executed {
+    /// Words, settings of parameters, perhaps a comment beside them; a line number alone.
+    Words,
+    /// A comment that may act, and nothing else; one that had nothing to say did nothing.
+    Comment,
+    /// An o-word that is neither a call nor a return.
+    OWord,
+    /// A call by an o-word; the callee's first block comes next.
+    Call,
+    /// A return or endsub; the caller goes on.
+    Return,
+    /// M98.
+    NumberedCall,
+    /// M99.
+    NumberedReturn,
+    /// M2 or M30.
+    End,
+}
+
+/// A block that was executed, and the state after it.
+pub struct BlockDone<'a> {
+    pub(crate) file: &'a str,
+    pub(crate) line: u32,
+    pub(crate) executed: Executed,
+    pub(crate) parameters: &'a mut Parameters,
+    pub(crate) modal: &'a Modal,
+    pub(crate) names: &'a Names,
+}
+
+impl BlockDone<'_> {
+    /// The file's name; `main.ngc` for the main program.
+    pub fn file(&self) -> &str {
+        self.file
+    }
+
+    /// The line in that file, from 1.
+    pub fn line(&self) -> u32 {
+        self.line
+    }
+
+    /// What kind of block it was.
+    pub fn executed(&self) -> Executed {
+        self.executed
+    }
+
+    /// Depth of calls after the block; 0 in the main program.
+    pub fn call_level(&self) -> u32 {
+        self.parameters.call_level
+    }
+
+    /// Modes, position, tool and call level; parameters are told by the methods below.
+    pub fn state(&self) -> Rs274State {
+        let mut state = self.modal.state();
+        state.call_level = Some(self.parameters.call_level);
+        state
+    }
+
+    /// All settings in force.
+    pub fn settings(&self) -> Settings {
+        self.modal.settings()
+    }
+
+    /// Tells each numbered parameter that was set since the last time this was asked, in ascending order, also where its value is the same as
+    /// before. A call and a return count as setting `#1` to `#30`. Position and tool, #5420 to #5428, are not among them: they are in
+    /// the state.
+    pub fn take_numbered(&mut self, tell: impl FnMut(u32, f64)) {
+        self.parameters.numbered.take_changes(tell);
+    }
+
+    /// Every named parameter that exists and is seen at this call level, by name; global ones begin with an underscore. Predefined ones are not
+    /// among them.
+    pub fn named(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.parameters.named.existing(self.names)
+    }
+}
+
+impl fmt::Debug for BlockDone<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("BlockDone")
+            .field("file", &self.file)
+            .field("line", &self.line)
+            .field("executed", &self.executed)
+            .finish_non_exhaustive()
+    }
+}

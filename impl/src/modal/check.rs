@@ -1,0 +1,252 @@
+//! The checks of a block's words against each other: groups, numbers of words, words that nothing uses, words that are missing.
+
+use alloc::format;
+
+use gaugeblock_trace::{FaultKind, Motion};
+
+use crate::words::Words;
+
+use super::Modal;
+use super::codes::{
+    COOLANT, FREE, G_GROUPS, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES, SINGLE_OVERRIDES,
+    TOOL_LENGTH, g_code, m_code,
+};
+use super::letters::{AXES, F, H, S, T, first_letter};
+use super::refusal::{Refusal, refuse};
+
+/// Most M words of a block (11.4.9).
+const M_WORDS_ALLOWED: usize = 4;
+/// No code of a group.
+const NONE: u16 = u16::MAX;
+
+/// A block whose words go together: its codes by modal group and by order of execution.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Block<'a> {
+    /// All words.
+    pub(crate) words: &'a Words,
+    g: [u16; G_GROUPS],
+    m: [(u8, u16); M_WORDS_ALLOWED],
+    /// The move that the block makes or whose mode it sets, as `G` in tenths; none for suspended motion.
+    pub(crate) motion: Option<u16>,
+    /// Whether the axis words belong to the move.
+    pub(crate) axes_move: bool,
+}
+
+/// What the codes of a block use and need together.
+#[derive(Default)]
+struct Taken {
+    uses: u32,
+    needs: u32,
+    needs_axes: bool,
+    dollar: bool,
+    later: Option<u16>,
+    axis_codes: u8,
+}
+
+impl<'a> Block<'a> {
+    /// The code of a group, in tenths.
+    pub(crate) fn g(&self, group: GGroup) -> Option<u16> {
+        self.g.get(usize::from(group)).copied().filter(|code| *code != NONE)
+    }
+
+    /// The M codes with their ranks, in the order of execution.
+    pub(crate) fn m(&self) -> impl Iterator<Item = (u8, u16)> + 'a {
+        self.m.into_iter().filter(|(_, code)| *code != NONE)
+    }
+
+    /// Whether an M code stands in the block.
+    pub(crate) fn has_m(&self, wanted: impl Fn(u16) -> bool) -> bool {
+        self.m().any(|(_, code)| wanted(code))
+    }
+}
+
+impl Modal {
+    /// Checks the words of a block against each other.
+    pub(super) fn check<'a>(&self, words: &'a Words) -> Result<Block<'a>, Refusal> {
+        let mut block = Block {
+            words,
+            g: [NONE; G_GROUPS],
+            m: [(u8::MAX, NONE); M_WORDS_ALLOWED],
+            motion: None,
+            axes_move: false,
+        };
+        let mut taken = Taken::default();
+        take_g_codes(&mut block, &mut taken)?;
+        self.take_m_codes(&mut block, &mut taken)?;
+        if let Some(tenths) = taken.later {
+            return Err(Refusal::Unsupported(format!("G{}", code_text(tenths))));
+        }
+        if words.at.is_some() || words.caret.is_some() {
+            return Err(Refusal::Unsupported("polar words".into()));
+        }
+        check_words(words, &taken)?;
+        self.check_axes(&mut block, &taken)?;
+        Ok(block)
+    }
+
+    fn take_m_codes(&self, block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal> {
+        let codes = block.words.m_words();
+        if codes.len() > M_WORDS_ALLOWED {
+            return refuse(FaultKind::TooManyMCodes, "more than four M words in a block");
+        }
+        let mut groups = FREE;
+        for (slot, number) in block.m.iter_mut().zip(codes) {
+            let Some(code) = m_code(*number) else {
+                return refuse(FaultKind::UnknownCode, format!("M{number} is no code"));
+            };
+            let group = self.group_of(*number, code.group);
+            if groups & group != 0 {
+                return refuse(
+                    FaultKind::ModalConflict,
+                    format!("M{number} and another code of its group"),
+                );
+            }
+            groups |= group;
+            taken.uses |= code.uses;
+            taken.needs |= code.needs;
+            taken.dollar |= code.dollar;
+            *slot = (code.rank, *number);
+        }
+        if codes.len() > 1 {
+            block.m.sort_unstable();
+        }
+        Ok(())
+    }
+
+    /// The groups that a code excludes, as the options have them.
+    fn group_of(&self, number: u16, group: MGroup) -> MGroup {
+        match group {
+            IO if self.choices.independent_io => FREE,
+            SINGLE_OVERRIDES if self.choices.one_override_group => OVERRIDES,
+            SINGLE_OVERRIDES => FREE,
+            COOLANT if self.choices.both_coolants => match number {
+                7 => 1 << 12,
+                8 => 1 << 13,
+                _ => 1 << 12 | 1 << 13,
+            },
+            _ => group,
+        }
+    }
+
+    /// Whose the axis words are: of a code that uses them itself, or of the move (11.4.13).
+    fn check_axes(&self, block: &mut Block<'_>, taken: &Taken) -> Result<(), Refusal> {
+        let words = block.words;
+        let explicit = block.g(MOTION);
+        let machine_coordinates = block.g(NON_MODAL) == Some(530);
+        if !words.has_axes() {
+            if taken.needs_axes || machine_coordinates {
+                return refuse(FaultKind::MissingWord, "an axis word is missing");
+            }
+            block.motion = explicit;
+            return self.check_length_alone(block);
+        }
+        let foreign = words.present & AXES & !self.axes;
+        if foreign != 0 {
+            let letter = first_letter(foreign);
+            return refuse(FaultKind::NoSuchAxis, format!("the machine has no axis {letter}"));
+        }
+        self.check_length_alone(block)?;
+        match (taken.axis_codes, explicit) {
+            (0, _) => {
+                block.motion = explicit.or(self.motion_code());
+                block.axes_move = true;
+                if !matches!(block.motion, Some(0 | 10)) {
+                    return refuse(
+                        FaultKind::AxisWords,
+                        "axis words without a code that uses them",
+                    );
+                }
+            }
+            (1, None | Some(800)) => block.motion = explicit,
+            _ => return refuse(FaultKind::AxisWords, "axis words that two codes use"),
+        }
+        Ok(())
+    }
+
+    /// G43.1 and G43.2: their own rules on words (11.5.29, 11.5.30); G53 needs a straight move.
+    fn check_length_alone(&self, block: &Block<'_>) -> Result<(), Refusal> {
+        let words = block.words;
+        match block.g(TOOL_LENGTH) {
+            Some(431) if matches!(block.g(MOTION), Some(0 | 10)) => {
+                return refuse(FaultKind::AxisWords, "motion in the block of G43.1");
+            }
+            Some(432) if words.present & H != 0 && words.has_axes() => {
+                return refuse(FaultKind::AxisWords, "G43.2 with H and with axis words");
+            }
+            Some(432) if words.present & (H | AXES) == 0 => {
+                return refuse(FaultKind::MissingWord, "G43.2 without H and without axis words");
+            }
+            Some(_) | None => {}
+        }
+        let straight = match block.g(MOTION) {
+            Some(code) => matches!(code, 0 | 10),
+            None => matches!(self.motion, Motion::Traverse | Motion::Feed),
+        };
+        if block.g(NON_MODAL) == Some(530) && !straight {
+            return refuse(FaultKind::AxisWords, "G53 without G0 or G1");
+        }
+        Ok(())
+    }
+
+    /// The motion mode as a code in tenths, of those that a later block repeats.
+    pub(super) fn motion_code(&self) -> Option<u16> {
+        if self.motion == Motion::Traverse {
+            Some(0)
+        } else {
+            (self.motion == Motion::Feed).then_some(10)
+        }
+    }
+}
+
+fn take_g_codes(block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal> {
+    for tenths in block.words.g_words() {
+        let Some(code) = g_code(*tenths) else {
+            return refuse(FaultKind::UnknownCode, format!("G{} is no code", code_text(*tenths)));
+        };
+        match block.g.get_mut(usize::from(code.group)) {
+            Some(slot) if *slot == NONE => *slot = *tenths,
+            Some(_) | None => {
+                let text = code_text(*tenths);
+                return refuse(
+                    FaultKind::ModalConflict,
+                    format!("G{text} and another code of its group"),
+                );
+            }
+        }
+        taken.uses |= code.uses;
+        taken.needs |= code.needs;
+        taken.needs_axes |= code.needs_axes;
+        taken.dollar |= code.dollar;
+        if code.later {
+            taken.later = Some(*tenths);
+        }
+        if code.uses_axes() && code.group != MOTION {
+            taken.axis_codes = taken.axis_codes.saturating_add(1);
+        }
+    }
+    Ok(())
+}
+
+/// Words that nothing uses, and words that are missing. F, S and T are codes of their own.
+fn check_words(words: &Words, taken: &Taken) -> Result<(), Refusal> {
+    let unused = words.present & !(taken.uses | AXES | F | S | T);
+    if unused != 0 {
+        let letter = first_letter(unused);
+        return refuse(FaultKind::UnusedWord, format!("nothing uses the {letter} word"));
+    }
+    if words.dollar.is_some() && !taken.dollar && words.present & S == 0 {
+        return refuse(FaultKind::UnusedWord, "nothing uses the $ word");
+    }
+    let missing = taken.needs & !words.present;
+    if missing != 0 {
+        let letter = first_letter(missing);
+        return refuse(FaultKind::MissingWord, format!("the {letter} word is missing"));
+    }
+    Ok(())
+}
+
+/// `59.1` for 591.
+fn code_text(tenths: u16) -> alloc::string::String {
+    let (whole, tenth) = (tenths.checked_div(10).unwrap_or(0), tenths.checked_rem(10).unwrap_or(0));
+    if tenth == 0 { format!("{whole}") } else { format!("{whole}.{tenth}") }
+}

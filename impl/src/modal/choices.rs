@@ -1,0 +1,134 @@
+//! The points at which documents differ, as far as they concern modes: read once from the options.
+
+use gaugeblock_trace::Options;
+
+use crate::error::Error;
+
+macro_rules! choices {
+    ($($(#[$about:meta])* $name:ident: $id:literal, $first:literal, $second:literal;)*) => {
+        /// A field for each choice of two options: whether the second one applies. A choice that is not listed has its first.
+        #[derive(Clone, Debug)]
+        pub(crate) struct Choices {
+            $($(#[$about])* pub(crate) $name: bool,)*
+            /// `modal-groups.initial-motion`.
+            pub(crate) initial_motion: InitialMotion,
+        }
+
+        impl Choices {
+            /// Reads the options that concern modes; others are not looked at.
+            pub(crate) fn read(options: &Options) -> Result<Self, Error> {
+                Ok(Self {
+                    $($name: match options.get($id) {
+                        None | Some($first) => false,
+                        Some($second) => true,
+                        Some(_) => return Err(Error::Configuration(concat!("no such option of ", $id))),
+                    },)*
+                    initial_motion: InitialMotion::read(options)?,
+                })
+            }
+        }
+    };
+}
+
+choices! {
+    /// An abort leaves spindles and coolant as they are.
+    abort_leaves_running: "abort.spindle-and-coolant", "switched-off", "left-alone";
+    /// M7 and M8 may stand in one block.
+    both_coolants: "coolant.both-in-one-block", "refused", "accepted";
+    /// M66 is refused under cutter compensation.
+    input_uncompensated: "inputs.under-compensation", "accepted", "refused";
+    /// M66 without Q waits for ever.
+    endless_wait: "inputs.without-timeout", "refused", "accepted";
+    /// G98 at the start.
+    initial_old_z: "modal-groups.initial-retract", "r-plane", "old-z";
+    /// M62 to M68 do not exclude each other.
+    independent_io: "modal-groups.io-members", "exclusive", "independent";
+    /// M50 to M53 are in the group of M48 and M49.
+    one_override_group: "modal-groups.override-members", "listed", "all";
+    /// A motion code without axis words moves in place.
+    move_in_place: "motion.without-axis-words", "nothing", "move-in-place";
+    /// M19 without $ orients all spindles.
+    orient_all: "orient.without-dollar", "first", "all";
+    /// Q0 of M19 is allowed.
+    orient_at_once: "orient.zero-timeout", "refused", "accepted";
+    /// Outputs are refused under cutter compensation.
+    output_uncompensated: "outputs.under-compensation", "accepted", "refused";
+    /// M48 and M49 with $ leave the feed override alone.
+    feed_override_untouched: "overrides.selected-feed", "switched", "untouched";
+    /// M48 to M53 are refused under cutter compensation.
+    override_uncompensated: "overrides.under-compensation", "accepted", "refused";
+    /// Speed overrides without $ concern spindle 0.
+    override_first: "overrides.without-dollar", "all", "first";
+    /// The lathe flags are 0 where the machine is no lathe.
+    lathe_flags_zero: "parameters.lathe-flags", "any-machine", "lathe-only";
+    /// `_feed_override` follows M51 and `_speed_override` M50.
+    override_names_as_written: "parameters.override-names", "by-name", "as-written";
+    /// `_retract_old_z` tells G99 and `_retract_r_plane` G98.
+    retract_names_as_written: "parameters.retract-names", "by-name", "as-written";
+    /// `_spindle_on` is 0 at a speed of zero.
+    spindle_on_turning: "parameters.spindle-on-at-zero", "commanded", "turning";
+    /// M60 ends the program and M30 pauses it.
+    pallet_table: "pause.pallet-codes", "sections", "table";
+    /// F stays when the program end changes the feed mode.
+    feed_kept_at_end: "program-end.feed-after-mode-change", "zero", "kept";
+    /// The program end stops spindle 0 only.
+    end_stops_first: "program-end.spindles", "all", "first";
+    /// M71 needs a saved state.
+    invalidate_needs_save: "saved-state.invalidate-nothing", "accepted", "refused";
+    /// Every motion mode comes back, where any does.
+    every_motion: "saved-state.listed-motion", "listed", "every";
+    /// The motion mode comes back.
+    motion_restored: "saved-state.motion-mode", "not-restored", "restored";
+    /// M70 and M73 share one place.
+    one_place: "saved-state.places", "apart", "one";
+    /// $-1 means all spindles to M3, M4 and M5.
+    minus_one_all: "spindle.minus-one", "refused", "all";
+    /// G97 needs S.
+    rpm_needs_speed: "spindle.rpm-mode-speed", "optional", "required";
+    /// M3, M4 and M5 without $ act on spindle 0.
+    turn_first: "spindle.without-dollar", "all", "first";
+    /// M6 is refused under cutter compensation.
+    change_uncompensated: "tool.change-under-compensation", "accepted", "refused";
+    /// M6 without a T since the last change is allowed.
+    change_unselected: "tool.change-without-selection", "refused", "accepted";
+    /// A T that names no tool is refused.
+    tool_must_exist: "tool.empty-slot", "accepted", "refused";
+    /// The old tool goes to the slot of the new one.
+    old_tool_to_new_slot: "tool.old-tool-place", "its-own-slot", "slot-of-the-new";
+    /// T is the number of a slot.
+    tool_by_slot: "tool.selected-by", "number", "slot";
+    /// M61 may not stand in a program.
+    no_set_in_program: "tool.set-number-in-program", "accepted", "refused";
+    /// M61 may name any tool.
+    set_any_tool: "tool.set-number-unknown", "refused", "accepted";
+    /// X words of offsets are diameters too under G7.
+    diameter_offsets: "units-planes.diameter-offsets", "moves-only", "every-word";
+    /// The number of F stays over a change of unit.
+    feed_number_kept: "units-planes.feed-over-unit-change", "rescaled", "kept";
+    /// The machine's own unit is in force at the start.
+    initial_machine_unit: "units-planes.initial-unit", "millimetre", "machine";
+    /// A missing argument of a user-defined code is an empty text.
+    empty_argument: "user-codes.missing-argument", "minus-one", "empty";
+}
+
+/// Options of `modal-groups.initial-motion`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum InitialMotion {
+    /// G80.
+    None,
+    /// G1.
+    Feed,
+    /// G0.
+    Traverse,
+}
+
+impl InitialMotion {
+    fn read(options: &Options) -> Result<Self, Error> {
+        match options.get("modal-groups.initial-motion") {
+            None | Some("none") => Ok(Self::None),
+            Some("feed") => Ok(Self::Feed),
+            Some("traverse") => Ok(Self::Traverse),
+            Some(_) => Err(Error::Configuration("no such option of modal-groups.initial-motion")),
+        }
+    }
+}

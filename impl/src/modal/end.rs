@@ -1,0 +1,86 @@
+//! Stops and ends: M0, M1, M60 (11.6.2, 11.6.4), M2, M30 (11.6.3), and the operator's abort.
+
+use gaugeblock_trace::{
+    Compensation, ControllerMode, Distance, Effect, Motion, Plane, SpindleTurn, Switch,
+};
+
+use crate::canon::Sink;
+use crate::parameters::Numbered;
+
+use super::Modal;
+use super::refusal::Refusal;
+use super::spindle::FIRST;
+
+impl Modal {
+    /// A code of group 4, the last phase of a block; whether the program is over.
+    pub(super) fn stop<K: Sink>(
+        &mut self,
+        code: u16,
+        line: u32,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<bool, Refusal> {
+        let ends = match code {
+            30 => !self.choices.pallet_table,
+            60 => self.choices.pallet_table,
+            code => code == 2,
+        };
+        if ends {
+            self.reset_at_end(numbered);
+        }
+        if matches!(code, 30 | 60) {
+            self.perform(line, &Effect::PalletShuttle {}, sink)?;
+        }
+        if !ends {
+            self.perform(line, &Effect::Stop { optional: code == 1 }, sink)?;
+            return Ok(false);
+        }
+        self.perform(line, &Effect::ChangeControllerMode { mode: self.controller_mode }, sink)?;
+        self.perform(line, &Effect::ProgramEnd {}, sink)?;
+        Ok(true)
+    }
+
+    /// The documented effects of a program end. Units, G90.1, G7, G61, G98, G96 and the offset of G92 stay.
+    fn reset_at_end(&mut self, numbered: &mut Numbered) {
+        self.controller_mode = ControllerMode::Mdi;
+        self.saved.clear();
+        self.use_work_offset(1, numbered);
+        let feed = self.in_force.now().feed_rate;
+        self.select_feed_mode(940);
+        if self.choices.feed_kept_at_end {
+            self.in_force.set_feed_rate(feed);
+        }
+        self.compensation_radius = 0.0;
+        self.motion = Motion::Feed;
+        let modes = self.in_force.set();
+        modes.plane = Plane::Xy;
+        modes.distance = Distance::Absolute;
+        modes.compensation = Compensation::Off;
+        modes.feed_override = Switch::On;
+        let all = self.all_spindles();
+        self.set_speed_override(all, Switch::On);
+        self.stop_running(if self.choices.end_stops_first { FIRST } else { all });
+    }
+
+    /// Like M5 and M9.
+    fn stop_running(&mut self, which: u8) {
+        self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Stopped);
+        self.coolant(9);
+    }
+
+    /// Another program begins: nothing is saved and no call is open. Modes stay as they are (11.4.24).
+    pub(crate) fn begin(&mut self) {
+        self.saved.clear();
+        self.stop_asked = false;
+        self.controller_mode = ControllerMode::Auto;
+    }
+
+    /// An operator's abort: nothing is restored (11.6.22), no call is open any more.
+    pub(crate) fn abort<K: Sink>(&mut self, _numbered: &mut Numbered, sink: &mut K, line: u32) {
+        self.saved.clear();
+        if !self.choices.abort_leaves_running {
+            self.stop_running(self.all_spindles());
+        }
+        self.in_force.tell(line, sink);
+    }
+}

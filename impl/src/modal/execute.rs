@@ -1,0 +1,251 @@
+//! The order of execution of a block (11.4.23), and the short way through it for a straight move.
+
+use gaugeblock_trace::{Compensation, Effect, FaultKind, FeedMode, Lathe, Motion};
+
+use crate::canon::{Reply, Sink};
+use crate::parameters::Numbered;
+use crate::words::Words;
+
+use super::Modal;
+use super::check::Block;
+use super::codes::{
+    ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, LATHE, NON_MODAL, PATH, PLANE, RETRACT,
+    STOP_RANK, TOOL_LENGTH, UNITS, WORK_OFFSET,
+};
+use super::letters::{AXES, F};
+use super::refusal::{Flow, Refusal, refuse};
+
+impl Modal {
+    /// Checks and executes the words of one block. Settings and effects go to the sink in the documents' order.
+    #[inline]
+    pub(crate) fn execute<K: Sink>(
+        &mut self,
+        words: &Words,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<Flow, Refusal> {
+        if self.is_straight(words) {
+            return self.straight_block(words, sink);
+        }
+        self.whole_block(words, numbered, sink)
+    }
+
+    /// Whether a block is a straight move and nothing else, with at most G0 or G1 and F beside its axis words, and
+    /// no mode in force wants a say in it.
+    #[inline]
+    fn is_straight(&self, words: &Words) -> bool {
+        let explicit = words.g.first().copied().unwrap_or(0);
+        words.m_count == 0
+            && words.g_count <= 1
+            && words.dollar.is_none()
+            && words.present & !(self.axes | F) == 0
+            && words.present & AXES != 0
+            && words.at.is_none()
+            && words.caret.is_none()
+            && (words.g_count == 0 || explicit == 0 || explicit == 10)
+            && (words.g_count == 1 || matches!(self.motion, Motion::Traverse | Motion::Feed))
+            && self.is_plain()
+    }
+
+    /// Whether no mode in force wants more than the end point of a straight move.
+    #[inline]
+    fn is_plain(&self) -> bool {
+        let now = self.in_force.now();
+        now.compensation == Compensation::Off
+            && now.lathe == Lathe::Radius
+            && now.feed_mode != FeedMode::InverseTime
+            && !self.surface_speed
+    }
+
+    #[inline]
+    fn straight_block<K: Sink>(&mut self, words: &Words, sink: &mut K) -> Result<Flow, Refusal> {
+        if words.present & F != 0 {
+            self.set_feed(words.get(b'F').unwrap_or(0.0))?;
+        }
+        if words.g_count == 1 {
+            self.motion = if words.g.first() == Some(&0) { Motion::Traverse } else { Motion::Feed };
+        }
+        if self.motion == Motion::Feed && self.in_force.now().feed_rate <= 0.0 {
+            return refuse(FaultKind::ZeroFeed, "a feed move without a feed rate");
+        }
+        self.move_by(words);
+        let end = self.position.position();
+        let effect = if self.motion == Motion::Traverse {
+            Effect::StraightTraverse { end }
+        } else {
+            Effect::StraightFeed { end }
+        };
+        self.in_force.tell(words.line, sink);
+        match sink.perform(words.line, &effect) {
+            Reply::Stop => Ok(Flow::Stopped),
+            Reply::Failed(kind) => refuse(kind, "refused from outside"),
+            Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => Ok(Flow::More),
+        }
+    }
+
+    /// Every phase of the order of execution.
+    #[inline(never)]
+    fn whole_block<K: Sink>(
+        &mut self,
+        words: &Words,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<Flow, Refusal> {
+        let block = self.check(words)?;
+        self.stop_asked = false;
+        self.feed(&block)?;
+        self.spindle_speed(&block)?;
+        if let Some(tool) = words.get(b'T') {
+            self.prepare_tool(tool, words.line, sink)?;
+        }
+        for (rank, code) in block.m() {
+            if rank < STOP_RANK {
+                self.before_motion(&block, code, numbered, sink)?;
+            }
+        }
+        self.g_phases(&block, numbered, sink)?;
+        let mut ended = false;
+        for (rank, code) in block.m() {
+            if rank >= STOP_RANK {
+                ended = self.stop(code, words.line, numbered, sink)?;
+            }
+        }
+        self.in_force.tell(words.line, sink);
+        Ok(match (ended, self.stop_asked) {
+            (true, _) => Flow::Ended,
+            (false, true) => Flow::Stopped,
+            (false, false) => Flow::More,
+        })
+    }
+
+    /// An M code that comes before the G codes.
+    fn before_motion<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        code: u16,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        match code {
+            62..=65 => self.digital_output(block, code, sink),
+            66 => self.wait_input(block, numbered, sink),
+            67 | 68 => self.analog_output(block, code, sink),
+            6 => self.change_tool(block.words.line, numbered, sink),
+            61 => self.set_tool(block, numbered, sink),
+            3..=5 => self.turn_spindle(block, code),
+            19 => self.orient(block, sink),
+            70..=73 => self.saved_state(code, numbered),
+            7..=9 => {
+                self.coolant(code);
+                Ok(())
+            }
+            48..=53 => self.overrides(block, code),
+            _ => self.user_code(block, code, sink),
+        }
+    }
+
+    /// From the dwell to the motion.
+    fn g_phases<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        if block.words.g_count == 0 && !block.axes_move {
+            return Ok(());
+        }
+        if block.g(NON_MODAL) == Some(40) {
+            self.dwell(block.words, sink)?;
+        }
+        if let Some(code) = block.g(PLANE) {
+            self.select_plane(code);
+        }
+        if let Some(code) = block.g(UNITS) {
+            self.select_units(code);
+        }
+        if let Some(code) = block.g(LATHE) {
+            self.select_lathe_mode(code);
+        }
+        if let Some(code) = block.g(COMPENSATION) {
+            self.compensation(block.words, code)?;
+        }
+        if let Some(code) = block.g(TOOL_LENGTH) {
+            self.tool_length(block.words, code)?;
+        }
+        if let Some(code) = block.g(WORK_OFFSET) {
+            self.select_work_offset(code, numbered)?;
+        }
+        if let Some(code) = block.g(PATH) {
+            self.path(block.words, code)?;
+        }
+        if let Some(code) = block.g(DISTANCE) {
+            self.select_distance(code);
+        }
+        if let Some(code) = block.g(ARC_DISTANCE) {
+            self.select_arc_distance(code);
+        }
+        if let Some(code) = block.g(RETRACT) {
+            self.select_retract(code);
+        }
+        if let Some(code) = block.g(NON_MODAL) {
+            self.offset_data(block.words, code, numbered)?;
+        }
+        self.motion(block, sink)
+    }
+
+    /// Set feed rate mode, then the feed rate: the first phases.
+    fn feed(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
+        if let Some(code) = block.g(FEED_MODE) {
+            if code == 950 {
+                let which = self.selected(block, super::spindle::FIRST)?;
+                self.feed_spindle = which.trailing_zeros();
+            }
+            self.select_feed_mode(code);
+        }
+        let feed = block.words.get(b'F');
+        if self.in_force.now().feed_mode != FeedMode::InverseTime {
+            return feed.map_or(Ok(()), |feed| self.set_feed(feed));
+        }
+        // Under inverse time F belongs to one move; on any other line it is ignored (11.5.59).
+        if block.motion != Some(10) {
+            return Ok(());
+        }
+        match feed {
+            Some(feed) => self.set_feed(feed),
+            None => refuse(FaultKind::MissingWord, "inverse time without an F word"),
+        }
+    }
+
+    /// Performs an effect under the settings in force.
+    pub(super) fn perform<K: Sink>(
+        &mut self,
+        line: u32,
+        effect: &Effect,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        self.in_force.tell(line, sink);
+        match sink.perform(line, effect) {
+            Reply::Stop => self.stop_asked = true,
+            Reply::Failed(kind) => return refuse(kind, "refused from outside"),
+            Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
+        }
+        Ok(())
+    }
+
+    /// Performs an effect whose outcome comes from the outside.
+    pub(super) fn ask<K: Sink>(
+        &mut self,
+        line: u32,
+        effect: &Effect,
+        sink: &mut K,
+    ) -> Result<Reply, Refusal> {
+        self.in_force.tell(line, sink);
+        let reply = sink.perform(line, effect);
+        match reply {
+            Reply::Stop => self.stop_asked = true,
+            Reply::Failed(kind) => return refuse(kind, "refused from outside"),
+            Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
+        }
+        Ok(reply)
+    }
+}

@@ -1,0 +1,132 @@
+//! Outputs and inputs (11.6.15 to 11.6.18) and user-defined codes (11.6.24).
+
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::string::{String, ToString};
+
+use gaugeblock_trace::{Effect, FaultKind, OutputTiming, WaitMode};
+
+use crate::canon::{Reply, Sink};
+use crate::parameters::Numbered;
+
+use super::Modal;
+use super::check::Block;
+use super::refusal::{Refusal, refuse};
+use super::values::{integer, integer_in, not_negative};
+
+/// Result of M66.
+const INPUT_RESULT: u32 = 5399;
+
+impl Modal {
+    /// M62 to M65.
+    pub(super) fn digital_output<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        code: u16,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        self.check_output()?;
+        let output = number(block.words.get(b'P'), self.digital_io)?;
+        let timing = if code < 64 { OutputTiming::WithMotion } else { OutputTiming::AtOnce };
+        let on = matches!(code, 62 | 64);
+        let effect = Effect::SetDigitalOutput { output, on, timing };
+        self.perform(block.words.line, &effect, sink)
+    }
+
+    /// M67, M68.
+    pub(super) fn analog_output<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        code: u16,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        self.check_output()?;
+        let output = number(block.words.get(b'E'), self.analog_io)?;
+        let to = block.words.get(b'Q').unwrap_or(0.0);
+        let timing = if code == 67 { OutputTiming::WithMotion } else { OutputTiming::AtOnce };
+        let effect = Effect::SetAnalogOutput { output, to, timing };
+        self.perform(block.words.line, &effect, sink)
+    }
+
+    fn check_output(&self) -> Result<(), Refusal> {
+        if self.choices.output_uncompensated {
+            self.refuse_under_compensation("outputs")?;
+        }
+        Ok(())
+    }
+
+    /// M66: reads an input or waits for it; what it read goes into 5399.
+    pub(super) fn wait_input<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        if self.choices.input_uncompensated {
+            self.refuse_under_compensation("M66")?;
+        }
+        let words = block.words;
+        let (digital, analog) = match (words.get(b'P'), words.get(b'E')) {
+            (Some(_), Some(_)) => {
+                return refuse(FaultKind::ModalConflict, "M66 with both P and E");
+            }
+            (None, None) => return refuse(FaultKind::MissingWord, "M66 without P and without E"),
+            (digital @ Some(_), None) => (Some(number(digital, self.digital_io)?), None),
+            (None, analog) => (None, Some(number(analog, self.analog_io)?)),
+        };
+        let mode = match words.get(b'L').map_or(Ok(0), |l| integer_in(l, 0, 4, "L"))? {
+            0 => WaitMode::Immediate,
+            1 => WaitMode::Rise,
+            2 => WaitMode::Fall,
+            3 => WaitMode::High,
+            _ => WaitMode::Low,
+        };
+        if analog.is_some() && mode != WaitMode::Immediate {
+            return refuse(FaultKind::WordOutOfRange, "M66 waits for no analog input");
+        }
+        let timeout = self.wait_timeout(mode, words.get(b'Q'))?;
+        let effect = Effect::WaitInput { digital, analog, mode, timeout, read: 0.0 };
+        let reply = self.ask(words.line, &effect, sink)?;
+        let read = if let Reply::Input(read) = reply { read } else { 0.0 };
+        numbered.set(INPUT_RESULT, read);
+        Ok(())
+    }
+
+    /// Q of M66, which is ignored where nothing is waited for.
+    fn wait_timeout(&self, mode: WaitMode, q: Option<f64>) -> Result<Option<f64>, Refusal> {
+        match q {
+            _ if mode == WaitMode::Immediate => Ok(None),
+            Some(timeout) if not_negative(timeout, "Q")? > 0.0 => Ok(Some(timeout)),
+            Some(_) => refuse(FaultKind::WordOutOfRange, "M66 waits for zero seconds"),
+            None if self.choices.endless_wait => Ok(None),
+            None => refuse(FaultKind::MissingWord, "M66 waits without Q"),
+        }
+    }
+
+    /// M100 to M199.
+    pub(super) fn user_code<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        code: u16,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        let argument = |value: Option<f64>| match value {
+            Some(value) => value.to_string(),
+            None if self.choices.empty_argument => String::new(),
+            None => "-1".to_owned(),
+        };
+        let (p, q) = (argument(block.words.get(b'P')), argument(block.words.get(b'Q')));
+        let effect = Effect::UserCode { code: u32::from(code), p, q };
+        self.perform(block.words.line, &effect, sink)
+    }
+}
+
+/// The number of an input or output, of which the machine has `count`.
+fn number(value: Option<f64>, count: i32) -> Result<i32, Refusal> {
+    let number = integer(value.unwrap_or(0.0), "the number of an input or output")?;
+    if (0..count).contains(&number) {
+        Ok(number)
+    } else {
+        refuse(FaultKind::NoSuchInputOrOutput, format!("there is no input or output {number}"))
+    }
+}

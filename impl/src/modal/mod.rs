@@ -1,0 +1,243 @@
+//! The modal side: what the words of a block mean under the modes in force, in the documents' order of execution.
+//!
+//! ```text
+//! Words ─► check (groups, missing and unused words) ─► execute (11.4.23, phase by phase) ─► Sink
+//! ```
+//!
+//! **Invariants.**
+//! * The codes stand in one table, [`codes`]; no other file says which group a code is in or which words it takes.
+//! * The sink hears of a setting when it changed, and before the next effect.
+//! * Positions are program coordinates in the active length unit; only an offset, a unit or G53 goes through machine coordinates.
+
+mod check;
+mod choices;
+mod codes;
+mod compensation;
+mod coordinates;
+mod end;
+mod execute;
+mod io;
+mod letters;
+mod modes;
+mod motion;
+mod named;
+mod offsets;
+mod refusal;
+mod saved;
+mod spindle;
+mod switches;
+mod tool;
+mod units;
+mod values;
+mod work;
+
+#[cfg(test)]
+mod tests;
+
+use alloc::vec::Vec;
+
+use gaugeblock_trace::scenario::ToolChange;
+use gaugeblock_trace::{
+    Axis, ControllerMode, LengthUnit, Machine, Motion, Options, Retract, Rs274State, Settings, Tool,
+};
+
+use crate::error::Error;
+use crate::parameters::Numbered;
+
+use choices::{Choices, InitialMotion};
+use coordinates::{Conversion, Coordinates};
+use modes::{InForce, Modes, SPINDLES};
+use saved::SavedStates;
+use tool::NO_TOOL;
+
+pub(crate) use named::Predefined;
+pub(crate) use refusal::{Flow, Refusal};
+
+/// The modes of a running program, and the machine as far as they need it.
+#[derive(Clone, Debug)]
+pub(crate) struct Modal {
+    /// The settings in force.
+    in_force: InForce,
+    /// Motion mode.
+    motion: Motion,
+    /// The controlled point: program coordinates, active length unit and degrees.
+    position: Coordinates,
+    /// Radius under cutter compensation, active length unit.
+    compensation_radius: f64,
+    /// Whether any spindle is under constant surface speed.
+    surface_speed: bool,
+    /// The spindle that G95 follows.
+    feed_spindle: u32,
+    /// Tool number in the spindle, 0 for none.
+    tool: i32,
+    /// Tool that T selected since the last change, [`tool::NO_TOOL`] where it selected none.
+    prepared: Option<i32>,
+    /// Tool table, machine unit.
+    tools: Vec<Tool>,
+    /// Mode of the controller.
+    controller_mode: ControllerMode,
+    /// What M70 and M73 saved.
+    saved: SavedStates,
+    /// The sink asked to stop within this block.
+    stop_asked: bool,
+    /// Letters of the axes that the machine has.
+    axes: u32,
+    /// Number of spindles.
+    spindles: u32,
+    /// Number of digital inputs and outputs each.
+    digital_io: i32,
+    /// Number of analog inputs and outputs each.
+    analog_io: i32,
+    /// Degrees added to R of M19.
+    orient_offset: f64,
+    /// What a tool change does besides.
+    tool_change: ToolChange,
+    /// Whether tools change places in the changer.
+    random_tool_changer: bool,
+    /// Length unit of stored data.
+    machine_unit: LengthUnit,
+    /// The readings of the documents that apply.
+    choices: Choices,
+}
+
+impl Modal {
+    /// The modes at the start of a program. Stored parameters are taken over into `numbered`.
+    ///
+    /// # Errors
+    /// An unknown option, or a number of spindles other than 1 to 8.
+    pub(crate) fn new(
+        machine: &Machine,
+        options: &Options,
+        numbered: &mut Numbered,
+    ) -> Result<Self, Error> {
+        let choices = Choices::read(options)?;
+        let spindles = usize::from(machine.spindles);
+        if !(1..=SPINDLES).contains(&spindles) {
+            return Err(Error::Configuration("a machine has 1 to 8 spindles"));
+        }
+        for (number, value) in &machine.parameters.0 {
+            numbered.set(*number, *value);
+        }
+        let in_spindle = initial_tool(machine);
+        let mut modal = Self {
+            in_force: InForce::new(initial_modes(machine, &choices, numbered), spindles),
+            motion: match choices.initial_motion {
+                InitialMotion::None => Motion::None,
+                InitialMotion::Feed => Motion::Feed,
+                InitialMotion::Traverse => Motion::Traverse,
+            },
+            position: Coordinates::default(),
+            compensation_radius: 0.0,
+            surface_speed: false,
+            feed_spindle: 0,
+            tool: in_spindle.map_or(0, tool::number_of),
+            prepared: None,
+            tools: machine.tools.clone(),
+            controller_mode: ControllerMode::Auto,
+            saved: SavedStates::default(),
+            stop_asked: false,
+            axes: axis_letters(&machine.axes),
+            spindles: u32::from(machine.spindles),
+            digital_io: i32::from(machine.digital_io),
+            analog_io: i32::from(machine.analog_io),
+            orient_offset: machine.orient_offset,
+            tool_change: machine.tool_change,
+            random_tool_changer: machine.random_tool_changer,
+            machine_unit: machine.length_unit,
+            choices,
+        };
+        // The machine stands at its origin (11.1.2).
+        modal.position = modal.in_force.now().program_of(Coordinates::default());
+        offsets::store_tool(numbered, modal.tool, in_spindle.unwrap_or(&Tool::default()));
+        Ok(modal)
+    }
+
+    /// All settings in force.
+    pub(crate) fn settings(&self) -> Settings {
+        self.in_force.settings()
+    }
+
+    /// The state as far as the modes know it: call level and parameters are the caller's to add.
+    pub(crate) fn state(&self) -> Rs274State {
+        Rs274State {
+            motion: Some(self.motion),
+            position: Some(self.position.position()),
+            tool: Some(self.tool),
+            prepared_tool: Some(self.prepared.unwrap_or(NO_TOOL)),
+            controller_mode: Some(self.controller_mode),
+            call_level: None,
+            parameter: None,
+        }
+    }
+
+    /// The tool table as the program has changed it.
+    pub(crate) fn tools(&self) -> &[Tool] {
+        &self.tools
+    }
+
+    /// A parameter that is not kept in [`Numbered`]: the controlled point, 5420 to 5428.
+    pub(crate) fn numbered(&self, number: u32) -> Option<f64> {
+        offsets::published(self.position, number)
+    }
+
+    /// Writes the controlled point into its parameters.
+    pub(crate) fn publish(&self, numbered: &mut Numbered) {
+        offsets::publish(numbered, self.position);
+    }
+
+    /// From the unit of stored lengths to the active one.
+    fn stored_to_active(&self) -> Conversion {
+        Conversion::between(self.machine_unit, self.in_force.now().units)
+    }
+
+    /// From the active unit to that of stored lengths.
+    fn active_to_stored(&self) -> Conversion {
+        Conversion::between(self.in_force.now().units, self.machine_unit)
+    }
+}
+
+/// The settings before the first block. A machine starts with the work coordinate system of 5220 (11.1.3.1) and with the
+/// stored offset of G92 (11.1.5.1).
+fn initial_modes(machine: &Machine, choices: &Choices, numbered: &mut Numbered) -> Modes {
+    let units =
+        if choices.initial_machine_unit { machine.length_unit } else { LengthUnit::Millimetre };
+    let conversion = Conversion::between(machine.length_unit, units);
+    let system = offsets::system_of(numbered.get(offsets::WORK_OFFSET));
+    numbered.set(offsets::WORK_OFFSET, f64::from(system));
+    let mut modes = Modes {
+        units,
+        work_offset: system,
+        g5x_offset: offsets::origin(numbered, system).converted(conversion),
+        rotation: offsets::rotation(numbered, system),
+        retract: if choices.initial_old_z { Retract::OldZ } else { Retract::RPlane },
+        ..Modes::default()
+    };
+    if numbered.get(offsets::G92_APPLIED).abs() > 0.0 {
+        modes.g92_offset = offsets::g92_offset(numbered).converted(conversion);
+    }
+    modes
+}
+
+/// On a machine whose tools change places, pocket 0 is the spindle (11.2.2.2).
+fn initial_tool(machine: &Machine) -> Option<&Tool> {
+    let in_spindle = |tool: &&Tool| machine.random_tool_changer && tool.pocket == Some(0);
+    machine.tools.iter().find(in_spindle)
+}
+
+/// The letters of axes.
+fn axis_letters(axes: &[Axis]) -> u32 {
+    axes.iter().fold(0, |letters, axis| {
+        letters
+            | match axis {
+                Axis::X => letters::X,
+                Axis::Y => letters::Y,
+                Axis::Z => letters::Z,
+                Axis::A => letters::A,
+                Axis::B => letters::B,
+                Axis::C => letters::C,
+                Axis::U => letters::U,
+                Axis::V => letters::V,
+                Axis::W => letters::W,
+            }
+    })
+}

@@ -1,0 +1,232 @@
+//! The settings in force, and which of them the sink has not heard of yet.
+
+use gaugeblock_trace::{
+    Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Retract, Settings,
+    SpindleLimit, SpindleMode, SpindleTurn, Switch,
+};
+
+use crate::canon::Sink;
+
+use super::coordinates::Coordinates;
+
+/// Most spindles that a machine has.
+pub(crate) const SPINDLES: usize = 8;
+
+/// What is set for one spindle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Spindle {
+    /// S: revolutions per minute or surface speed.
+    pub(crate) speed: f64,
+    /// What S means.
+    pub(crate) mode: SpindleMode,
+    /// D of G96.
+    pub(crate) limit: SpindleLimit,
+    /// What it was told to do.
+    pub(crate) turn: SpindleTurn,
+    /// Whether its speed override is enabled.
+    pub(crate) speed_override: Switch,
+}
+
+impl Spindle {
+    /// Whether M3 or M4 is in force.
+    pub(crate) fn turns(&self) -> bool {
+        matches!(self.turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise)
+    }
+}
+
+/// Every setting; lengths in the active unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Modes {
+    pub(crate) units: LengthUnit,
+    pub(crate) plane: Plane,
+    pub(crate) distance: Distance,
+    pub(crate) arc_distance: Distance,
+    pub(crate) feed_mode: FeedMode,
+    /// Zero until set.
+    pub(crate) feed_rate: f64,
+    pub(crate) retract: Retract,
+    pub(crate) compensation: Compensation,
+    pub(crate) tool_length: Switch,
+    pub(crate) tool_offset: Coordinates,
+    /// 1 to 9.
+    pub(crate) work_offset: u32,
+    pub(crate) g5x_offset: Coordinates,
+    pub(crate) g92_offset: Coordinates,
+    /// Degrees.
+    pub(crate) rotation: f64,
+    pub(crate) path: Path,
+    pub(crate) blend_tolerance: f64,
+    pub(crate) naive_cam_tolerance: f64,
+    pub(crate) lathe: Lathe,
+    pub(crate) mist: Switch,
+    pub(crate) flood: Switch,
+    pub(crate) feed_override: Switch,
+    pub(crate) adaptive_feed: Switch,
+    pub(crate) feed_stop: Switch,
+    pub(crate) spindles: [Spindle; SPINDLES],
+}
+
+impl Default for Modes {
+    /// The state at power-up, as far as the documents tell; machine and options say the rest.
+    fn default() -> Self {
+        let spindle = Spindle {
+            speed: 0.0,
+            mode: SpindleMode::Rpm,
+            limit: SpindleLimit::None,
+            turn: SpindleTurn::Stopped,
+            speed_override: Switch::On,
+        };
+        Self {
+            units: LengthUnit::Millimetre,
+            plane: Plane::Xy,
+            distance: Distance::Absolute,
+            arc_distance: Distance::Incremental,
+            feed_mode: FeedMode::PerMinute,
+            feed_rate: 0.0,
+            retract: Retract::RPlane,
+            compensation: Compensation::Off,
+            tool_length: Switch::Off,
+            tool_offset: Coordinates::default(),
+            work_offset: 1,
+            g5x_offset: Coordinates::default(),
+            g92_offset: Coordinates::default(),
+            rotation: 0.0,
+            path: Path::Continuous,
+            blend_tolerance: 0.0,
+            naive_cam_tolerance: 0.0,
+            lathe: Lathe::Radius,
+            mist: Switch::Off,
+            flood: Switch::Off,
+            feed_override: Switch::On,
+            adaptive_feed: Switch::Off,
+            feed_stop: Switch::On,
+            spindles: [spindle; SPINDLES],
+        }
+    }
+}
+
+/// The modes, and what the sink has been told of them.
+#[derive(Clone, Debug)]
+pub(crate) struct InForce {
+    /// As they are now.
+    now: Modes,
+    /// As the sink knows them, where `changed` is set.
+    told: Modes,
+    /// Whether anything but F was touched since the sink was told.
+    changed: bool,
+    /// Whether F was.
+    feed_changed: bool,
+    /// How many spindles the machine has.
+    spindles: usize,
+}
+
+impl InForce {
+    /// Nothing is to be told yet: a run begins with all settings known.
+    pub(crate) fn new(now: Modes, spindles: usize) -> Self {
+        Self { now, told: now, changed: false, feed_changed: false, spindles }
+    }
+
+    /// What is in force.
+    #[inline]
+    pub(crate) fn now(&self) -> &Modes {
+        &self.now
+    }
+
+    /// F, of which every block may have another.
+    #[inline]
+    pub(crate) fn set_feed_rate(&mut self, feed_rate: f64) {
+        self.now.feed_rate = feed_rate;
+        self.feed_changed = true;
+    }
+
+    /// Sets one setting.
+    #[inline]
+    pub(crate) fn put<T: PartialEq>(&mut self, of: impl FnOnce(&mut Modes) -> &mut T, value: T) {
+        let setting = of(&mut self.now);
+        if *setting != value {
+            *setting = value;
+            self.changed = true;
+        }
+    }
+
+    /// For setting several at once.
+    #[inline]
+    pub(crate) fn set(&mut self) -> &mut Modes {
+        self.changed = true;
+        &mut self.now
+    }
+
+    /// Tells the sink what it does not know yet.
+    #[inline]
+    pub(crate) fn tell<K: Sink>(&mut self, line: u32, sink: &mut K) {
+        if self.changed {
+            self.tell_changes(line, sink);
+        } else if self.feed_changed {
+            self.tell_feed(line, sink);
+        }
+    }
+
+    fn tell_feed<K: Sink>(&mut self, line: u32, sink: &mut K) {
+        self.feed_changed = false;
+        if let Some(feed_rate) = since(self.now.feed_rate, self.told.feed_rate, |rate| rate) {
+            self.told.feed_rate = feed_rate;
+            sink.set(line, &Settings { feed_rate: Some(feed_rate), ..Settings::default() });
+        }
+    }
+
+    fn tell_changes<K: Sink>(&mut self, line: u32, sink: &mut K) {
+        self.changed = false;
+        self.feed_changed = false;
+        if self.now != self.told {
+            sink.set(line, &difference(&self.now, &self.told, self.spindles));
+            self.told = self.now;
+        }
+    }
+
+    /// All settings.
+    pub(crate) fn settings(&self) -> Settings {
+        everything(&self.now, self.spindles)
+    }
+}
+
+/// The value where it is another one.
+fn since<T: PartialEq, U>(now: T, told: T, record: impl Fn(T) -> U) -> Option<U> {
+    (now != told).then(|| record(now))
+}
+
+macro_rules! settings {
+    ($($field:ident => $record:expr),* ; $($indexed:ident => $spindle:ident),*) => {
+        fn difference(now: &Modes, told: &Modes, spindles: usize) -> Settings {
+            let mut settings = Settings::default();
+            $(settings.$field = since(now.$field, told.$field, $record);)*
+            if now.spindles != told.spindles {
+                for ((place, now), told) in (0_u8..).zip(&now.spindles).zip(&told.spindles).take(spindles) {
+                    $(if let Some(value) = since(now.$spindle, told.$spindle, |value| value) {
+                        settings.$indexed.get_or_insert_default().0.insert(place, value);
+                    })*
+                }
+            }
+            settings
+        }
+
+        fn everything(now: &Modes, spindles: usize) -> Settings {
+            let mut settings = Settings::default();
+            $(settings.$field = Some($record(now.$field));)*
+            for (place, now) in (0_u8..).zip(&now.spindles).take(spindles) {
+                $(settings.$indexed.get_or_insert_default().0.insert(place, now.$spindle);)*
+            }
+            settings
+        }
+    };
+}
+
+settings! {
+    units => |value| value, plane => |value| value, distance => |value| value, arc_distance => |value| value,
+    feed_mode => |value| value, feed_rate => |value| value, retract => |value| value, compensation => |value| value,
+    tool_length => |value| value, tool_offset => Coordinates::position, work_offset => |value| value,
+    g5x_offset => Coordinates::position, g92_offset => Coordinates::position, rotation => |value| value,
+    path => |value| value, blend_tolerance => |value| value, naive_cam_tolerance => |value| value,
+    lathe => |value| value, mist => |value| value, flood => |value| value, feed_override => |value| value,
+    adaptive_feed => |value| value, feed_stop => |value| value;
+    spindle_speed => speed, spindle_mode => mode, spindle_limit => limit, spindle => turn, speed_override => speed_override
+}

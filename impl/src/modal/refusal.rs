@@ -1,0 +1,39 @@
+//! What a block came to on the modal side.
+
+use alloc::string::String;
+
+use gaugeblock_trace::FaultKind;
+
+/// How execution goes on after a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Flow {
+    /// With the next block.
+    More,
+    /// With the next block, but the sink asked to stop first; the block has been finished.
+    Stopped,
+    /// Not at all: M2, M30.
+    Ended,
+}
+
+/// Why a block was not executed; its place is known to the caller.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Refusal {
+    /// The documents refuse it; the message is for people.
+    Fault(FaultKind, String),
+    /// A code of a later round.
+    Unsupported(String),
+}
+
+impl Refusal {
+    /// A refusal by the documents. It is cold: a program is refused once.
+    #[cold]
+    pub(crate) fn fault(kind: FaultKind, message: impl Into<String>) -> Self {
+        Self::Fault(kind, message.into())
+    }
+}
+
+/// Refuses the block.
+#[cold]
+pub(crate) fn refuse<T>(kind: FaultKind, message: impl Into<String>) -> Result<T, Refusal> {
+    Err(Refusal::fault(kind, message))
+}

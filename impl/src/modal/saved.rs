@@ -1,0 +1,193 @@
+//! Saved state: M70 saves, M71 invalidates, M72 restores, M73 restores at the end of its sub (11.6.19 to 11.6.22).
+
+use alloc::vec::Vec;
+
+use gaugeblock_trace::{FaultKind, Motion, SpindleTurn};
+
+use crate::canon::Sink;
+use crate::parameters::Numbered;
+
+use super::Modal;
+use super::modes::Modes;
+use super::refusal::{Refusal, refuse};
+
+/// What M70 and M73 save.
+#[derive(Clone, Copy, Debug)]
+struct Saved {
+    modes: Modes,
+    motion: Motion,
+    compensation_radius: f64,
+    feed_spindle: u32,
+}
+
+/// A place in which state is saved.
+#[derive(Clone, Debug)]
+struct Place {
+    /// Call level to which it belongs.
+    level: u32,
+    /// 70 or 73 where the codes save apart, else 70.
+    code: u16,
+    /// Whether it can be restored from.
+    valid: bool,
+    /// Whether the end of the sub restores from it.
+    autorestore: bool,
+    state: Saved,
+}
+
+/// The saved states of all call levels, innermost last. A level that saves nothing costs nothing.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SavedStates {
+    level: u32,
+    places: Vec<Place>,
+}
+
+impl SavedStates {
+    /// The places of the current call level.
+    fn here(&mut self) -> impl Iterator<Item = &mut Place> {
+        let level = self.level;
+        self.places.iter_mut().rev().take_while(move |place| place.level == level)
+    }
+
+    fn save(&mut self, code: u16, autorestore: bool, state: Saved) {
+        if let Some(place) = self.here().find(|place| place.code == code) {
+            place.state = state;
+            place.valid = true;
+            place.autorestore |= autorestore;
+            return;
+        }
+        let level = self.level;
+        self.places.push(Place { level, code, valid: true, autorestore, state });
+    }
+
+    /// Forgets everything: no call is open.
+    pub(super) fn clear(&mut self) {
+        self.level = 0;
+        self.places.clear();
+    }
+}
+
+impl Modal {
+    /// Begins a call level.
+    #[inline]
+    pub(crate) fn enter_call(&mut self) {
+        self.saved.level = self.saved.level.saturating_add(1);
+    }
+
+    /// Ends a call level, on whichever way back, and restores what M73 saved there.
+    #[inline]
+    pub(crate) fn leave_call<K: Sink>(&mut self, numbered: &mut Numbered, sink: &mut K, line: u32) {
+        while let Some(place) = self.saved.places.last()
+            && place.level >= self.saved.level
+        {
+            if place.autorestore && place.valid {
+                let state = place.state;
+                self.restore(&state, numbered);
+                self.in_force.tell(line, sink);
+            }
+            self.saved.places.pop();
+        }
+        self.saved.level = self.saved.level.saturating_sub(1);
+    }
+
+    /// M70 to M73.
+    pub(super) fn saved_state(
+        &mut self,
+        code: u16,
+        numbered: &mut Numbered,
+    ) -> Result<(), Refusal> {
+        match code {
+            70 | 73 => {
+                let state = Saved {
+                    modes: *self.in_force.now(),
+                    motion: self.motion,
+                    compensation_radius: self.compensation_radius,
+                    feed_spindle: self.feed_spindle,
+                };
+                let place = if self.choices.one_place { 70 } else { code };
+                self.saved.save(place, code == 73, state);
+                Ok(())
+            }
+            71 => self.invalidate(),
+            _ => {
+                let saved = self.saved.here().find(|place| place.code == 70 && place.valid);
+                let Some(state) = saved.map(|place| place.state) else {
+                    return refuse(FaultKind::NothingSaved, "nothing was saved at this call level");
+                };
+                self.restore(&state, numbered);
+                Ok(())
+            }
+        }
+    }
+
+    /// M71: nothing at this call level can be restored from any more.
+    fn invalidate(&mut self) -> Result<(), Refusal> {
+        let mut any = false;
+        for place in self.saved.here() {
+            any |= place.valid;
+            place.valid = false;
+        }
+        if !any && self.choices.invalidate_needs_save {
+            return refuse(FaultKind::NothingSaved, "nothing was saved at this call level");
+        }
+        Ok(())
+    }
+
+    /// Units first, so that the saved feed and lengths are told in their own unit; then everything else (11.6.21).
+    fn restore(&mut self, saved: &Saved, numbered: &mut Numbered) {
+        let modes = &saved.modes;
+        self.change_units(modes.units);
+        if self.in_force.now().work_offset != modes.work_offset {
+            self.use_work_offset(modes.work_offset, numbered);
+        }
+        self.offset_by(|now| {
+            (now.tool_length, now.tool_offset) = (modes.tool_length, modes.tool_offset);
+        });
+        self.compensation_radius = saved.compensation_radius;
+        self.feed_spindle = saved.feed_spindle;
+        let now = self.in_force.set();
+        let mut spindles = modes.spindles;
+        for (saved, now) in spindles.iter_mut().zip(&now.spindles) {
+            saved.turn = restored_turn(saved.turn, now.turn);
+        }
+        *now = Modes {
+            spindles,
+            // What the list does not name: offsets, of which the units were changed above.
+            g5x_offset: now.g5x_offset,
+            g92_offset: now.g92_offset,
+            rotation: now.rotation,
+            ..*modes
+        };
+        self.note_surface_speed();
+        if self.choices.motion_restored && (self.choices.every_motion || is_listed(saved.motion)) {
+            self.motion = saved.motion;
+        }
+    }
+}
+
+/// The list names M3, M4 and M5 only: a spindle that was at its angle is not turned there again, but does not turn.
+fn restored_turn(saved: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
+    match (saved, now) {
+        (SpindleTurn::Oriented, SpindleTurn::Oriented) => SpindleTurn::Oriented,
+        (SpindleTurn::Oriented, _) => SpindleTurn::Stopped,
+        (turn, _) => turn,
+    }
+}
+
+/// The motion modes of the draft's list: G1 G2 G3 G5.2 G73 G80 G82 G83 G86 G87 G88 G89.
+fn is_listed(motion: Motion) -> bool {
+    matches!(
+        motion,
+        Motion::Feed
+            | Motion::ArcClockwise
+            | Motion::ArcCounterclockwise
+            | Motion::Nurbs
+            | Motion::Cycle73
+            | Motion::None
+            | Motion::Cycle82
+            | Motion::Cycle83
+            | Motion::Cycle86
+            | Motion::Cycle87
+            | Motion::Cycle88
+            | Motion::Cycle89
+    )
+}

@@ -1,0 +1,160 @@
+//! Spindles: S, G96, G97, M3 to M5, M19 (11.5.60, 11.6.5, 11.6.8, 11.8.2).
+
+use gaugeblock_trace::{
+    Effect, FaultKind, OrientDirection, SpindleLimit, SpindleMode, SpindleTurn, Switch,
+};
+
+use crate::canon::Sink;
+
+use super::Modal;
+use super::check::Block;
+use super::codes::SPINDLE_MODE;
+use super::modes::Spindle;
+use super::refusal::{Refusal, refuse};
+use super::values::{integer, not_negative};
+
+/// A set of spindles: bit n for spindle n.
+pub(crate) type Spindles = u8;
+/// Spindle 0.
+pub(crate) const FIRST: Spindles = 1;
+
+impl Modal {
+    /// Every spindle of the machine.
+    pub(super) fn all_spindles(&self) -> Spindles {
+        u8::MAX.checked_shr(8_u32.saturating_sub(self.spindles)).unwrap_or(0)
+    }
+
+    /// The spindles that `$` selects, or those that a code without it acts on.
+    pub(super) fn selected(
+        &self,
+        block: &Block<'_>,
+        without: Spindles,
+    ) -> Result<Spindles, Refusal> {
+        let Some(dollar) = block.words.dollar else { return Ok(without) };
+        let number = integer(dollar, "$")?;
+        if number == -1 && self.choices.minus_one_all && block.has_m(|code| (3..=5).contains(&code))
+        {
+            return Ok(self.all_spindles());
+        }
+        match u32::try_from(number) {
+            Ok(number) if number < self.spindles => Ok(FIRST.wrapping_shl(number)),
+            _ => refuse(FaultKind::SpindleOutOfRange, "the machine has no spindle of this number"),
+        }
+    }
+
+    /// Sets something for each of a set of spindles.
+    pub(super) fn for_spindles(&mut self, which: Spindles, mut set: impl FnMut(&mut Spindle)) {
+        for (place, spindle) in (0_u32..).zip(self.in_force.set().spindles.iter_mut()) {
+            if which & FIRST.wrapping_shl(place) != 0 {
+                set(spindle);
+            }
+        }
+    }
+
+    /// Set spindle speed (S), and what it means (G96, G97). Without $ it is spindle 0 (11.8.2).
+    pub(super) fn spindle_speed(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
+        let words = block.words;
+        let speed = words.get(b'S');
+        let mode = block.g(SPINDLE_MODE);
+        if speed.is_none() && mode.is_none() {
+            return Ok(());
+        }
+        let which = self.selected(block, FIRST)?;
+        if let Some(speed) = speed {
+            not_negative(speed, "S")?;
+        }
+        let limit = match words.get(b'D') {
+            Some(limit) if mode == Some(960) => SpindleLimit::Rpm(not_negative(limit, "D")?),
+            Some(_) | None => SpindleLimit::None,
+        };
+        if mode == Some(970) && speed.is_none() && self.choices.rpm_needs_speed {
+            return refuse(FaultKind::MissingWord, "G97 without S");
+        }
+        self.for_spindles(which, |spindle| {
+            if let Some(speed) = speed {
+                spindle.speed = speed;
+            }
+            match mode {
+                Some(960) => (spindle.mode, spindle.limit) = (SpindleMode::SurfaceSpeed, limit),
+                Some(_) => (spindle.mode, spindle.limit) = (SpindleMode::Rpm, SpindleLimit::None),
+                None => {}
+            }
+        });
+        self.note_surface_speed();
+        Ok(())
+    }
+
+    /// M3, M4, M5.
+    pub(super) fn turn_spindle(&mut self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
+        let without = if self.choices.turn_first { FIRST } else { self.all_spindles() };
+        let which = self.selected(block, without)?;
+        let turn = match code {
+            3 => SpindleTurn::Clockwise,
+            4 => SpindleTurn::Counterclockwise,
+            _ => SpindleTurn::Stopped,
+        };
+        self.for_spindles(which, |spindle| spindle.turn = turn);
+        Ok(())
+    }
+
+    /// M19: turn to an angle and wait for it.
+    pub(super) fn orient<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        let words = block.words;
+        let (angle, timeout) = (words.get(b'R').unwrap_or(0.0), words.get(b'Q').unwrap_or(0.0));
+        if !(0.0..=360.0).contains(&angle) {
+            return refuse(FaultKind::WordOutOfRange, "R of M19 is 0 to 360");
+        }
+        if not_negative(timeout, "Q")? <= 0.0 && !self.choices.orient_at_once {
+            return refuse(FaultKind::WordOutOfRange, "Q of M19 is greater than zero");
+        }
+        let direction = match words.get(b'P').map_or(Ok(0), |p| integer(p, "P"))? {
+            0 => OrientDirection::Shortest,
+            1 => OrientDirection::Clockwise,
+            2 => OrientDirection::Counterclockwise,
+            _ => return refuse(FaultKind::WordOutOfRange, "P of M19 is 0, 1 or 2"),
+        };
+        let without = if self.choices.orient_all { self.all_spindles() } else { FIRST };
+        let which = self.selected(block, without)?;
+        // The sum is what the pin shows (11.6.8); it may be more than a turn.
+        let angle = angle + self.orient_offset;
+        self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Oriented);
+        for spindle in spindles_of(which) {
+            self.perform(words.line, &Effect::OrientSpindle { spindle, angle, direction }, sink)?;
+        }
+        for spindle in spindles_of(which) {
+            self.perform(words.line, &Effect::WaitOrient { spindle, timeout }, sink)?;
+        }
+        Ok(())
+    }
+
+    /// A spindle under constant surface speed that does not turn: a feed move is refused then (11.5.60).
+    pub(super) fn surface_speed_stands(&self) -> bool {
+        let stands =
+            |spindle: &Spindle| spindle.mode == SpindleMode::SurfaceSpeed && !spindle.turns();
+        self.surface_speed && self.in_force.now().spindles.iter().any(stands)
+    }
+
+    /// Whether any spindle is under constant surface speed; kept apart since every feed move asks.
+    pub(super) fn note_surface_speed(&mut self) {
+        self.surface_speed = self
+            .in_force
+            .now()
+            .spindles
+            .iter()
+            .any(|spindle| spindle.mode == SpindleMode::SurfaceSpeed);
+    }
+
+    /// Enables or disables speed overrides.
+    pub(super) fn set_speed_override(&mut self, which: Spindles, switch: Switch) {
+        self.for_spindles(which, |spindle| spindle.speed_override = switch);
+    }
+}
+
+/// The numbers of a set of spindles, ascending.
+fn spindles_of(which: Spindles) -> impl Iterator<Item = u32> {
+    (0..8).filter(move |number| which & FIRST.wrapping_shl(*number) != 0)
+}

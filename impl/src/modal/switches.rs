@@ -1,0 +1,65 @@
+//! Coolant (11.6.7) and override controls (11.6.9 to 11.6.13).
+
+use gaugeblock_trace::{Compensation, FaultKind, Switch};
+
+use super::Modal;
+use super::check::Block;
+use super::refusal::{Refusal, refuse};
+use super::spindle::FIRST;
+use super::values::integer;
+
+impl Modal {
+    /// M7, M8, M9.
+    pub(super) fn coolant(&mut self, code: u16) {
+        let modes = self.in_force.set();
+        match code {
+            7 => modes.mist = Switch::On,
+            8 => modes.flood = Switch::On,
+            _ => (modes.mist, modes.flood) = (Switch::Off, Switch::Off),
+        }
+    }
+
+    /// M48 to M53.
+    pub(super) fn overrides(&mut self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
+        if self.choices.override_uncompensated {
+            self.refuse_under_compensation("overrides")?;
+        }
+        let without = if self.choices.override_first { FIRST } else { self.all_spindles() };
+        if let 48 | 49 = code {
+            let switch = if code == 48 { Switch::On } else { Switch::Off };
+            let which = self.selected(block, without)?;
+            if block.words.dollar.is_none() || !self.choices.feed_override_untouched {
+                self.in_force.put(|modes| &mut modes.feed_override, switch);
+            }
+            self.set_speed_override(which, switch);
+            return Ok(());
+        }
+        // P1 is optional.
+        let switch = match block.words.get(b'P').map_or(Ok(1), |p| integer(p, "P"))? {
+            0 => Switch::Off,
+            1 => Switch::On,
+            _ => return refuse(FaultKind::WordOutOfRange, "P of M50 to M53 is 0 or 1"),
+        };
+        match code {
+            50 => self.in_force.put(|modes| &mut modes.feed_override, switch),
+            51 => {
+                let which = self.selected(block, without)?;
+                self.set_speed_override(which, switch);
+            }
+            52 => self.in_force.put(|modes| &mut modes.adaptive_feed, switch),
+            _ => self.in_force.put(|modes| &mut modes.feed_stop, switch),
+        }
+        Ok(())
+    }
+
+    /// Refuses what an option does not allow while cutter compensation is on.
+    pub(super) fn refuse_under_compensation(&self, what: &str) -> Result<(), Refusal> {
+        if self.in_force.now().compensation == Compensation::Off {
+            return Ok(());
+        }
+        refuse(
+            FaultKind::CompensationActive,
+            alloc::format!("{what} while cutter compensation is on"),
+        )
+    }
+}

@@ -1,0 +1,93 @@
+//! Whatever words come in whatever order: no panic, and the sink is told all that is in force.
+
+use gaugeblock_trace::{Machine, Options, Settings};
+use proptest::prelude::*;
+
+use crate::parameters::Numbered;
+use crate::words::Words;
+
+use super::super::Modal;
+use super::{Recorder, machine};
+
+/// Codes that are, more often than codes that are not.
+const G: &[u16] = &[
+    0, 10, 20, 40, 70, 80, 100, 170, 180, 190, 171, 200, 210, 280, 400, 410, 420, 411, 430, 431,
+    432, 490, 520, 530, 540, 550, 593, 610, 611, 640, 800, 900, 910, 901, 911, 920, 921, 922, 923,
+    930, 940, 950, 960, 970, 980, 990, 999,
+];
+const M: &[u16] = &[
+    0, 1, 3, 4, 5, 6, 7, 8, 9, 19, 48, 49, 50, 51, 52, 53, 60, 61, 62, 63, 64, 65, 66, 67, 68, 70,
+    71, 72, 73, 100, 199, 200,
+];
+
+fn value() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        4 => (-1_i8..12).prop_map(f64::from),
+        1 => any::<f64>(),
+        1 => Just(f64::MAX),
+        1 => Just(0.5),
+    ]
+}
+
+fn block() -> impl Strategy<Value = Words> {
+    let letters = prop::collection::vec((0_u8..26, value()), 0..5);
+    let g = prop::collection::vec(prop::sample::select(G), 0..4);
+    let m = prop::collection::vec(prop::sample::select(M), 0..3);
+    (letters, g, m, prop::option::weighted(0.2, value())).prop_map(|(letters, g, m, dollar)| {
+        let mut words = Words::new();
+        for (place, value) in letters {
+            if !matches!(place, 6 | 12 | 13 | 14) {
+                words.set(place, value);
+            }
+        }
+        for code in g {
+            words.push_g(code);
+        }
+        for code in m {
+            words.push_m(code);
+        }
+        words.dollar = dollar;
+        words
+    })
+}
+
+/// Second options of choices that open more ways.
+fn options() -> impl Strategy<Value = Options> {
+    let pairs = [
+        ("modal-groups.io-members", "independent"),
+        ("motion.without-axis-words", "move-in-place"),
+        ("saved-state.places", "one"),
+        ("spindle.minus-one", "all"),
+        ("tool.selected-by", "slot"),
+        ("tool.old-tool-place", "slot-of-the-new"),
+        ("tool.change-without-selection", "accepted"),
+        ("units-planes.diameter-offsets", "every-word"),
+    ];
+    prop::sample::subsequence(pairs.to_vec(), 0..=pairs.len()).prop_map(|chosen| {
+        Options(chosen.iter().map(|(id, to)| ((*id).into(), (*to).into())).collect())
+    })
+}
+
+proptest! {
+    #[test]
+    fn no_words_panic(blocks in prop::collection::vec((block(), 0_u8..6), 0..20), options in options(), random: bool) {
+        let machine = Machine { random_tool_changer: random, ..machine() };
+        let mut numbered = Numbered::new();
+        let mut modal = Modal::new(&machine, &options, &mut numbered).unwrap();
+        let mut sink = Recorder { settings: modal.settings(), ..Recorder::default() };
+        for (words, call) in blocks {
+            match call {
+                0 => modal.enter_call(),
+                1 => modal.leave_call(&mut numbered, &mut sink, 1),
+                _ => {}
+            }
+            if modal.execute(&words, &mut numbered, &mut sink).is_ok() {
+                // Minus zero is zero: a change between them is no change.
+                let text = |settings: Settings| {
+                    alloc::format!("{:?}", settings.entries()).replace("(-0.0)", "(0.0)").replace(": -0.0", ": 0.0")
+                };
+                prop_assert_eq!(text(sink.settings.clone()), text(modal.settings()));
+            }
+        }
+    }
+}

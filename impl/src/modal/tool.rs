@@ -1,0 +1,216 @@
+//! Tools: T, M6, M61 (11.6.6, 11.6.14, 11.8.3) and tool length offsets (11.5.28 to 11.5.31).
+
+use gaugeblock_trace::{Effect, FaultKind, SpindleTurn, Switch, Tool};
+
+use crate::canon::{Reply, Sink};
+use crate::parameters::Numbered;
+use crate::words::Words;
+
+use super::Modal;
+use super::check::Block;
+use super::coordinates::Coordinates;
+use super::offsets;
+use super::refusal::{Refusal, refuse};
+use super::values::{integer, integer_in};
+
+/// No tool is selected.
+pub(super) const NO_TOOL: i32 = -1;
+
+/// The number of a tool; one that is too large for an effect is none that a program can name.
+pub(crate) fn number_of(tool: &Tool) -> i32 {
+    i32::try_from(tool.number).unwrap_or(i32::MAX)
+}
+
+/// The pocket of a tool; its number where the table gives none.
+fn pocket_of(tool: &Tool) -> i32 {
+    i32::try_from(tool.pocket.unwrap_or(tool.number)).unwrap_or(i32::MAX)
+}
+
+impl Modal {
+    fn tool_numbered(&self, number: i32) -> Option<&Tool> {
+        self.tools.iter().find(|tool| number_of(tool) == number)
+    }
+
+    /// T: which tool the next change puts into the spindle.
+    pub(super) fn prepare_tool<K: Sink>(
+        &mut self,
+        word: f64,
+        line: u32,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        let number = integer_in(word, 0, i32::MAX, "T")?;
+        let found = if self.choices.tool_by_slot {
+            self.tools.iter().find(|tool| pocket_of(tool) == number)
+        } else {
+            self.tool_numbered(number)
+        };
+        // T0 is no tool, except where tools change places: there it is a number like any other (11.8.3).
+        let tool = match found {
+            _ if number == 0 && !self.random_tool_changer => NO_TOOL,
+            Some(tool) => number_of(tool),
+            None if self.choices.tool_must_exist => {
+                return refuse(
+                    FaultKind::ToolNotFound,
+                    "the tool table does not hold the tool of T",
+                );
+            }
+            None => NO_TOOL,
+        };
+        self.prepared = Some(tool);
+        self.perform(line, &Effect::PrepareTool { tool: tool.max(0) }, sink)
+    }
+
+    /// M6: the tool that T selected comes into the spindle.
+    pub(super) fn change_tool<K: Sink>(
+        &mut self,
+        line: u32,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        if self.choices.change_uncompensated {
+            self.refuse_under_compensation("M6")?;
+        }
+        let tool = match self.prepared {
+            Some(tool) => tool.max(0),
+            None if self.choices.change_unselected => self.tool,
+            None => return refuse(FaultKind::MissingWord, "M6 without a T since the last change"),
+        };
+        if !self.tool_change.with_spindle_on {
+            let all = self.all_spindles();
+            self.for_spindles(all, |spindle| spindle.turn = SpindleTurn::Stopped);
+        }
+        self.move_to_change(line, numbered, sink)?;
+        let reply = self.ask(line, &Effect::ChangeTool { tool }, sink)?;
+        self.exchange_pockets(tool);
+        self.tool = if let Reply::Tool(tool) = reply { tool } else { tool };
+        self.prepared = None;
+        self.publish_tool(numbered);
+        Ok(())
+    }
+
+    /// The moves that a machine is set up to make before a change.
+    fn move_to_change<K: Sink>(
+        &mut self,
+        line: u32,
+        numbered: &Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        if self.tool_change.quill_up {
+            let [x, y, _, a, b, c, u, v, w] = self.in_force.now().machine_of(self.position).0;
+            let up = Coordinates([x, y, 0.0, a, b, c, u, v, w]);
+            self.traverse_to(line, self.in_force.now().program_of(up), sink)?;
+        }
+        if self.tool_change.at_g30 {
+            let place = offsets::g30_position(numbered).converted(self.stored_to_active());
+            self.traverse_to(line, self.in_force.now().program_of(place), sink)?;
+        }
+        Ok(())
+    }
+
+    /// Where tools change places, the new tool's pocket takes the old tool; pocket 0 is the spindle.
+    fn exchange_pockets(&mut self, new: i32) {
+        let old = self.tool;
+        if !self.random_tool_changer || !self.choices.old_tool_to_new_slot || old == new {
+            return;
+        }
+        let freed = self.tool_numbered(new).map(|tool| tool.pocket.unwrap_or(tool.number));
+        for tool in &mut self.tools {
+            if number_of(tool) == new {
+                tool.pocket = Some(0);
+            } else if number_of(tool) == old && freed.is_some() {
+                tool.pocket = freed;
+            }
+        }
+    }
+
+    /// M61: says which tool is in the spindle.
+    pub(super) fn set_tool<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        if self.choices.no_set_in_program {
+            return refuse(FaultKind::ControllerMode, "M61 belongs to MDI and manual mode");
+        }
+        let tool = integer_in(block.words.get(b'Q').unwrap_or(0.0), 0, i32::MAX, "Q of M61")?;
+        let none = tool == 0 && !self.random_tool_changer;
+        if !none && !self.choices.set_any_tool && self.tool_numbered(tool).is_none() {
+            return refuse(FaultKind::ToolNotFound, "the tool table does not hold the tool of M61");
+        }
+        self.perform(block.words.line, &Effect::SetToolNumber { tool }, sink)?;
+        self.tool = tool;
+        self.publish_tool(numbered);
+        Ok(())
+    }
+
+    /// Writes the tool in the spindle into its parameters.
+    pub(super) fn publish_tool(&self, numbered: &mut Numbered) {
+        let none = Tool::default();
+        let tool = self.tool_numbered(self.tool).unwrap_or(&none);
+        offsets::store_tool(numbered, self.tool, tool);
+    }
+
+    /// G43, G43.1, G43.2, G49. They move nothing: the point gets other coordinates.
+    pub(super) fn tool_length(&mut self, words: &Words, code: u16) -> Result<(), Refusal> {
+        let old = self.in_force.now().tool_offset;
+        let offset = match code {
+            490 => Coordinates::default(),
+            430 => self.table_offset(words.get(b'H'))?,
+            431 => old.replaced(&self.offset_words(words)),
+            _ => match words.get(b'H') {
+                Some(tool) => old.plus(self.table_offset(Some(tool))?),
+                None => old.moved_by(&self.offset_words(words)),
+            },
+        };
+        let switch = if code == 490 { Switch::Off } else { Switch::On };
+        self.offset_by(|modes| (modes.tool_length, modes.tool_offset) = (switch, offset));
+        Ok(())
+    }
+
+    /// The offset of the tool table that H names, of the tool in the spindle without H.
+    fn table_offset(&self, h: Option<f64>) -> Result<Coordinates, Refusal> {
+        let tool = self.named_tool(h, "H")?;
+        Ok(tool.map_or(Coordinates::default(), |tool| {
+            Coordinates::from(tool.offset).converted(self.stored_to_active())
+        }))
+    }
+
+    /// The tool of an H or D word. Zero is the tool in the spindle, except where tools change places; nothing in the
+    /// spindle is no tool.
+    pub(super) fn named_tool(
+        &self,
+        word: Option<f64>,
+        letter: &str,
+    ) -> Result<Option<&Tool>, Refusal> {
+        let number = match word {
+            Some(word) => integer(word, letter)?,
+            // Without a word a tool must be there for G43 (11.11.1), need not for G41 (11.5.26).
+            None if self.tool == 0 && !self.random_tool_changer && letter == "H" => {
+                return refuse(FaultKind::ToolNotFound, "G43 without a tool in the spindle");
+            }
+            None => self.tool,
+        };
+        if number < 0 {
+            return refuse(FaultKind::WordOutOfRange, alloc::format!("{letter} is negative"));
+        }
+        if number == 0 && !self.random_tool_changer {
+            return Ok(self.tool_numbered(self.tool).filter(|_| self.tool != 0));
+        }
+        match self.tool_numbered(number) {
+            Some(tool) => Ok(Some(tool)),
+            None if word.is_none() => Ok(None),
+            None => refuse(FaultKind::ToolNotFound, "the tool table does not hold the tool"),
+        }
+    }
+
+    /// The index of a tool in the tooldata: its place in the table from 1, or its pocket where tools change places.
+    pub(super) fn tool_index(&self, number: i32) -> i32 {
+        let place = self.tools.iter().position(|tool| number_of(tool) == number);
+        match place {
+            Some(place) if self.random_tool_changer => self.tools.get(place).map_or(0, pocket_of),
+            Some(place) if number != 0 => i32::try_from(place).map_or(0, |at| at.saturating_add(1)),
+            Some(_) | None => 0,
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Selecting: planes, units, distance modes, feed modes, return modes, path control, diameter mode.
+
+use gaugeblock_trace::{Distance, FaultKind, FeedMode, Lathe, LengthUnit, Path, Plane, Retract};
+
+use crate::words::Words;
+
+use super::Modal;
+use super::coordinates::Conversion;
+use super::refusal::{Refusal, refuse};
+use super::values::not_negative;
+
+impl Modal {
+    /// F.
+    #[inline]
+    pub(super) fn set_feed(&mut self, feed: f64) -> Result<(), Refusal> {
+        if feed < 0.0 {
+            return refuse(FaultKind::WordOutOfRange, "F is negative");
+        }
+        self.in_force.set_feed_rate(feed);
+        Ok(())
+    }
+
+    /// G93, G94, G95. After a switch a new feed rate must be given (11.5.59); the mode in force again is no switch.
+    pub(super) fn select_feed_mode(&mut self, code: u16) {
+        let mode = match code {
+            930 => FeedMode::InverseTime,
+            940 => FeedMode::PerMinute,
+            _ => FeedMode::PerRevolution,
+        };
+        if self.in_force.now().feed_mode != mode {
+            let modes = self.in_force.set();
+            modes.feed_mode = mode;
+            // A switch to G94 or G95 asks for a new rate, one to G93 for one in each block (11.5.59).
+            if mode != FeedMode::InverseTime {
+                modes.feed_rate = 0.0;
+            }
+        }
+    }
+
+    /// G17 to G19.1.
+    pub(super) fn select_plane(&mut self, code: u16) {
+        let plane = match code {
+            170 => Plane::Xy,
+            180 => Plane::Zx,
+            190 => Plane::Yz,
+            171 => Plane::Uv,
+            181 => Plane::Wu,
+            _ => Plane::Vw,
+        };
+        self.in_force.put(|modes| &mut modes.plane, plane);
+    }
+
+    /// G20, G21.
+    pub(super) fn select_units(&mut self, code: u16) {
+        self.change_units(if code == 200 { LengthUnit::Inch } else { LengthUnit::Millimetre });
+    }
+
+    /// Tells every length in another unit.
+    pub(super) fn change_units(&mut self, units: LengthUnit) {
+        let conversion = Conversion::between(self.in_force.now().units, units);
+        if self.in_force.now().units == units {
+            return;
+        }
+        self.position = self.position.converted(conversion);
+        self.compensation_radius = conversion.of(self.compensation_radius);
+        let keep_feed = self.choices.feed_number_kept;
+        let modes = self.in_force.set();
+        modes.units = units;
+        modes.tool_offset = modes.tool_offset.converted(conversion);
+        modes.g5x_offset = modes.g5x_offset.converted(conversion);
+        modes.g92_offset = modes.g92_offset.converted(conversion);
+        modes.blend_tolerance = conversion.of(modes.blend_tolerance);
+        modes.naive_cam_tolerance = conversion.of(modes.naive_cam_tolerance);
+        // Under inverse time F is no length.
+        if modes.feed_mode != FeedMode::InverseTime && !keep_feed {
+            modes.feed_rate = conversion.of(modes.feed_rate);
+        }
+    }
+
+    /// G7, G8.
+    pub(super) fn select_lathe_mode(&mut self, code: u16) {
+        let lathe = if code == 70 { Lathe::Diameter } else { Lathe::Radius };
+        self.in_force.put(|modes| &mut modes.lathe, lathe);
+    }
+
+    /// G90, G91.
+    pub(super) fn select_distance(&mut self, code: u16) {
+        let distance = if code == 900 { Distance::Absolute } else { Distance::Incremental };
+        self.in_force.put(|modes| &mut modes.distance, distance);
+    }
+
+    /// G90.1, G91.1.
+    pub(super) fn select_arc_distance(&mut self, code: u16) {
+        let distance = if code == 901 { Distance::Absolute } else { Distance::Incremental };
+        self.in_force.put(|modes| &mut modes.arc_distance, distance);
+    }
+
+    /// G98, G99.
+    pub(super) fn select_retract(&mut self, code: u16) {
+        let retract = if code == 980 { Retract::OldZ } else { Retract::RPlane };
+        self.in_force.put(|modes| &mut modes.retract, retract);
+    }
+
+    /// G61, G61.1, G64. Q needs P, and is P where it is not given (11.5.37).
+    pub(super) fn path(&mut self, words: &Words, code: u16) -> Result<(), Refusal> {
+        if code != 640 {
+            let path = if code == 610 { Path::ExactPath } else { Path::ExactStop };
+            self.in_force.put(|modes| &mut modes.path, path);
+            return Ok(());
+        }
+        let (blend, naive) = match (words.get(b'P'), words.get(b'Q')) {
+            (None, None) => (0.0, 0.0),
+            (None, Some(_)) => return refuse(FaultKind::MissingWord, "Q of G64 without P"),
+            (Some(blend), naive) => (blend, naive.unwrap_or(blend)),
+        };
+        let modes = self.in_force.set();
+        modes.path = Path::Continuous;
+        modes.blend_tolerance = not_negative(blend, "P")?;
+        modes.naive_cam_tolerance = not_negative(naive, "Q")?;
+        Ok(())
+    }
+}

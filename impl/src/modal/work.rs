@@ -1,0 +1,168 @@
+//! Work coordinate systems and offsets: G54 to G59.3, G10 L2 and L20, G52, G92 (11.1, 11.5.14, 11.5.17, 11.5.32, 11.5.34, 11.5.56).
+
+use alloc::format;
+
+use gaugeblock_trace::{FaultKind, Lathe};
+
+use crate::parameters::Numbered;
+use crate::words::Words;
+
+use super::Modal;
+use super::coordinates::Coordinates;
+use super::letters::R;
+use super::modes::Modes;
+use super::motion::with_radius;
+use super::offsets;
+use super::refusal::{Refusal, refuse};
+use super::values::integer_in;
+
+impl Modal {
+    /// Changes offsets. Nothing moves: the point keeps its machine coordinates and gets other program coordinates.
+    pub(super) fn offset_by(&mut self, change: impl FnOnce(&mut Modes)) {
+        let machine = self.in_force.now().machine_of(self.position);
+        change(self.in_force.set());
+        self.position = self.in_force.now().program_of(machine);
+    }
+
+    /// The axis words of an offset; whether X is a diameter there is an option.
+    pub(super) fn offset_words(&self, words: &Words) -> Words {
+        if self.choices.diameter_offsets && self.in_force.now().lathe == Lathe::Diameter {
+            with_radius(words)
+        } else {
+            words.clone()
+        }
+    }
+
+    /// G54 to G59.3.
+    pub(super) fn select_work_offset(
+        &mut self,
+        code: u16,
+        numbered: &mut Numbered,
+    ) -> Result<(), Refusal> {
+        self.refuse_under_compensation("selecting a coordinate system")?;
+        let system = match code {
+            540 => 1,
+            550 => 2,
+            560 => 3,
+            570 => 4,
+            580 => 5,
+            590 => 6,
+            591 => 7,
+            592 => 8,
+            _ => 9,
+        };
+        self.use_work_offset(system, numbered);
+        Ok(())
+    }
+
+    /// Puts a work coordinate system into force, as it is stored.
+    pub(super) fn use_work_offset(&mut self, system: u32, numbered: &mut Numbered) {
+        let origin = offsets::origin(numbered, system).converted(self.stored_to_active());
+        let rotation = offsets::rotation(numbered, system);
+        self.offset_by(|modes| {
+            modes.work_offset = system;
+            modes.g5x_offset = origin;
+            modes.rotation = rotation;
+        });
+        numbered.set(offsets::WORK_OFFSET, f64::from(system));
+    }
+
+    /// The codes of group 0 that change offsets.
+    pub(super) fn offset_data(
+        &mut self,
+        words: &Words,
+        code: u16,
+        numbered: &mut Numbered,
+    ) -> Result<(), Refusal> {
+        match code {
+            100 => self.set_data(words, numbered),
+            520 => {
+                let offset = self.in_force.now().g92_offset.replaced(&self.offset_words(words));
+                self.set_g92(offset, numbered);
+                Ok(())
+            }
+            920 => {
+                self.set_g92(self.offset_to_become(words), numbered);
+                Ok(())
+            }
+            921 | 922 => {
+                if code == 921 {
+                    offsets::store_g92(numbered, Coordinates::default());
+                }
+                numbered.set(offsets::G92_APPLIED, 0.0);
+                self.offset_by(|modes| modes.g92_offset = Coordinates::default());
+                Ok(())
+            }
+            923 => {
+                let offset = offsets::g92_offset(numbered).converted(self.stored_to_active());
+                numbered.set(offsets::G92_APPLIED, 1.0);
+                self.offset_by(|modes| modes.g92_offset = offset);
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The offset of G92: the point gets the coordinates of the words; an axis without a word gets no offset.
+    fn offset_to_become(&self, words: &Words) -> Coordinates {
+        let local = self.position.plus(self.in_force.now().g92_offset);
+        let words = self.offset_words(words);
+        let wanted = local.replaced(&words);
+        // Where no word stands `wanted` is `local`, which leaves zero.
+        local.minus(wanted)
+    }
+
+    fn set_g92(&mut self, offset: Coordinates, numbered: &mut Numbered) {
+        offsets::store_g92(numbered, offset.converted(self.active_to_stored()));
+        numbered.set(offsets::G92_APPLIED, 1.0);
+        self.offset_by(|modes| modes.g92_offset = offset);
+    }
+
+    /// G10.
+    fn set_data(&mut self, words: &Words, numbered: &mut Numbered) -> Result<(), Refusal> {
+        let kind = integer_in(words.get(b'L').unwrap_or(0.0), 0, 20, "L of G10")?;
+        if !matches!(kind, 2 | 20) {
+            return match kind {
+                0 | 1 | 10 | 11 => Err(Refusal::Unsupported(format!("G10 L{kind}"))),
+                _ => refuse(FaultKind::WordOutOfRange, format!("there is no G10 L{kind}")),
+            };
+        }
+        let active = self.in_force.now().work_offset;
+        let system = match integer_in(words.get(b'P').unwrap_or(0.0), 0, 9, "P of G10")? {
+            0 => active,
+            system => u32::try_from(system).unwrap_or(active),
+        };
+        let origin = offsets::origin(numbered, system).converted(self.stored_to_active());
+        let rotation = offsets::rotation(numbered, system);
+        let (origin, rotation) = if kind == 2 {
+            (origin.replaced(&self.offset_words(words)), words.get(b'R').unwrap_or(rotation))
+        } else {
+            (self.origin_to_become(words, origin, rotation)?, rotation)
+        };
+        let stored = origin.converted(self.active_to_stored());
+        offsets::store(numbered, system, stored, rotation);
+        if system == active {
+            self.offset_by(|modes| (modes.g5x_offset, modes.rotation) = (origin, rotation));
+        }
+        Ok(())
+    }
+
+    /// The origin of G10 L20: with it the point has the coordinates of the words in that system.
+    fn origin_to_become(
+        &self,
+        words: &Words,
+        origin: Coordinates,
+        rotation: f64,
+    ) -> Result<Coordinates, Refusal> {
+        if !words.has_axes() {
+            return refuse(FaultKind::MissingWord, "G10 L20 without axis words");
+        }
+        if words.present & R != 0 {
+            return refuse(FaultKind::UnusedWord, "R of G10 L20");
+        }
+        let machine = self.in_force.now().machine_of(self.position);
+        let there = Modes { g5x_offset: origin, rotation, ..*self.in_force.now() };
+        let wanted = there.program_of(machine).replaced(&self.offset_words(words));
+        Ok(there.origin_for(machine, wanted))
+    }
+}

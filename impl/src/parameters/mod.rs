@@ -1,0 +1,9 @@
+//! Parameters: numbered, named, and those that tell the state of the interpreter (11.4.3, 11.4.4).
+
+mod named;
+mod names;
+mod numbered;
+
+pub(crate) use named::{Named, Own, ScopeMark};
+pub(crate) use names::{NameId, Names};
+pub(crate) use numbered::{LAST, Numbered};

@@ -1,0 +1,112 @@
+//! Names become numbers, once, when a block is packed.
+
+use alloc::boxed::Box;
+use alloc::string::String;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// The number of a name in its table, counted from 0.
+pub(crate) type NameId = u32;
+
+/// An empty place in the table.
+const EMPTY: u32 = u32::MAX;
+
+/// A table of names. It only grows; the caller bounds it.
+///
+/// The table is open-addressed and its order is never told, so that a run depends on the text alone.
+#[derive(Clone, Debug)]
+pub(crate) struct Names {
+    names: Vec<Box<str>>,
+    /// Numbers by hash; its length is a power of two and at least twice the number of names.
+    table: Vec<u32>,
+    bytes: usize,
+}
+
+impl Names {
+    /// An empty table.
+    pub(crate) fn new() -> Self {
+        Self { names: Vec::new(), table: vec![EMPTY; 64], bytes: 0 }
+    }
+
+    /// How many names there are.
+    pub(crate) fn len(&self) -> usize {
+        self.names.len()
+    }
+
+    /// Bytes of all names.
+    pub(crate) fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    /// A name by its number; empty where there is none.
+    pub(crate) fn name(&self, id: NameId) -> &str {
+        usize::try_from(id).ok().and_then(|id| self.names.get(id)).map_or("", |name| name)
+    }
+
+    /// All names by number.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (NameId, &str)> {
+        (0_u32..).zip(self.names.iter().map(|name| &**name))
+    }
+
+    /// The number of a name, a new one where the name is new.
+    #[inline]
+    pub(crate) fn intern(&mut self, name: &[u8]) -> NameId {
+        let place = self.place(name);
+        match self.table.get(place).copied() {
+            Some(id) if id != EMPTY => return id,
+            Some(_) | None => {}
+        }
+        self.add(name, place)
+    }
+
+    /// A new name at its place. Names are ASCII; anything else would be shown as it can be.
+    #[cold]
+    fn add(&mut self, name: &[u8], place: usize) -> NameId {
+        let id = u32::try_from(self.names.len()).unwrap_or(EMPTY);
+        self.names.push(String::from_utf8_lossy(name).into());
+        self.bytes = self.bytes.saturating_add(name.len());
+        if let Some(slot) = self.table.get_mut(place) {
+            *slot = id;
+        }
+        if self.names.len().saturating_mul(2) > self.table.len() {
+            self.grow();
+        }
+        id
+    }
+
+    /// Where a name stands, or would stand, in the table.
+    fn place(&self, name: &[u8]) -> usize {
+        let mask = self.table.len().wrapping_sub(1);
+        let mut place = hash(name) & mask;
+        loop {
+            match self.table.get(place).copied() {
+                Some(id) if id != EMPTY && self.name(id).as_bytes() != name => {
+                    place = place.wrapping_add(1) & mask;
+                }
+                Some(_) | None => return place,
+            }
+        }
+    }
+
+    /// Doubles the table.
+    fn grow(&mut self) {
+        let longer = self.table.len().saturating_mul(2);
+        self.table = vec![EMPTY; longer];
+        for at in 0..self.names.len() {
+            let Some(name) = self.names.get(at) else { return };
+            let place = self.place(name.as_bytes());
+            if let Some(slot) = self.table.get_mut(place) {
+                *slot = u32::try_from(at).unwrap_or(EMPTY);
+            }
+        }
+    }
+}
+
+/// FNV-1a, folded: names are short and chosen by the program's author.
+fn hash(name: &[u8]) -> usize {
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    for byte in name {
+        hash = (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+    }
+    usize::try_from((hash ^ (hash >> 32)) & 0xffff_ffff).unwrap_or(0)
+}

@@ -1,0 +1,80 @@
+//! Numbered parameters `#1` to `#5602` (11.4.3.1), and which of them changed.
+
+use alloc::boxed::Box;
+
+/// Highest number of a parameter.
+pub(crate) const LAST: u32 = 5602;
+/// Values, one for each number from 0; 0 is no parameter and stays 0.
+const COUNT: usize = 5603;
+/// Words of 64 bits that hold a bit for each parameter.
+const MARKS: usize = 88;
+
+/// The numbered parameters. They start at zero.
+#[derive(Clone, Debug)]
+pub(crate) struct Numbered {
+    values: Box<[f64; COUNT]>,
+    /// A bit for each parameter that was set since the marks were last taken.
+    marks: [u64; MARKS],
+}
+
+impl Numbered {
+    /// All parameters zero.
+    pub(crate) fn new() -> Self {
+        Self { values: Box::new([0.0; COUNT]), marks: [0; MARKS] }
+    }
+
+    /// A parameter's value; an absent number reads 0.
+    #[inline]
+    pub(crate) fn get(&self, number: u32) -> f64 {
+        let place = usize::try_from(number).unwrap_or(usize::MAX);
+        self.values.get(place).copied().unwrap_or(0.0)
+    }
+
+    /// Sets a parameter; an absent number is ignored.
+    #[inline]
+    pub(crate) fn set(&mut self, number: u32, value: f64) {
+        if number == 0 {
+            return;
+        }
+        let place = usize::try_from(number).unwrap_or(usize::MAX);
+        if let Some(slot) = self.values.get_mut(place) {
+            *slot = value;
+            if let Some(marks) = self.marks.get_mut(place >> 6) {
+                *marks |= 1 << (place & 63);
+            }
+        }
+    }
+
+    /// Tells each parameter that was set since the last time, in ascending order, and forgets that it was.
+    pub(crate) fn take_changes(&mut self, mut tell: impl FnMut(u32, f64)) {
+        for (place, marks) in self.marks.iter_mut().enumerate() {
+            while *marks != 0 {
+                let bit = marks.trailing_zeros();
+                *marks &= marks.wrapping_sub(1);
+                let number = u32::try_from(place).unwrap_or(0).wrapping_shl(6) | bit;
+                let value = usize::try_from(number).ok().and_then(|at| self.values.get(at));
+                tell(number, value.copied().unwrap_or(0.0));
+            }
+        }
+    }
+
+    /// The parameters that are not zero, in ascending order.
+    pub(crate) fn not_zero(&self) -> impl Iterator<Item = (u32, f64)> {
+        (0_u32..).zip(self.values.iter().copied()).filter(|(_, value)| *value != 0.0)
+    }
+
+    /// `#1` to `#30`, which a call keeps for its caller.
+    pub(crate) fn arguments(&self) -> [f64; 30] {
+        self.values.get(1..31).and_then(|slice| slice.try_into().ok()).unwrap_or([0.0; 30])
+    }
+
+    /// Sets `#1` to `#30`.
+    pub(crate) fn set_arguments(&mut self, arguments: &[f64; 30]) {
+        if let Some(slice) = self.values.get_mut(1..31) {
+            slice.copy_from_slice(arguments);
+        }
+        if let Some(marks) = self.marks.first_mut() {
+            *marks |= 0x7fff_fffe;
+        }
+    }
+}

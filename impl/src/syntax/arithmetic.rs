@@ -1,0 +1,144 @@
+//! What operators and functions do with numbers (11.4.6 to 11.4.8).
+
+use gaugeblock_trace::FaultKind;
+
+use crate::math;
+use crate::syntax::packed::{Binary, Function};
+use crate::syntax::{Choices, RoundHalf};
+
+/// Why there is no result.
+pub(crate) type Wrong = &'static (FaultKind, &'static str);
+
+/// A result that must be finite.
+#[inline]
+fn finite(value: f64) -> Result<f64, Wrong> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(&(FaultKind::OutOfDomain, "the result is no number"))
+    }
+}
+
+/// The number for true and false.
+#[inline]
+pub(crate) fn truth(value: bool, choices: &Choices) -> f64 {
+    match (value, choices.true_minus_one) {
+        (false, _) => 0.0,
+        (true, false) => 1.0,
+        (true, true) => -1.0,
+    }
+}
+
+/// Whether two numbers count as equal.
+#[inline]
+fn equal(left: f64, right: f64) -> bool {
+    (left - right).abs() < math::CLOSE
+}
+
+/// Whether two numbers that are compared by order count as equal.
+#[inline]
+fn tied(left: f64, right: f64, choices: &Choices) -> bool {
+    choices.order_tolerant && equal(left, right)
+}
+
+/// Zero is false, every other number is true.
+#[inline]
+fn holds(value: f64) -> bool {
+    value.to_bits() << 1 != 0
+}
+
+/// The result of an operator.
+#[inline]
+pub(crate) fn binary(
+    operator: Binary,
+    left: f64,
+    right: f64,
+    choices: &Choices,
+) -> Result<f64, Wrong> {
+    match operator {
+        Binary::Add => finite(left + right),
+        Binary::Subtract => finite(left - right),
+        Binary::Multiply => finite(left * right),
+        Binary::Divide if !holds(right) => Err(&(FaultKind::DivideByZero, "division by zero")),
+        Binary::Divide => finite(left / right),
+        Binary::Modulus => modulus(left, right, choices),
+        Binary::Power => power(left, right),
+        Binary::And => Ok(truth(holds(left) && holds(right), choices)),
+        Binary::Or => Ok(truth(holds(left) || holds(right), choices)),
+        Binary::Xor => Ok(truth(holds(left) != holds(right), choices)),
+        Binary::Equal => Ok(truth(equal(left, right), choices)),
+        Binary::NotEqual => Ok(truth(!equal(left, right), choices)),
+        Binary::Greater => Ok(truth(left > right && !tied(left, right, choices), choices)),
+        Binary::GreaterOrEqual => Ok(truth(left >= right || tied(left, right, choices), choices)),
+        Binary::Less => Ok(truth(left < right && !tied(left, right, choices), choices)),
+        Binary::LessOrEqual => Ok(truth(left <= right || tied(left, right, choices), choices)),
+    }
+}
+
+/// MOD, on any real numbers.
+fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, Wrong> {
+    if !holds(right) {
+        return Err(&(FaultKind::DivideByZero, "modulus by zero"));
+    }
+    let rest = math::remainder(left, right);
+    finite(if rest < 0.0 && !choices.modulus_dividend { rest + right.abs() } else { rest })
+}
+
+/// `**`.
+fn power(base: f64, exponent: f64) -> Result<f64, Wrong> {
+    if !holds(base) && exponent < 0.0 {
+        return Err(&(FaultKind::DivideByZero, "a negative power of zero"));
+    }
+    finite(math::power(base, exponent))
+}
+
+/// The result of a function.
+#[inline]
+pub(crate) fn function(function: Function, value: f64, choices: &Choices) -> Result<f64, Wrong> {
+    let domain = |holds: bool, wrong: Wrong| if holds { Ok(()) } else { Err(wrong) };
+    finite(match function {
+        Function::Absolute => value.abs(),
+        Function::Arccosine => {
+            domain(
+                (-1.0..=1.0).contains(&value),
+                &(FaultKind::OutOfDomain, "ACOS of a number beyond 1"),
+            )?;
+            math::arccosine(value)
+        }
+        Function::Arcsine => {
+            domain(
+                (-1.0..=1.0).contains(&value),
+                &(FaultKind::OutOfDomain, "ASIN of a number beyond 1"),
+            )?;
+            math::arcsine(value)
+        }
+        Function::Cosine => math::cosine(value),
+        Function::Exponential => math::exp(value),
+        Function::RoundDown => math::floor(value),
+        Function::RoundUp => math::ceil(value),
+        Function::Round => match choices.round_half {
+            RoundHalf::Away => math::round_away(value),
+            RoundHalf::Even => math::round_even(value),
+            RoundHalf::Up => {
+                let below = math::floor(value);
+                if value - below >= 0.5 { below + 1.0 } else { below }
+            }
+        },
+        Function::Logarithm => {
+            domain(value > 0.0, &(FaultKind::OutOfDomain, "LN of a number that is not positive"))?;
+            math::ln(value)
+        }
+        Function::Sine => math::sine(value),
+        Function::SquareRoot => {
+            domain(value >= 0.0, &(FaultKind::OutOfDomain, "SQRT of a negative number"))?;
+            math::sqrt(value)
+        }
+        Function::Tangent => math::tangent(value),
+    })
+}
+
+/// ATAN\[y\]/\[x\], degrees.
+pub(crate) fn arctangent(y: f64, x: f64, choices: &Choices) -> f64 {
+    let angle = math::arctangent(y, x);
+    if choices.full_turn && angle < 0.0 { angle + 360.0 } else { angle }
+}

@@ -1,0 +1,397 @@
+//! A line becomes a block (11.4.2): block delete, line number, then words, settings of parameters and comments in any order.
+
+use alloc::collections::BTreeMap;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use gaugeblock_trace::{FaultKind, Machine};
+
+use crate::limits::{Limit, Limits};
+use crate::math;
+use crate::parameters::Names;
+use crate::syntax::cursor::Cursor;
+use crate::syntax::packed::{Block, Kind, NONE, Op, Segment};
+use crate::syntax::parameter::Place;
+use crate::syntax::{Choices, Packed, comment, number};
+
+/// What a line was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Taken {
+    /// Nothing that is executed: it is blank, deleted, or a comment that does not act.
+    Nothing,
+    /// A block, which is the last one of the segment now.
+    Block,
+    /// A percent sign and nothing else.
+    Percent,
+}
+
+/// Where a line stands in its file.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LinePlace {
+    /// From 1.
+    pub(crate) line: u32,
+    /// Bytes before it.
+    pub(crate) offset: u64,
+}
+
+/// Packs lines. It knows the names of the whole run.
+#[derive(Clone, Debug)]
+pub(crate) struct Packer {
+    /// Named parameters.
+    pub(crate) names: Names,
+    /// Labels of o-words.
+    pub(crate) labels: Names,
+    /// Entries of the INI file.
+    pub(crate) ini: BTreeMap<String, f64>,
+    /// Readings of the documents.
+    pub(crate) choices: Choices,
+    /// Whether blocks that begin with a slash are skipped.
+    pub(crate) block_delete: bool,
+    /// The bound that the line just packed goes beyond.
+    pub(crate) beyond: Option<Limit>,
+    /// Most named parameters.
+    pub(crate) most_names: u32,
+    /// Deepest nesting of brackets.
+    pub(crate) bracket_depth: u32,
+    /// Room for a name.
+    pub(crate) scratch: String,
+    /// Where each named parameter lies.
+    pub(crate) places: Vec<Place>,
+}
+
+/// What a block's items have in common.
+struct Items<'a> {
+    /// Letters that were used, a bit each; 26 to 28 are `$`, `@` and `^`.
+    letters: u32,
+    /// The last comment.
+    comment: Option<&'a [u8]>,
+}
+
+impl Packer {
+    /// A packer that knows no names yet.
+    pub(crate) fn new(machine: &Machine, choices: Choices, limits: &Limits) -> Self {
+        Self {
+            names: Names::new(),
+            labels: Names::new(),
+            ini: machine.ini.clone(),
+            choices,
+            block_delete: false,
+            beyond: None,
+            most_names: limits.named_parameters,
+            bracket_depth: limits.bracket_depth,
+            scratch: String::new(),
+            places: Vec::new(),
+        }
+    }
+
+    /// Packs a line behind the blocks of a segment. A line that is no block is packed too: as one that is refused when it is executed.
+    #[inline]
+    pub(crate) fn pack(&mut self, line: &[u8], place: LinePlace, into: &mut Segment) -> Taken {
+        let mut cursor = Cursor::new(line);
+        if cursor.is_at_end() {
+            return Taken::Nothing;
+        }
+        if cursor.peek() == b'%' && is_percent(line) {
+            return Taken::Percent;
+        }
+        if cursor.take(b'/') && self.block_delete {
+            return Taken::Nothing;
+        }
+        if cursor.is_at_end() {
+            return Taken::Nothing;
+        }
+        let first = u32::try_from(into.ops.len()).unwrap_or(NONE);
+        let mut block = Block {
+            line: place.line,
+            first,
+            end: first,
+            kind: Kind::Plain,
+            comment: NONE,
+            bare: false,
+            refused: NONE,
+            offset: place.offset,
+        };
+        let packed = self.items(cursor, &mut block, into);
+        let packed = if line.len() > self.longest() {
+            cursor.refuse(FaultKind::LineTooLong, "a line has at most 256 characters")
+        } else {
+            packed
+        };
+        if let Err(refused) = packed {
+            block.refused = u32::try_from(into.refusals.len()).unwrap_or(NONE);
+            into.refusals.push(*refused);
+        }
+        if block.bare && block.comment == NONE && block.refused == NONE {
+            return Taken::Nothing;
+        }
+        block.end = u32::try_from(into.ops.len()).unwrap_or(NONE);
+        into.blocks.push(block);
+        Taken::Block
+    }
+
+    /// Everything after the block delete character.
+    fn items<'a>(
+        &mut self,
+        mut cursor: Cursor<'a>,
+        block: &mut Block,
+        into: &mut Segment,
+    ) -> Packed<()> {
+        let numbered = cursor.peek() == b'n';
+        if numbered {
+            line_number(&mut cursor)?;
+        }
+        let mut items = Items { letters: 0, comment: None };
+        let mut other = false;
+        while !cursor.is_at_end() {
+            match cursor.peek() {
+                byte @ (b'a'..=b'n' | b'p'..=b'z') => {
+                    other = true;
+                    self.word(byte.wrapping_sub(b'a'), &mut cursor, &mut items, into)?;
+                }
+                b'o' if !other => {
+                    let commented = items.comment.is_some();
+                    return self.oword(&mut cursor, commented, block, into);
+                }
+                b'(' | b';' => self.comment(&mut cursor, &mut items)?,
+                byte => {
+                    other = true;
+                    self.item(byte, &mut cursor, &mut items, into)?;
+                }
+            }
+        }
+        if let Some(text) = items.comment {
+            block.comment = comment::pack(self, text, into).unwrap_or(NONE);
+            block.bare = !other && !numbered;
+        }
+        Ok(())
+    }
+
+    /// At most 256 characters (11.4.2), of which the line end may be one.
+    fn longest(&self) -> usize {
+        if self.choices.line_end_free { 256 } else { 255 }
+    }
+
+    /// A word or a setting.
+    #[inline]
+    fn item(
+        &mut self,
+        byte: u8,
+        cursor: &mut Cursor<'_>,
+        items: &mut Items<'_>,
+        into: &mut Segment,
+    ) -> Packed<()> {
+        match byte {
+            b'a'..=b'z' => self.word(byte.wrapping_sub(b'a'), cursor, items, into),
+            b'#' => self.setting(cursor, into),
+            b'$' => self.sign_word(26, Op::Dollar, cursor, items, into),
+            b'@' => self.sign_word(27, Op::At, cursor, items, into),
+            b'^' => self.sign_word(28, Op::Caret, cursor, items, into),
+            b'0'..=b'9' | b'.' | b'+' | b'-' | b'=' | b'[' => {
+                cursor.refuse(FaultKind::BadBlock, "a word begins with a letter")
+            }
+            _ => cursor.refuse(FaultKind::BadCharacter, "this character belongs nowhere"),
+        }
+    }
+
+    /// A letter and its value.
+    #[inline]
+    fn word(
+        &mut self,
+        letter: u8,
+        cursor: &mut Cursor<'_>,
+        items: &mut Items<'_>,
+        into: &mut Segment,
+    ) -> Packed<()> {
+        let start = cursor.at();
+        const G: u8 = b'g' - b'a';
+        const M: u8 = b'm' - b'a';
+        const N: u8 = b'n' - b'a';
+        const O: u8 = b'o' - b'a';
+        if letter == N || letter == O {
+            return cursor.refuse(FaultKind::BadBlock, "it stands at the beginning of a line only");
+        }
+        // The usual word is a letter and a number; it never touches the stack.
+        let short = number::short(cursor.rest().get(1..).unwrap_or(&[]));
+        let known = if let Some(short) = short {
+            cursor.advance_to_next(short.length.wrapping_add(1));
+            Some(short.value())
+        } else {
+            cursor.step();
+            self.value(cursor, into, self.bracket_depth)?;
+            match into.ops.last().copied() {
+                Some(Op::Number(number)) => {
+                    into.ops.pop();
+                    Some(number)
+                }
+                Some(_) | None => None,
+            }
+        };
+        if letter == G
+            && let Some(code @ 0..=99) = short.and_then(number::Short::integer)
+        {
+            into.ops.push(Op::GCode(u16::try_from(code).unwrap_or(0).wrapping_mul(10)));
+            return Ok(());
+        }
+        if letter == G || letter == M {
+            return code(into, letter == G, known)
+                .or_else(|message| cursor.refuse_from(start, FaultKind::UnknownCode, message));
+        }
+        let bit = 1_u32.wrapping_shl(u32::from(letter));
+        if items.letters & bit != 0 {
+            return cursor.refuse_from(start, FaultKind::RepeatedWord, "a letter stands twice");
+        }
+        items.letters |= bit;
+        if let Some(number) = known {
+            into.ops.push(Op::WordNumber(letter, number));
+            return Ok(());
+        }
+        match into.ops.last_mut() {
+            Some(last @ Op::Numbered(_)) => {
+                if let Op::Numbered(number) = *last {
+                    *last = Op::WordNumbered(letter, number);
+                }
+            }
+            Some(_) | None => into.ops.push(Op::Word(letter)),
+        }
+        Ok(())
+    }
+
+    /// `$`, `@` or `^` and its value.
+    fn sign_word(
+        &mut self,
+        place: u8,
+        op: Op,
+        cursor: &mut Cursor<'_>,
+        items: &mut Items<'_>,
+        into: &mut Segment,
+    ) -> Packed<()> {
+        let start = cursor.at();
+        cursor.step();
+        self.value(cursor, into, self.bracket_depth)?;
+        let bit = 1_u32.wrapping_shl(u32::from(place));
+        if items.letters & bit != 0 {
+            return cursor.refuse_from(start, FaultKind::RepeatedWord, "a word stands twice");
+        }
+        items.letters |= bit;
+        into.ops.push(op);
+        Ok(())
+    }
+
+    /// `#…=value` (11.4.3.1).
+    fn setting(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<()> {
+        let start = cursor.at();
+        let place = self.parameter(cursor, into, self.bracket_depth)?;
+        if !cursor.take(b'=') {
+            return cursor.refuse(FaultKind::BadBlock, "a setting needs =");
+        }
+        self.value(cursor, into, self.bracket_depth)?;
+        let read_only = "this parameter is read-only";
+        into.ops.push(match place {
+            Place::Numbered(number) if self.is_read_only(number) => {
+                return cursor.refuse_from(start, FaultKind::ReadOnlyParameter, read_only);
+            }
+            Place::Numbered(number) => Op::SetNumbered(number),
+            Place::Indirect => Op::SetIndirect,
+            Place::Local(id) => Op::SetLocal(id),
+            Place::Global(id) => Op::SetGlobal(id),
+            Place::Mode(_) | Place::Own(_) | Place::Entry(_) | Place::Absent => {
+                return cursor.refuse_from(start, FaultKind::ReadOnlyParameter, read_only);
+            }
+        });
+        Ok(())
+    }
+
+    /// Whether a numbered parameter tells something and is not set by programs.
+    #[inline]
+    pub(crate) fn is_read_only(&self, number: u16) -> bool {
+        (5400..=5428).contains(&number) && !self.choices.position_writable
+    }
+
+    /// A comment; its form is checked, and the last one of a block is kept.
+    fn comment<'a>(&self, cursor: &mut Cursor<'a>, items: &mut Items<'a>) -> Packed<()> {
+        if cursor.peek() == b';' {
+            items.comment = Some(cursor.raw_after());
+            cursor.finish();
+            return Ok(());
+        }
+        let text = cursor.raw_after();
+        let Some(length) = text.iter().position(|byte| *byte == b')') else {
+            return cursor.refuse(FaultKind::BadComment, "a comment is not closed");
+        };
+        let text = text.get(..length).unwrap_or(&[]);
+        if !self.choices.comment_nested && text.contains(&b'(') {
+            return cursor.refuse(FaultKind::BadComment, "a comment within a comment");
+        }
+        items.comment = Some(text);
+        cursor.skip_raw(length.wrapping_add(1));
+        Ok(())
+    }
+
+    /// Comments after an o-word, which change nothing.
+    pub(crate) fn comments_only(&self, cursor: &mut Cursor<'_>) -> Packed<bool> {
+        let mut items = Items { letters: 0, comment: None };
+        while let b'(' | b';' = cursor.peek() {
+            self.comment(cursor, &mut items)?;
+        }
+        if !cursor.is_at_end() {
+            return cursor.refuse(FaultKind::BadBlock, "other words on the line of an o-word");
+        }
+        Ok(items.comment.is_some())
+    }
+}
+
+/// `N`, an unsigned integer, and possibly a point and another (11.4.2.2).
+fn line_number(cursor: &mut Cursor<'_>) -> Packed<()> {
+    let mut text = String::new();
+    cursor.step();
+    number::digits(cursor, &mut text);
+    let mut complete = !text.is_empty();
+    if cursor.take(b'.') {
+        text.clear();
+        number::digits(cursor, &mut text);
+        complete &= !text.is_empty();
+    }
+    if complete {
+        return Ok(());
+    }
+    cursor.refuse(FaultKind::BadNumber, "a line number is an unsigned integer")
+}
+
+/// A G or M code: its number where that is known, and what takes it from the stack where it is not.
+#[inline]
+fn code(into: &mut Segment, is_g: bool, known: Option<f64>) -> Result<(), &'static str> {
+    into.ops.push(match (known, is_g) {
+        (Some(value), true) => Op::GCode(code_number(value * 10.0, 999).ok_or("no such G code")?),
+        (Some(value), false) => Op::MCode(code_number(value, u16::MAX).ok_or("no such M code")?),
+        (None, true) => Op::G,
+        (None, false) => Op::M,
+    });
+    Ok(())
+}
+
+/// The integer that a code is, where it is one in the range.
+#[inline]
+pub(crate) fn code_number(value: f64, most: u16) -> Option<u16> {
+    math::near_integer(value)
+        .and_then(|number| u16::try_from(number).ok())
+        .filter(|number| *number <= most)
+}
+
+/// Whether a line is a percent sign, possibly between blanks.
+pub(crate) fn is_percent(line: &[u8]) -> bool {
+    let mut cursor = Cursor::new(line);
+    cursor.take(b'%') && cursor.is_at_end()
+}
+
+/// Whether a line may hold an o-word: a quick look that passes over lines that are skipped.
+#[inline]
+pub(crate) fn is_oword(line: &[u8]) -> bool {
+    let mut cursor = Cursor::new(line);
+    cursor.take(b'/');
+    if cursor.take(b'n') {
+        while cursor.peek().is_ascii_digit() || cursor.peek() == b'.' {
+            cursor.step();
+        }
+    }
+    matches!(cursor.peek(), b'o' | b'(')
+}

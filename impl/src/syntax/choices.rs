@@ -1,0 +1,181 @@
+//! The readings of the documents that text, expressions and o-words depend on, taken from the options once.
+
+use gaugeblock_trace::Options;
+
+use crate::error::Error;
+
+macro_rules! readings {
+    ($($(#[$about:meta])* $id:literal $name:ident { $($(#[$what:meta])* $text:literal $variant:ident,)* })*) => {
+        $(
+            $(#[$about])*
+            #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+            pub(crate) enum $name { $($(#[$what])* $variant,)* }
+
+            impl $name {
+                /// The option of this choice; the first one where none is given.
+                fn of(options: &Options) -> Result<Self, Error> {
+                    match options.get($id) {
+                        None => Ok([$(Self::$variant),*][0]),
+                        $(Some($text) => Ok(Self::$variant),)*
+                        Some(_) => Err(Error::Configuration(concat!("no such option of ", $id))),
+                    }
+                }
+            }
+        )*
+    };
+}
+
+readings! {
+    /// A percent line in a file that does not begin with one.
+    "text.percent-alone" PercentAlone {
+        /// It is an illegal line.
+        "refused" Refused,
+        /// It ends the file.
+        "ends" Ends,
+        /// It means nothing.
+        "ignored" Ignored,
+    }
+    /// Where ROUND goes from halfway.
+    "expressions.round-half" RoundHalf {
+        /// Away from zero.
+        "away" Away,
+        /// To the greater integer.
+        "up" Up,
+        /// To the even integer.
+        "even" Even,
+    }
+    /// What a message shows for a named parameter that does not exist.
+    "active-comments.absent-name" AbsentName {
+        /// One sign.
+        "number-sign" One,
+        /// Six signs.
+        "six-number-signs" Six,
+    }
+    /// Whether several do loops may carry one label.
+    "control.do-label" DoLabel {
+        /// Each while ends the do before it.
+        "each" Each,
+        /// No.
+        "refused" Refused,
+        /// Every while goes back to the first.
+        "first" First,
+    }
+    /// How often a repeat runs whose count is no integer.
+    "control.repeat-fraction" RepeatFraction {
+        /// As the nearest integer says, from halfway the larger one.
+        "rounded" Rounded,
+        /// As the nearest integer says, from halfway the even one.
+        "rounded-to-even" RoundedToEven,
+        /// As the integer below says.
+        "rounded-down" RoundedDown,
+        /// As the integer above says.
+        "rounded-up" RoundedUp,
+        /// It is refused.
+        "refused" Refused,
+    }
+}
+
+/// Which of two options a choice has: false for the first one, which is the default.
+fn second(
+    options: &Options,
+    id: &str,
+    names: [&str; 2],
+    message: &'static str,
+) -> Result<bool, Error> {
+    match options.get(id) {
+        None => Ok(false),
+        Some(name) if names[0] == name => Ok(false),
+        Some(name) if names[1] == name => Ok(true),
+        Some(_) => Err(Error::Configuration(message)),
+    }
+}
+
+macro_rules! choices {
+    (
+        several { $($(#[$many_about:meta])* $many:ident: $type:ident,)* }
+        two { $($(#[$about:meta])* $field:ident $id:literal [$first:literal, $second:literal],)* }
+    ) => {
+        /// The readings that apply. Every flag is false under the first option of its page.
+        #[derive(Clone, Debug)]
+        pub(crate) struct Choices {
+            $($(#[$many_about])* pub(crate) $many: $type,)*
+            $($(#[$about])* pub(crate) $field: bool,)*
+        }
+
+        impl Choices {
+            /// Reads the options.
+            ///
+            /// # Errors
+            /// A choice has an option that its page does not name.
+            pub(crate) fn of(options: &Options) -> Result<Self, Error> {
+                Ok(Self {
+                    $($many: $type::of(options)?,)*
+                    $($field: second(options, $id, [$first, $second], concat!("no such option of ", $id))?,)*
+                })
+            }
+        }
+    };
+}
+
+choices! {
+    several {
+        /// A percent line in a file that does not begin with one.
+        percent_alone: PercentAlone,
+        /// Where ROUND goes from halfway.
+        round_half: RoundHalf,
+        /// What a message shows for a name that does not exist.
+        absent_name: AbsentName,
+        /// Several do loops with one label.
+        do_label: DoLabel,
+        /// A count that is no integer.
+        repeat_fraction: RepeatFraction,
+    }
+    two {
+        /// A comment may hold a left parenthesis.
+        comment_nested "text.comment-nested" ["refused", "plain"],
+        /// The line end is not one of the 256 characters.
+        line_end_free "text.line-end-counted" ["counted", "not-counted"],
+        /// A file that begins with a percent line needs the second one although it has an M2.
+        percent_needed "text.percent-unclosed-ended" ["accepted", "refused"],
+        /// ATAN gives 0 to 360.
+        full_turn "expressions.arctangent-range" ["half-turns", "full-turn"],
+        /// MOD has the sign of its left side.
+        modulus_dividend "expressions.modulus-sign" ["not-negative", "dividend"],
+        /// GT GE LT LE take close numbers as equal.
+        order_tolerant "expressions.order-tolerance" ["exact", "tolerant"],
+        /// True is -1.
+        true_minus_one "expressions.true-value" ["one", "minus-one"],
+        /// A sign belongs to a number only.
+        sign_refused "expressions.unary-minus" ["accepted", "refused"],
+        /// A global parameter that was never set is zero.
+        absent_zero "parameters.absent-global" ["refused", "zero"],
+        /// #5400 to #5428 can be set.
+        position_writable "parameters.read-only-numbered" ["refused", "written"],
+        /// A value in a message has four decimals.
+        default_four "active-comments.default-format" ["six-decimals", "four-decimals"],
+        /// %f gives six decimals.
+        format_six "active-comments.plain-f-format" ["four-decimals", "six-decimals"],
+        /// MSG needs no comma.
+        message_free "active-comments.msg-without-comma" ["plain", "message"],
+        /// A message shows values from before its block.
+        message_old "active-comments.same-block-setting" ["new", "old"],
+        /// No comment on the line of an o-word.
+        oword_comment_refused "control.comment-after-o-word" ["ignored", "refused"],
+        /// A label of an ended structure still points to it.
+        ended_followed "control.ended-label" ["refused", "followed"],
+        /// A negative count is refused.
+        negative_refused "control.repeat-negative" ["none", "refused"],
+        /// A block that was skipped defines no label.
+        skipped_free "control.skipped-definition" ["counts", "does-not-count"],
+        /// A label may be the number of the sub around it.
+        sub_number_free "control.sub-number-as-label" ["refused", "accepted"],
+        /// A numbered subprogram may call itself.
+        call_itself "fanuc-subs.call-itself" ["refused", "allowed"],
+        /// A numbered subprogram sees its caller's local parameters.
+        locals_shared "fanuc-subs.named-locals" ["hidden", "shared"],
+        /// M98 leaves the value of an earlier call.
+        value_kept "fanuc-subs.value-after-call" ["cleared", "kept"],
+        /// A return must carry the number of its sub.
+        return_own "subroutines.return-label" ["any", "own"],
+    }
+}

@@ -1,0 +1,164 @@
+//! Active comments (11.4.14 to 11.4.20): messages, logs, and an error that the program asks for.
+
+use crate::syntax::block::Packer;
+use crate::syntax::cursor::Cursor;
+use crate::syntax::packed::{Act, Comment, NONE, Piece, Segment};
+use crate::syntax::parameter::{Place, parameter_number};
+
+/// What comments do, by their first word and a comma.
+const ACTS: [(&[u8], Act); 7] = [
+    (b"msg,", Act::Message),
+    (b"debug,", Act::Debug),
+    (b"print,", Act::Print),
+    (b"log,", Act::Log),
+    (b"logopen,", Act::LogOpen),
+    (b"logappend,", Act::LogAppend),
+    (b"abort,", Act::Abort),
+];
+
+/// Packs the last comment of a block; none where it is a plain one.
+pub(crate) fn pack(packer: &mut Packer, text: &[u8], into: &mut Segment) -> Option<u32> {
+    let (act, rest) = act(text, packer.choices.message_free)?;
+    let first = u32::try_from(into.pieces.len()).ok()?;
+    match act {
+        Act::Debug | Act::Print | Act::Log => expand(packer, rest, into),
+        Act::Message | Act::Abort => literal(rest, into),
+        Act::LogOpen | Act::LogAppend | Act::ProbeOpen => literal(rest.trim_ascii(), into),
+        Act::LogClose | Act::ProbeClose => {}
+    }
+    let end = u32::try_from(into.pieces.len()).ok()?;
+    let place = u32::try_from(into.comments.len()).ok()?;
+    into.comments.push(Comment { act, first, end });
+    Some(place)
+}
+
+/// What a comment does, and its text.
+fn act(text: &[u8], message_free: bool) -> Option<(Act, &[u8])> {
+    for (word, act) in ACTS {
+        if let Some(rest) = after(text, word) {
+            return Some((act, rest));
+        }
+    }
+    if message_free && let Some(rest) = after(text, b"msg") {
+        return Some((Act::Message, rest));
+    }
+    if let Some(rest) = after(text, b"probeopen") {
+        return (!rest.trim_ascii().is_empty()).then_some((Act::ProbeOpen, rest));
+    }
+    for (word, act) in [(&b"logclose"[..], Act::LogClose), (b"probeclose", Act::ProbeClose)] {
+        if after(text, word).is_some_and(|rest| rest.trim_ascii().is_empty()) {
+            return Some((act, &[]));
+        }
+    }
+    None
+}
+
+/// The raw text after a word whose letters may stand apart; none where another word comes first.
+fn after<'a>(text: &'a [u8], word: &[u8]) -> Option<&'a [u8]> {
+    let mut rest = text;
+    for byte in word {
+        rest = rest.trim_ascii_start();
+        let (first, others) = rest.split_first()?;
+        if first.to_ascii_lowercase() != *byte {
+            return None;
+        }
+        rest = others;
+    }
+    Some(rest)
+}
+
+/// Characters as they are.
+fn literal(text: &[u8], into: &mut Segment) {
+    if text.is_empty() {
+        return;
+    }
+    let first = u32::try_from(into.texts.len()).unwrap_or(NONE);
+    into.texts.extend_from_slice(text);
+    let end = u32::try_from(into.texts.len()).unwrap_or(NONE);
+    match into.pieces.last_mut() {
+        Some(Piece::Text(_, last)) if *last == first => *last = end,
+        Some(_) | None => into.pieces.push(Piece::Text(first, end)),
+    }
+}
+
+/// Text with parameters and formats (11.4.20).
+fn expand(packer: &mut Packer, text: &[u8], into: &mut Segment) {
+    let first_piece = into.pieces.len();
+    let mut rest = text;
+    while let Some(place) = rest.iter().position(|byte| matches!(byte, b'#' | b'%')) {
+        let (plain, special) = rest.split_at(place.min(rest.len()));
+        plain_text(plain, first_piece, into);
+        let taken = match special.first() {
+            Some(b'%') => format(packer, special),
+            _ => parameter(packer, special, into),
+        };
+        let length = match taken {
+            Some((piece, length)) => {
+                into.pieces.push(piece);
+                length
+            }
+            None => {
+                plain_text(special.get(..1).unwrap_or(&[]), first_piece, into);
+                1
+            }
+        };
+        rest = special.get(length..).unwrap_or(&[]);
+    }
+    plain_text(rest, first_piece, into);
+}
+
+/// Characters as they are, joined to those before them in the same comment.
+fn plain_text(text: &[u8], first_piece: usize, into: &mut Segment) {
+    if into.pieces.len() > first_piece {
+        literal(text, into);
+    } else if !text.is_empty() {
+        let first = u32::try_from(into.texts.len()).unwrap_or(NONE);
+        into.texts.extend_from_slice(text);
+        into.pieces.push(Piece::Text(first, u32::try_from(into.texts.len()).unwrap_or(NONE)));
+    }
+}
+
+/// `%d`, `%f`, `%.3f` or `%lf`, and its length.
+fn format(packer: &Packer, text: &[u8]) -> Option<(Piece, usize)> {
+    let lower = |place: usize| text.get(place).map(u8::to_ascii_lowercase);
+    match (lower(1)?, lower(2), lower(3)) {
+        (b'd', ..) => Some((Piece::Decimals(0), 2)),
+        (b'f', ..) => Some((Piece::Decimals(if packer.choices.format_six { 6 } else { 4 }), 2)),
+        (b'l', Some(b'f'), _) => {
+            Some((Piece::Decimals(if packer.choices.default_four { 4 } else { 6 }), 3))
+        }
+        (b'.', Some(digit @ b'0'..=b'9'), Some(b'f')) => Some((Piece::Decimals(digit & 15), 4)),
+        _ => None,
+    }
+}
+
+/// `#123` or `#<name>`, and its length.
+fn parameter(packer: &mut Packer, text: &[u8], into: &mut Segment) -> Option<(Piece, usize)> {
+    let after_sign = text.get(1..)?;
+    if after_sign.first() == Some(&b'<') {
+        let close = after_sign.iter().position(|byte| *byte == b'>')?;
+        let name = after_sign.get(..=close)?;
+        let mut cursor = Cursor::new(name);
+        let place = packer.named(&mut cursor).ok()?;
+        let piece = match place {
+            Place::Local(id) => Piece::Local(id),
+            Place::Global(id) => Piece::Global(id),
+            Place::Mode(name) => Piece::Mode(name),
+            Place::Own(name) => Piece::Own(name),
+            Place::Entry(value) => {
+                let place = u32::try_from(into.constants.len()).ok()?;
+                into.constants.push(value);
+                Piece::Constant(place)
+            }
+            Place::Absent | Place::Numbered(_) | Place::Indirect => Piece::Absent,
+        };
+        return Some((piece, close.checked_add(2)?));
+    }
+    let digits = after_sign.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let number = core::str::from_utf8(after_sign.get(..digits)?).ok()?.parse::<u32>().ok()?;
+    let piece = match parameter_number(f64::from(number)) {
+        Ok(number) => Piece::Numbered(u32::from(number)),
+        Err(_) => Piece::Absent,
+    };
+    Some((piece, digits.checked_add(1)?))
+}

@@ -1,0 +1,274 @@
+//! Values: numbers, parameters, expressions and functions become operations (11.4.5 to 11.4.8).
+//!
+//! Constants are folded on the way, unless that fails: a wrong constant is an error of the block, and an error waits for its execution.
+
+use gaugeblock_trace::FaultKind;
+
+use crate::limits::Limit;
+use crate::syntax::block::Packer;
+use crate::syntax::cursor::Cursor;
+use crate::syntax::packed::{Binary, Function, Op, Segment};
+use crate::syntax::parameter::{Place, is_position, short_parameter};
+use crate::syntax::{Packed, arithmetic, number};
+
+/// Names of functions, with the longer of two that begin alike first.
+const FUNCTIONS: [(&[u8], Function); 12] = [
+    (b"abs", Function::Absolute),
+    (b"acos", Function::Arccosine),
+    (b"asin", Function::Arcsine),
+    (b"cos", Function::Cosine),
+    (b"exp", Function::Exponential),
+    (b"fix", Function::RoundDown),
+    (b"fup", Function::RoundUp),
+    (b"round", Function::Round),
+    (b"ln", Function::Logarithm),
+    (b"sin", Function::Sine),
+    (b"sqrt", Function::SquareRoot),
+    (b"tan", Function::Tangent),
+];
+
+/// Operators of letters.
+const WORDS: [(&[u8], Binary); 10] = [
+    (b"and", Binary::And),
+    (b"or", Binary::Or),
+    (b"xor", Binary::Xor),
+    (b"mod", Binary::Modulus),
+    (b"eq", Binary::Equal),
+    (b"ne", Binary::NotEqual),
+    (b"gt", Binary::Greater),
+    (b"ge", Binary::GreaterOrEqual),
+    (b"lt", Binary::Less),
+    (b"le", Binary::LessOrEqual),
+];
+
+/// The group of an operator (11.4.6), from 1 for the lowest.
+fn group(operator: Binary) -> u8 {
+    match operator {
+        Binary::And | Binary::Or | Binary::Xor => 1,
+        Binary::Equal
+        | Binary::NotEqual
+        | Binary::Greater
+        | Binary::GreaterOrEqual
+        | Binary::Less
+        | Binary::LessOrEqual => 2,
+        Binary::Add | Binary::Subtract => 3,
+        Binary::Multiply | Binary::Divide | Binary::Modulus => 4,
+        Binary::Power => 5,
+    }
+}
+
+impl Packer {
+    /// A real value: a number, a parameter, an expression or a function, possibly with a sign.
+    #[inline]
+    pub(crate) fn value(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        into: &mut Segment,
+        depth: u32,
+    ) -> Packed<()> {
+        if number::begins(cursor) {
+            let number = number::unsigned(cursor)?;
+            into.ops.push(Op::Number(number));
+            return Ok(());
+        }
+        let sign = cursor.peek();
+        if sign == b'#'
+            && let Some(number) = short_parameter(cursor)
+        {
+            into.ops.push(Op::Numbered(number));
+            return Ok(());
+        }
+        if !matches!(sign, b'-' | b'+') {
+            return self.unsigned_value(cursor, into, depth);
+        }
+        cursor.step();
+        if number::begins(cursor) {
+            let number = number::unsigned(cursor)?;
+            into.ops.push(Op::Number(if sign == b'-' { -number } else { number }));
+            return Ok(());
+        }
+        if self.choices.sign_refused {
+            return cursor.refuse(FaultKind::BadNumber, "a sign stands before a number only");
+        }
+        self.unsigned_value(cursor, into, depth)?;
+        if sign == b'-' {
+            match into.ops.last_mut() {
+                Some(Op::Number(number)) => *number = -*number,
+                Some(_) | None => into.ops.push(Op::Negate),
+            }
+        }
+        Ok(())
+    }
+
+    /// A parameter, an expression or a function.
+    fn unsigned_value(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        into: &mut Segment,
+        depth: u32,
+    ) -> Packed<()> {
+        match cursor.peek() {
+            b'#' => {
+                let place = self.parameter(cursor, into, depth)?;
+                let op = match place {
+                    Place::Numbered(number) if is_position(number) => {
+                        into.ops.push(Op::Number(f64::from(number)));
+                        Op::Indirect
+                    }
+                    Place::Numbered(number) => Op::Numbered(number),
+                    Place::Indirect => Op::Indirect,
+                    Place::Local(id) => Op::Local(id),
+                    Place::Global(id) => Op::Global(id),
+                    Place::Mode(name) => Op::Mode(name),
+                    Place::Own(name) => Op::Own(name),
+                    Place::Entry(value) => Op::Number(value),
+                    Place::Absent => Op::Absent,
+                };
+                into.ops.push(op);
+                Ok(())
+            }
+            b'[' => self.expression(cursor, into, depth),
+            b'a'..=b'z' => self.call_function(cursor, into, depth),
+            _ => cursor.refuse(FaultKind::BadNumber, "a number is missing"),
+        }
+    }
+
+    /// `[` … `]`, with operators by groups, those of one group from the left.
+    pub(crate) fn expression(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        into: &mut Segment,
+        depth: u32,
+    ) -> Packed<()> {
+        if depth == 0 {
+            self.beyond = Some(Limit::BracketDepth);
+            return cursor.refuse(FaultKind::BadExpression, "brackets are nested too deep");
+        }
+        if !cursor.take(b'[') {
+            return cursor.refuse(FaultKind::BadExpression, "a left bracket is missing");
+        }
+        let mut waiting = [Binary::Add; 5];
+        let mut count = 0_usize;
+        loop {
+            self.value(cursor, into, depth.wrapping_sub(1))?;
+            let operator = operator(cursor)?;
+            let lowest = operator.map_or(0, group);
+            while let Some(last) = count.checked_sub(1).and_then(|last| waiting.get(last)).copied()
+                && group(last) >= lowest
+            {
+                self.join(last, into);
+                count = count.wrapping_sub(1);
+            }
+            let Some(operator) = operator else { return Ok(()) };
+            if let Some(slot) = waiting.get_mut(count) {
+                *slot = operator;
+            }
+            count = count.wrapping_add(1);
+        }
+    }
+
+    /// Emits an operator, folded where its operands are known.
+    fn join(&self, operator: Binary, into: &mut Segment) {
+        let right = into.ops.pop();
+        let op = match (into.ops.last_mut(), right) {
+            (Some(Op::Number(left)), Some(Op::Number(right))) => {
+                if let Ok(result) = arithmetic::binary(operator, *left, right, &self.choices) {
+                    *left = result;
+                    return;
+                }
+                Op::BinaryNumber(operator, right)
+            }
+            (_, Some(Op::Number(right))) => Op::BinaryNumber(operator, right),
+            (_, Some(Op::Numbered(right))) => Op::BinaryNumbered(operator, right),
+            (_, right) => {
+                into.ops.extend(right);
+                Op::Binary(operator)
+            }
+        };
+        into.ops.push(op);
+    }
+
+    /// A function with its argument in brackets.
+    fn call_function(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        into: &mut Segment,
+        depth: u32,
+    ) -> Packed<()> {
+        let start = cursor.at();
+        if cursor.peek() == b'a' && cursor.take_word(b"atan") {
+            self.expression(cursor, into, depth)?;
+            if !cursor.take(b'/') {
+                return cursor.refuse(FaultKind::BadExpression, "ATAN takes [y]/[x]");
+            }
+            self.expression(cursor, into, depth)?;
+            into.ops.push(Op::Arctangent);
+            return Ok(());
+        }
+        if cursor.peek() == b'e' && cursor.take_word(b"exists") {
+            return self.exists(cursor, into);
+        }
+        let first = cursor.peek();
+        for (name, function) in FUNCTIONS {
+            if name.first() == Some(&first) && cursor.take_word(name) {
+                self.expression(cursor, into, depth)?;
+                if let Some(Op::Number(number)) = into.ops.last_mut()
+                    && let Ok(result) = arithmetic::function(function, *number, &self.choices)
+                {
+                    *number = result;
+                } else {
+                    into.ops.push(Op::Function(function));
+                }
+                return Ok(());
+            }
+        }
+        cursor.refuse_from(start, FaultKind::BadExpression, "no such function")
+    }
+
+    /// EXISTS takes one named parameter and nothing else.
+    fn exists(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<()> {
+        if !cursor.take(b'[') || !cursor.take(b'#') || cursor.peek() != b'<' {
+            return cursor.refuse(FaultKind::BadExpression, "EXISTS takes one named parameter");
+        }
+        let place = self.named(cursor)?;
+        if !cursor.take(b']') {
+            return cursor.refuse(FaultKind::BadExpression, "EXISTS takes one named parameter");
+        }
+        into.ops.push(match place {
+            Place::Local(id) => Op::ExistsLocal(id),
+            Place::Global(id) => Op::ExistsGlobal(id),
+            Place::Mode(_) | Place::Own(_) | Place::Entry(_) => Op::Number(1.0),
+            Place::Absent | Place::Numbered(_) | Place::Indirect => Op::Number(0.0),
+        });
+        Ok(())
+    }
+}
+
+/// The operator that comes next; none at the closing bracket, which is taken.
+fn operator(cursor: &mut Cursor<'_>) -> Packed<Option<Binary>> {
+    let operator = match cursor.peek() {
+        b']' => {
+            cursor.step();
+            return Ok(None);
+        }
+        b'+' => Binary::Add,
+        b'-' => Binary::Subtract,
+        b'/' => Binary::Divide,
+        b'*' => {
+            cursor.step();
+            return Ok(Some(if cursor.take(b'*') { Binary::Power } else { Binary::Multiply }));
+        }
+        _ => {
+            let first = cursor.peek();
+            let found = WORDS
+                .iter()
+                .find(|(word, _)| word.first() == Some(&first) && cursor.take_word(word));
+            return match found {
+                Some((_, operator)) => Ok(Some(*operator)),
+                None => cursor.refuse(FaultKind::BadExpression, "an operator or ] is missing"),
+            };
+        }
+    };
+    cursor.step();
+    Ok(Some(operator))
+}

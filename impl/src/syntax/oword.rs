@@ -1,0 +1,159 @@
+//! O-words (11.7): a label, what it asks for, and values in brackets.
+
+use gaugeblock_trace::FaultKind;
+
+use crate::parameters::NameId;
+use crate::syntax::block::Packer;
+use crate::syntax::cursor::Cursor;
+use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord, Op, Segment};
+use crate::syntax::{Packed, number};
+
+/// Most arguments of a call (11.7.4).
+const ARGUMENTS: u8 = 30;
+
+/// What an o-word can ask for, the longer of two that begin alike first.
+const KEYWORDS: [(&[u8], Keyword); 15] = [
+    (b"sub", Keyword::Sub),
+    (b"endsub", Keyword::EndSub),
+    (b"return", Keyword::Return),
+    (b"repeat", Keyword::Repeat),
+    (b"call", Keyword::Call),
+    (b"continue", Keyword::Continue),
+    (b"if", Keyword::If),
+    (b"elseif", Keyword::ElseIf),
+    (b"else", Keyword::Else),
+    (b"endif", Keyword::EndIf),
+    (b"endwhile", Keyword::EndWhile),
+    (b"endrepeat", Keyword::EndRepeat),
+    (b"while", Keyword::While),
+    (b"do", Keyword::Do),
+    (b"break", Keyword::Break),
+];
+
+impl Packer {
+    /// An o-word and everything behind it. The label and the keyword stand in the block even where the rest is refused, so that a search
+    /// for them ends here.
+    pub(crate) fn oword(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        commented: bool,
+        block: &mut Block,
+        into: &mut Segment,
+    ) -> Packed<()> {
+        let start = cursor.at();
+        cursor.step();
+        let numbered = cursor.peek().is_ascii_digit();
+        let label = self.label(cursor, into)?;
+        let mut oword = OWord { keyword: Keyword::Unknown, label, values: 0, next: NONE };
+        if label == NONE {
+            into.computed = true;
+            oword.next = u32::try_from(into.ops.len()).unwrap_or(NONE);
+        }
+        oword.keyword = keyword(cursor);
+        block.kind = Kind::Control(oword);
+        if oword.keyword == Keyword::Unknown {
+            if !numbered || !matches!(cursor.peek(), 0 | b'(' | b';') {
+                return cursor.refuse_from(start, FaultKind::BadBlock, "no such o-word");
+            }
+            oword.keyword = Keyword::Program;
+        }
+        self.values(cursor, &mut oword, into)?;
+        block.kind = Kind::Control(oword);
+        let commented = self.comments_only(cursor)? || commented;
+        if commented && self.choices.oword_comment_refused && oword.keyword != Keyword::Program {
+            return cursor.refuse(FaultKind::BadComment, "a comment on the line of an o-word");
+        }
+        Ok(())
+    }
+
+    /// A number, a name in angle brackets, or an expression (11.7.8), whose operations are emitted.
+    fn label(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<NameId> {
+        let mut text = core::mem::take(&mut self.scratch);
+        text.clear();
+        let result = match cursor.peek() {
+            b'0'..=b'9' => {
+                number::digits(cursor, &mut text);
+                Ok(self.number_label(&text))
+            }
+            b'<' => self.read_name(cursor, &mut text).map(|()| self.labels.intern(text.as_bytes())),
+            b'[' => self.expression(cursor, into, self.bracket_depth).map(|()| NONE),
+            b'#' => self.value(cursor, into, self.bracket_depth).map(|()| NONE),
+            _ => cursor.refuse(FaultKind::BadBlock, "a label is missing"),
+        };
+        self.scratch = text;
+        result
+    }
+
+    /// The label that is written as digits; leading zeros mean nothing.
+    pub(crate) fn number_label(&mut self, digits: &str) -> NameId {
+        let digits = digits.trim_start_matches('0');
+        self.labels.intern(if digits.is_empty() { b"0" } else { digits.as_bytes() })
+    }
+
+    /// The label that a computed number is.
+    pub(crate) fn computed_label(&mut self, number: u64) -> NameId {
+        use core::fmt::Write as _;
+        let mut text = core::mem::take(&mut self.scratch);
+        text.clear();
+        // Writing into a text cannot fail.
+        let label = match write!(text, "{number}") {
+            Ok(()) => self.labels.intern(text.as_bytes()),
+            Err(core::fmt::Error) => NONE,
+        };
+        self.scratch = text;
+        label
+    }
+
+    /// The values that the keyword takes.
+    fn values(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        oword: &mut OWord,
+        into: &mut Segment,
+    ) -> Packed<()> {
+        let (least, most) = match oword.keyword {
+            Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Repeat => (1, 1),
+            Keyword::EndSub | Keyword::Return => (0, 1),
+            Keyword::Call => (0, ARGUMENTS),
+            Keyword::Sub
+            | Keyword::Else
+            | Keyword::EndIf
+            | Keyword::EndWhile
+            | Keyword::Do
+            | Keyword::EndRepeat
+            | Keyword::Break
+            | Keyword::Continue
+            | Keyword::Program
+            | Keyword::Unknown => (0, 0),
+        };
+        while cursor.peek() == b'[' {
+            if oword.values == most {
+                if oword.keyword == Keyword::Call {
+                    return cursor.refuse(FaultKind::TooManyArguments, "a call takes 30 arguments");
+                }
+                return cursor.refuse(FaultKind::BadBlock, "one value too many");
+            }
+            self.expression(cursor, into, self.bracket_depth)?;
+            oword.values = oword.values.wrapping_add(1);
+        }
+        if oword.values < least {
+            return cursor.refuse(FaultKind::BadExpression, "an expression is missing");
+        }
+        Ok(())
+    }
+}
+
+/// What an o-word asks for.
+fn keyword(cursor: &mut Cursor<'_>) -> Keyword {
+    KEYWORDS
+        .iter()
+        .find(|(word, _)| cursor.take_word(word))
+        .map_or(Keyword::Unknown, |(_, keyword)| *keyword)
+}
+
+/// Where the operations of a computed label end.
+pub(crate) fn label_ops<'a>(segment: &'a Segment, block: &Block, oword: OWord) -> &'a [Op] {
+    let first = usize::try_from(block.first).unwrap_or(usize::MAX);
+    let end = usize::try_from(oword.next).unwrap_or(usize::MAX);
+    segment.ops.get(first..end).unwrap_or(&[])
+}

@@ -1,0 +1,217 @@
+//! Parameters in the text (11.4.3): `#` with a number, an expression, a further parameter, or a name.
+
+use alloc::string::String;
+
+use gaugeblock_trace::FaultKind;
+
+use crate::limits::Limit;
+use crate::math;
+use crate::modal::Predefined;
+use crate::parameters::{LAST, NameId, Own};
+use crate::syntax::block::Packer;
+use crate::syntax::cursor::Cursor;
+use crate::syntax::packed::{Op, Segment};
+use crate::syntax::{Packed, arithmetic, number};
+
+/// The last number of a parameter.
+const LAST_NUMBER: u64 = 5602;
+/// It is the one that the parameters end with.
+const _: () = assert!(LAST == 5602);
+
+/// Where a parameter lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Place {
+    /// By a number that is known.
+    Numbered(u16),
+    /// By a number that the operations push.
+    Indirect,
+    /// By name, local.
+    Local(NameId),
+    /// By name, global.
+    Global(NameId),
+    /// A predefined name that the modes answer.
+    Mode(Predefined),
+    /// A predefined name that the interpreter answers.
+    Own(Own),
+    /// An INI entry.
+    Entry(f64),
+    /// An INI entry or pin that is not there.
+    Absent,
+}
+
+impl Packer {
+    /// `#` and what follows it (11.4.3.1): a number, a further parameter, an expression, or a name.
+    pub(crate) fn parameter(
+        &mut self,
+        cursor: &mut Cursor<'_>,
+        into: &mut Segment,
+        depth: u32,
+    ) -> Packed<Place> {
+        let start = cursor.at();
+        cursor.step();
+        match cursor.peek() {
+            b'<' => return self.named(cursor),
+            b'0'..=b'9' | b'.' => {
+                if let Some(short) = number::short(cursor.rest())
+                    && let Some(number @ 1..=LAST_NUMBER) = short.integer()
+                {
+                    cursor.advance_to_next(short.length);
+                    return Ok(Place::Numbered(u16::try_from(number).unwrap_or(0)));
+                }
+                let number = number::unsigned(cursor)?;
+                into.ops.push(Op::Number(number));
+            }
+            b'[' => self.expression(cursor, into, depth)?,
+            b'#' if depth == 0 => {
+                self.beyond = Some(Limit::BracketDepth);
+                return cursor.refuse(FaultKind::BadExpression, "too many number signs");
+            }
+            b'#' => {
+                // The inner parameter's value is the number of the outer one.
+                let inner = self.parameter(cursor, into, depth.wrapping_sub(1))?;
+                let op = match inner {
+                    Place::Numbered(number) => {
+                        into.ops.push(Op::Number(f64::from(number)));
+                        Op::Indirect
+                    }
+                    Place::Indirect => Op::Indirect,
+                    Place::Local(id) => Op::Local(id),
+                    Place::Global(id) => Op::Global(id),
+                    Place::Mode(name) => Op::Mode(name),
+                    Place::Own(name) => Op::Own(name),
+                    Place::Entry(value) => Op::Number(value),
+                    Place::Absent => Op::Absent,
+                };
+                into.ops.push(op);
+                return Ok(Place::Indirect);
+            }
+            _ => return cursor.refuse(FaultKind::BadExpression, "a parameter number is missing"),
+        }
+        let Some(Op::Number(number)) = into.ops.last().copied() else {
+            return Ok(Place::Indirect);
+        };
+        into.ops.pop();
+        match parameter_number(number) {
+            Ok(number) => Ok(Place::Numbered(number)),
+            Err((kind, message)) => cursor.refuse_from(start, *kind, message),
+        }
+    }
+
+    /// `<name>`, in lower case and without blanks (11.4.3.3).
+    #[inline]
+    pub(crate) fn named(&mut self, cursor: &mut Cursor<'_>) -> Packed<Place> {
+        // Most names need no change.
+        let text = cursor.rest().get(1..).unwrap_or(&[]);
+        let plain = |byte: &u8| matches!(byte, b'a'..=b'z' | b'0'..=b'9' | b'_');
+        let length = text.iter().position(|byte| !plain(byte)).unwrap_or(text.len());
+        if length != 0
+            && text.get(length) == Some(&b'>')
+            && let Some(name) = text.get(..length)
+        {
+            cursor.advance(length.wrapping_add(2));
+            return Ok(self.resolve(name));
+        }
+        self.unusual_name(cursor)
+    }
+
+    /// A name with blanks, capitals or other characters.
+    fn unusual_name(&mut self, cursor: &mut Cursor<'_>) -> Packed<Place> {
+        let mut name = core::mem::take(&mut self.scratch);
+        let place = self.read_name(cursor, &mut name).map(|()| self.resolve(name.as_bytes()));
+        self.scratch = name;
+        place
+    }
+
+    /// Reads a name in angle brackets into a text.
+    pub(crate) fn read_name(&self, cursor: &mut Cursor<'_>, name: &mut String) -> Packed<()> {
+        let start = cursor.at();
+        name.clear();
+        cursor.step();
+        loop {
+            match cursor.peek() {
+                b'>' => break,
+                byte if byte.is_ascii_graphic() => name.push(char::from(byte)),
+                _ => {
+                    return cursor.refuse_from(
+                        start,
+                        FaultKind::BadExpression,
+                        "a name is not closed",
+                    );
+                }
+            }
+            cursor.step();
+        }
+        cursor.step();
+        if name.is_empty() {
+            return cursor.refuse_from(start, FaultKind::BadExpression, "a name is empty");
+        }
+        Ok(())
+    }
+
+    /// Finds where a named parameter lies. That never changes, so that it is looked up once.
+    #[inline]
+    pub(crate) fn resolve(&mut self, name: &[u8]) -> Place {
+        let id = self.names.intern(name);
+        if let Some(place) = usize::try_from(id).ok().and_then(|id| self.places.get(id)) {
+            return *place;
+        }
+        if id >= self.most_names {
+            self.beyond = Some(Limit::NamedParameters);
+        }
+        let place = self.look_up(self.names.name(id), id);
+        self.places.push(place);
+        place
+    }
+
+    /// Where a parameter lies whose name is new.
+    #[cold]
+    fn look_up(&self, name: &str, id: NameId) -> Place {
+        if !name.starts_with('_') {
+            return Place::Local(id);
+        }
+        if let Some(entry) = name.strip_prefix("_ini") {
+            if entry.starts_with('[') {
+                let entry = entry.to_ascii_uppercase();
+                return self.ini.get(&entry).map_or(Place::Absent, |value| Place::Entry(*value));
+            }
+        } else if name.starts_with("_hal[") {
+            return Place::Absent;
+        }
+        if let Some(own) = Own::from_name(name) {
+            return Place::Own(own);
+        }
+        match Predefined::from_name(name) {
+            Some(name) => Place::Mode(name),
+            None => Place::Global(id),
+        }
+    }
+}
+
+/// `#` with a plain number, which is what nearly every parameter is; nothing is taken otherwise. Position is not plain.
+#[inline]
+pub(crate) fn short_parameter(cursor: &mut Cursor<'_>) -> Option<u16> {
+    let short = number::short(cursor.rest().get(1..)?)?;
+    let number @ 1..=LAST_NUMBER = short.integer()? else { return None };
+    let number = u16::try_from(number).ok().filter(|number| !is_position(*number))?;
+    cursor.advance_to_next(short.length.wrapping_add(1));
+    Some(number)
+}
+
+/// Whether a parameter tells the controlled point, which the modes know.
+pub(crate) fn is_position(number: u16) -> bool {
+    (5420..=5428).contains(&number)
+}
+
+/// The number of a parameter from a value that should be one.
+#[inline]
+pub(crate) fn parameter_number(value: f64) -> Result<u16, arithmetic::Wrong> {
+    let Some(number) = math::near_integer(value) else {
+        return Err(&(FaultKind::ParameterNotInteger, "a parameter number is not an integer"));
+    };
+    match u16::try_from(number) {
+        Ok(number) if number != 0 && u32::from(number) <= LAST => Ok(number),
+        Ok(_) | Err(_) => {
+            Err(&(FaultKind::ParameterOutOfRange, "a parameter number is not in 1 to 5602"))
+        }
+    }
+}
