@@ -14,6 +14,8 @@ use gaugeblock_trace::Pin;
 const LATER: &[&str] = &[
     "no operator yet",
     "no manual data input yet",
+    "no HAL items yet",
+    "INI entries cannot be switched off yet",
     "no feed that an input holds or slows yet",
     "no person who changes tools yet",
     "the bench \"stand-alone rs274\" is another controller's",
@@ -113,7 +115,7 @@ fn it_does_what_each_option_says() {
         let shown = |edition: &Edition, option: &str| {
             let mut options = suite.options(edition);
             options.0.insert(choice.id.clone(), option.to_owned());
-            shown(choice, &options, None, &production)
+            shown(choice, &options, None, &production, false)
         };
         for option in &choice.options {
             // A page tells its options apart under some edition, which it does not name.

@@ -9,6 +9,12 @@ const OWN_BENCH: &str = "whole controller";
 /// The option of a quirk that another controller shows.
 const QUIRK: &str = "observed";
 
+/// What begins the name of a HAL item.
+const HAL_ITEM: &str = "#<_hal[";
+
+/// The INI entry that switches INI entries off.
+const INI_SWITCH: &str = "[RS274NGC]INI_VARS";
+
 /// Inputs that hold or slow the feed.
 const FEED_INPUTS: [&str; 2] = ["adaptive_feed", "feed_hold"];
 
@@ -26,6 +32,14 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     }
     if !scenario.operator.is_empty() {
         return Err("no operator yet".to_owned());
+    }
+    let program = &scenario.program;
+    let mut texts = program.files.values().chain([&program.main]);
+    if texts.any(|text| text.to_lowercase().contains(HAL_ITEM)) {
+        return Err("no HAL items yet".to_owned());
+    }
+    if scenario.machine.ini.contains_key(INI_SWITCH) {
+        return Err("INI entries cannot be switched off yet".to_owned());
     }
     bench(&scenario.bench)
 }
