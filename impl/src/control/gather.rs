@@ -202,8 +202,12 @@ impl Interpreter {
                 // A sub of a file is executed as far as it goes: it is refused where its endsub is missed.
                 Next::Over | Next::Percent(_) if file != 0 => break,
                 Next::Over => return Ok(Err(Bad::Endless)),
-                Next::Percent(_) if self.percent == Some(true) => return Ok(Err(Bad::Endless)),
-                Next::Nothing | Next::Percent(_) => {}
+                Next::Percent(place) => {
+                    if self.percent_into(place, &mut code) {
+                        return Ok(Err(Bad::Endless));
+                    }
+                }
+                Next::Nothing => {}
                 Next::Block(Block { kind: Kind::Control(oword), line, .. }) => {
                     if oword.keyword == Keyword::Sub {
                         return Ok(Err(Bad::Nested(line)));

@@ -177,3 +177,11 @@ fn a_sub_of_a_file_runs_as_far_as_it_goes() {
     let case = Case { files: [("f.ngc", "o<f> sub\n#31=1\n")].into(), ..Case::default() };
     case.check("o<f> call\nm2\n", "refused missing_end; #31 = 1");
 }
+
+#[test]
+fn a_percent_line_in_a_sub_is_refused_when_it_is_come_by() {
+    check_all(&[
+        ("o1 sub\n%\no1 endsub\no1 call\nm2\n", "refused at 2 bad_character"),
+        ("o1 sub\n%\no1 endsub\nm2\n", "accepted"),
+    ]);
+}
