@@ -48,20 +48,21 @@ pub(in crate::adapters) struct Reader<'a> {
     values: Vec<Option<f64>>,
     place: Option<(usize, u32)>,
     next: usize,
-    /// Whether the rest of a probe may come first.
-    torn: bool,
+    /// Whether the run was broken off: the rest of a probe may come, and one that has begun may never be whole.
+    broken_off: bool,
 }
 
 impl<'a> Reader<'a> {
     /// A reader for the probes of a plan.
     pub(in crate::adapters) fn new(plan: &'a Plan) -> Self {
         let parts = MODES.len() + 1 + plan.parameter_groups().len();
-        Self { plan, parts, values: Vec::new(), place: None, next: 0, torn: false }
+        Self { plan, parts, values: Vec::new(), place: None, next: 0, broken_off: false }
     }
 
-    /// A reader where a run was broken off, perhaps within a probe: what is left of that one is passed over.
+    /// A reader where a run was broken off, perhaps within a probe: what is left of that one is passed over. The run may
+    /// begin another one before it stands.
     pub(in crate::adapters) fn broken_off(plan: &'a Plan) -> Self {
-        Self { torn: true, ..Self::new(plan) }
+        Self { broken_off: true, ..Self::new(plan) }
     }
 
     /// Takes the text of a probe line behind the marker; returns the probe when it is complete.
@@ -75,10 +76,12 @@ impl<'a> Reader<'a> {
         let file = usize::try_from(number("probe's file")?).map_err(|_| wrong("probe's file"))?;
         let place = (file, number("probe's line")?);
         let part = number("probe's part")?;
-        if self.torn && part != 0 {
+        if self.broken_off && part == 0 {
+            self.next = 0;
+            self.values.clear();
+        } else if self.broken_off && self.next == 0 {
             return Ok(None);
         }
-        self.torn = false;
         if usize::try_from(part) != Ok(self.next) || (self.next > 0 && self.place != Some(place)) {
             return Err(wrong("probe out of order"));
         }
@@ -151,8 +154,10 @@ mod tests {
         let mut reader = Reader::broken_off(&plan);
         assert_eq!(reader.take("0 2 3  54.000000000 1"), Ok(None));
         assert_eq!(reader.take("1 7 0  10 170 1 1 0 1 400 540 1 0 0"), Ok(None));
+        // The run went on to another one, and stood within that.
+        assert_eq!(reader.take("0 0 0  10 170 1 1 0 1 400 540 1 0 0"), Ok(None));
         // From its first part on a probe is whole again.
-        assert!(reader.take("1 7 2  1 0 0 0 0 0 0 0").is_err());
+        assert!(reader.take("0 0 2  1 0 0 0 0 0 0 0").is_err());
     }
 
     #[test]

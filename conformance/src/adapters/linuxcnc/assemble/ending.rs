@@ -26,13 +26,9 @@ impl Assembly<'_> {
         if let Some(fault) = self.refused.take() {
             return Ok(End::Fault(fault));
         }
-        if self.aborted {
-            self.aborted(after_end)?;
-            return Ok(End::Aborted);
-        }
-        if self.has_ended {
-            self.aborted(after_end)?;
-            return Ok(End::ProgramEnd);
+        if self.aborted || self.has_ended {
+            self.over_before(after_end)?;
+            return Ok(if self.aborted { End::Aborted } else { End::ProgramEnd });
         }
         if self.issued.iter().any(is_end) {
             let Some(probe) = after_end else {
@@ -52,7 +48,7 @@ impl Assembly<'_> {
             return Ok(End::PercentEnd);
         }
         if self.asked_for_mode {
-            self.aborted(after_end)?;
+            self.over_before(after_end)?;
             return Ok(End::Aborted);
         }
         Err(unreadable("a run without an end"))
@@ -115,7 +111,7 @@ impl Assembly<'_> {
     }
 
     /// The run was aborted, or has ended before; what a probe showed afterwards.
-    fn aborted(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
+    fn over_before(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
         let Some(probe) = after_end else { return Ok(()) };
         let issued = std::mem::take(&mut self.issued);
         let events = self.events(Vec::new(), &issued, probe)?;
