@@ -385,7 +385,8 @@ class Driver:
         linuxcnc, command = self.linuxcnc, self.command
         name, value = event["action"], event.get("value")
         report(operator=name, value=value)
-        if name == "mdi" and self.is_idle() and self.stat.task_mode == linuxcnc.MODE_MDI:
+        # On a busy machine the change of the mode may take longer than the operator waits.
+        if name == "mdi" and self.stat.task_mode == linuxcnc.MODE_MDI and self.wait(self.is_idle, 0.5):
             self.enter(event)
             return
         complaints = self.complaints
