@@ -1,6 +1,8 @@
 //! How fast the interpreter is: nanoseconds a block, text to a sink that counts.
 //!
-//! `cargo run --release -p gaugeblock-impl --example speed [NAME]`
+//! `cargo run --release -p gaugeblock-impl --example speed [NAME [RUNS]]`
+#![expect(clippy::print_stdout, reason = "a measurement is printed")]
+#![expect(clippy::cast_precision_loss, reason = "a few million blocks")]
 
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -24,6 +26,9 @@ impl Sink for Count {
     }
 }
 
+/// Lines of the programs that run straight through.
+const LINES: u64 = 1_000_000;
+
 /// A program, and how many blocks it executes that are measured.
 struct Workload {
     name: &'static str,
@@ -46,7 +51,6 @@ fn put(text: &mut String, arguments: std::fmt::Arguments<'_>) {
 }
 
 fn workloads() -> Vec<Workload> {
-    const LINES: u64 = 1_000_000;
     let plain = |name, text| Workload { name, text, blocks: LINES };
     vec![
         plain(
@@ -104,13 +108,14 @@ fn processor_time() -> f64 {
 
 fn main() -> Result<(), Error> {
     let wanted = std::env::args().nth(1);
+    let runs = std::env::args().nth(2).and_then(|runs| runs.parse().ok()).unwrap_or(5);
     for workload in workloads() {
         if wanted.as_ref().is_some_and(|wanted| !workload.name.contains(wanted)) {
             continue;
         }
         let mut best = f64::INFINITY;
         let mut effects = 0;
-        for _ in 0..5 {
+        for _ in 0..runs {
             let start = processor_time();
             effects = run(&workload)?;
             best = best.min(processor_time() - start);

@@ -22,12 +22,13 @@ pub(crate) fn near_integer(value: f64) -> Option<i64> {
     ((nearest - value).abs() < CLOSE).then_some(nearest as i64)
 }
 
-/// An integer as a number; exact up to 2^53.
+/// An integer below 2^53 as a number, exactly.
 #[inline]
 #[expect(clippy::as_conversions, reason = "there is no other conversion")]
 #[expect(clippy::cast_precision_loss, reason = "callers keep below 2^53")]
+#[expect(clippy::cast_possible_wrap, reason = "and so below 2^63, which converts faster")]
 pub(crate) fn from_u64(value: u64) -> f64 {
-    value as f64
+    value as i64 as f64
 }
 
 /// A number of turns from a number that is not below 0; the largest count where it is larger.

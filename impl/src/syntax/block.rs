@@ -139,6 +139,10 @@ impl Packer {
         let mut other = false;
         while !cursor.is_at_end() {
             match cursor.peek() {
+                byte @ (b'a'..=b'n' | b'p'..=b'z') => {
+                    other = true;
+                    self.word(byte.wrapping_sub(b'a'), &mut cursor, &mut items, into)?;
+                }
                 b'o' if !other => {
                     let commented = items.comment.is_some();
                     return self.oword(&mut cursor, commented, block, into);
@@ -200,30 +204,28 @@ impl Packer {
         if letter == N || letter == O {
             return cursor.refuse(FaultKind::BadBlock, "it stands at the beginning of a line only");
         }
-        cursor.step();
-        if letter == G
-            && let Some(number) = number::short_integer(cursor)
-        {
-            if number > 99 {
-                return cursor.refuse_from(start, FaultKind::UnknownCode, "no such G code");
-            }
-            into.ops.push(Op::GCode(number.wrapping_mul(10)));
-            return Ok(());
-        }
         // The usual word is a letter and a number; it never touches the stack.
-        let known = if number::begins(cursor) {
-            Some(number::unsigned(cursor)?)
+        let short = number::short(cursor.rest().get(1..).unwrap_or(&[]));
+        let known = if let Some(short) = short {
+            cursor.advance_to_next(short.length.wrapping_add(1));
+            Some(short.value())
         } else {
+            cursor.step();
             self.value(cursor, into, self.bracket_depth)?;
-            match into.ops.last() {
+            match into.ops.last().copied() {
                 Some(Op::Number(number)) => {
-                    let number = *number;
                     into.ops.pop();
                     Some(number)
                 }
                 Some(_) | None => None,
             }
         };
+        if letter == G
+            && let Some(code @ 0..=99) = short.and_then(number::Short::integer)
+        {
+            into.ops.push(Op::GCode(u16::try_from(code).unwrap_or(0).wrapping_mul(10)));
+            return Ok(());
+        }
         if letter == G || letter == M {
             return code(into, letter == G, known)
                 .or_else(|message| cursor.refuse_from(start, FaultKind::UnknownCode, message));

@@ -43,6 +43,12 @@ impl<'a> Cursor<'a> {
         self.skip_blanks();
     }
 
+    /// Goes on by so many bytes, behind which no blank stands.
+    #[inline]
+    pub(crate) fn advance_to_next(&mut self, bytes: usize) {
+        self.at = self.at.wrapping_add(bytes);
+    }
+
     /// Whether nothing is left.
     #[inline]
     pub(crate) fn is_at_end(&self) -> bool {

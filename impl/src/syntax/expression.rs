@@ -8,7 +8,7 @@ use crate::limits::Limit;
 use crate::syntax::block::Packer;
 use crate::syntax::cursor::Cursor;
 use crate::syntax::packed::{Binary, Function, Op, Segment};
-use crate::syntax::parameter::{Place, is_position};
+use crate::syntax::parameter::{Place, is_position, short_parameter};
 use crate::syntax::{Packed, arithmetic, number};
 
 /// Names of functions, with the longer of two that begin alike first.
@@ -72,6 +72,12 @@ impl Packer {
             return Ok(());
         }
         let sign = cursor.peek();
+        if sign == b'#'
+            && let Some(number) = short_parameter(cursor)
+        {
+            into.ops.push(Op::Numbered(number));
+            return Ok(());
+        }
         if !matches!(sign, b'-' | b'+') {
             return self.unsigned_value(cursor, into, depth);
         }

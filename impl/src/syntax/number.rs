@@ -40,10 +40,38 @@ fn run_of_digits(text: &[u8], from: usize, mantissa: &mut u64) -> usize {
     place
 }
 
-/// Reads a number without a sign, rounded correctly.
+/// A number of few digits that stand together.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Short {
+    /// All digits as an integer.
+    mantissa: u64,
+    /// How many of them stand behind the point.
+    decimals: usize,
+    /// Bytes up to the next character that is no blank.
+    pub(crate) length: usize,
+}
+
+impl Short {
+    /// The number, rounded correctly: both parts of the division are exact.
+    #[inline]
+    pub(crate) fn value(self) -> f64 {
+        let number = math::from_u64(self.mantissa);
+        match POWERS.get(self.decimals) {
+            Some(power) if self.decimals != 0 => number / power,
+            Some(_) | None => number,
+        }
+    }
+
+    /// The number, where it is written without a point.
+    #[inline]
+    pub(crate) fn integer(self) -> Option<u64> {
+        (self.decimals == 0).then_some(self.mantissa)
+    }
+}
+
+/// The number at the beginning of a text, where it is a short one. This is what nearly every number is.
 #[inline]
-pub(crate) fn unsigned(cursor: &mut Cursor<'_>) -> Packed<f64> {
-    let text = cursor.rest();
+pub(crate) fn short(text: &[u8]) -> Option<Short> {
     let mut mantissa = 0_u64;
     let whole = run_of_digits(text, 0, &mut mantissa);
     let (end, decimals) = if text.get(whole) == Some(&b'.') {
@@ -54,36 +82,30 @@ pub(crate) fn unsigned(cursor: &mut Cursor<'_>) -> Packed<f64> {
         (whole, 0)
     };
     let digits = whole.wrapping_add(decimals);
-    if digits != 0 && digits <= SHORT {
-        let start = *cursor;
-        cursor.advance(end);
-        if !begins(cursor) {
-            let number = math::from_u64(mantissa);
-            return Ok(match POWERS.get(decimals) {
-                Some(power) if decimals != 0 => number / power,
-                _ => number,
-            });
-        }
-        *cursor = start;
+    if digits.wrapping_sub(1) >= SHORT {
+        return None;
     }
-    unusual(cursor)
+    match text.get(end) {
+        // Digits may stand apart: the number goes on behind the blank if a digit or a point does.
+        Some(b' ') => match text.get(end.wrapping_add(1)) {
+            Some(b'0'..=b'9' | b'.' | b' ' | b'\t') => None,
+            Some(_) | None => Some(Short { mantissa, decimals, length: end.wrapping_add(1) }),
+        },
+        Some(b'\t' | b'.') => None,
+        Some(_) | None => Some(Short { mantissa, decimals, length: end }),
+    }
 }
 
-/// Reads an integer of up to four digits that is nothing more than that; nothing is taken otherwise.
+/// Reads a number without a sign, rounded correctly.
 #[inline]
-pub(crate) fn short_integer(cursor: &mut Cursor<'_>) -> Option<u16> {
-    let mut number = 0_u64;
-    let length = run_of_digits(cursor.rest(), 0, &mut number);
-    let start = *cursor;
-    if length == 0 || length > 4 {
-        return None;
+pub(crate) fn unsigned(cursor: &mut Cursor<'_>) -> Packed<f64> {
+    match short(cursor.rest()) {
+        Some(short) => {
+            cursor.advance_to_next(short.length);
+            Ok(short.value())
+        }
+        None => unusual(cursor),
     }
-    cursor.advance(length);
-    if begins(cursor) {
-        *cursor = start;
-        return None;
-    }
-    u16::try_from(number).ok()
 }
 
 /// Reads a number that is long or stands apart.

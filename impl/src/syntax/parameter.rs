@@ -13,6 +13,11 @@ use crate::syntax::cursor::Cursor;
 use crate::syntax::packed::{Op, Segment};
 use crate::syntax::{Packed, arithmetic, number};
 
+/// The last number of a parameter.
+const LAST_NUMBER: u64 = 5602;
+/// It is the one that the parameters end with.
+const _: () = assert!(LAST == 5602);
+
 /// Where a parameter lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Place {
@@ -47,15 +52,14 @@ impl Packer {
         match cursor.peek() {
             b'<' => return self.named(cursor),
             b'0'..=b'9' | b'.' => {
-                if let Some(number) = number::short_integer(cursor) {
-                    if number != 0 && u32::from(number) <= LAST {
-                        return Ok(Place::Numbered(number));
-                    }
-                    into.ops.push(Op::Number(f64::from(number)));
-                } else {
-                    let number = number::unsigned(cursor)?;
-                    into.ops.push(Op::Number(number));
+                if let Some(short) = number::short(cursor.rest())
+                    && let Some(number @ 1..=LAST_NUMBER) = short.integer()
+                {
+                    cursor.advance_to_next(short.length);
+                    return Ok(Place::Numbered(u16::try_from(number).unwrap_or(0)));
                 }
+                let number = number::unsigned(cursor)?;
+                into.ops.push(Op::Number(number));
             }
             b'[' => self.expression(cursor, into, depth)?,
             b'#' if depth == 0 => {
@@ -181,6 +185,16 @@ impl Packer {
             None => Place::Global(id),
         }
     }
+}
+
+/// `#` with a plain number, which is what nearly every parameter is; nothing is taken otherwise. Position is not plain.
+#[inline]
+pub(crate) fn short_parameter(cursor: &mut Cursor<'_>) -> Option<u16> {
+    let short = number::short(cursor.rest().get(1..)?)?;
+    let number @ 1..=LAST_NUMBER = short.integer()? else { return None };
+    let number = u16::try_from(number).ok().filter(|number| !is_position(*number))?;
+    cursor.advance_to_next(short.length.wrapping_add(1));
+    Some(number)
 }
 
 /// Whether a parameter tells the controlled point, which the modes know.

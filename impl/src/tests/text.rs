@@ -88,6 +88,26 @@ fn numbers_are_read_exactly() {
 }
 
 #[test]
+fn numbers_of_every_length_are_read() {
+    for whole in 0..18_usize {
+        for decimals in 0..18_usize {
+            for rest in ["", " ", " y1", "\t#33=1", "(c)", "#33=1 #34=2 #35=3"] {
+                let digits = "98765432109876543210";
+                let number = format!("{}.{}", &digits[..whole], &digits[2..2 + decimals]);
+                if whole + decimals == 0 {
+                    continue;
+                }
+                let outcome =
+                    Case::default().run(format!("g0 #31={number}{rest}\nm2\n").as_bytes());
+                let wanted: f64 = number.parse().unwrap();
+                let found = outcome.parameters.get(&31).copied().unwrap_or(0.0);
+                assert_eq!(found.to_bits(), wanted.to_bits(), "{number}{rest}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_line_has_at_most_256_characters() {
     let line = |length: usize| format!("#31=1{}\nm2\n", " ".repeat(length - 5));
     check(&line(255), "accepted; #31 = 1");
