@@ -34,6 +34,19 @@ impl Reader {
         self.place
     }
 
+    /// Whether the next line begins at the beginning of the source's text.
+    #[inline]
+    pub(crate) fn is_aligned(&self) -> bool {
+        !self.after_return
+    }
+
+    /// Leaves a line behind that was read from the source's text, its end included.
+    #[inline]
+    pub(crate) fn leave_line<S: Source>(&mut self, source: &mut S, bytes: usize) {
+        self.consume(source, bytes);
+        self.place.line = self.place.line.saturating_add(1);
+    }
+
     /// Goes back to where a line began; false where the source cannot.
     pub(crate) fn rewind<S: Source>(
         &mut self,
@@ -85,6 +98,7 @@ impl Reader {
         Ok(())
     }
 
+    #[inline]
     fn consume<S: Source>(&mut self, source: &mut S, bytes: usize) {
         source.consume(bytes);
         self.place.offset = self.place.offset.saturating_add(u64::try_from(bytes).unwrap_or(0));

@@ -59,6 +59,12 @@ impl Names {
         self.add(name, place)
     }
 
+    /// The number of a name that is known.
+    #[inline]
+    pub(crate) fn find(&self, name: &[u8]) -> Option<NameId> {
+        self.table.get(self.place(name)).copied().filter(|id| *id != EMPTY)
+    }
+
     /// A new name at its place. Names are ASCII; anything else would be shown as it can be.
     #[cold]
     fn add(&mut self, name: &[u8], place: usize) -> NameId {
@@ -75,6 +81,7 @@ impl Names {
     }
 
     /// Where a name stands, or would stand, in the table.
+    #[inline]
     fn place(&self, name: &[u8]) -> usize {
         let mask = self.table.len().wrapping_sub(1);
         let mut place = hash(name) & mask;

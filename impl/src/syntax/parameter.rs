@@ -163,6 +163,13 @@ impl Packer {
         place
     }
 
+    /// Where a named parameter lies whose name is known.
+    #[inline]
+    pub(crate) fn known(&self, name: &[u8]) -> Option<Place> {
+        let id = usize::try_from(self.names.find(name)?).ok()?;
+        self.places.get(id).copied()
+    }
+
     /// Where a parameter lies whose name is new.
     #[cold]
     fn look_up(&self, name: &str, id: NameId) -> Place {
@@ -198,6 +205,7 @@ pub(crate) fn short_parameter(cursor: &mut Cursor<'_>) -> Option<u16> {
 }
 
 /// Whether a parameter tells the controlled point, which the modes know.
+#[inline]
 pub(crate) fn is_position(number: u16) -> bool {
     (5420..=5428).contains(&number)
 }
