@@ -7,16 +7,22 @@ use alloc::vec::Vec;
 
 use crate::canon::Sink;
 use crate::control::evaluate::Setting;
+use crate::control::reader::first_of;
 use crate::control::{Cursor, operand};
 use crate::error::Error;
 use crate::interpret::{Interpreter, Progress};
 use crate::modal::Flow;
 use crate::source::Source;
-use crate::syntax::{Place, short_number};
+use crate::syntax::{Place, plain_number};
 use crate::words::Words;
 
 /// Longest line that is taken; the documents' limit is no shorter.
 const LONGEST: usize = 255;
+/// Places of letters from A.
+const G: u8 = b'g' - b'a';
+const M: u8 = b'm' - b'a';
+/// N and O, which stand at the beginning of a line only.
+const ELSEWHERE: u32 = 1 << (b'n' - b'a') | 1 << (b'o' - b'a');
 
 impl Interpreter {
     /// Reads and executes a plain line of the main program; none where that is not what comes next.
@@ -100,43 +106,49 @@ impl Reading<'_> {
     /// A word, behind its letter.
     #[inline]
     fn word<'t>(&mut self, letter: u8, text: &'t [u8]) -> Option<&'t [u8]> {
-        const G: u8 = b'g' - b'a';
-        const M: u8 = b'm' - b'a';
-        const N: u8 = b'n' - b'a';
-        const O: u8 = b'o' - b'a';
+        let (negative, digits) = match text {
+            [b'-', digits @ ..] => (true, digits),
+            _ => (false, text),
+        };
+        let Some(number) = plain_number(digits) else { return self.unusual_word(letter, text) };
+        let text = digits.get(number.length..)?;
         match letter {
+            G | M if negative => return None,
             G => {
-                let code = short_number(text)?;
-                let tenths = code.tenths().filter(|tenths| *tenths <= 999)?;
+                let tenths = number.tenths().filter(|tenths| *tenths <= 999)?;
                 let added = self.words.push_g(u16::try_from(tenths).ok()?);
-                added.then(|| text.get(code.length..)).flatten()
+                return added.then_some(text);
             }
             M => {
-                let code = short_number(text)?;
-                let number = code.integer().filter(|number| !matches!(number, 98 | 99 | 1000..))?;
-                let added = self.words.push_m(u16::try_from(number).ok()?);
-                added.then(|| text.get(code.length..)).flatten()
+                let code = number.integer().filter(|code| !matches!(code, 98 | 99 | 1000..))?;
+                let added = self.words.push_m(u16::try_from(code).ok()?);
+                return added.then_some(text);
             }
-            N | O => None,
-            _ => {
-                if self.words.present & 1_u32.wrapping_shl(u32::from(letter)) != 0 {
-                    return None;
-                }
-                let (negative, digits) = match text {
-                    [b'-', digits @ ..] => (true, digits),
-                    _ => (false, text),
-                };
-                let (value, text) = match short_number(digits) {
-                    Some(number) => {
-                        let value = number.value();
-                        (if negative { -value } else { value }, digits.get(number.length..)?)
-                    }
-                    None => self.values.outermost(text)?,
-                };
-                self.words.set(letter, value);
-                Some(text)
-            }
+            _ => {}
         }
+        let value = number.value();
+        self.set(letter, if negative { -value } else { value }).then_some(text)
+    }
+
+    /// A word that is no short number, behind its letter.
+    #[inline(never)]
+    fn unusual_word<'t>(&mut self, letter: u8, text: &'t [u8]) -> Option<&'t [u8]> {
+        if matches!(letter, G | M) {
+            return None;
+        }
+        let (value, text) = self.values.outermost(text)?;
+        self.set(letter, value).then_some(text)
+    }
+
+    /// Sets a word; false where its letter has one already, or is none that may stand there.
+    #[inline]
+    fn set(&mut self, letter: u8, value: f64) -> bool {
+        let bit = 1_u32.wrapping_shl(u32::from(letter));
+        let free = (self.words.present | ELSEWHERE) & bit == 0;
+        if free {
+            self.words.set(letter, value);
+        }
+        free
     }
 
     /// `#…=value`, behind the number sign.
@@ -176,10 +188,9 @@ fn comment(begin: u8, text: &[u8]) -> Option<&[u8]> {
         return None;
     }
     if begin == b';' {
-        let end = text.iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
-        return text.get(end..);
+        return text.get(first_of([b'\n', b'\r'], text)?..);
     }
-    let end = text.iter().position(|byte| matches!(byte, b')' | b'(' | b'\n' | b'\r'))?;
+    let end = first_of([b'(', b')', b'\n', b'\r'], text)?;
     match text.get(end..)? {
         [b')', behind @ ..] => Some(behind),
         _ => None,

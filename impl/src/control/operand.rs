@@ -5,11 +5,11 @@
 use crate::control::evaluate::Parameters;
 use crate::syntax::packed::{Binary, Function};
 use crate::syntax::{
-    Packer, Place, arithmetic, group, is_position, parameter_number, short_number,
+    Packer, Place, arithmetic, group, is_position, parameter_number, plain_number,
 };
 
 /// Highest number of a parameter.
-const LAST: u64 = 5602;
+const LAST: u16 = 5602;
 
 /// What values depend on.
 #[derive(Clone, Copy)]
@@ -36,27 +36,8 @@ impl Values<'_> {
         self.value(after_blanks(text), self.packer.bracket_depth)
     }
 
-    /// A value, possibly with a sign.
+    /// A value.
     fn value<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
-        let (first, behind) = text.split_first()?;
-        match first {
-            b'0'..=b'9' | b'.' => number(text),
-            b'-' | b'+' => {
-                let text = after_blanks(behind);
-                let (value, text) = match text.first()? {
-                    b'0'..=b'9' | b'.' => number(text)?,
-                    _ if self.packer.choices.sign_refused => return None,
-                    _ => self.unsigned(text, depth)?,
-                };
-                Some((if *first == b'-' { -value } else { value }, text))
-            }
-            _ => self.unsigned(text, depth),
-        }
-    }
-
-    /// A parameter, an expression or a function.
-    #[inline]
-    fn unsigned<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
         let (first, behind) = text.split_first()?;
         match first {
             b'#' => {
@@ -76,8 +57,26 @@ impl Values<'_> {
                 };
                 Some((value, text))
             }
+            b'0'..=b'9' | b'.' => number(text),
             b'[' => self.expression(behind, depth),
+            b'-' => {
+                let (value, text) = self.signed(behind, depth)?;
+                Some((-value, text))
+            }
+            b'+' => self.signed(behind, depth),
             _ => self.call(text, depth),
+        }
+    }
+
+    /// A value behind its sign.
+    #[inline(never)]
+    fn signed<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
+        let text = after_blanks(text);
+        match text.first()? {
+            b'0'..=b'9' | b'.' => number(text),
+            b'-' | b'+' => None,
+            _ if self.packer.choices.sign_refused => None,
+            _ => self.value(text, depth),
         }
     }
 
@@ -86,20 +85,16 @@ impl Values<'_> {
     pub(super) fn place<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, Place> {
         match text.split_first()? {
             (b'<', behind) => {
-                let plain = |byte: &u8| matches!(byte, b'a'..=b'z' | b'0'..=b'9' | b'_');
-                let length = behind.iter().position(|byte| !plain(byte))?;
-                let (name, behind) = behind.split_at_checked(length)?;
-                let [b'>', behind @ ..] = behind else { return None };
-                Some((self.packer.known(name)?, behind))
+                let (place, length) = self.packer.known(behind)?;
+                Some((place, behind.get(length..)?))
             }
             (b'[', behind) => {
                 let (value, text) = self.expression(behind, depth)?;
                 Some((Place::Numbered(parameter_number(value).ok()?), text))
             }
             _ => {
-                let number = short_number(text)?;
-                let place = number.integer().filter(|number| (1..=LAST).contains(number))?;
-                Some((Place::Numbered(u16::try_from(place).ok()?), text.get(number.length..)?))
+                let (number, text) = small_integer(text)?;
+                (1..=LAST).contains(&number).then_some((Place::Numbered(number), text))
             }
         }
     }
@@ -163,8 +158,23 @@ impl Values<'_> {
 /// A number without a sign.
 #[inline]
 fn number(text: &[u8]) -> Found<'_, f64> {
-    let number = short_number(text)?;
+    let number = plain_number(text)?;
     Some((number.value(), text.get(number.length..)?))
+}
+
+/// Up to four digits without a point, of which the first stands here.
+#[inline]
+fn small_integer(text: &[u8]) -> Found<'_, u16> {
+    let mut number = 0_u16;
+    let mut rest = text;
+    while let [digit @ b'0'..=b'9', behind @ ..] = rest {
+        if number > 999 {
+            return None;
+        }
+        number = number.wrapping_mul(10).wrapping_add(u16::from(digit & 15));
+        rest = behind;
+    }
+    (rest.first() != Some(&b'.')).then_some((number, rest))
 }
 
 /// Up to eight letters that stand together, in lower case, the last one in the lowest byte.
@@ -191,7 +201,9 @@ fn operator(text: &[u8]) -> Found<'_, Option<Binary>> {
         [b']', behind @ ..] => return Some((None, behind)),
         [b'*', b'*', behind @ ..] => return Some((Some(Binary::Power), behind)),
         // The second sign of a power may stand apart.
-        [b'*', b' ' | b'\t', ..] => return None,
+        [b'*', b' ' | b'\t', behind @ ..] if after_blanks(behind).first() == Some(&b'*') => {
+            return None;
+        }
         [b'*', ..] => Binary::Multiply,
         [b'+', ..] => Binary::Add,
         [b'-', ..] => Binary::Subtract,

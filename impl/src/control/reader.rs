@@ -140,9 +140,15 @@ impl Reader {
     }
 }
 
-/// Where the first carriage return or line feed stands. Eight bytes at a time: a byte is one of them where a zero byte shows up.
+/// Where the first carriage return or line feed stands.
 #[inline]
 fn line_end(text: &[u8]) -> Option<usize> {
+    first_of([b'\n', b'\r'], text)
+}
+
+/// Where the first of some bytes stands. Eight bytes at a time: a byte is one of them where a zero byte shows up.
+#[inline]
+pub(super) fn first_of<const N: usize>(bytes: [u8; N], text: &[u8]) -> Option<usize> {
     const ONES: u64 = 0x0101_0101_0101_0101;
     const HIGHS: u64 = 0x8080_8080_8080_8080;
     let zero = |word: u64| word.wrapping_sub(ONES) & !word & HIGHS;
@@ -150,13 +156,16 @@ fn line_end(text: &[u8]) -> Option<usize> {
     let (eights, rest) = text.as_chunks::<8>();
     for eight in eights {
         let word = u64::from_le_bytes(*eight);
-        let found = zero(word ^ ONES.wrapping_mul(0x0a)) | zero(word ^ ONES.wrapping_mul(0x0d));
+        let mut found = 0;
+        for byte in bytes {
+            found |= zero(word ^ ONES.wrapping_mul(u64::from(byte)));
+        }
         if found != 0 {
             let byte = usize::try_from(found.trailing_zeros() >> 3).unwrap_or(0);
             return Some(passed.wrapping_add(byte));
         }
         passed = passed.wrapping_add(8);
     }
-    let place = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
+    let place = rest.iter().position(|byte| bytes.contains(byte))?;
     Some(passed.wrapping_add(place))
 }

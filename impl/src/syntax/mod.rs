@@ -18,7 +18,7 @@ use gaugeblock_trace::FaultKind;
 pub(crate) use block::{LinePlace, Packer, Taken, code_number, is_oword, is_percent};
 pub(crate) use choices::{AbsentName, Choices, DoLabel, PercentAlone, RepeatFraction, RoundHalf};
 pub(crate) use expression::group;
-pub(crate) use number::short as short_number;
+pub(crate) use number::plain as plain_number;
 pub(crate) use oword::label_ops;
 pub(crate) use packed::Segment;
 pub(crate) use parameter::{Place, is_position, parameter_number};

@@ -49,7 +49,7 @@ pub(crate) struct Short {
     mantissa: u64,
     /// How many of them stand behind the point.
     decimals: usize,
-    /// Bytes up to the next character that is no blank.
+    /// Bytes up to what stands behind it.
     pub(crate) length: usize,
 }
 
@@ -82,7 +82,7 @@ impl Short {
 }
 
 /// Up to seven digits at the beginning of a text, read at once, and how many they are. None where there may be more of them.
-#[inline]
+#[inline(always)]
 fn few_digits(text: &[u8]) -> Option<(u64, usize)> {
     const ZEROS: u64 = 0x3030_3030_3030_3030;
     const SIXES: u64 = 0x7676_7676_7676_7676;
@@ -104,19 +104,18 @@ fn few_digits(text: &[u8]) -> Option<(u64, usize)> {
     Some((even.wrapping_add(odd) >> 32, count))
 }
 
-/// The number at the beginning of a text, where it is a short one. This is what nearly every number is.
+/// The number at the beginning of a text, where it is a short one; the caller looks at what stands behind it.
 #[inline]
-pub(crate) fn short(text: &[u8]) -> Option<Short> {
+pub(crate) fn plain(text: &[u8]) -> Option<Short> {
     let Some((whole, length)) = few_digits(text) else { return longer(text) };
     let rest = text.get(length..)?;
-    let [b'.', behind @ ..] = rest else { return ended(whole, 0, length, length, rest) };
-    let Some((behind_point, decimals)) = few_digits(behind) else { return longer(text) };
-    let mantissa = match TENS.get(decimals) {
-        Some(tens) => whole.wrapping_mul(*tens).wrapping_add(behind_point),
-        None => return longer(text),
+    let [b'.', behind @ ..] = rest else {
+        return (length != 0).then_some(Short { mantissa: whole, decimals: 0, length });
     };
+    let Some((behind_point, decimals)) = few_digits(behind) else { return longer(text) };
+    let mantissa = whole.wrapping_mul(*TENS.get(decimals)?).wrapping_add(behind_point);
     let digits = length.wrapping_add(decimals);
-    ended(mantissa, decimals, digits, digits.wrapping_add(1), behind.get(decimals..)?)
+    (digits != 0).then_some(Short { mantissa, decimals, length: digits.wrapping_add(1) })
 }
 
 /// A short number that may have more digits, or that the text may end behind.
@@ -124,33 +123,26 @@ pub(crate) fn short(text: &[u8]) -> Option<Short> {
 fn longer(text: &[u8]) -> Option<Short> {
     let mut mantissa = 0_u64;
     let whole = run_of_digits(text, 0, &mut mantissa);
-    let (end, decimals) = if text.get(whole) == Some(&b'.') {
+    let (length, decimals) = if text.get(whole) == Some(&b'.') {
         let begin = whole.wrapping_add(1);
         let end = run_of_digits(text, begin, &mut mantissa);
         (end, end.wrapping_sub(begin))
     } else {
         (whole, 0)
     };
-    ended(mantissa, decimals, whole.wrapping_add(decimals), end, text.get(end..)?)
+    let digits = whole.wrapping_add(decimals);
+    (digits.wrapping_sub(1) < SHORT).then_some(Short { mantissa, decimals, length })
 }
 
-/// A short number, given what stands behind it.
+/// The number at the beginning of a text, where it is a short one that ends there. This is what nearly every number is.
 #[inline]
-fn ended(
-    mantissa: u64,
-    decimals: usize,
-    digits: usize,
-    length: usize,
-    behind: &[u8],
-) -> Option<Short> {
-    if digits.wrapping_sub(1) >= SHORT {
-        return None;
-    }
-    match behind {
+pub(crate) fn short(text: &[u8]) -> Option<Short> {
+    let number = plain(text)?;
+    match text.get(number.length..)? {
         // Digits may stand apart: the number goes on behind the blank if a digit or a point does.
         [b' ', b'0'..=b'9' | b'.' | b' ' | b'\t', ..] | [b'\t' | b'.', ..] => None,
-        [b' ', ..] => Some(Short { mantissa, decimals, length: length.wrapping_add(1) }),
-        _ => Some(Short { mantissa, decimals, length }),
+        [b' ', ..] => Some(Short { length: number.length.wrapping_add(1), ..number }),
+        _ => Some(number),
     }
 }
 

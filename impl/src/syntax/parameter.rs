@@ -163,11 +163,12 @@ impl Packer {
         place
     }
 
-    /// Where a named parameter lies whose name is known.
+    /// Where a named parameter lies whose short name stands at the beginning of a text and is known, and the length of the name with its bracket.
     #[inline]
-    pub(crate) fn known(&self, name: &[u8]) -> Option<Place> {
-        let id = usize::try_from(self.names.find(name)?).ok()?;
-        self.places.get(id).copied()
+    pub(crate) fn known(&self, text: &[u8]) -> Option<(Place, usize)> {
+        let (id, length) = self.names.find_short(text)?;
+        let place = usize::try_from(id).ok().and_then(|id| self.places.get(id)).copied()?;
+        Some((place, length))
     }
 
     /// Where a parameter lies whose name is new.
