@@ -183,9 +183,15 @@ fn line_number(text: &[u8]) -> Option<&[u8]> {
 
 /// The text behind a plain comment. One that begins like the name of an active one is not looked at any further.
 fn comment(begin: u8, text: &[u8]) -> Option<&[u8]> {
-    let first = text.iter().find(|byte| **byte > b' ' || matches!(byte, b'\n' | b'\r'))?;
-    if matches!(first | 0x20, b'a' | b'd' | b'l' | b'm' | b'p') {
-        return None;
+    let mut letters = text.iter().filter(|byte| **byte > b' ').map(|byte| byte | 0x20);
+    match letters.next()? {
+        b'm' | b'd' | b'p' | b'l' | b'a' => match (letters.next()?, letters.next()?) {
+            (b's', b'g') | (b'e', b'b') | (b'r', b'i' | b'o') | (b'o', b'g') | (b'b', b'o') => {
+                return None;
+            }
+            _ => {}
+        },
+        _ => {}
     }
     if begin == b';' {
         return text.get(first_of([b'\n', b'\r'], text)?..);

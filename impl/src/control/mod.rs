@@ -8,6 +8,7 @@ mod calls;
 mod direct;
 mod evaluate;
 mod execute;
+mod files;
 mod flow;
 mod gather;
 mod loops;

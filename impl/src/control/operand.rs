@@ -33,7 +33,7 @@ pub(super) fn after_blanks(mut text: &[u8]) -> &[u8] {
 impl Values<'_> {
     /// The value of a word or setting.
     pub(super) fn outermost<'t>(&self, text: &'t [u8]) -> Found<'t, f64> {
-        self.value(after_blanks(text), self.packer.bracket_depth)
+        self.value(text, self.packer.bracket_depth)
     }
 
     /// A value.
@@ -64,6 +64,7 @@ impl Values<'_> {
                 Some((-value, text))
             }
             b'+' => self.signed(behind, depth),
+            b' ' | b'\t' => self.value(after_blanks(behind), depth),
             _ => self.call(text, depth),
         }
     }
@@ -102,24 +103,25 @@ impl Values<'_> {
     /// An expression, behind its left bracket.
     fn expression<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
         let depth = depth.checked_sub(1)?;
-        // What waits for its right side, each in a higher group than the one before.
-        let mut waiting = [(0.0, Binary::Add); 5];
+        // What waits for its right side, each in a higher group than the one before, whose group it keeps.
+        let mut waiting = [(0.0, Binary::Add, 0_u8); 5];
         let mut count = 0_usize;
+        let mut highest = 0;
         let mut text = text;
         loop {
-            let (mut value, behind) = self.value(after_blanks(text), depth)?;
-            let (operator, behind) = operator(after_blanks(behind))?;
-            let lowest = operator.map_or(0, group);
-            while let Some((left, last)) =
-                count.checked_sub(1).and_then(|last| waiting.get(last)).copied()
-                && group(last) >= lowest
-            {
-                value = arithmetic::binary(last, left, value, &self.packer.choices).ok()?;
+            let (mut value, behind) = self.value(text, depth)?;
+            let (operator, behind) = operator(behind)?;
+            let lowest = operator.map_or(1, group);
+            while highest >= lowest {
                 count = count.wrapping_sub(1);
+                let (left, last, before) = *waiting.get(count)?;
+                value = arithmetic::binary(last, left, value, &self.packer.choices).ok()?;
+                highest = before;
             }
             let Some(operator) = operator else { return Some((value, behind)) };
-            *waiting.get_mut(count)? = (value, operator);
+            *waiting.get_mut(count)? = (value, operator, highest);
             count = count.wrapping_add(1);
+            highest = lowest;
             text = behind;
         }
     }
@@ -208,9 +210,16 @@ fn operator(text: &[u8]) -> Found<'_, Option<Binary>> {
         [b'+', ..] => Binary::Add,
         [b'-', ..] => Binary::Subtract,
         [b'/', ..] => Binary::Divide,
+        [b' ' | b'\t', behind @ ..] => return operator_apart(behind),
         _ => return operator_word(text),
     };
     Some((Some(operator), text.get(1..)?))
+}
+
+/// The operator behind a blank.
+#[inline(never)]
+fn operator_apart(text: &[u8]) -> Found<'_, Option<Binary>> {
+    operator(after_blanks(text))
 }
 
 /// An operator of letters.
