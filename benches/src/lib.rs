@@ -1,7 +1,11 @@
 //! Workloads: programs that are measured, written here so that model, production and peers run the same.
 
+mod long;
+
 use gaugeblock_trace::Scenario;
 use gaugeblock_trace::scenario::Budget;
+
+pub use long::{LongProgram, long_programs};
 
 /// A program to be measured.
 #[derive(Clone, Debug)]

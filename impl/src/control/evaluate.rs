@@ -98,6 +98,9 @@ impl Calculator {
     /// Puts the settings into force.
     #[inline]
     pub(crate) fn apply(&mut self, parameters: &mut Parameters) {
+        if self.settings.is_empty() {
+            return;
+        }
         for setting in self.settings.drain(..) {
             match setting {
                 Setting::Numbered(number, value) => {

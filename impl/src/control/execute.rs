@@ -23,6 +23,9 @@ impl Interpreter {
         loop {
             let at = self.cursor;
             if at.segment == STREAM && !self.held {
+                if let Some(progress) = self.direct_line(source, sink)? {
+                    return Ok(progress);
+                }
                 if let Some(end) = self.read_block(source)? {
                     return Ok(Progress::Ended(end));
                 }
@@ -66,23 +69,32 @@ impl Interpreter {
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
-        let flow = match self.evaluate_plain(at, block, sink) {
-            Ok(flow) => flow,
-            Err(refusal) => return self.refuse(at, block.line, refusal),
-        };
         let executed = if block.bare { Executed::Comment } else { Executed::Words };
-        match flow {
-            Some(Flow::More) => {
-                self.done(at, block.line, executed, sink);
-                Ok(Progress::More)
-            }
-            Some(Flow::Stopped) => {
-                self.done(at, block.line, executed, sink);
-                Ok(Progress::Stopped)
-            }
-            Some(Flow::Ended) => self.program_end(at, block, source, sink),
-            None => self.numbered_call(at, block, source, sink),
+        match self.evaluate_plain(at, block, sink) {
+            Ok(Some(flow)) => self.after_words(at, block.line, executed, flow, source, sink),
+            Ok(None) => self.numbered_call(at, block, source, sink),
+            Err(refusal) => self.refuse(at, block.line, refusal),
         }
+    }
+
+    /// Goes on behind a block of words.
+    #[inline]
+    pub(crate) fn after_words<S: Source, K: Sink>(
+        &mut self,
+        at: Cursor,
+        line: u32,
+        executed: Executed,
+        flow: Flow,
+        source: &mut S,
+        sink: &mut K,
+    ) -> Result<Progress, Error> {
+        let progress = match flow {
+            Flow::More => Progress::More,
+            Flow::Stopped => Progress::Stopped,
+            Flow::Ended => return self.program_end(at, line, source, sink),
+        };
+        self.done(at, line, executed, sink);
+        Ok(progress)
     }
 
     /// Evaluates such a block and hands its words to the modes; `None` where they are M98 or M99.
@@ -136,7 +148,7 @@ impl Interpreter {
     fn program_end<S: Source, K: Sink>(
         &mut self,
         at: Cursor,
-        block: &Block,
+        line: u32,
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
@@ -151,7 +163,7 @@ impl Interpreter {
             }
         }
         self.leave_calls();
-        self.done(at, block.line, Executed::End, sink);
+        self.done(at, line, Executed::End, sink);
         Ok(Progress::Ended(End::ProgramEnd))
     }
 

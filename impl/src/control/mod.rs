@@ -5,12 +5,15 @@
 //! that are defined when a block is executed, and not of nested text.
 
 mod calls;
+mod direct;
 mod evaluate;
 mod execute;
+mod files;
 mod flow;
 mod gather;
 mod loops;
 mod message;
+mod operand;
 mod reader;
 mod refuse;
 mod scope;

@@ -34,6 +34,19 @@ impl Reader {
         self.place
     }
 
+    /// Whether the next line begins at the beginning of the source's text.
+    #[inline]
+    pub(crate) fn is_aligned(&self) -> bool {
+        !self.after_return
+    }
+
+    /// Leaves a line behind that was read from the source's text, its end included.
+    #[inline]
+    pub(crate) fn leave_line<S: Source>(&mut self, source: &mut S, bytes: usize) {
+        self.consume(source, bytes);
+        self.place.line = self.place.line.saturating_add(1);
+    }
+
     /// Goes back to where a line began; false where the source cannot.
     pub(crate) fn rewind<S: Source>(
         &mut self,
@@ -85,6 +98,7 @@ impl Reader {
         Ok(())
     }
 
+    #[inline]
     fn consume<S: Source>(&mut self, source: &mut S, bytes: usize) {
         source.consume(bytes);
         self.place.offset = self.place.offset.saturating_add(u64::try_from(bytes).unwrap_or(0));
@@ -126,9 +140,15 @@ impl Reader {
     }
 }
 
-/// Where the first carriage return or line feed stands. Eight bytes at a time: a byte is one of them where a zero byte shows up.
+/// Where the first carriage return or line feed stands.
 #[inline]
 fn line_end(text: &[u8]) -> Option<usize> {
+    first_of([b'\n', b'\r'], text)
+}
+
+/// Where the first of some bytes stands. Eight bytes at a time: a byte is one of them where a zero byte shows up.
+#[inline]
+pub(super) fn first_of<const N: usize>(bytes: [u8; N], text: &[u8]) -> Option<usize> {
     const ONES: u64 = 0x0101_0101_0101_0101;
     const HIGHS: u64 = 0x8080_8080_8080_8080;
     let zero = |word: u64| word.wrapping_sub(ONES) & !word & HIGHS;
@@ -136,13 +156,16 @@ fn line_end(text: &[u8]) -> Option<usize> {
     let (eights, rest) = text.as_chunks::<8>();
     for eight in eights {
         let word = u64::from_le_bytes(*eight);
-        let found = zero(word ^ ONES.wrapping_mul(0x0a)) | zero(word ^ ONES.wrapping_mul(0x0d));
+        let mut found = 0;
+        for byte in bytes {
+            found |= zero(word ^ ONES.wrapping_mul(u64::from(byte)));
+        }
         if found != 0 {
             let byte = usize::try_from(found.trailing_zeros() >> 3).unwrap_or(0);
             return Some(passed.wrapping_add(byte));
         }
         passed = passed.wrapping_add(8);
     }
-    let place = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'))?;
+    let place = rest.iter().position(|byte| bytes.contains(byte))?;
     Some(passed.wrapping_add(place))
 }

@@ -42,7 +42,8 @@ const WORDS: [(&[u8], Binary); 10] = [
 ];
 
 /// The group of an operator (11.4.6), from 1 for the lowest.
-fn group(operator: Binary) -> u8 {
+#[inline]
+pub(crate) fn group(operator: Binary) -> u8 {
     match operator {
         Binary::And | Binary::Or | Binary::Xor => 1,
         Binary::Equal

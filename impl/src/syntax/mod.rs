@@ -17,9 +17,11 @@ use gaugeblock_trace::FaultKind;
 
 pub(crate) use block::{LinePlace, Packer, Taken, code_number, is_oword, is_percent};
 pub(crate) use choices::{AbsentName, Choices, DoLabel, PercentAlone, RepeatFraction, RoundHalf};
+pub(crate) use expression::group;
+pub(crate) use number::plain as plain_number;
 pub(crate) use oword::label_ops;
 pub(crate) use packed::Segment;
-pub(crate) use parameter::{is_position, parameter_number};
+pub(crate) use parameter::{Place, is_position, parameter_number};
 
 /// What becomes of a part of a line. A refusal is boxed because the way without one must be short.
 pub(crate) type Packed<T> = Result<T, Box<Refused>>;

@@ -13,6 +13,8 @@ const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
+/// Powers of ten that few digits behind a point stand for.
+const TENS: [u64; 8] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000];
 /// Most characters of a number that is read the slow way.
 const LONGEST: usize = 320;
 
@@ -47,7 +49,7 @@ pub(crate) struct Short {
     mantissa: u64,
     /// How many of them stand behind the point.
     decimals: usize,
-    /// Bytes up to the next character that is no blank.
+    /// Bytes up to what stands behind it.
     pub(crate) length: usize,
 }
 
@@ -62,6 +64,16 @@ impl Short {
         }
     }
 
+    /// Ten times the number, where that is an integer: a G code.
+    #[inline]
+    pub(crate) fn tenths(self) -> Option<u64> {
+        match self.decimals {
+            0 => Some(self.mantissa.wrapping_mul(10)),
+            1 => Some(self.mantissa),
+            _ => None,
+        }
+    }
+
     /// The number, where it is written without a point.
     #[inline]
     pub(crate) fn integer(self) -> Option<u64> {
@@ -69,12 +81,49 @@ impl Short {
     }
 }
 
-/// The number at the beginning of a text, where it is a short one. This is what nearly every number is.
+/// Up to seven digits at the beginning of a text, read at once, and how many they are. None where there may be more of them.
+#[inline(always)]
+fn few_digits(text: &[u8]) -> Option<(u64, usize)> {
+    const ZEROS: u64 = 0x3030_3030_3030_3030;
+    const SIXES: u64 = 0x7676_7676_7676_7676;
+    const HIGHS: u64 = 0x8080_8080_8080_8080;
+    const BYTES: u64 = 0x0000_00ff_0000_00ff;
+    let digits = u64::from_le_bytes(*text.first_chunk::<8>()?) ^ ZEROS;
+    // The high bit of the first byte that is no digit; those behind it do not matter.
+    let others = (digits.wrapping_add(SIXES) | digits) & HIGHS;
+    let bits = others.trailing_zeros() & 0x78;
+    if others == 0 {
+        return None;
+    }
+    // The digits go to the end of the eight bytes, zeros before them; then pairs, fours and all are joined.
+    let eight = (digits << 1).wrapping_shl(63_u32.wrapping_sub(bits));
+    let pairs = eight.wrapping_mul(10).wrapping_add(eight >> 8);
+    let even = (pairs & BYTES).wrapping_mul(100 + (1_000_000 << 32));
+    let odd = ((pairs >> 16) & BYTES).wrapping_mul(1 + (10_000 << 32));
+    let count = usize::try_from(bits >> 3).unwrap_or(0);
+    Some((even.wrapping_add(odd) >> 32, count))
+}
+
+/// The number at the beginning of a text, where it is a short one; the caller looks at what stands behind it.
 #[inline]
-pub(crate) fn short(text: &[u8]) -> Option<Short> {
+pub(crate) fn plain(text: &[u8]) -> Option<Short> {
+    let Some((whole, length)) = few_digits(text) else { return longer(text) };
+    let rest = text.get(length..)?;
+    let [b'.', behind @ ..] = rest else {
+        return (length != 0).then_some(Short { mantissa: whole, decimals: 0, length });
+    };
+    let Some((behind_point, decimals)) = few_digits(behind) else { return longer(text) };
+    let mantissa = whole.wrapping_mul(*TENS.get(decimals)?).wrapping_add(behind_point);
+    let digits = length.wrapping_add(decimals);
+    (digits != 0).then_some(Short { mantissa, decimals, length: digits.wrapping_add(1) })
+}
+
+/// A short number that may have more digits, or that the text may end behind.
+#[inline(never)]
+fn longer(text: &[u8]) -> Option<Short> {
     let mut mantissa = 0_u64;
     let whole = run_of_digits(text, 0, &mut mantissa);
-    let (end, decimals) = if text.get(whole) == Some(&b'.') {
+    let (length, decimals) = if text.get(whole) == Some(&b'.') {
         let begin = whole.wrapping_add(1);
         let end = run_of_digits(text, begin, &mut mantissa);
         (end, end.wrapping_sub(begin))
@@ -82,17 +131,18 @@ pub(crate) fn short(text: &[u8]) -> Option<Short> {
         (whole, 0)
     };
     let digits = whole.wrapping_add(decimals);
-    if digits.wrapping_sub(1) >= SHORT {
-        return None;
-    }
-    match text.get(end) {
+    (digits.wrapping_sub(1) < SHORT).then_some(Short { mantissa, decimals, length })
+}
+
+/// The number at the beginning of a text, where it is a short one that ends there. This is what nearly every number is.
+#[inline]
+pub(crate) fn short(text: &[u8]) -> Option<Short> {
+    let number = plain(text)?;
+    match text.get(number.length..)? {
         // Digits may stand apart: the number goes on behind the blank if a digit or a point does.
-        Some(b' ') => match text.get(end.wrapping_add(1)) {
-            Some(b'0'..=b'9' | b'.' | b' ' | b'\t') => None,
-            Some(_) | None => Some(Short { mantissa, decimals, length: end.wrapping_add(1) }),
-        },
-        Some(b'\t' | b'.') => None,
-        Some(_) | None => Some(Short { mantissa, decimals, length: end }),
+        [b' ', b'0'..=b'9' | b'.' | b' ' | b'\t', ..] | [b'\t' | b'.', ..] => None,
+        [b' ', ..] => Some(Short { length: number.length.wrapping_add(1), ..number }),
+        _ => Some(number),
     }
 }
 

@@ -163,6 +163,14 @@ impl Packer {
         place
     }
 
+    /// Where a named parameter lies whose short name stands at the beginning of a text and is known, and the length of the name with its bracket.
+    #[inline]
+    pub(crate) fn known(&self, text: &[u8]) -> Option<(Place, usize)> {
+        let (id, length) = self.names.find_short(text)?;
+        let place = usize::try_from(id).ok().and_then(|id| self.places.get(id)).copied()?;
+        Some((place, length))
+    }
+
     /// Where a parameter lies whose name is new.
     #[cold]
     fn look_up(&self, name: &str, id: NameId) -> Place {
@@ -198,6 +206,7 @@ pub(crate) fn short_parameter(cursor: &mut Cursor<'_>) -> Option<u16> {
 }
 
 /// Whether a parameter tells the controlled point, which the modes know.
+#[inline]
 pub(crate) fn is_position(number: u16) -> bool {
     (5420..=5428).contains(&number)
 }

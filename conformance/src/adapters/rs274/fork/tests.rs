@@ -82,8 +82,18 @@ fn is_gone(process: Pid) -> bool {
 fn digests(folder: &Path) -> BTreeMap<OsString, Vec<u8>> {
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
     let entries = entries.filter(|entry| entry.file_name() != ".tool.mmap");
-    let digest = |path| Sha256::digest(fs::read(path).unwrap()).to_vec();
-    entries.map(|entry| (entry.file_name(), digest(entry.path()))).collect()
+    let mut all = BTreeMap::new();
+    for entry in entries {
+        if entry.path().is_dir() {
+            let inner = digests(&entry.path()).into_iter();
+            let place = |name| Path::new(&entry.file_name()).join(name).into_os_string();
+            all.extend(inner.map(|(name, digest)| (place(name), digest)));
+        } else {
+            let digest = Sha256::digest(fs::read(entry.path()).unwrap()).to_vec();
+            all.insert(entry.file_name(), digest);
+        }
+    }
+    all
 }
 
 /// Scenarios of the suite that the controller runs: a sample, and those with a tool table or deleted blocks.

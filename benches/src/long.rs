@@ -1,0 +1,147 @@
+//! Long programs, of some 200,000 executed blocks each, that are the same for every interpreter: text in a dialect that all of them read.
+
+use std::fmt::{Arguments, Write as _};
+
+/// A program that runs long enough to be timed.
+#[derive(Clone, Debug)]
+pub struct LongProgram {
+    /// Name in tables.
+    pub name: &'static str,
+    /// Its text.
+    pub text: String,
+}
+
+/// How every program begins.
+const HEAD: &str = "G21 G90 G17 G94\nF1500\n";
+/// Blocks that a program executes, about.
+const BLOCKS: u32 = 200_000;
+
+/// All long programs, by what they stress.
+pub fn long_programs() -> Vec<LongProgram> {
+    vec![
+        program("feed moves", 1, "", feed_move),
+        program("expressions", 4, "#1=0\n#2=10.5\n#3=0\n", expressions),
+        program("named parameters", 4, "#<_ang>=0\n#<r>=10.5\n", named_parameters),
+        program("comments", 2, "", comments),
+        LongProgram { name: "blocks in loops and subs", text: LOOPS_AND_SUBS.into() },
+        LongProgram { name: "a loop", text: LOOP.into() },
+        LongProgram { name: "calls", text: CALLS.into() },
+        LongProgram { name: "calls with M73", text: CALLS_WITH_SAVED_STATE.into() },
+    ]
+}
+
+/// A program of the same few blocks, each time with other numbers.
+fn program(
+    name: &'static str,
+    blocks: u32,
+    head: &str,
+    write: fn(&mut String, u32, &mut Noise),
+) -> LongProgram {
+    let mut noise = Noise(7);
+    let mut text = format!("{HEAD}{head}");
+    for turn in 0..BLOCKS / blocks {
+        write(&mut text, turn, &mut noise);
+    }
+    text.push_str("M2\n");
+    LongProgram { name, text }
+}
+
+/// Numbers without a pattern that are the same in every run.
+struct Noise(u64);
+
+impl Noise {
+    /// Between 0 and 1.
+    fn next(&mut self) -> f64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from(u32::try_from(self.0 >> 32).unwrap_or(0)) / f64::from(u32::MAX)
+    }
+}
+
+/// Writing into a text cannot fail.
+fn put(text: &mut String, arguments: Arguments<'_>) {
+    let _done = text.write_fmt(arguments);
+}
+
+/// A contour as a CAM system writes it: short moves, four decimals, now and then a feed.
+fn feed_move(text: &mut String, turn: u32, noise: &mut Noise) {
+    let along = f64::from(turn % 2000) * 0.1;
+    let (x, y) = (along - 100.0 + noise.next(), 90.0 - along * 0.7 + noise.next());
+    let z = -5.0 * noise.next();
+    put(text, format_args!("G1 X{x:.4} Y{y:.4} Z{z:.4}"));
+    if turn.is_multiple_of(50) {
+        put(text, format_args!(" F{}", 800 + turn / 50 % 4 * 400));
+    }
+    text.push('\n');
+}
+
+fn expressions(text: &mut String, turn: u32, noise: &mut Noise) {
+    put(text, format_args!("#1=[#1+0.{}]\n#3=[SIN[#1]*#2]\n", 100 + turn % 900));
+    put(text, format_args!("G1 X[#3] Y[COS[#1]*#2+{:.3}]\n", noise.next()));
+    put(text, format_args!("G1 X[#3*2-#2/4] Z-{:.3} F[800+#2*10]\n", noise.next() * 2.0));
+}
+
+fn named_parameters(text: &mut String, turn: u32, noise: &mut Noise) {
+    put(text, format_args!("#<_ang>=[#<_ang>+0.{}]\n#<t>=[SIN[#<_ang>]*#<r>]\n", 100 + turn % 900));
+    put(text, format_args!("G1 X[#<t>] Y[COS[#<_ang>]*#<r>+{:.3}]\n", noise.next()));
+    put(text, format_args!("G1 X[#<t>*2-#<r>/4] Z-{:.3} F[800+#<r>*10]\n", noise.next() * 2.0));
+}
+
+fn comments(text: &mut String, turn: u32, noise: &mut Noise) {
+    put(text, format_args!("(contour {turn}, finishing pass)\n"));
+    put(text, format_args!("G1 X{:.4} (a corner) ; and its end\n", noise.next() * 90.0));
+}
+
+const LOOPS_AND_SUBS: &str = "\
+G21 G90 G17 G94
+G1 F1500
+o100 sub
+#5=[#1*2+#2]
+G1 X[#5] Y[#1]
+o110 if [#5 GT 30]
+G1 Z-1
+o110 else
+G1 Z1
+o110 endif
+o100 endsub
+#100=0
+o200 while [#100 LT 22000]
+o100 call [#100/1000] [1.5]
+#100=[#100+1]
+o200 endwhile
+M2
+";
+
+const LOOP: &str = "\
+G21 G90 G17 G94
+G1 F1500
+#100=0
+o200 while [#100 LT 40000]
+#101=[#100*0.01]
+G1 X[#101] Y2.5
+#100=[#100+1]
+o200 endwhile
+M2
+";
+
+const CALLS: &str = "\
+G21 G90 G17 G94
+o100 sub
+o100 endsub
+o200 repeat [65000]
+o100 call [1] [2.5]
+o200 endrepeat
+M2
+";
+
+const CALLS_WITH_SAVED_STATE: &str = "\
+G21 G90 G17 G94
+o100 sub
+M73
+G91 F5
+o100 endsub
+o200 repeat [40000]
+o100 call
+o200 endrepeat
+M2
+";

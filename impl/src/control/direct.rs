@@ -1,0 +1,213 @@
+//! The short way for a plain line of the main program, which runs once: its words are evaluated while they are read, in one pass.
+//!
+//! **Invariant:** it only ever takes what the long way takes, with the same outcome. Whatever is unusual (an o-word, a line that is too long, an
+//! active comment, a digit that stands apart, a new name, and everything that is refused) is left alone, and the long way begins anew.
+
+use alloc::vec::Vec;
+
+use crate::canon::Sink;
+use crate::control::evaluate::Setting;
+use crate::control::reader::first_of;
+use crate::control::{Cursor, operand};
+use crate::done::Executed;
+use crate::error::Error;
+use crate::interpret::{Interpreter, Progress};
+use crate::modal::Flow;
+use crate::source::Source;
+use crate::syntax::{Place, plain_number};
+use crate::words::Words;
+
+/// Longest line that is taken; the documents' limit is no shorter.
+const LONGEST: usize = 255;
+/// Places of letters from A.
+const G: u8 = b'g' - b'a';
+const M: u8 = b'm' - b'a';
+/// N and O, which stand at the beginning of a line only.
+const ELSEWHERE: u32 = 1 << (b'n' - b'a') | 1 << (b'o' - b'a');
+
+impl Interpreter {
+    /// Reads and executes a plain line of the main program; none where that is not what comes next.
+    #[inline]
+    pub(crate) fn direct_line<S: Source, K: Sink>(
+        &mut self,
+        source: &mut S,
+        sink: &mut K,
+    ) -> Result<Option<Progress>, Error> {
+        if !self.reader.is_aligned() {
+            return Ok(None);
+        }
+        let line = self.reader.place().line;
+        self.words.clear(line);
+        self.calculator.clear();
+        let reading = Reading {
+            values: operand::Values { parameters: &self.parameters, packer: &self.packer },
+            words: &mut self.words,
+            settings: &mut self.calculator.settings,
+        };
+        let text = source.text()?;
+        let numbered = matches!(text.first(), Some(b'n' | b'N'));
+        let Some(length) = reading.line(text) else { return Ok(None) };
+        self.reader.leave_line(source, length);
+        if self.percent.is_none() {
+            self.percent = Some(false);
+        }
+        self.parameters.line = line;
+        if !numbered && self.words.is_empty() && self.calculator.settings.is_empty() {
+            // A comment that says nothing is no block.
+            return Ok(Some(Progress::More));
+        }
+        self.calculator.apply(&mut self.parameters);
+        let flow = if self.words.is_empty() {
+            Ok(Flow::More)
+        } else {
+            self.modal.execute(&self.words, &mut self.parameters.numbered, sink)
+        };
+        match flow {
+            Ok(flow) => {
+                self.after_words(Cursor::MAIN, line, Executed::Words, flow, source, sink).map(Some)
+            }
+            Err(refusal) => self.refuse(Cursor::MAIN, line, refusal).map(Some),
+        }
+    }
+}
+
+/// A line that is being read. Every method takes the text before something and gives the text behind it; none where it is unusual.
+struct Reading<'a> {
+    values: operand::Values<'a>,
+    words: &'a mut Words,
+    settings: &'a mut Vec<Setting>,
+}
+
+impl Reading<'_> {
+    /// Reads a line; its length with its end.
+    #[inline]
+    fn line(mut self, whole: &[u8]) -> Option<usize> {
+        let mut text = whole;
+        if let [b'n' | b'N', digits @ ..] = text {
+            text = line_number(digits)?;
+        }
+        let mut any = false;
+        loop {
+            let (byte, behind) = text.split_first()?;
+            let letter = (byte | 0x20).wrapping_sub(b'a');
+            if matches!(byte, b' ' | b'\t') {
+                text = behind;
+                continue;
+            }
+            text = match byte {
+                _ if letter < 26 => self.word(letter, behind)?,
+                b'#' => self.setting(behind)?,
+                b'(' | b';' => comment(*byte, behind)?,
+                b'\n' | b'\r' if any => break,
+                _ => return None,
+            };
+            any = true;
+        }
+        let length = whole.len().wrapping_sub(text.len());
+        let end = match text {
+            [b'\r', b'\n', ..] => 2,
+            [b'\r'] => return None,
+            _ => 1,
+        };
+        (length <= LONGEST).then_some(length.wrapping_add(end))
+    }
+
+    /// A word, behind its letter.
+    #[inline]
+    fn word<'t>(&mut self, letter: u8, text: &'t [u8]) -> Option<&'t [u8]> {
+        let (negative, digits) = match text {
+            [b'-', digits @ ..] => (true, digits),
+            _ => (false, text),
+        };
+        let Some(number) = plain_number(digits) else { return self.unusual_word(letter, text) };
+        let text = digits.get(number.length..)?;
+        match letter {
+            G | M if negative => return None,
+            G => {
+                let tenths = number.tenths().filter(|tenths| *tenths <= 999)?;
+                let added = self.words.push_g(u16::try_from(tenths).ok()?);
+                return added.then_some(text);
+            }
+            M => {
+                let code = number.integer().filter(|code| !matches!(code, 98 | 99 | 1000..))?;
+                let added = self.words.push_m(u16::try_from(code).ok()?);
+                return added.then_some(text);
+            }
+            _ => {}
+        }
+        let value = number.value();
+        self.set(letter, if negative { -value } else { value }).then_some(text)
+    }
+
+    /// A word that is no short number, behind its letter.
+    #[inline(never)]
+    fn unusual_word<'t>(&mut self, letter: u8, text: &'t [u8]) -> Option<&'t [u8]> {
+        if matches!(letter, G | M) {
+            return None;
+        }
+        let (value, text) = self.values.outermost(text)?;
+        self.set(letter, value).then_some(text)
+    }
+
+    /// Sets a word; false where its letter has one already, or is none that may stand there.
+    #[inline]
+    fn set(&mut self, letter: u8, value: f64) -> bool {
+        let bit = 1_u32.wrapping_shl(u32::from(letter));
+        let free = (self.words.present | ELSEWHERE) & bit == 0;
+        if free {
+            self.words.set(letter, value);
+        }
+        free
+    }
+
+    /// `#…=value`, behind the number sign.
+    fn setting<'t>(&mut self, text: &'t [u8]) -> Option<&'t [u8]> {
+        let depth = self.values.packer.bracket_depth;
+        let (place, text) = self.values.place(text, depth)?;
+        let [b'=', text @ ..] = operand::after_blanks(text) else { return None };
+        let (value, text) = self.values.outermost(text)?;
+        self.settings.push(match place {
+            Place::Numbered(number) if !self.values.packer.is_read_only(number) => {
+                Setting::Numbered(number, value)
+            }
+            Place::Local(id) => Setting::Local(id, value),
+            Place::Global(id) => Setting::Global(id, value),
+            Place::Numbered(_)
+            | Place::Indirect
+            | Place::Mode(_)
+            | Place::Own(_)
+            | Place::Entry(_)
+            | Place::Absent => return None,
+        });
+        Some(text)
+    }
+}
+
+/// The text behind the digits of a line number; they have no point and do not stand apart.
+fn line_number(text: &[u8]) -> Option<&[u8]> {
+    let digits = text.iter().position(|byte| !byte.is_ascii_digit())?;
+    let behind = text.get(digits..)?;
+    (digits != 0 && behind.first() != Some(&b'.')).then_some(behind)
+}
+
+/// The text behind a plain comment. One that begins like the name of an active one is not looked at any further.
+fn comment(begin: u8, text: &[u8]) -> Option<&[u8]> {
+    let mut letters = text.iter().filter(|byte| **byte > b' ').map(|byte| byte | 0x20);
+    match letters.next()? {
+        b'm' | b'd' | b'p' | b'l' | b'a' => match (letters.next()?, letters.next()?) {
+            (b's', b'g') | (b'e', b'b') | (b'r', b'i' | b'o') | (b'o', b'g') | (b'b', b'o') => {
+                return None;
+            }
+            _ => {}
+        },
+        _ => {}
+    }
+    if begin == b';' {
+        return text.get(first_of([b'\n', b'\r'], text)?..);
+    }
+    let end = first_of([b'(', b')', b'\n', b'\r'], text)?;
+    match text.get(end..)? {
+        [b')', behind @ ..] => Some(behind),
+        _ => None,
+    }
+}

@@ -1,0 +1,156 @@
+//! What is packed from elsewhere: the sub of a file, and the numbered subprograms that follow in the main program.
+
+use alloc::collections::BTreeMap;
+use alloc::string::String;
+
+use gaugeblock_trace::FaultKind;
+
+use crate::control::flow::{Halt, refuse};
+use crate::control::gather::{Bad, Next};
+use crate::control::{PROGRAMS, Reader};
+use crate::error::Error;
+use crate::interpret::{Interpreter, NumberedProgram};
+use crate::parameters::NameId;
+use crate::source::Source;
+use crate::syntax::Segment;
+use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord, Op};
+
+impl Interpreter {
+    /// Packs the sub of a file of its name (11.7.9); none where there is no such file or sub.
+    ///
+    /// # Errors
+    /// The file cannot be read, or the sub cannot be packed.
+    pub(crate) fn sub_of_file<S: Source>(
+        &mut self,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<Option<u32>, Halt> {
+        let name = self.packer.labels.name(label);
+        let plain = |byte: u8| matches!(byte, b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_');
+        if name.is_empty() || !name.bytes().all(plain) {
+            return Ok(None);
+        }
+        let mut name = String::from(name);
+        name.push_str(".ngc");
+        if !source.open(&name).map_err(Error::from)? {
+            return Ok(None);
+        }
+        let file = u32::try_from(self.files.len()).unwrap_or(NONE);
+        self.files.push(name);
+        let caller = core::mem::replace(&mut self.reader, Reader::new());
+        let found = self.read_file(label, file, source);
+        self.reader = caller;
+        source.close();
+        found
+    }
+
+    /// Reads a file for the one sub that it may hold.
+    fn read_file<S: Source>(
+        &mut self,
+        label: NameId,
+        file: u32,
+        source: &mut S,
+    ) -> Result<Option<u32>, Halt> {
+        let mut found = None;
+        let mut percents = 0_u8;
+        let mut code = Segment { file, ..Segment::default() };
+        loop {
+            code.clear();
+            match self.next_into(source, &mut code)? {
+                Next::Over => return Ok(found),
+                Next::Percent(_) if percents != 0 => return Ok(found),
+                Next::Percent(_) => percents = 1,
+                Next::Nothing => {}
+                Next::Block(block) => {
+                    if code.ops.iter().any(|op| matches!(op, Op::MCode(2 | 30))) {
+                        return Ok(found);
+                    }
+                    match block.kind {
+                        Kind::Control(OWord { keyword: Keyword::Sub, label: other, .. }) => {
+                            if found.is_some() || other != label {
+                                return refuse(
+                                    FaultKind::BadFile,
+                                    "a file holds one sub, of its own name",
+                                );
+                            }
+                            found = Some(self.sub_in_file(&block, label, file, source)?);
+                        }
+                        Kind::Control(_)
+                        | Kind::Plain
+                        | Kind::Definition { .. }
+                        | Kind::Percent => {}
+                    }
+                }
+            }
+        }
+    }
+
+    /// Packs a sub of a file; its faults have their places there.
+    fn sub_in_file<S: Source>(
+        &mut self,
+        head: &Block,
+        label: NameId,
+        file: u32,
+        source: &mut S,
+    ) -> Result<u32, Error> {
+        let (line, kind, message) = match self.gather_sub(label, file, source)? {
+            Ok(segment) => return Ok(segment),
+            Err(Bad::Nested(line)) => (line, FaultKind::NestedSub, "a sub within a sub"),
+            Err(Bad::Endless) => (head.line, FaultKind::UnknownLabel, "the sub does not end"),
+        };
+        let number = u32::try_from(self.segments.len()).unwrap_or(NONE);
+        self.segments.push(Segment { file, ..Segment::default() });
+        Err(self.fault(number, line, kind, message.into(), None))
+    }
+
+    /// Looks for the numbered subprograms in what follows of the main program (11.7.4.1), once, and packs them together, since one that does
+    /// not end runs into the next. False where the source cannot go back.
+    pub(crate) fn gather_programs<S: Source>(&mut self, source: &mut S) -> Result<bool, Error> {
+        if self.programs.is_some() {
+            return Ok(true);
+        }
+        let here = self.reader.place();
+        let mut code = Segment::default();
+        let mut programs = BTreeMap::new();
+        loop {
+            if programs.is_empty() {
+                code.clear();
+            }
+            match self.next_of(source, &mut code, programs.is_empty())? {
+                Next::Over => break,
+                Next::Nothing => {}
+                Next::Percent(place) => {
+                    if self.percent_into(place, &mut code) {
+                        break;
+                    }
+                }
+                Next::Block(Block {
+                    kind: Kind::Control(OWord { keyword: Keyword::Program, label, .. }),
+                    line,
+                    ..
+                }) => {
+                    let entry = u32::try_from(code.blocks.len()).unwrap_or(NONE);
+                    let begun = NumberedProgram { entry, line, called: false };
+                    programs.entry(label).or_insert(begun);
+                }
+                Next::Block(block) => {
+                    self.sub_into(&block, source, &mut code)?;
+                    if let Some(Block { kind: Kind::Definition { label, .. }, .. }) =
+                        code.blocks.last()
+                    {
+                        self.subs_ahead.push(*label);
+                    }
+                }
+            }
+            self.check_size(&code)?;
+        }
+        code.join_labels();
+        self.packed = self.packed.saturating_add(code.bytes());
+        if let Some(slot) = usize::try_from(PROGRAMS).ok().and_then(|at| self.segments.get_mut(at))
+        {
+            *slot = code;
+        }
+        self.programs = Some(programs);
+        Ok(self.reader.rewind(source, here)?)
+    }
+}

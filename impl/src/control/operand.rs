@@ -1,0 +1,243 @@
+//! Values that are found while they are read: numbers, parameters, expressions and functions, for [`super::direct`].
+//!
+//! Reading a value changes nothing, so that whatever is unusual or wrong is left to the long way, which begins anew.
+
+use crate::control::evaluate::Parameters;
+use crate::syntax::packed::{Binary, Function};
+use crate::syntax::{
+    Packer, Place, arithmetic, group, is_position, parameter_number, plain_number,
+};
+
+/// Highest number of a parameter.
+const LAST: u16 = 5602;
+
+/// What values depend on.
+#[derive(Clone, Copy)]
+pub(super) struct Values<'a> {
+    pub(super) parameters: &'a Parameters,
+    pub(super) packer: &'a Packer,
+}
+
+/// A value and the text behind it.
+type Found<'t, T> = Option<(T, &'t [u8])>;
+
+/// The text from the next character on that is no blank.
+#[inline]
+pub(super) fn after_blanks(mut text: &[u8]) -> &[u8] {
+    while let [b' ' | b'\t', behind @ ..] = text {
+        text = behind;
+    }
+    text
+}
+
+impl Values<'_> {
+    /// The value of a word or setting.
+    pub(super) fn outermost<'t>(&self, text: &'t [u8]) -> Found<'t, f64> {
+        self.value(text, self.packer.bracket_depth)
+    }
+
+    /// A value.
+    fn value<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
+        let (first, behind) = text.split_first()?;
+        match first {
+            b'#' => {
+                let (place, text) = self.place(behind, depth)?;
+                let value = match place {
+                    Place::Numbered(number) if !is_position(number) => {
+                        self.parameters.numbered.get(u32::from(number))
+                    }
+                    Place::Local(id) => self.parameters.named.local(id)?,
+                    Place::Global(id) => self.parameters.named.global(id)?,
+                    Place::Entry(value) => value,
+                    Place::Numbered(_)
+                    | Place::Indirect
+                    | Place::Mode(_)
+                    | Place::Own(_)
+                    | Place::Absent => return None,
+                };
+                Some((value, text))
+            }
+            b'0'..=b'9' | b'.' => number(text),
+            b'[' => self.expression(behind, depth),
+            b'-' => {
+                let (value, text) = self.signed(behind, depth)?;
+                Some((-value, text))
+            }
+            b'+' => self.signed(behind, depth),
+            b' ' | b'\t' => self.value(after_blanks(behind), depth),
+            _ => self.call(text, depth),
+        }
+    }
+
+    /// A value behind its sign.
+    #[inline(never)]
+    fn signed<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
+        let text = after_blanks(text);
+        match text.first()? {
+            b'0'..=b'9' | b'.' => number(text),
+            b'-' | b'+' => None,
+            _ if self.packer.choices.sign_refused => None,
+            _ => self.value(text, depth),
+        }
+    }
+
+    /// A parameter, behind its number sign.
+    #[inline]
+    pub(super) fn place<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, Place> {
+        match text.split_first()? {
+            (b'<', behind) => {
+                let (place, length) = self.packer.known(behind)?;
+                Some((place, behind.get(length..)?))
+            }
+            (b'[', behind) => {
+                let (value, text) = self.expression(behind, depth)?;
+                Some((Place::Numbered(parameter_number(value).ok()?), text))
+            }
+            _ => {
+                let (number, text) = small_integer(text)?;
+                (1..=LAST).contains(&number).then_some((Place::Numbered(number), text))
+            }
+        }
+    }
+
+    /// An expression, behind its left bracket.
+    fn expression<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
+        let depth = depth.checked_sub(1)?;
+        // What waits for its right side, each in a higher group than the one before, whose group it keeps.
+        let mut waiting = [(0.0, Binary::Add, 0_u8); 5];
+        let mut count = 0_usize;
+        let mut highest = 0;
+        let mut text = text;
+        loop {
+            let (mut value, behind) = self.value(text, depth)?;
+            let (operator, behind) = operator(behind)?;
+            let lowest = operator.map_or(1, group);
+            while highest >= lowest {
+                count = count.wrapping_sub(1);
+                let (left, last, before) = *waiting.get(count)?;
+                value = arithmetic::binary(last, left, value, &self.packer.choices).ok()?;
+                highest = before;
+            }
+            let Some(operator) = operator else { return Some((value, behind)) };
+            *waiting.get_mut(count)? = (value, operator, highest);
+            count = count.wrapping_add(1);
+            highest = lowest;
+            text = behind;
+        }
+    }
+
+    /// A function with its argument in brackets.
+    fn call<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
+        let (name, text) = letters(text)?;
+        let [b'[', text @ ..] = after_blanks(text) else { return None };
+        let function = match &name.to_be_bytes() {
+            b"\0\0\0\0\0abs" => Function::Absolute,
+            b"\0\0\0\0acos" => Function::Arccosine,
+            b"\0\0\0\0asin" => Function::Arcsine,
+            b"\0\0\0\0\0cos" => Function::Cosine,
+            b"\0\0\0\0\0exp" => Function::Exponential,
+            b"\0\0\0\0\0fix" => Function::RoundDown,
+            b"\0\0\0\0\0fup" => Function::RoundUp,
+            b"\0\0\0round" => Function::Round,
+            b"\0\0\0\0\0\0ln" => Function::Logarithm,
+            b"\0\0\0\0\0sin" => Function::Sine,
+            b"\0\0\0\0sqrt" => Function::SquareRoot,
+            b"\0\0\0\0\0tan" => Function::Tangent,
+            b"\0\0\0\0atan" => {
+                let (y, text) = self.expression(text, depth)?;
+                let [b'/', text @ ..] = after_blanks(text) else { return None };
+                let [b'[', text @ ..] = after_blanks(text) else { return None };
+                let (x, text) = self.expression(text, depth)?;
+                return Some((arithmetic::arctangent(y, x, &self.packer.choices), text));
+            }
+            _ => return None,
+        };
+        let (value, text) = self.expression(text, depth)?;
+        Some((arithmetic::function(function, value, &self.packer.choices).ok()?, text))
+    }
+}
+
+/// A number without a sign.
+#[inline]
+fn number(text: &[u8]) -> Found<'_, f64> {
+    let number = plain_number(text)?;
+    Some((number.value(), text.get(number.length..)?))
+}
+
+/// Up to four digits without a point, of which the first stands here.
+#[inline]
+fn small_integer(text: &[u8]) -> Found<'_, u16> {
+    let mut number = 0_u16;
+    let mut rest = text;
+    while let [digit @ b'0'..=b'9', behind @ ..] = rest {
+        if number > 999 {
+            return None;
+        }
+        number = number.wrapping_mul(10).wrapping_add(u16::from(digit & 15));
+        rest = behind;
+    }
+    (rest.first() != Some(&b'.')).then_some((number, rest))
+}
+
+/// Up to eight letters that stand together, in lower case, the last one in the lowest byte.
+#[inline]
+fn letters(text: &[u8]) -> Found<'_, u64> {
+    let mut name = 0_u64;
+    let mut rest = text;
+    while let [byte, behind @ ..] = rest
+        && byte.is_ascii_alphabetic()
+    {
+        if name >> 56 != 0 {
+            return None;
+        }
+        name = name << 8 | u64::from(byte | 0x20);
+        rest = behind;
+    }
+    Some((name, rest))
+}
+
+/// The operator that comes next; none at the closing bracket, which is taken.
+#[inline]
+fn operator(text: &[u8]) -> Found<'_, Option<Binary>> {
+    let operator = match text {
+        [b']', behind @ ..] => return Some((None, behind)),
+        [b'*', b'*', behind @ ..] => return Some((Some(Binary::Power), behind)),
+        // The second sign of a power may stand apart.
+        [b'*', b' ' | b'\t', behind @ ..] if after_blanks(behind).first() == Some(&b'*') => {
+            return None;
+        }
+        [b'*', ..] => Binary::Multiply,
+        [b'+', ..] => Binary::Add,
+        [b'-', ..] => Binary::Subtract,
+        [b'/', ..] => Binary::Divide,
+        [b' ' | b'\t', behind @ ..] => return operator_apart(behind),
+        _ => return operator_word(text),
+    };
+    Some((Some(operator), text.get(1..)?))
+}
+
+/// The operator behind a blank.
+#[inline(never)]
+fn operator_apart(text: &[u8]) -> Found<'_, Option<Binary>> {
+    operator(after_blanks(text))
+}
+
+/// An operator of letters.
+#[inline(never)]
+fn operator_word(text: &[u8]) -> Found<'_, Option<Binary>> {
+    let (word, behind) = letters(text)?;
+    let operator = match &word.to_be_bytes() {
+        b"\0\0\0\0\0and" => Binary::And,
+        b"\0\0\0\0\0\0or" => Binary::Or,
+        b"\0\0\0\0\0xor" => Binary::Xor,
+        b"\0\0\0\0\0mod" => Binary::Modulus,
+        b"\0\0\0\0\0\0eq" => Binary::Equal,
+        b"\0\0\0\0\0\0ne" => Binary::NotEqual,
+        b"\0\0\0\0\0\0gt" => Binary::Greater,
+        b"\0\0\0\0\0\0ge" => Binary::GreaterOrEqual,
+        b"\0\0\0\0\0\0lt" => Binary::Less,
+        b"\0\0\0\0\0\0le" => Binary::LessOrEqual,
+        _ => return None,
+    };
+    Some((Some(operator), behind))
+}

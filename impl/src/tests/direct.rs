@@ -1,0 +1,179 @@
+//! The short way through a plain line has the outcome of the long way. A source that gives a byte at a time never takes the short way.
+
+extern crate std;
+
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use gaugeblock_trace::{Machine, Options};
+use proptest::prelude::*;
+
+use super::Recorder;
+use crate::{Interpreter, Limits, Progress, Source, Unreadable};
+
+/// A source that gives so many bytes at a time.
+struct Pieces<'a> {
+    text: &'a [u8],
+    at: usize,
+    piece: usize,
+}
+
+impl Source for Pieces<'_> {
+    fn text(&mut self) -> Result<&[u8], Unreadable> {
+        let rest = &self.text[self.at.min(self.text.len())..];
+        Ok(&rest[..rest.len().min(self.piece)])
+    }
+    fn consume(&mut self, bytes: usize) {
+        self.at += bytes;
+    }
+    fn rewind(&mut self, offset: u64) -> Result<bool, Unreadable> {
+        self.at = usize::try_from(offset).unwrap();
+        Ok(true)
+    }
+    fn open(&mut self, _name: &str) -> Result<bool, Unreadable> {
+        Ok(false)
+    }
+    fn close(&mut self) {}
+}
+
+/// Everything that a run tells and leaves.
+fn outcome(program: &str, piece: usize, options: &Options) -> String {
+    let mut interpreter =
+        Interpreter::new(Machine::default(), options.clone(), Limits::default()).unwrap();
+    let mut recorder = Recorder::default();
+    let mut source = Pieces { text: program.as_bytes(), at: 0, piece };
+    let mut end = interpreter.run(&mut source, &mut recorder, 300);
+    if let Ok(Progress::Stopped) = end {
+        end = interpreter.run(&mut source, &mut recorder, 300);
+    }
+    alloc::format!(
+        "{end:?}\n{:?}\n{:?}\n{:?}\n{:?}\n{:?}\n{:?}",
+        recorder.effects,
+        recorder.named,
+        recorder.settings,
+        recorder.done,
+        interpreter.parameters(),
+        interpreter.state(),
+    )
+}
+
+fn digits() -> impl Strategy<Value = String> {
+    prop_oneof![
+        4 => "[0-9]{1,3}",
+        4 => "[0-9]{1,3}\\.[0-9]{1,4}",
+        2 => "[0-9]{0,9}\\.?[0-9]{0,9}",
+        1 => "[0-9]{0,2}[ .]{0,2}[0-9]{0,2} {0,2}",
+        1 => "[0-9]{12,20}\\.?[0-9]{0,6}",
+    ]
+}
+
+fn number() -> impl Strategy<Value = String> {
+    ("(-|-|\\+|- |)", digits()).prop_map(|(sign, digits)| sign + &digits)
+}
+
+/// A parameter, small numbers and names more often.
+fn parameter() -> impl Strategy<Value = String> {
+    prop_oneof![
+        4 => "#[1-4]",
+        2 => "#(<a>|<b1>|<_g>|<_h>|<A>|< a>|<_x>|<_line>)",
+        1 => "#(0|5420|5400|5602|5603|1\\.|1\\.5|1 2|#1|\\[#1\\]|\\[1\\+1\\]|\\[5420\\])",
+    ]
+}
+
+fn value() -> impl Strategy<Value = String> {
+    let leaf = prop_oneof![3 => number(), 3 => parameter()];
+    leaf.prop_recursive(4, 12, 4, |inner| {
+        let operator =
+            "( ?(\\+|-|\\*|/|\\*\\*) ?| (mod|eq|NE|gt|ge|lt|le|and|or|xor) |mod|\\* \\*)";
+        let sum = (inner.clone(), proptest::collection::vec((operator, inner.clone()), 0..4));
+        let sum = sum.prop_map(|(first, rest)| {
+            let rest: String =
+                rest.into_iter().map(|(operator, value)| operator + &value).collect();
+            alloc::format!("[{first}{rest}]")
+        });
+        let function = "-?(abs|acos|asin|cos|exp|FIX|fup|round|ln|sin|sqrt|tan|si n|exists|foo)";
+        prop_oneof![
+            4 => sum.clone(),
+            2 => (function, sum.clone()).prop_map(|(name, sum)| name + &sum),
+            1 => (sum.clone(), sum).prop_map(|(y, x)| alloc::format!("atan{y}/{x}")),
+            1 => inner.prop_map(|value| String::from("-") + &value),
+        ]
+    })
+}
+
+fn item() -> impl Strategy<Value = String> {
+    let letter = "[xyzabcuvwfXYZF]";
+    prop_oneof![
+        8 => (letter, number()).prop_map(|(letter, number)| letter + &number),
+        6 => (letter, "( |)", value()).prop_map(|(letter, blank, value)| letter + &blank + &value),
+        4 => "(G1|g0|G01|g1\\.|G90|G91|g20|G21|G17|g4|p1|G5|G53|G92\\.1|G 1|G-1|g38\\.2|G54|G1\\.0|g100)",
+        2 => "(M3|M5|m9|M2|M62|m98|M99|M1000|m 3|M3\\.5|S[0-9]{2}|t1|h1|d1|q2|l1|i1)",
+        4 => (parameter(), "( |)=( |)", value()).prop_map(|(to, is, value)| to + &is + &value),
+        2 => "(\\([a-z ]{0,6}\\)|;[ a-z(]{0,6}|\\(msg, *[a-z]\\)|\\( *debug,#1\\)|\\(a\\(b\\)|\\()",
+        1 => "(o1|n5|N|\\$1|@1|\\^2|%|/|=|\\[|\\x00|\u{e9})",
+    ]
+}
+
+fn line() -> impl Strategy<Value = String> {
+    let blank = "( |  |\t|)";
+    let items = proptest::collection::vec((item(), blank), 0..5);
+    let head = prop_oneof![12 => "", 2 => "n[0-9]{1,4} ?", 1 => "( |/|n|n1\\.5|n1\\.)"];
+    let end = prop_oneof![8 => "\n", 2 => "\r\n", 1 => "\r"];
+    (head, items, end).prop_map(|(head, items, end)| {
+        let items: String = items.into_iter().map(|(item, blank)| item + &blank).collect();
+        head + &items + &end
+    })
+}
+
+/// Choices that have a say in words and values.
+const CHOICES: [(&str, &str); 6] = [
+    ("expressions.unary-minus", "refused"),
+    ("parameters.absent-global", "zero"),
+    ("parameters.read-only-numbered", "written"),
+    ("text.comment-nested", "plain"),
+    ("expressions.order-tolerance", "tolerant"),
+    ("active-comments.msg-without-comma", "message"),
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn both_ways_agree(lines in proptest::collection::vec(line(), 1..5), chosen in 0_usize..64) {
+        let chosen = CHOICES.iter().enumerate().filter(|(place, _)| chosen >> place & 1 == 1);
+        let options = Options(chosen.map(|(_, (id, name))| ((*id).into(), (*name).into())).collect());
+        let head = "g1 f100\n#1=1 #2=-2.5 #3=0.125 #4=100\n#<a>=2 #<b1>=-3 #<_g>=0.5\n";
+        let lines: Vec<String> = lines;
+        let program: String = core::iter::once(head.into()).chain(lines).chain(["x1\nm2\n".into()]).collect();
+        prop_assert_eq!(
+            outcome(&program, usize::MAX, &options),
+            outcome(&program, 1, &options),
+            "{}", program
+        );
+    }
+}
+
+/// Numbers of every length are rounded correctly.
+#[test]
+fn numbers_of_every_length() {
+    let digits = "123456789012345678";
+    for whole in 0..=digits.len() {
+        for decimals in 0..=digits.len() {
+            if whole + decimals == 0 {
+                continue;
+            }
+            let text = alloc::format!("{}.{}", &digits[..whole], &digits[..decimals]);
+            let mut interpreter =
+                Interpreter::new(Machine::default(), Options::default(), Limits::default())
+                    .unwrap();
+            let program = alloc::format!("#1={text}\n#2=[{text}]\nm2\n        ");
+            let mut source = Pieces { text: program.as_bytes(), at: 0, piece: usize::MAX };
+            let end = interpreter.run(&mut source, &mut Recorder::default(), 300);
+            assert!(matches!(end, Ok(Progress::Ended(_))), "{end:?}");
+            let value: f64 = text.parse().unwrap();
+            let found = interpreter.parameters();
+            assert_eq!(found[0].1.to_bits(), value.to_bits(), "{text}");
+            assert_eq!(found[1].1.to_bits(), value.to_bits(), "{text}");
+        }
+    }
+}
