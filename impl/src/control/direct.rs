@@ -9,7 +9,6 @@ use crate::canon::Sink;
 use crate::control::evaluate::Setting;
 use crate::control::reader::first_of;
 use crate::control::{Cursor, operand};
-use crate::done::Executed;
 use crate::error::Error;
 use crate::interpret::{Interpreter, Progress};
 use crate::modal::Flow;
@@ -63,9 +62,7 @@ impl Interpreter {
             self.modal.execute(&self.words, &mut self.parameters.numbered, sink)
         };
         match flow {
-            Ok(flow) => {
-                self.after_words(Cursor::MAIN, line, Executed::Words, flow, source, sink).map(Some)
-            }
+            Ok(flow) => self.after_words(Cursor::MAIN, line, flow, source, sink).map(Some),
             Err(refusal) => self.refuse(Cursor::MAIN, line, refusal).map(Some),
         }
     }

@@ -69,9 +69,12 @@ impl Interpreter {
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
-        let executed = if block.bare { Executed::Comment } else { Executed::Words };
         match self.evaluate_plain(at, block, sink) {
-            Ok(Some(flow)) => self.after_words(at, block.line, executed, flow, source, sink),
+            Ok(Some(flow)) if block.bare => {
+                self.done(at, block.line, Executed::Comment, sink);
+                Ok(if flow == Flow::Stopped { Progress::Stopped } else { Progress::More })
+            }
+            Ok(Some(flow)) => self.after_words(at, block.line, flow, source, sink),
             Ok(None) => self.numbered_call(at, block, source, sink),
             Err(refusal) => self.refuse(at, block.line, refusal),
         }
@@ -83,7 +86,6 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         line: u32,
-        executed: Executed,
         flow: Flow,
         source: &mut S,
         sink: &mut K,
@@ -93,7 +95,7 @@ impl Interpreter {
             Flow::Stopped => Progress::Stopped,
             Flow::Ended => return self.program_end(at, line, source, sink),
         };
-        self.done(at, line, executed, sink);
+        self.done(at, line, Executed::Words, sink);
         Ok(progress)
     }
 
