@@ -33,7 +33,8 @@ pub fn fingerprint<'a>(
     suite.choices.iter().map(|choice| (choice, shown(choice, options, bench, controller))).collect()
 }
 
-fn shown(
+/// What a controller shows of one choice.
+pub fn shown(
     choice: &Choice,
     options: &Options,
     bench: Option<&str>,

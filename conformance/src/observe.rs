@@ -206,7 +206,7 @@ fn pins(changes: &[PinChange]) -> BTreeMap<Pin, Vec<PinValue>> {
     for PinChange { pin, value, time } in changes {
         let values = pins.entry(*pin).or_default();
         let last = values.last_mut();
-        if last.as_ref().is_none_or(|last| last.value != *value) {
+        if last.as_ref().is_none_or(|last| (last.value - *value).abs() > 0.0) {
             let begun = since.insert(*pin, *time).unwrap_or(*time);
             if let Some(last) = last {
                 last.lasts = time - begun;

@@ -72,7 +72,16 @@ fn a_wrong_suite_is_told_with_its_page() {
 #[test]
 fn an_absent_controller_could_not_finish() {
     refused(&["certify", "rs274:/no/such/rs274"], 3, &["/no/such/rs274", "hint:"]);
-    refused(&["certify", "production"], 3, &["not there yet"]);
+    refused(&["certify", "exec:./adapter"], 3, &["not there yet"]);
+}
+
+#[test]
+fn production_is_held_to_no_quirks() {
+    let observed = ["--edition", "rs274-2.9-observed"];
+    for command in ["certify", "fingerprint"] {
+        let call = [command, "production", observed[0], observed[1]];
+        refused(&call, 2, &["no quirk of other controllers: rs274.", "hint:"]);
+    }
 }
 
 #[test]

@@ -11,8 +11,10 @@ use crate::parameters::Names;
 /// What kind of block was executed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Executed {
-    /// Words, settings of parameters, comments.
+    /// Words, settings of parameters, perhaps a comment beside them; a line number alone.
     Words,
+    /// A comment that may act, and nothing else; one that had nothing to say did nothing.
+    Comment,
     /// An o-word that is neither a call nor a return.
     OWord,
     /// A call by an o-word; the callee's first block comes next.

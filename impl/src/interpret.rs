@@ -140,6 +140,7 @@ impl Interpreter {
                 named: Named::new(),
                 line: 0,
                 call_level: 0,
+                drives: true,
                 value: 0.0,
                 value_returned: false,
             },
@@ -160,6 +161,12 @@ impl Interpreter {
     /// Whether blocks that begin with a slash are skipped; they are not unless this is called before the program begins.
     pub fn set_block_delete(&mut self, skipped: bool) {
         self.packer.block_delete = skipped;
+    }
+
+    /// Says that this run only shows what a program would do: `#<_task>` is 0 then, by which a program can spare a preview what only a
+    /// machine can answer (11.4.3.5).
+    pub fn set_preview(&mut self, preview: bool) {
+        self.parameters.drives = !preview;
     }
 
     /// Reads and executes one block. An endless loop is a step that comes back `More`, for ever; a caller can stop it.
@@ -215,9 +222,7 @@ impl Interpreter {
 
     /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it set stays.
     pub fn begin(&mut self) {
-        while let Some(frame) = self.scopes.frames.pop() {
-            self.parameters.named.leave(frame.mark);
-        }
+        self.leave_calls();
         self.reader = Reader::new();
         self.segments.truncate(3);
         self.segments.iter_mut().for_each(Segment::clear);
@@ -231,7 +236,6 @@ impl Interpreter {
         self.subs_ahead.clear();
         self.defined_lines.clear();
         self.packed = 0;
-        self.parameters.call_level = 0;
         self.parameters.value = 0.0;
         self.parameters.value_returned = false;
         self.logs = Logs::default();

@@ -5,6 +5,7 @@
 
 pub mod linuxcnc;
 mod probing;
+pub mod production;
 pub mod reference;
 pub mod rs274;
 
@@ -13,7 +14,7 @@ use std::fmt;
 use std::num::NonZero;
 use std::ops::RangeInclusive;
 
-use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
+use gaugeblock_trace::{Effect, Options, Outcome, Pin, Rs274State, Scenario, Settings};
 
 /// What a controller shows; declared before the run.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,6 +99,15 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     fn shows(&self, scenario: &Scenario) -> Capabilities {
         let _same_for_all = scenario;
         self.capabilities().clone()
+    }
+
+    /// Whether it can be held to documents that are read with these options at all.
+    ///
+    /// # Errors
+    /// The reason why not: then none of its scenarios is supported.
+    fn honours(&self, options: &Options) -> Result<(), String> {
+        let _whatever_they_are = options;
+        Ok(())
     }
 
     /// Whether it can run the scenario at all.

@@ -79,6 +79,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
         place::folder(folder)?;
     }
     let mut controller = controller::controller(&arguments.controller)?;
+    controller::honours(controller.as_ref(), &suite.options(edition))?;
     if arguments.check_observation {
         controller.check_observation();
     }

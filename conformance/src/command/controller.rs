@@ -2,23 +2,27 @@
 
 use std::path::Path;
 
+use gaugeblock_trace::Options;
+
 use super::Refused;
 use crate::adapters::linuxcnc::LinuxCnc;
+use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::rs274::Rs274;
 use crate::adapters::{Adapter, ControllerError};
 
 /// The names, as the help tells them.
-pub(super) const NAMES: &str = "reference: the specification itself; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine";
+pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine";
 
 /// The controller of a name.
 pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
     match name.split_once(':') {
         None if name == "reference" => Ok(Box::new(Reference::default())),
+        None if name == "production" => Ok(Box::new(Production::default())),
         None if name == "rs274" => rs274(None),
         Some(("rs274", path)) => rs274(Some(Path::new(path))),
         None if name == "linuxcnc" => linuxcnc(),
-        _ if name == "production" || name.starts_with("exec:") => Err(Refused::unfinished(
+        _ if name.starts_with("exec:") => Err(Refused::unfinished(
             format!("the controller `{name}` is not there yet"),
             format!("one of {NAMES}"),
         )),
@@ -62,6 +66,17 @@ fn linuxcnc() -> Result<Box<dyn Adapter>, Refused> {
             "it needs process, mount, network and message spaces: run as root, or where the system lets users have them",
         )),
     }
+}
+
+/// Refuses an edition that a controller cannot be held to, before anything runs.
+pub(super) fn honours(controller: &dyn Adapter, options: &Options) -> Result<(), Refused> {
+    controller.honours(options).map_err(|why| {
+        let name = &controller.capabilities().name;
+        Refused::wrong(
+            format!("{name} cannot be held to this edition: {why}"),
+            "an edition of what a real controller does is for that controller; name one of the documents'",
+        )
+    })
 }
 
 /// The edition that a controller is held to where none is named.

@@ -33,6 +33,7 @@ pub(super) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
     let controller = controller::controller(&arguments.controller)?;
     let options = suite.options(edition);
+    controller::honours(controller.as_ref(), &options)?;
     let shown = take(suite, &options, edition.bench.as_deref(), controller.as_ref());
     let nearest = nearest(suite, &shown);
     let known = shown.iter().filter(|(_, shown)| matches!(shown, Shown::Option(_))).count();

@@ -162,6 +162,19 @@ impl Interpreter {
         self.parameters.call_level = self.parameters.call_level.saturating_sub(1);
     }
 
+    /// The run is over, and with it every call: `#1` to `#30` and local names are those of the main program, which numbered
+    /// subprograms share. Nothing is restored besides: that is for a return (11.6.22).
+    pub(crate) fn leave_calls(&mut self) {
+        let first = self.scopes.frames.iter().find(|frame| frame.kind == FrameKind::Sub);
+        if let Some(arguments) = first.map(|frame| frame.arguments) {
+            self.parameters.numbered.set_arguments(&arguments);
+        }
+        while let Some(frame) = self.scopes.frames.pop() {
+            self.parameters.named.leave(frame.mark);
+        }
+        self.parameters.call_level = 0;
+    }
+
     /// `return` and `endsub`, with a value or without.
     pub(crate) fn leave_sub<K: Sink>(
         &mut self,

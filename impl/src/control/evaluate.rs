@@ -24,6 +24,8 @@ pub(crate) struct Parameters {
     pub(crate) line: u32,
     /// `_call_level`.
     pub(crate) call_level: u32,
+    /// `_task`: whether the interpreter drives a machine.
+    pub(crate) drives: bool,
     /// `_value`.
     pub(crate) value: f64,
     /// `_value_returned`.
@@ -38,7 +40,8 @@ impl Parameters {
             Own::Value => self.value,
             Own::ValueReturned => f64::from(u8::from(self.value_returned)),
             Own::CallLevel => f64::from(self.call_level),
-            Own::Task | Own::RemapLevel | Own::VersionMinor => 0.0,
+            Own::Task => f64::from(u8::from(self.drives)),
+            Own::RemapLevel | Own::VersionMinor => 0.0,
             Own::VersionMajor => VERSION,
         }
     }

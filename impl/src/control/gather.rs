@@ -138,6 +138,7 @@ impl Interpreter {
             end: first,
             kind: Kind::Percent,
             comment: NONE,
+            bare: false,
             refused: NONE,
             offset: place.offset,
         };
@@ -199,11 +200,15 @@ impl Interpreter {
         let mut code = Segment { file, ..Segment::default() };
         loop {
             match self.next_into(source, &mut code)? {
+                // A sub of a file is executed as far as it goes: it is refused where its endsub is missed.
+                Next::Over | Next::Percent(_) if file != 0 => break,
                 Next::Over => return Ok(Err(Bad::Endless)),
-                Next::Percent(_) if self.percent == Some(true) || file != 0 => {
-                    return Ok(Err(Bad::Endless));
+                Next::Percent(place) => {
+                    if self.percent_into(place, &mut code) {
+                        return Ok(Err(Bad::Endless));
+                    }
                 }
-                Next::Nothing | Next::Percent(_) => {}
+                Next::Nothing => {}
                 Next::Block(Block { kind: Kind::Control(oword), line, .. }) => {
                     if oword.keyword == Keyword::Sub {
                         return Ok(Err(Bad::Nested(line)));

@@ -31,10 +31,13 @@ impl Modal {
         if matches!(code, 30 | 60) {
             self.perform(line, &Effect::PalletShuttle {}, sink)?;
         }
-        let effect =
-            if ends { Effect::ProgramEnd {} } else { Effect::Stop { optional: code == 1 } };
-        self.perform(line, &effect, sink)?;
-        Ok(ends)
+        if !ends {
+            self.perform(line, &Effect::Stop { optional: code == 1 }, sink)?;
+            return Ok(false);
+        }
+        self.perform(line, &Effect::ChangeControllerMode { mode: self.controller_mode }, sink)?;
+        self.perform(line, &Effect::ProgramEnd {}, sink)?;
+        Ok(true)
     }
 
     /// The documented effects of a program end. Units, G90.1, G7, G61, G98, G96 and the offset of G92 stay.

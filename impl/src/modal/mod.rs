@@ -48,6 +48,7 @@ use choices::{Choices, InitialMotion};
 use coordinates::{Conversion, Coordinates};
 use modes::{InForce, Modes, SPINDLES};
 use saved::SavedStates;
+use tool::NO_TOOL;
 
 pub(crate) use named::Predefined;
 pub(crate) use refusal::{Flow, Refusal};
@@ -69,7 +70,7 @@ pub(crate) struct Modal {
     feed_spindle: u32,
     /// Tool number in the spindle, 0 for none.
     tool: i32,
-    /// Tool that T selected since the last change.
+    /// Tool that T selected since the last change, [`tool::NO_TOOL`] where it selected none.
     prepared: Option<i32>,
     /// Tool table, machine unit.
     tools: Vec<Tool>,
@@ -117,6 +118,7 @@ impl Modal {
         for (number, value) in &machine.parameters.0 {
             numbered.set(*number, *value);
         }
+        let in_spindle = initial_tool(machine);
         let mut modal = Self {
             in_force: InForce::new(initial_modes(machine, &choices, numbered), spindles),
             motion: match choices.initial_motion {
@@ -128,7 +130,7 @@ impl Modal {
             compensation_radius: 0.0,
             surface_speed: false,
             feed_spindle: 0,
-            tool: initial_tool(machine),
+            tool: in_spindle.map_or(0, tool::number_of),
             prepared: None,
             tools: machine.tools.clone(),
             controller_mode: ControllerMode::Auto,
@@ -146,7 +148,7 @@ impl Modal {
         };
         // The machine stands at its origin (11.1.2).
         modal.position = modal.in_force.now().program_of(Coordinates::default());
-        modal.publish_tool(numbered);
+        offsets::store_tool(numbered, modal.tool, in_spindle.unwrap_or(&Tool::default()));
         Ok(modal)
     }
 
@@ -161,7 +163,7 @@ impl Modal {
             motion: Some(self.motion),
             position: Some(self.position.position()),
             tool: Some(self.tool),
-            prepared_tool: Some(self.prepared.unwrap_or(-1)),
+            prepared_tool: Some(self.prepared.unwrap_or(NO_TOOL)),
             controller_mode: Some(self.controller_mode),
             call_level: None,
             parameter: None,
@@ -217,9 +219,9 @@ fn initial_modes(machine: &Machine, choices: &Choices, numbered: &mut Numbered) 
 }
 
 /// On a machine whose tools change places, pocket 0 is the spindle (11.2.2.2).
-fn initial_tool(machine: &Machine) -> i32 {
+fn initial_tool(machine: &Machine) -> Option<&Tool> {
     let in_spindle = |tool: &&Tool| machine.random_tool_changer && tool.pocket == Some(0);
-    machine.tools.iter().find(in_spindle).map_or(0, tool::number_of)
+    machine.tools.iter().find(in_spindle)
 }
 
 /// The letters of axes.

@@ -6,6 +6,7 @@ use gaugeblock_trace::{
 };
 
 use super::Modal;
+use super::tool::NO_TOOL;
 
 macro_rules! predefined {
     ($($name:literal => $variant:ident $(($axis:ident))?,)*) => {
@@ -135,7 +136,9 @@ impl Modal {
             Predefined::MachinePosition(axis) => now.machine_of(self.position).of_axis(axis),
             Predefined::CurrentTool => f64::from(self.tool),
             Predefined::CurrentPocket => f64::from(self.tool_index(self.tool)),
-            Predefined::SelectedTool => f64::from(self.prepared.unwrap_or(-1)),
+            Predefined::SelectedTool => {
+                f64::from(self.prepared.map_or(NO_TOOL, |tool| tool.max(0)))
+            }
             Predefined::SelectedPocket => {
                 f64::from(self.prepared.map_or(-1, |tool| self.tool_index(tool)))
             }

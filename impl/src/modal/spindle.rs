@@ -119,7 +119,8 @@ impl Modal {
         };
         let without = if self.choices.orient_all { self.all_spindles() } else { FIRST };
         let which = self.selected(block, without)?;
-        let angle = whole_turn(angle + self.orient_offset);
+        // The sum is what the pin shows (11.6.8); it may be more than a turn.
+        let angle = angle + self.orient_offset;
         self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Oriented);
         for spindle in spindles_of(which) {
             self.perform(words.line, &Effect::OrientSpindle { spindle, angle, direction }, sink)?;
@@ -156,9 +157,4 @@ impl Modal {
 /// The numbers of a set of spindles, ascending.
 fn spindles_of(which: Spindles) -> impl Iterator<Item = u32> {
     (0..8).filter(move |number| which & FIRST.wrapping_shl(*number) != 0)
-}
-
-/// An angle beyond a turn, within one: the valid range is 0 to 360 (11.6.8).
-fn whole_turn(angle: f64) -> f64 {
-    if angle > 360.0 { angle - 360.0 } else { angle }
 }

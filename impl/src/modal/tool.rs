@@ -13,6 +13,9 @@ use super::offsets;
 use super::refusal::{Refusal, refuse};
 use super::values::{integer, integer_in};
 
+/// No tool is selected.
+pub(super) const NO_TOOL: i32 = -1;
+
 /// The number of a tool; one that is too large for an effect is none that a program can name.
 pub(crate) fn number_of(tool: &Tool) -> i32 {
     i32::try_from(tool.number).unwrap_or(i32::MAX)
@@ -43,7 +46,7 @@ impl Modal {
         };
         // T0 is no tool, except where tools change places: there it is a number like any other (11.8.3).
         let tool = match found {
-            _ if number == 0 && !self.random_tool_changer => 0,
+            _ if number == 0 && !self.random_tool_changer => NO_TOOL,
             Some(tool) => number_of(tool),
             None if self.choices.tool_must_exist => {
                 return refuse(
@@ -51,10 +54,10 @@ impl Modal {
                     "the tool table does not hold the tool of T",
                 );
             }
-            None => 0,
+            None => NO_TOOL,
         };
         self.prepared = Some(tool);
-        self.perform(line, &Effect::PrepareTool { tool }, sink)
+        self.perform(line, &Effect::PrepareTool { tool: tool.max(0) }, sink)
     }
 
     /// M6: the tool that T selected comes into the spindle.
@@ -68,7 +71,7 @@ impl Modal {
             self.refuse_under_compensation("M6")?;
         }
         let tool = match self.prepared {
-            Some(tool) => tool,
+            Some(tool) => tool.max(0),
             None if self.choices.change_unselected => self.tool,
             None => return refuse(FaultKind::MissingWord, "M6 without a T since the last change"),
         };

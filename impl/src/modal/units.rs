@@ -30,7 +30,10 @@ impl Modal {
         if self.in_force.now().feed_mode != mode {
             let modes = self.in_force.set();
             modes.feed_mode = mode;
-            modes.feed_rate = 0.0;
+            // A switch to G94 or G95 asks for a new rate, one to G93 for one in each block (11.5.59).
+            if mode != FeedMode::InverseTime {
+                modes.feed_rate = 0.0;
+            }
         }
     }
 

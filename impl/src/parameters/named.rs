@@ -15,7 +15,7 @@ pub(crate) enum Own {
     ValueReturned,
     /// `_call_level`: depth of calls.
     CallLevel,
-    /// `_task`: whether the interpreter drives a machine; this one only tells what to do.
+    /// `_task`: whether the interpreter drives a machine, as the caller says.
     Task,
     /// `_remap_level`: nothing is remapped.
     RemapLevel,

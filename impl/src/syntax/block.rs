@@ -17,7 +17,7 @@ use crate::syntax::{Choices, Packed, comment, number};
 /// What a line was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Taken {
-    /// Nothing that is executed: it is blank or deleted.
+    /// Nothing that is executed: it is blank, deleted, or a comment that does not act.
     Nothing,
     /// A block, which is the last one of the segment now.
     Block,
@@ -107,6 +107,7 @@ impl Packer {
             end: first,
             kind: Kind::Plain,
             comment: NONE,
+            bare: false,
             refused: NONE,
             offset: place.offset,
         };
@@ -120,6 +121,9 @@ impl Packer {
             block.refused = u32::try_from(into.refusals.len()).unwrap_or(NONE);
             into.refusals.push(*refused);
         }
+        if block.bare && block.comment == NONE && block.refused == NONE {
+            return Taken::Nothing;
+        }
         block.end = u32::try_from(into.ops.len()).unwrap_or(NONE);
         into.blocks.push(block);
         Taken::Block
@@ -132,7 +136,8 @@ impl Packer {
         block: &mut Block,
         into: &mut Segment,
     ) -> Packed<()> {
-        if cursor.peek() == b'n' {
+        let numbered = cursor.peek() == b'n';
+        if numbered {
             line_number(&mut cursor)?;
         }
         let mut items = Items { letters: 0, comment: None };
@@ -156,6 +161,7 @@ impl Packer {
         }
         if let Some(text) = items.comment {
             block.comment = comment::pack(self, text, into).unwrap_or(NONE);
+            block.bare = !other && !numbered;
         }
         Ok(())
     }

@@ -19,11 +19,14 @@ const ACTS: [(&[u8], Act); 7] = [
 /// Packs the last comment of a block; none where it is a plain one.
 pub(crate) fn pack(packer: &mut Packer, text: &[u8], into: &mut Segment) -> Option<u32> {
     let (act, rest) = act(text, packer.choices.message_free)?;
-    let first = u32::try_from(into.pieces.len()).ok()?;
+    let first_piece = into.pieces.len();
+    let first = u32::try_from(first_piece).ok()?;
     match act {
         Act::Debug | Act::Print | Act::Log => expand(packer, rest, into),
-        Act::Message | Act::Abort => literal(rest, into),
-        Act::LogOpen | Act::LogAppend | Act::ProbeOpen => literal(rest.trim_ascii(), into),
+        Act::Message | Act::Abort => plain_text(rest, first_piece, into),
+        Act::LogOpen | Act::LogAppend | Act::ProbeOpen => {
+            plain_text(rest.trim_ascii(), first_piece, into);
+        }
         Act::LogClose | Act::ProbeClose => {}
     }
     let end = u32::try_from(into.pieces.len()).ok()?;
@@ -67,7 +70,7 @@ fn after<'a>(text: &'a [u8], word: &[u8]) -> Option<&'a [u8]> {
     Some(rest)
 }
 
-/// Characters as they are.
+/// Characters as they are, joined to the piece before them.
 fn literal(text: &[u8], into: &mut Segment) {
     if text.is_empty() {
         return;

@@ -225,6 +225,8 @@ pub(crate) struct Block {
     pub(crate) kind: Kind,
     /// The comment that acts; [`NONE`] for none.
     pub(crate) comment: u32,
+    /// Whether it holds a comment and nothing else.
+    pub(crate) bare: bool,
     /// Why it cannot be executed; [`NONE`] where it can.
     pub(crate) refused: u32,
     /// Where its line begins in the file, bytes.

@@ -153,8 +153,35 @@ fn memory_is_bounded() {
 fn blocks_are_told_when_they_are_done() {
     let case =
         Case { files: [("f.ngc", "o<f> sub\n#31=1\no<f> endsub\n")].into(), ..Case::default() };
-    let outcome = case.run(b"\n(c)\no<f> call\nm2\n");
+    let outcome = case.run(b"\n(c)\n(msg,c)\nn3 (c)\no<f> call\nm2\n");
     let done: alloc::vec::Vec<_> =
         outcome.recorder.done.iter().map(|(file, line)| format!("{file}:{line}")).collect();
-    assert_eq!(done, ["main.ngc:2", "main.ngc:3", "f.ngc:2", "f.ngc:3", "main.ngc:4"]);
+    let expected = ["main.ngc:3", "main.ngc:4", "main.ngc:5", "f.ngc:2", "f.ngc:3", "main.ngc:6"];
+    assert_eq!(done, expected);
+}
+
+#[test]
+fn an_end_within_a_sub_leaves_it() {
+    check_all(&[
+        (
+            "#1=3\no1 sub\n#2=5 #<x>=6\nm2\no1 endsub\no1 call [7]\n",
+            "accepted; #1 = 3; #2 = 0; no #<x>",
+        ),
+        ("#<x>=4\no1 sub\n#<x>=6\nm30\no1 endsub\no1 call [7]\n", "accepted; #<x> = 4"),
+        ("#1=3\nm98 p1\nm2\no1\n#1=5\nm2\n", "accepted; #1 = 5"),
+    ]);
+}
+
+#[test]
+fn a_sub_of_a_file_runs_as_far_as_it_goes() {
+    let case = Case { files: [("f.ngc", "o<f> sub\n#31=1\n")].into(), ..Case::default() };
+    case.check("o<f> call\nm2\n", "refused missing_end; #31 = 1");
+}
+
+#[test]
+fn a_percent_line_in_a_sub_is_refused_when_it_is_come_by() {
+    check_all(&[
+        ("o1 sub\n%\no1 endsub\no1 call\nm2\n", "refused at 2 bad_character"),
+        ("o1 sub\n%\no1 endsub\nm2\n", "accepted"),
+    ]);
 }

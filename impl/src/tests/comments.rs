@@ -33,6 +33,22 @@ fn a_message_comes_before_its_words() {
 }
 
 #[test]
+fn messages_that_are_packed_together_stay_apart() {
+    check_all(&[
+        (
+            "o1 repeat [2]\n(msg,one)\n(msg,two)\n(print,a#31)\n(abort)\n(debug,b)\no1 endrepeat\nm2\n",
+            "messages: one | two | a0.000000 | b | one | two | a0.000000 | b",
+        ),
+        ("o1 sub\n(msg,one)\n(msg,two)\no1 endsub\no1 call\nm2\n", "messages: one | two"),
+        ("o1 sub\n(msg,one)\n(abort,two)\no1 endsub\no1 call\nm2\n", "refused at 3; messages: one"),
+        (
+            "o1 repeat [1]\n(logopen,a)\n(log,b)\n(logopen,c)\no1 endrepeat\nm2\n",
+            "at 2 log_open file=\"a\" append=no; at 4 log_open file=\"c\" append=no",
+        ),
+    ]);
+}
+
+#[test]
 fn values_are_formatted() {
     check_all(&[
         (

@@ -18,14 +18,16 @@ fn stops() {
 
 #[test]
 fn program_ends() {
-    check("m2; g0 x1", Effects("1 program_end"));
-    check("m30", Effects("1 pallet_shuttle; 1 program_end"));
+    check("m2; g0 x1", Effects("1 controller_mode mode=mdi; 1 program_end"));
+    check("m30", Effects("1 pallet_shuttle; 1 controller_mode mode=mdi; 1 program_end"));
     let table = &[("pause.pallet-codes", "table")];
     check_on(
         &machine(),
         table,
         "m30; m60; g0 x1",
-        Effects("1 pallet_shuttle; 1 stop optional=no; 2 pallet_shuttle; 2 program_end"),
+        Effects(
+            "1 pallet_shuttle; 1 stop optional=no; 2 pallet_shuttle; 2 controller_mode mode=mdi; 2 program_end",
+        ),
     );
     check(
         "g55 g18 g91 g95 m49; m3; m8 g41 g0; f5; m2",

@@ -50,6 +50,9 @@ fn feed_modes() {
     check("f100; g94; g1 x1", After("feed_rate = 100"));
     check("f100; g95 $1 g1 x1 f0.2", After("feed_rate = 0.2, feed_mode = per_revolution"));
     check("g93 f2; g94 g1 x1", Refused(ZeroFeed));
+    check("f100; g93", After("feed_rate = 100"));
+    check("f100; g93; g1 x1", Refused(MissingWord));
+    check("f100; g93; g94", After("feed_rate = 0"));
     check("g96 s100 d900; g1 x1 f5", Refused(ZeroSpeed));
     check("g96 s100 m3; g1 x1 f5; m5; g0 x2; g1 x3", Refused(ZeroSpeed));
     check("g96 s100; g0 x1", Effects("2 straight_traverse end=(x1)"));

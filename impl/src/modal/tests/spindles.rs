@@ -94,7 +94,7 @@ fn orientation() {
         &[],
         "m19 r350 q1 p1",
         Effects(
-            "1 orient_spindle spindle=0 angle=5 direction=clockwise; 1 wait_orient spindle=0 timeout=1",
+            "1 orient_spindle spindle=0 angle=365 direction=clockwise; 1 wait_orient spindle=0 timeout=1",
         ),
     );
     for program in

@@ -19,6 +19,7 @@ fn preparing_and_changing() {
         ),
     );
     check("t1; t2", After("tool = 0, prepared_tool = 2"));
+    check("t1; t0", After("prepared_tool = -1"));
     check("t1; t2; m6", After("tool = 2"));
     check("t1 m6; t0 m6", After("tool = 0, #5400 = 0, #5403 = 0"));
     check("t9 m6", After("tool = 0"));

@@ -40,7 +40,7 @@ pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(
 }
 
 /// Rule tool.select-zero. T0 selects no tool.
-/// Rule tool.select-zero-random. Where tools change places, tool 0 is a tool like any other.
+/// Rule tool.select-zero-random. Where tools change places, tool 0 is a tool like any other, there or not.
 /// Rule tool.empty-slot. Whether a number that no tool has may be selected is a choice; then there is no tool
 /// in the spindle after the change.
 fn selected(number: i32, state: &mut State) -> Result<Option<i32>, Halt> {
@@ -61,7 +61,7 @@ fn selected(number: i32, state: &mut State) -> Result<Option<i32>, Halt> {
             }
             Ok(Some(tool))
         }
-        None if number > 0 && state.readings.is("tool.empty-slot", "accepted") => {
+        None if state.readings.is("tool.empty-slot", "accepted") => {
             state.evidence.accepted(rule);
             Ok(None)
         }

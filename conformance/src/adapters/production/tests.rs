@@ -1,0 +1,106 @@
+//! What the adapter itself decides: the outside's answers, pauses, and bounds.
+
+use gaugeblock_trace::scenario::{Budget, InputChange, OrientAnswer, UserProgram};
+use gaugeblock_trace::{FaultKind, Options};
+
+use super::*;
+
+fn outcome(scenario: &Scenario) -> Outcome {
+    Production::default().run(scenario).expect("it runs")
+}
+
+/// The end of a run in a word: its name, or the kind of its fault.
+fn ends(scenario: &Scenario) -> String {
+    let end = outcome(scenario).end;
+    let End::Fault(fault) = &end else { return end.name().to_owned() };
+    fault.kind.map_or_else(String::new, |kind| kind.to_string())
+}
+
+#[test]
+fn a_quirk_is_refused_by_name() {
+    let quirk = Options([("rs274.feed-unit".to_owned(), "observed".to_owned())].into());
+    let why = Production::default().honours(&quirk).unwrap_err();
+    assert!(why.contains("rs274.feed-unit"), "{why}");
+    let documented = Options([("rs274.feed-unit".to_owned(), "documented".to_owned())].into());
+    assert_eq!(Production::default().honours(&documented), Ok(()));
+}
+
+#[test]
+fn a_pause_that_nobody_ends_is_the_end() {
+    let run = outcome(&Scenario::of("m0\ng4 p1\nm2\n"));
+    assert_eq!(run.end, End::Paused);
+    assert!(run.steps.last().is_some_and(|step| step.block.line == 1 && step.state.is_none()));
+    assert_eq!(ends(&Scenario::of("m1\nm2\n")), "program_end");
+}
+
+#[test]
+fn a_bound_is_met_between_blocks() {
+    let mut scenario = Scenario::of("o1 while [1]\ng4 p1\no1 endwhile\nm2\n");
+    scenario.budget = Budget { steps: 7, ..Budget::default() };
+    let run = outcome(&scenario);
+    assert_eq!(run.end, End::BudgetExhausted { bound: Bound::Steps });
+    assert_eq!(run.steps.len(), 7);
+    scenario.budget = Budget { effects: 2, ..Budget::default() };
+    assert_eq!(outcome(&scenario).end, End::BudgetExhausted { bound: Bound::Effects });
+    scenario.budget = Budget { time: 3.0, ..Budget::default() };
+    assert_eq!(outcome(&scenario).end, End::BudgetExhausted { bound: Bound::Time });
+}
+
+#[test]
+fn inputs_answer_at_their_time() {
+    let read = |program: &str, wires: &[(&str, u16)]| {
+        let mut scenario = Scenario::of(program);
+        scenario.bench.wires = wires.iter().map(|(a, b)| ((*a).to_owned(), *b)).collect();
+        let change = |time, value| InputChange { time, input: "digital_in[0]".to_owned(), value };
+        scenario.bench.inputs = vec![change(1.0, 1.0), change(2.0, 0.0)];
+        let run = outcome(&scenario);
+        let value = run.parameters.expect("they are shown").0.get(&5399).copied();
+        (run.end.name(), value.unwrap_or_default())
+    };
+    assert_eq!(read("m66 p0 l0\nm2\n", &[]), ("program_end", 0.0));
+    assert_eq!(read("m66 p0 l3 q1\nm2\n", &[]), ("program_end", 1.0));
+    assert_eq!(read("m66 p0 l3 q0.5\nm2\n", &[]), ("program_end", -1.0));
+    assert_eq!(read("g4 p1.5\nm66 p0 l2 q1\nm2\n", &[]), ("program_end", 0.0));
+    assert_eq!(read("g4 p1.5\nm66 p0 l1 q9\nm2\n", &[]), ("program_end", -1.0));
+    assert_eq!(read("m64 p2\nm66 p1 l0\nm2\n", &[("2", 1)]), ("program_end", 1.0));
+    assert_eq!(read("m62 p2\nm66 p1 l0\nm2\n", &[("2", 1)]), ("program_end", 0.0));
+    assert_eq!(read("m62 p2\ng0 x1\nm66 p1 l0\nm2\n", &[("2", 1)]), ("program_end", 1.0));
+}
+
+#[test]
+fn a_wait_without_end_uses_up_the_time() {
+    let mut scenario = Scenario::of("g4 p1\nm66 p0 l3\nm2\n");
+    scenario.options.0.insert("inputs.without-timeout".to_owned(), "accepted".to_owned());
+    let run = outcome(&scenario);
+    assert_eq!(run.end, End::BudgetExhausted { bound: Bound::Time });
+    assert_eq!(run.steps.len(), 1);
+}
+
+#[test]
+fn encoders_answer() {
+    let orients = |answer| {
+        let mut scenario = Scenario::of("m19 r90 q0.5\nm2\n");
+        scenario.bench.orient = vec![answer];
+        ends(&scenario)
+    };
+    assert_eq!(orients(OrientAnswer::After(0.5)), "program_end");
+    for answer in [OrientAnswer::After(0.6), OrientAnswer::Never, OrientAnswer::Fault(3)] {
+        assert_eq!(orients(answer), FaultKind::Orient.to_string());
+    }
+}
+
+#[test]
+fn user_programs_are_data() {
+    let calls = |program: UserProgram| {
+        let mut scenario = Scenario::of("m101\nm2\n");
+        scenario.bench.user_programs = vec![program];
+        ends(&scenario)
+    };
+    let named = |file: &str| UserProgram { file: file.to_owned(), ..UserProgram::default() };
+    assert_eq!(calls(named("M101")), "program_end");
+    assert_eq!(calls(named("m101")), FaultKind::UnknownCode.to_string());
+    let failing = UserProgram { exit_status: 3, ..named("M101") };
+    assert_eq!(calls(failing), FaultKind::UserCode.to_string());
+    let text = UserProgram { executable: false, ..named("M101") };
+    assert_eq!(calls(text), FaultKind::UnknownCode.to_string());
+}
