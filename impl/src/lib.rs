@@ -10,6 +10,7 @@
 //! ```text
 //! Source      bytes, as many as lie ready
 //!   reader      lines, in place                                     control/reader
+//!   direct      a plain line is evaluated while it is read          control/direct, control/operand
 //!   packer      a line becomes a block of operations, once          syntax/
 //!   segment     blocks that can run again lie together, packed      syntax/packed, control/gather
 //!   calculator  operations become words and settings of parameters  control/evaluate, parameters/
@@ -18,8 +19,9 @@
 //! Sink        settings, effects, and a look at each block when it is done
 //! ```
 //!
-//! A block of the main program is packed, executed and forgotten. A loop is packed when its head is executed, a sub when its definition is, the
-//! numbered subprograms when M98 first looks for them. What cannot be packed is kept as a block that is refused when it is executed, because
+//! A plain line of the main program goes the short way, from text to words in one pass. Every other block of it is packed, executed and
+//! forgotten. A loop is packed when its head is executed, a sub when its definition is, the numbered subprograms when M98 first looks for them.
+//! What cannot be packed is kept as a block that is refused when it is executed, because
 //! the documents refuse blocks and not programs.
 //!
 //! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes and straight moves; codes of a
@@ -33,7 +35,8 @@
 //!   can always stop.
 //! * In steady state a block allocates nothing, unless it shows a message. Memory is bounded by [`Limits`], whatever the length of the program.
 //! * Where a program is cut into pieces by its source changes nothing.
-//! * Names are looked up when a block is packed, and never when it runs.
+//! * The short way has the outcome of the long one, and leaves to it whatever is unusual or refused.
+//! * Names are looked up when a line is read, and never when a packed block runs.
 #![no_std]
 #![cfg_attr(
     not(test),

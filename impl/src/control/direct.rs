@@ -9,6 +9,7 @@ use crate::canon::Sink;
 use crate::control::evaluate::Setting;
 use crate::control::reader::first_of;
 use crate::control::{Cursor, operand};
+use crate::done::Executed;
 use crate::error::Error;
 use crate::interpret::{Interpreter, Progress};
 use crate::modal::Flow;
@@ -25,7 +26,7 @@ const M: u8 = b'm' - b'a';
 const ELSEWHERE: u32 = 1 << (b'n' - b'a') | 1 << (b'o' - b'a');
 
 impl Interpreter {
-    /// Reads and executes a plain line of the main program; none where that is not what comes next.
+    /// Reads and executes a plain line of the main program; none where that is not what comes next. Comments that do not act are passed over.
     #[inline]
     pub(crate) fn direct_line<S: Source, K: Sink>(
         &mut self,
@@ -35,26 +36,26 @@ impl Interpreter {
         if !self.reader.is_aligned() {
             return Ok(None);
         }
-        let line = self.reader.place().line;
-        self.words.clear(line);
-        self.calculator.clear();
-        let reading = Reading {
-            values: operand::Values { parameters: &self.parameters, packer: &self.packer },
-            words: &mut self.words,
-            settings: &mut self.calculator.settings,
-        };
-        let text = source.text()?;
-        let numbered = matches!(text.first(), Some(b'n' | b'N'));
-        let Some(length) = reading.line(text) else { return Ok(None) };
-        self.reader.leave_line(source, length);
-        if self.percent.is_none() {
-            self.percent = Some(false);
+        let mut line;
+        loop {
+            line = self.reader.place().line;
+            self.words.clear(line);
+            self.calculator.clear();
+            let reading = Reading {
+                values: operand::Values { parameters: &self.parameters, packer: &self.packer },
+                words: &mut self.words,
+                settings: &mut self.calculator.settings,
+            };
+            let Some((length, bare)) = reading.line(source.text()?) else { return Ok(None) };
+            self.reader.leave_line(source, length);
+            if self.percent.is_none() {
+                self.percent = Some(false);
+            }
+            if !bare {
+                break;
+            }
         }
         self.parameters.line = line;
-        if !numbered && self.words.is_empty() && self.calculator.settings.is_empty() {
-            // A comment that says nothing is no block.
-            return Ok(Some(Progress::More));
-        }
         self.calculator.apply(&mut self.parameters);
         let flow = if self.words.is_empty() {
             Ok(Flow::More)
@@ -62,7 +63,9 @@ impl Interpreter {
             self.modal.execute(&self.words, &mut self.parameters.numbered, sink)
         };
         match flow {
-            Ok(flow) => self.after_words(Cursor::MAIN, line, flow, source, sink).map(Some),
+            Ok(flow) => self
+                .after_words((Cursor::MAIN, line), Executed::Words, flow, source, sink)
+                .map(Some),
             Err(refusal) => self.refuse(Cursor::MAIN, line, refusal).map(Some),
         }
     }
@@ -76,14 +79,16 @@ struct Reading<'a> {
 }
 
 impl Reading<'_> {
-    /// Reads a line; its length with its end.
+    /// Reads a line; its length with its end, and whether it holds comments only.
     #[inline]
-    fn line(mut self, whole: &[u8]) -> Option<usize> {
+    fn line(mut self, whole: &[u8]) -> Option<(usize, bool)> {
         let mut text = whole;
+        let mut bare = true;
         if let [b'n' | b'N', digits @ ..] = text {
+            bare = false;
             text = line_number(digits)?;
         }
-        let mut any = false;
+        let mut commented = false;
         loop {
             let (byte, behind) = text.split_first()?;
             let letter = (byte | 0x20).wrapping_sub(b'a');
@@ -92,13 +97,21 @@ impl Reading<'_> {
                 continue;
             }
             text = match byte {
-                _ if letter < 26 => self.word(letter, behind)?,
-                b'#' => self.setting(behind)?,
-                b'(' | b';' => comment(*byte, behind)?,
-                b'\n' | b'\r' if any => break,
+                _ if letter < 26 => {
+                    bare = false;
+                    self.word(letter, behind)?
+                }
+                b'#' => {
+                    bare = false;
+                    self.setting(behind)?
+                }
+                b'(' | b';' => {
+                    commented = true;
+                    comment(*byte, behind)?
+                }
+                b'\n' | b'\r' if !bare || commented => break,
                 _ => return None,
             };
-            any = true;
         }
         let length = whole.len().wrapping_sub(text.len());
         let end = match text {
@@ -106,7 +119,7 @@ impl Reading<'_> {
             [b'\r'] => return None,
             _ => 1,
         };
-        (length <= LONGEST).then_some(length.wrapping_add(end))
+        (length <= LONGEST).then_some((length.wrapping_add(end), bare))
     }
 
     /// A word, behind its letter.

@@ -70,11 +70,10 @@ impl Interpreter {
         sink: &mut K,
     ) -> Result<Progress, Error> {
         match self.evaluate_plain(at, block, sink) {
-            Ok(Some(flow)) if block.bare => {
-                self.done(at, block.line, Executed::Comment, sink);
-                Ok(if flow == Flow::Stopped { Progress::Stopped } else { Progress::More })
+            Ok(Some(flow)) => {
+                let executed = if block.bare { Executed::Comment } else { Executed::Words };
+                self.after_words((at, block.line), executed, flow, source, sink)
             }
-            Ok(Some(flow)) => self.after_words(at, block.line, flow, source, sink),
             Ok(None) => self.numbered_call(at, block, source, sink),
             Err(refusal) => self.refuse(at, block.line, refusal),
         }
@@ -84,8 +83,8 @@ impl Interpreter {
     #[inline]
     pub(crate) fn after_words<S: Source, K: Sink>(
         &mut self,
-        at: Cursor,
-        line: u32,
+        (at, line): (Cursor, u32),
+        executed: Executed,
         flow: Flow,
         source: &mut S,
         sink: &mut K,
@@ -95,7 +94,7 @@ impl Interpreter {
             Flow::Stopped => Progress::Stopped,
             Flow::Ended => return self.program_end(at, line, source, sink),
         };
-        self.done(at, line, Executed::Words, sink);
+        self.done(at, line, executed, sink);
         Ok(progress)
     }
 

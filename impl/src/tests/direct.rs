@@ -177,3 +177,60 @@ fn numbers_of_every_length() {
         }
     }
 }
+
+/// Lines on which a hasty reader goes wrong.
+#[test]
+fn tricky_lines_agree() {
+    let lines = [
+        "#5=[2 * * 3]",
+        "#5=[2* *3]",
+        "#5=[2 ** 3 * 2]",
+        "#5=[2 * 3 ** 2]",
+        "#5=[1 - 2 - 3]",
+        "#5=[2 + 3 * 4 ** 2 / 8 eq 8 and 1]",
+        "x1 .5",
+        "x1 2",
+        "x1\t2",
+        "x1.2.3",
+        "n1 0 x1",
+        "n1.5 x1",
+        "n1. x1",
+        "n7",
+        "n7 (a)",
+        "(a comment)",
+        "( a bort, no)",
+        "(ABORT, yes)",
+        "(m s g, hello)",
+        "; msg, hello",
+        "x1 (first) (msg,second)",
+        "x1 (msg,first) (second)",
+        "g1.0 x1",
+        "g01 x01",
+        "g-1 x1",
+        "m-3",
+        "x-0 y--1",
+        "x- 1 y+2 z-[1+1]",
+        "#1=2 x#1",
+        "# 1=2",
+        "#1 = 2",
+        "#1.0=2",
+        "#01=2",
+        "#[1+1]=7 #<a>=8 #<new>=9",
+        "#<longer_than_seven>=1 x#<longer_than_seven>",
+        "#<a\u{0}>=1",
+        "#<A>=1 #< b 1 >=2",
+        "x#<a>y#<_g>z[#<b1>]",
+        "xabs[-1]ysin[30]zatan[1]/[1]",
+    ];
+    for line in lines {
+        for end in ["\n", "\r\n", "\r"] {
+            let program = alloc::format!(
+                "g1 f100{end}#1=1 #2=2{end}#<a>=2 #<b1>=-3 #<_g>=0.5{end}{line}{end}{line}{end}m2{end}"
+            );
+            let options = Options::default();
+            let (short, long) =
+                (outcome(&program, usize::MAX, &options), outcome(&program, 1, &options));
+            assert_eq!(short, long, "{program}");
+        }
+    }
+}

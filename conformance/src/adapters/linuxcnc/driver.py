@@ -16,6 +16,10 @@ import time
 
 MARK = "@gaugeblock@ "
 PAUSE = 0.0005
+# What a busy machine makes of real time; no answer to anything.
+REALTIME_DELAY = "Unexpected realtime delay"
+# What may be refused; a switch cannot.
+REQUESTS = ("cycle_start", "resume", "pause", "abort", "mode", "mdi")
 # How long a motion stands still before it counts as held, seconds.
 STILL = 1.0
 
@@ -192,6 +196,8 @@ class Driver:
                 seen = self.seen.setdefault(text, [])
                 seen.append(time.monotonic())
             else:
+                if REALTIME_DELAY in text:
+                    continue
                 error = kind in (self.linuxcnc.NML_ERROR, self.linuxcnc.OPERATOR_ERROR)
                 self.complaints += error
                 report(message=text, error=error)
@@ -423,7 +429,7 @@ class Driver:
             return
         self.taken()
         self.wait(lambda: self.complaints > complaints, 0.03)
-        if self.complaints > complaints:
+        if self.complaints > complaints and name in REQUESTS:
             report(request_refused=name)
 
     def follow(self, seconds):

@@ -1,0 +1,119 @@
+//! How many instructions production executes for a block, against `budgets.toml`: the same on a busy machine, and on every x86-64 processor.
+//!
+//! `cargo bench -p gaugeblock-benches --bench instructions`
+//!
+//! It runs itself under callgrind, once for each long program, and fails where a program costs more than its budget allows. Without valgrind it
+//! says so and measures nothing.
+#![expect(clippy::print_stdout, reason = "a measurement is printed")]
+
+use std::env;
+use std::hint::black_box;
+use std::io::{Error, Result};
+use std::process::{Command, ExitCode};
+
+use gaugeblock_benches::{LongProgram, long_programs};
+use gaugeblock_impl::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
+use gaugeblock_trace::{Effect, End, Machine, Options, Settings};
+
+/// How far above its budget a program may be: compilers differ a little.
+const TOLERANCE: f64 = 1.02;
+/// Below this part of its budget, the budget should be lowered.
+const GENEROUS: f64 = 0.95;
+
+fn main() -> Result<ExitCode> {
+    let mut arguments = env::args().skip(1);
+    if arguments.next().as_deref() == Some("run") {
+        let name = arguments.next().unwrap_or_default();
+        let program = long_programs().into_iter().find(|program| program.name == name);
+        let program = program.ok_or_else(|| Error::other("no such program"))?;
+        println!("{}", measured(&program.text)?);
+        return Ok(ExitCode::SUCCESS);
+    }
+    if Command::new("valgrind").arg("--version").output().is_err() {
+        println!("valgrind is not installed: no instructions are counted.");
+        return Ok(ExitCode::SUCCESS);
+    }
+    let budgets: toml::Table = include_str!("../budgets.toml")
+        .parse()
+        .map_err(|error| Error::other(format!("{error}")))?;
+    let mut kept = true;
+    for program in long_programs() {
+        kept &= judge(&program, &budgets)?;
+    }
+    Ok(if kept { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Prints what a program costs; whether that is within its budget.
+fn judge(program: &LongProgram, budgets: &toml::Table) -> Result<bool> {
+    let budget = budgets.get(program.name).and_then(toml::Value::as_integer);
+    let budget = budget.and_then(|budget| i32::try_from(budget).ok()).map(f64::from);
+    let budget = budget.ok_or_else(|| Error::other(format!("no budget for {}", program.name)))?;
+    let instructions = count(program)?;
+    let (kept, verdict) = if instructions > budget * TOLERANCE {
+        (false, "TOO MANY")
+    } else if instructions < budget * GENEROUS {
+        (true, "lower the budget")
+    } else {
+        (true, "")
+    };
+    println!(
+        "{:26} {instructions:8.1} of {budget:6} instructions a block  {verdict}",
+        program.name
+    );
+    Ok(kept)
+}
+
+/// Instructions a block, by callgrind.
+fn count(program: &LongProgram) -> Result<f64> {
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--collect-atstart=no"])
+        .arg("--toggle-collect=instructions::measured")
+        .arg(env::current_exe()?)
+        .args(["run", program.name])
+        .output()?;
+    let told = String::from_utf8_lossy(&output.stderr);
+    let collected = told.lines().find_map(|line| line.split("Collected : ").nth(1));
+    let collected = collected.and_then(|number| number.trim().parse::<f64>().ok());
+    let blocks = String::from_utf8_lossy(&output.stdout).trim().parse::<f64>();
+    match (collected, blocks) {
+        (Some(collected), Ok(blocks)) if collected > 0.0 => Ok(collected / blocks),
+        _ => Err(Error::other(format!("callgrind did not count {}: {told}", program.name))),
+    }
+}
+
+/// Counts blocks and takes the rest as it comes.
+struct Counting(u32);
+
+impl Sink for Counting {
+    fn set(&mut self, _line: u32, changed: &Settings) {
+        black_box(changed);
+    }
+
+    fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
+        black_box(effect);
+        Reply::Done
+    }
+
+    fn block_done(&mut self, _done: &mut BlockDone<'_>) {
+        self.0 += 1;
+    }
+}
+
+/// Interprets a program to its end; the number of its blocks. Callgrind counts within this function.
+#[inline(never)]
+fn measured(text: &str) -> Result<u32> {
+    let mut interpreter =
+        Interpreter::new(Machine::default(), Options::default(), Limits::default())
+            .map_err(Error::other)?;
+    let mut source = Memory::new(text);
+    let mut sink = Counting(0);
+    loop {
+        match interpreter.run(&mut source, &mut sink, 1_000_000).map_err(Error::other)? {
+            Progress::More => {}
+            Progress::Ended(End::ProgramEnd) => return Ok(sink.0),
+            other @ (Progress::Stopped | Progress::Ended(_)) => {
+                return Err(Error::other(format!("{other:?}")));
+            }
+        }
+    }
+}
