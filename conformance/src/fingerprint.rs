@@ -41,7 +41,24 @@ pub fn fingerprint<'a>(
         let shown = if is_known { used } else { shown(choice, options, bench, controller, true) };
         (choice, shown)
     };
-    suite.choices.iter().map(of).collect()
+    let mut all: Vec<_> = suite.choices.iter().map(of).collect();
+    hide_what_does_not_tell(&mut all);
+    all
+}
+
+/// A page that tells its options apart only under an option of another choice tells nothing of a controller that shows
+/// another one there.
+fn hide_what_does_not_tell(all: &mut [(&Choice, Shown)]) {
+    let others: BTreeMap<String, Shown> =
+        all.iter().map(|(choice, shown)| (choice.id.clone(), shown.clone())).collect();
+    for (choice, shown) in all {
+        let told = choice.under.iter().all(|(id, option)| {
+            others.get(id).is_none_or(|other| *other == Shown::Option(option.clone()))
+        });
+        if !told && matches!(shown, Shown::Option(_)) {
+            *shown = Shown::Several(choice.options.iter().map(|o| o.name.clone()).collect());
+        }
+    }
 }
 
 /// What a controller shows of one choice.

@@ -44,12 +44,6 @@ fn the_model_reads_exactly_the_choices_of_the_pages() {
     assert_eq!(quirks, known);
 }
 
-/// Choices that show only under an option of another one.
-const PREREQUISITES: [(&str, &str, &str); 2] = [
-    ("saved-state.listed-motion", "saved-state.motion-mode", "restored"),
-    ("tool.old-tool-place", "tool.selected-by", "slot"),
-];
-
 #[test]
 fn the_model_shows_each_option_that_it_is_given() {
     let suite = suite();
@@ -60,9 +54,7 @@ fn the_model_shows_each_option_that_it_is_given() {
         for option in &choice.options {
             let mut options = suite.options(edition);
             options.0.insert(choice.id.clone(), option.name.clone());
-            if let Some((_, id, option)) = PREREQUISITES.iter().find(|row| row.0 == choice.id) {
-                options.0.insert((*id).to_owned(), (*option).to_owned());
-            }
+            options.0.extend(choice.under.clone());
             let mut alone = suite.clone();
             alone.choices.retain(|other| other.id == choice.id);
             for (_, shown) in fingerprint(&alone, &options, None, &controller) {

@@ -116,6 +116,13 @@ impl Suite {
             }
             Some(_) => Ok(()),
         };
+        for choice in &self.choices {
+            for (id, option) in &choice.under {
+                if let Err(error) = known(id, option) {
+                    errors.push(format!("{}: {error}", choice.id));
+                }
+            }
+        }
         for edition in &self.editions {
             for (id, option) in &edition.options {
                 if let Err(error) = known(id, option) {

@@ -162,6 +162,9 @@ pub struct Choice {
     pub sources: Vec<Source>,
     /// A program that tells the options apart.
     pub program: String,
+    /// Options of other choices under which alone it does.
+    #[serde(default)]
+    pub under: BTreeMap<String, String>,
     /// The options; the first is the default.
     #[serde(rename = "option")]
     pub options: Vec<ChoiceOption>,
