@@ -27,6 +27,8 @@ struct Place {
     level: u32,
     /// 70 or 73 where the codes save apart, else 70.
     code: u16,
+    /// Whether M70 ever saved in it.
+    by_m70: bool,
     /// Whether it can be restored from.
     valid: bool,
     /// Whether the end of the sub restores from it.
@@ -42,21 +44,24 @@ pub(crate) struct SavedStates {
 }
 
 impl SavedStates {
-    /// The places of the current call level.
+    /// The places of the current call level, the one saved in last first.
     fn here(&mut self) -> impl Iterator<Item = &mut Place> {
         let level = self.level;
         self.places.iter_mut().rev().take_while(move |place| place.level == level)
     }
 
-    fn save(&mut self, code: u16, autorestore: bool, state: Saved) {
-        if let Some(place) = self.here().find(|place| place.code == code) {
-            place.state = state;
-            place.valid = true;
-            place.autorestore |= autorestore;
-            return;
-        }
+    fn save(&mut self, place: u16, code: u16, state: Saved) {
         let level = self.level;
-        self.places.push(Place { level, code, valid: true, autorestore, state });
+        let same = |saved: &Place| saved.level == level && saved.code == place;
+        let earlier = self.places.iter().rposition(same).map(|at| self.places.remove(at));
+        self.places.push(Place {
+            level,
+            code: place,
+            by_m70: code == 70 || earlier.as_ref().is_some_and(|place| place.by_m70),
+            valid: true,
+            autorestore: code == 73 || earlier.is_some_and(|place| place.autorestore),
+            state,
+        });
     }
 
     /// Forgets everything: no call is open.
@@ -104,13 +109,14 @@ impl Modal {
                     feed_spindle: self.feed_spindle,
                 };
                 let place = if self.choices.one_place { 70 } else { code };
-                self.saved.save(place, code == 73, state);
+                self.saved.save(place, code, state);
                 Ok(())
             }
             71 => self.invalidate(),
             _ => {
-                let saved = self.saved.here().find(|place| place.code == 70 && place.valid);
-                let Some(state) = saved.map(|place| place.state) else {
+                let needs_m70 = self.choices.restore_needs_m70;
+                let saved = self.saved.here().find(|place| place.by_m70 || !needs_m70);
+                let Some(state) = saved.filter(|place| place.valid).map(|place| place.state) else {
                     return refuse(FaultKind::NothingSaved, "nothing was saved at this call level");
                 };
                 self.restore(&state, numbered);
