@@ -119,7 +119,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
 }
 
 /// A bar on a terminal, nothing in a pipe.
-fn progress(cases: usize) -> indicatif::ProgressBar {
+pub(super) fn progress(cases: usize) -> indicatif::ProgressBar {
     let cases = u64::try_from(cases).unwrap_or(u64::MAX);
     let style = indicatif::ProgressStyle::with_template("{bar:32} {pos}/{len} cases, {elapsed}");
     let bar = indicatif::ProgressBar::new(cases);

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use gaugeblock_trace::{FaultKind, Motion, SpindleTurn};
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -75,7 +76,8 @@ impl Modal {
     /// Begins a call level.
     #[inline]
     pub(crate) fn enter_call(&mut self) {
-        self.saved.level = self.saved.level.saturating_add(1);
+        let levels = u32::from(!planted(Fault::OneLevel));
+        self.saved.level = self.saved.level.saturating_add(levels);
     }
 
     /// Ends a call level, on whichever way back, and restores what M73 saved there.
@@ -84,7 +86,7 @@ impl Modal {
         while let Some(place) = self.saved.places.last()
             && place.level >= self.saved.level
         {
-            if place.autorestore && place.valid {
+            if place.autorestore && place.valid && !planted(Fault::NoAutorestore) {
                 let state = place.state;
                 self.restore(&state, numbered);
                 self.in_force.tell(line, sink);
@@ -127,6 +129,9 @@ impl Modal {
 
     /// M71: nothing at this call level can be restored from any more.
     fn invalidate(&mut self) -> Result<(), Refusal> {
+        if planted(Fault::NotInvalidated) {
+            return Ok(());
+        }
         let mut any = false;
         for place in self.saved.here() {
             any |= place.valid;
@@ -141,7 +146,9 @@ impl Modal {
     /// Units first, so that the saved feed and lengths are told in their own unit; then everything else (11.6.21).
     fn restore(&mut self, saved: &Saved, numbered: &mut Numbered) {
         let modes = &saved.modes;
-        self.change_units(modes.units);
+        if !planted(Fault::UnitsForgotten) {
+            self.change_units(modes.units);
+        }
         if self.in_force.now().work_offset != modes.work_offset {
             self.use_work_offset(modes.work_offset, numbered);
         }
@@ -150,6 +157,11 @@ impl Modal {
         });
         self.compensation_radius = saved.compensation_radius;
         self.feed_spindle = saved.feed_spindle;
+        let feed_rate = if planted(Fault::FeedNotRestored) {
+            self.in_force.now().feed_rate
+        } else {
+            modes.feed_rate
+        };
         let now = self.in_force.set();
         let mut spindles = modes.spindles;
         for (saved, now) in spindles.iter_mut().zip(&now.spindles) {
@@ -161,6 +173,7 @@ impl Modal {
             g5x_offset: now.g5x_offset,
             g92_offset: now.g92_offset,
             rotation: now.rotation,
+            feed_rate,
             ..*modes
         };
         self.note_surface_speed();
