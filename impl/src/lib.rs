@@ -24,8 +24,8 @@
 //! What cannot be packed is kept as a block that is refused when it is executed, because
 //! the documents refuse blocks and not programs.
 //!
-//! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes and straight moves; codes of a
-//! later round end a run as [`gaugeblock_trace::End::Unsupported`]. [`Planner::new`] answers [`Error::NotYet`].
+//! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes, straight moves and arcs; codes
+//! of a later round end a run as [`gaugeblock_trace::End::Unsupported`]. [`Planner::new`] answers [`Error::NotYet`].
 //!
 //! **Invariants.**
 //! * It is written from the documents, without reading the reference model, and shares only the vocabulary with it.
@@ -35,6 +35,7 @@
 //!   can always stop.
 //! * In steady state a block allocates nothing, unless it shows a message. Memory is bounded by [`Limits`], whatever the length of the program.
 //! * Where a program is cut into pieces by its source changes nothing.
+//! * A refused block changes nothing: modes, tools and parameters are those after the block before.
 //! * The short way has the outcome of the long one, and leaves to it whatever is unusual or refused.
 //! * Names are looked up when a line is read, and never when a packed block runs.
 #![no_std]

@@ -69,6 +69,24 @@ pub(crate) fn power(base: f64, exponent: f64) -> f64 {
 pub(crate) fn remainder(left: f64, right: f64) -> f64 {
     libm::fmod(left, right)
 }
+/// The length of the third side.
+pub(crate) fn hypotenuse(x: f64, y: f64) -> f64 {
+    libm::sqrt(x * x + y * y)
+}
+/// Sine and cosine of an angle in degrees, exact for right angles.
+pub(crate) fn direction(degrees: f64) -> (f64, f64) {
+    let within = libm::fmod(degrees, 360.0);
+    let quarters = within / 90.0;
+    if (quarters - libm::rint(quarters)).abs() > 0.0 || !quarters.is_finite() {
+        return (sine(degrees), cosine(degrees));
+    }
+    match near_integer(quarters) {
+        Some(1 | -3) => (1.0, 0.0),
+        Some(2 | -2) => (0.0, -1.0),
+        Some(3 | -1) => (-1.0, 0.0),
+        _ => (0.0, 1.0),
+    }
+}
 /// Sine of an angle in degrees.
 pub(crate) fn sine(degrees: f64) -> f64 {
     libm::sin(degrees.to_radians())

@@ -229,8 +229,11 @@ impl Interpreter {
                 self.done(at, block.line, executed, sink);
                 Ok(progress)
             }
-            Err(Halt::Refusal(refusal)) => self.refuse(at, block.line, refusal),
-            Err(Halt::Error(error)) => Err(error),
+            Err(Halt::Refusal(refusal)) => self.take_back(at, block.line, refusal),
+            Err(Halt::Error(error)) => {
+                self.calculator.take_back(&mut self.parameters);
+                Err(error)
+            }
         }
     }
 

@@ -66,7 +66,7 @@ impl Interpreter {
             Ok(flow) => self
                 .after_words((Cursor::MAIN, line), Executed::Words, flow, source, sink)
                 .map(Some),
-            Err(refusal) => self.refuse(Cursor::MAIN, line, refusal).map(Some),
+            Err(refusal) => self.take_back(Cursor::MAIN, line, refusal).map(Some),
         }
     }
 }

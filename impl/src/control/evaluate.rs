@@ -6,7 +6,7 @@ use gaugeblock_trace::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::modal::{Modal, Refusal};
-use crate::parameters::{NameId, Named, Numbered, Own};
+use crate::parameters::{NameId, Named, Numbered, Own, Slot};
 use crate::syntax::packed::Op;
 use crate::syntax::{Packer, arithmetic, code_number, is_position, parameter_number};
 use crate::words::Words;
@@ -67,6 +67,8 @@ pub(crate) enum Setting {
     Local(NameId, f64),
     /// A global one.
     Global(NameId, f64),
+    /// What a named one was before it was set.
+    Before(NameId, Slot),
 }
 
 /// The stack, and what waits for the end of the block's evaluation.
@@ -74,14 +76,16 @@ pub(crate) enum Setting {
 pub(crate) struct Calculator {
     /// What the operations pushed and nothing took: a label, a condition, arguments.
     pub(crate) stack: Vec<f64>,
-    /// Settings in the order of writing.
+    /// Settings in the order of writing; once they are in force, what was in force before.
     pub(crate) settings: Vec<Setting>,
+    /// Whether they are in force.
+    applied: bool,
 }
 
 impl Calculator {
     /// With room for every line that the documents allow.
     pub(crate) fn new() -> Self {
-        Self { stack: Vec::with_capacity(256), settings: Vec::with_capacity(128) }
+        Self { stack: Vec::with_capacity(256), settings: Vec::with_capacity(128), applied: false }
     }
 
     /// Makes it ready for a block.
@@ -89,6 +93,7 @@ impl Calculator {
     pub(crate) fn clear(&mut self) {
         self.stack.clear();
         self.settings.clear();
+        self.applied = false;
     }
 
     #[inline]
@@ -105,13 +110,38 @@ impl Calculator {
         if planted(Fault::RightToLeft) {
             self.settings.reverse();
         }
-        for setting in self.settings.drain(..) {
+        self.applied = true;
+        for setting in &mut self.settings {
             match setting {
                 Setting::Numbered(number, value) => {
-                    parameters.numbered.set(u32::from(number), value);
+                    *value = parameters.numbered.replace(u32::from(*number), *value);
                 }
-                Setting::Local(id, value) => parameters.named.set_local(id, value),
-                Setting::Global(id, value) => parameters.named.set_global(id, value),
+                Setting::Local(id, value) => {
+                    *setting = Setting::Before(*id, parameters.named.set_local(*id, *value));
+                }
+                Setting::Global(id, value) => {
+                    *setting = Setting::Before(*id, parameters.named.set_global(*id, *value));
+                }
+                Setting::Before(..) => {}
+            }
+        }
+    }
+
+    /// Takes the settings back, in a block that is refused after all.
+    #[cold]
+    pub(crate) fn take_back(&mut self, parameters: &mut Parameters) {
+        if !self.applied {
+            return;
+        }
+        for setting in self.settings.drain(..).rev() {
+            match setting {
+                Setting::Numbered(number, before) => {
+                    parameters.numbered.replace(u32::from(number), before);
+                }
+                Setting::Before(id, before) => {
+                    parameters.named.put_back(id, before);
+                }
+                Setting::Local(..) | Setting::Global(..) => {}
             }
         }
     }

@@ -76,7 +76,7 @@ impl Interpreter {
                 self.after_words((at, block.line), executed, flow, source, sink)
             }
             Ok(None) => self.numbered_call(at, block, source, sink),
-            Err(refusal) => self.refuse(at, block.line, refusal),
+            Err(refusal) => self.take_back(at, block.line, refusal),
         }
     }
 
@@ -121,7 +121,8 @@ impl Interpreter {
         if block.comment == NONE {
             self.calculator.apply(&mut self.parameters);
         } else {
-            if !self.packer.choices.message_old {
+            let before = self.packer.choices.message_old;
+            if !before {
                 self.calculator.apply(&mut self.parameters);
             }
             let view = View {
@@ -134,7 +135,9 @@ impl Interpreter {
             if let Some(comment) = comment.and_then(|place| code.comments.get(place)) {
                 stopped = self.logs.perform(*comment, view, block.line, sink)?;
             }
-            self.calculator.apply(&mut self.parameters);
+            if before {
+                self.calculator.apply(&mut self.parameters);
+            }
         }
         if self.words.is_empty() {
             return Ok(Some(if stopped { Flow::Stopped } else { Flow::More }));

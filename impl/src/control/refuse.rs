@@ -12,6 +12,18 @@ use crate::modal::Refusal;
 use crate::syntax::packed::Block;
 
 impl Interpreter {
+    /// A block of words that is refused while it is executed: its settings of parameters are taken back.
+    #[cold]
+    pub(crate) fn take_back(
+        &mut self,
+        at: Cursor,
+        line: u32,
+        refusal: Refusal,
+    ) -> Result<Progress, Error> {
+        self.calculator.take_back(&mut self.parameters);
+        self.refuse(at, line, refusal)
+    }
+
     /// A block that is refused while it is executed.
     #[cold]
     pub(crate) fn refuse(

@@ -10,9 +10,9 @@ use crate::words::Words;
 use super::Modal;
 use super::codes::{
     COOLANT, FREE, G_GROUPS, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES, SINGLE_OVERRIDES,
-    STOP_RANK, TOOL_LENGTH, g_code, m_code,
+    STOP_RANK, TOOL_LENGTH, g_code, m_code, set_data,
 };
-use super::letters::{AXES, F, H, S, T, first_letter};
+use super::letters::{AXES, F, H, S, T, X, Y, first_letter};
 use super::refusal::{Refusal, refuse};
 
 /// Most M words of a block (11.4.9).
@@ -77,11 +77,13 @@ impl Modal {
         if let Some(tenths) = taken.later {
             return Err(Refusal::Unsupported(format!("G{}", code_text(tenths))));
         }
-        if words.at.is_some() || words.caret.is_some() {
-            return Err(Refusal::Unsupported("polar words".into()));
+        let implied = self.implied_motion(&block, &taken);
+        if let Some(code) = implied.and_then(g_code) {
+            taken.uses |= code.uses;
         }
         check_words(words, &taken)?;
-        self.check_axes(&mut block, &taken)?;
+        check_polar(&block, &taken)?;
+        self.check_axes(&mut block, &taken, implied)?;
         Ok(block)
     }
 
@@ -131,18 +133,29 @@ impl Modal {
     }
 
     /// Whose the axis words are: of a code that uses them itself, or of the move (11.4.13).
-    fn check_axes(&self, block: &mut Block<'_>, taken: &Taken) -> Result<(), Refusal> {
+    fn check_axes(
+        &self,
+        block: &mut Block<'_>,
+        taken: &Taken,
+        implied: Option<u16>,
+    ) -> Result<(), Refusal> {
         let words = block.words;
         let explicit = block.g(MOTION);
         let machine_coordinates = block.g(NON_MODAL) == Some(530);
-        if !words.has_axes() {
+        let arc = matches!(explicit, Some(20 | 30));
+        if words.axes() == 0 {
             if taken.needs_axes || machine_coordinates {
                 return refuse(FaultKind::MissingWord, "an axis word is missing");
             }
+            if arc && taken.axis_codes != 0 {
+                return refuse(FaultKind::AxisWords, "an arc beside a code that uses axis words");
+            }
             block.motion = explicit;
+            // A full circle has no axis words.
+            block.axes_move = arc;
             return self.check_length_alone(block);
         }
-        let foreign = words.present & AXES & !self.axes;
+        let foreign = words.axes() & !self.axes;
         if foreign != 0 {
             let letter = first_letter(foreign);
             return refuse(FaultKind::NoSuchAxis, format!("the machine has no axis {letter}"));
@@ -150,9 +163,9 @@ impl Modal {
         self.check_length_alone(block)?;
         match (taken.axis_codes, explicit) {
             (0, _) => {
-                block.motion = explicit.or(self.motion_code());
+                block.motion = explicit.or(implied);
                 block.axes_move = true;
-                if !matches!(block.motion, Some(0 | 10)) {
+                if !matches!(block.motion, Some(0 | 10 | 20 | 30)) {
                     return refuse(
                         FaultKind::AxisWords,
                         "axis words without a code that uses them",
@@ -169,7 +182,7 @@ impl Modal {
     fn check_length_alone(&self, block: &Block<'_>) -> Result<(), Refusal> {
         let words = block.words;
         match block.g(TOOL_LENGTH) {
-            Some(431) if matches!(block.g(MOTION), Some(0 | 10)) => {
+            Some(431) if !matches!(block.g(MOTION), None | Some(800)) => {
                 return refuse(FaultKind::AxisWords, "motion in the block of G43.1");
             }
             Some(432) if words.present & H != 0 && words.has_axes() => {
@@ -192,19 +205,30 @@ impl Modal {
 
     /// The motion mode as a code in tenths, of those that a later block repeats.
     pub(super) fn motion_code(&self) -> Option<u16> {
-        if self.motion == Motion::Traverse
-            || self.motion == Motion::None && planted(Fault::AfterCancel)
-        {
-            Some(0)
-        } else {
-            (self.motion == Motion::Feed).then_some(10)
+        if self.motion == Motion::None && planted(Fault::AfterCancel) {
+            return Some(0);
         }
+        let codes = [
+            (Motion::Traverse, 0),
+            (Motion::Feed, 10),
+            (Motion::ArcClockwise, 20),
+            (Motion::ArcCounterclockwise, 30),
+        ];
+        codes.iter().find(|(motion, _)| *motion == self.motion).map(|(_, code)| *code)
+    }
+
+    /// The move that is made again because there are axis words and no code that uses them (11.4.11).
+    fn implied_motion(&self, block: &Block<'_>, taken: &Taken) -> Option<u16> {
+        let again = block.g(MOTION).is_none() && taken.axis_codes == 0 && block.words.axes() != 0;
+        if again { self.motion_code() } else { None }
     }
 }
 
 fn take_g_codes(block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal> {
     for tenths in block.words.g_words() {
-        let Some(code) = g_code(*tenths) else {
+        let code =
+            if *tenths == 100 { Some(set_data(block.words.get(b'L'))) } else { g_code(*tenths) };
+        let Some(code) = code else {
             return refuse(FaultKind::UnknownCode, format!("G{} is no code", code_text(*tenths)));
         };
         match block.g.get_mut(usize::from(code.group)) {
@@ -245,6 +269,21 @@ fn check_words(words: &Words, taken: &Taken) -> Result<(), Refusal> {
     if missing != 0 {
         let letter = first_letter(missing);
         return refuse(FaultKind::MissingWord, format!("the {letter} word is missing"));
+    }
+    Ok(())
+}
+
+/// Polar words stand for X and Y of a move (11.4.12): they do not stand beside them, nor is an offset a move.
+fn check_polar(block: &Block<'_>, taken: &Taken) -> Result<(), Refusal> {
+    let words = block.words;
+    if !words.is_polar() {
+        return Ok(());
+    }
+    if words.present & (X | Y) != 0 {
+        return refuse(FaultKind::AxisWords, "polar words beside X or Y");
+    }
+    if taken.axis_codes != 0 && !matches!(block.g(NON_MODAL), Some(280 | 300)) {
+        return refuse(FaultKind::UnusedWord, "polar words of a code that is no move");
     }
     Ok(())
 }

@@ -1,6 +1,9 @@
 //! The table of codes: modal group, words that a code uses and needs, what it does with axis words.
 
-use super::letters::{AXES, D, E, H, L, P, Q, R, S};
+use crate::math;
+
+use super::arcs::ARC_WORDS;
+use super::letters::{AXES, D, E, H, I, J, L, P, Q, R, S};
 
 /// A modal group of G codes: its number in table 11.7 of the 2.9 manual.
 pub(crate) type GGroup = u8;
@@ -74,14 +77,17 @@ impl GCode {
 pub(crate) const fn g_code(tenths: u16) -> Option<GCode> {
     Some(match tenths {
         40 => GCode::plain(NON_MODAL).needing(P),
-        100 => GCode::plain(NON_MODAL).needing(L | P).using(R | AXES),
+        // Its L says more: `set_data`.
+        100 => GCode::plain(NON_MODAL).needing(L).using(P | R | I | J | Q | AXES),
+        280 | 300 => GCode::plain(NON_MODAL).using(AXES),
         520 | 920 => GCode::plain(NON_MODAL).needing_axes(),
         // Its axis words are those of the move that it modifies.
-        530 | 921 | 922 | 923 => GCode::plain(NON_MODAL),
-        280 | 281 | 300 | 301 | 700 | 710 | 711 | 712 | 720 | 721 | 722 => GCode::later(NON_MODAL),
+        281 | 301 | 530 | 921 | 922 | 923 => GCode::plain(NON_MODAL),
+        700 | 710 | 711 | 712 | 720 | 721 | 722 => GCode::later(NON_MODAL),
         0 | 10 => GCode::plain(MOTION).using(AXES),
         800 => GCode::plain(MOTION),
-        20 | 30 | 50 | 51 | 52 | 53 | 330 | 331 | 382..=385 => GCode::later(MOTION),
+        20 | 30 => GCode::plain(MOTION).using(AXES | ARC_WORDS),
+        50 | 51 | 52 | 53 | 330 | 331 | 382..=385 => GCode::later(MOTION),
         730 | 740 | 760 | 810 | 820 | 830 | 840 | 850 | 860 | 870 | 880 | 890 => {
             GCode::later(MOTION)
         }
@@ -108,6 +114,18 @@ pub(crate) const fn g_code(tenths: u16) -> Option<GCode> {
         70 | 80 => GCode::plain(LATHE),
         _ => return None,
     })
+}
+
+/// G10, of which L says what it takes (11.5.12 to 11.5.17).
+pub(crate) fn set_data(l: Option<f64>) -> GCode {
+    let plain = GCode::plain(NON_MODAL).needing(L).using(AXES);
+    match l.and_then(math::near_integer) {
+        Some(0) => plain,
+        Some(1 | 10 | 11) => plain.needing(P).using(R | I | J | Q),
+        Some(2) => plain.needing(P).using(R),
+        Some(20) => plain.needing(P).needing_axes(),
+        _ => plain.using(P | R | I | J | Q),
+    }
 }
 
 /// A modal group of M codes, as a bit: table 11.8, with the groups that the sections name besides.

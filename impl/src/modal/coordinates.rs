@@ -71,6 +71,18 @@ impl Coordinates {
         Self([x * cosine - y * sine, x * sine + y * cosine, z, a, b, c, u, v, w])
     }
 
+    /// With the coordinates of another point for the axes of some letters.
+    pub(crate) fn taking(self, letters: u32, other: Self) -> Self {
+        let mut result = self;
+        let all = [X, Y, Z, A, B, C, U, V, W];
+        for ((mine, theirs), letter) in result.0.iter_mut().zip(other.0).zip(all) {
+            if letters & letter != 0 {
+                *mine = theirs;
+            }
+        }
+        result
+    }
+
     /// With the axis words of a block in their places; the other coordinates stay.
     pub(crate) fn replaced(mut self, words: &Words) -> Self {
         self.replace(words);

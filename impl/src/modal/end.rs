@@ -39,13 +39,13 @@ impl Modal {
         }
         self.perform(line, &Effect::ChangeControllerMode { mode: self.controller_mode }, sink)?;
         self.perform(line, &Effect::ProgramEnd {}, sink)?;
+        self.saved.clear();
         Ok(true)
     }
 
     /// The documented effects of a program end. Units, G90.1, G7, G61, G98, G96 and the offset of G92 stay.
     fn reset_at_end(&mut self, numbered: &mut Numbered) {
         self.controller_mode = ControllerMode::Mdi;
-        self.saved.clear();
         if !planted(Fault::SystemStays) {
             self.use_work_offset(1, numbered);
         }

@@ -8,13 +8,16 @@ use crate::parameters::Numbered;
 use crate::words::Words;
 
 use super::Modal;
+use super::arcs::ARC_WORDS;
 use super::check::Block;
 use super::codes::{
     ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, LATHE, NON_MODAL, PATH, PLANE, RETRACT,
     STOP_RANK, TOOL_LENGTH, UNITS, WORK_OFFSET,
 };
+use super::coordinates::Coordinates;
 use super::letters::{AXES, F};
 use super::refusal::{Flow, Refusal, refuse};
+use super::units::checked_feed;
 
 impl Modal {
     /// Checks and executes the words of one block. Settings and effects go to the sink in the documents' order.
@@ -28,7 +31,22 @@ impl Modal {
         if self.is_straight(words) {
             return self.straight_block(words, sink);
         }
-        self.whole_block(words, numbered, sink)
+        self.other_block(words, numbered, sink)
+    }
+
+    /// A block that is no straight move.
+    #[inline(never)]
+    fn other_block<K: Sink>(
+        &mut self,
+        words: &Words,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<Flow, Refusal> {
+        if self.is_arc(words) {
+            self.arc_block(words, sink)
+        } else {
+            self.whole_block(words, numbered, sink)
+        }
     }
 
     /// Whether a block is a straight move and nothing else, with at most G0 or G1 and F beside its axis words, and
@@ -48,6 +66,23 @@ impl Modal {
             && self.is_plain()
     }
 
+    /// Whether a block is an arc and nothing else, likewise.
+    #[inline]
+    fn is_arc(&self, words: &Words) -> bool {
+        let explicit = words.g.first().copied().unwrap_or(0);
+        let modal = matches!(self.motion, Motion::ArcClockwise | Motion::ArcCounterclockwise);
+        words.m_count == 0
+            && words.g_count <= 1
+            && words.dollar.is_none()
+            && words.present & !(self.axes | F | ARC_WORDS) == 0
+            && !words.is_polar()
+            && match words.g_count {
+                0 => modal && words.present & AXES != 0,
+                _ => explicit == 20 || explicit == 30,
+            }
+            && self.is_plain()
+    }
+
     /// Whether no mode in force wants more than the end point of a straight move.
     #[inline]
     fn is_plain(&self) -> bool {
@@ -60,52 +95,93 @@ impl Modal {
 
     #[inline]
     fn straight_block<K: Sink>(&mut self, words: &Words, sink: &mut K) -> Result<Flow, Refusal> {
-        if words.present & F != 0 {
-            self.set_feed(words.get(b'F').unwrap_or(0.0))?;
-        }
-        if words.g_count == 1 {
-            self.motion = if words.g.first() == Some(&0) { Motion::Traverse } else { Motion::Feed };
-        }
-        let feeds = self.motion == Motion::Feed || planted(Fault::TraverseNeedsFeed);
-        if feeds && self.in_force.now().feed_rate <= 0.0 {
+        let motion = match words.g.first() {
+            Some(0) if words.g_count == 1 => Motion::Traverse,
+            Some(_) if words.g_count == 1 => Motion::Feed,
+            Some(_) | None => self.motion,
+        };
+        let rate_before = self.in_force.now().feed_rate;
+        let feed = if words.present & F != 0 { words.get(b'F') } else { None };
+        let rate = feed.map_or(Ok(rate_before), checked_feed)?;
+        let feeds = motion == Motion::Feed || planted(Fault::TraverseNeedsFeed);
+        if feeds && rate <= 0.0 {
             return refuse(FaultKind::ZeroFeed, "a feed move without a feed rate");
         }
+        if feed.is_some() {
+            self.in_force.set_feed_rate(rate);
+        }
+        let before = (self.motion, self.position, rate_before);
+        self.motion = motion;
         self.move_by(words);
         let end = self.position.position();
-        let effect = if self.motion == Motion::Traverse {
+        let effect = if motion == Motion::Traverse {
             Effect::StraightTraverse { end }
         } else {
             Effect::StraightFeed { end }
         };
-        self.in_force.tell(words.line, sink);
-        match sink.perform(words.line, &effect) {
+        self.only_effect(words.line, before, &effect, sink)
+    }
+
+    /// Performs the only effect of a short way. Where it is refused, mode, point and feed rate are those of before.
+    #[inline]
+    pub(super) fn only_effect<K: Sink>(
+        &mut self,
+        line: u32,
+        before: (Motion, Coordinates, f64),
+        effect: &Effect,
+        sink: &mut K,
+    ) -> Result<Flow, Refusal> {
+        self.in_force.tell(line, sink);
+        match sink.perform(line, effect) {
             Reply::Stop => Ok(Flow::Stopped),
-            Reply::Failed(kind) => refuse(kind, "refused from outside"),
+            Reply::Failed(kind) => {
+                let rate;
+                (self.motion, self.position, rate) = before;
+                self.in_force.set_feed_rate(rate);
+                refuse(kind, "refused from outside")
+            }
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => Ok(Flow::More),
         }
     }
 
     /// Every phase of the order of execution.
     #[inline(never)]
-    fn whole_block<K: Sink>(
+    pub(super) fn whole_block<K: Sink>(
         &mut self,
         words: &Words,
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
         let block = self.check(words)?;
+        let before = self.before_block(numbered);
+        let flow = self.phases(&block, numbered, sink);
+        if flow.is_err() {
+            self.take_back(&before, numbered);
+        }
+        numbered.end_notes();
+        flow
+    }
+
+    /// The phases of a block that passed the checks.
+    fn phases<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<Flow, Refusal> {
+        let words = block.words;
         self.stop_asked = false;
-        self.feed(&block)?;
-        self.spindle_speed(&block)?;
+        self.feed(block)?;
+        self.spindle_speed(block)?;
         if let Some(tool) = words.get(b'T') {
             self.prepare_tool(tool, words.line, sink)?;
         }
         for (rank, code) in block.m() {
             if rank < STOP_RANK {
-                self.before_motion(&block, code, numbered, sink)?;
+                self.before_motion(block, code, numbered, sink)?;
             }
         }
-        self.g_phases(&block, numbered, sink)?;
+        self.g_phases(block, numbered, sink)?;
         let mut ended = false;
         for (rank, code) in block.m() {
             if rank >= STOP_RANK {
@@ -191,7 +267,11 @@ impl Modal {
             self.select_retract(code);
         }
         if let Some(code) = block.g(NON_MODAL) {
-            self.offset_data(block.words, code, numbered)?;
+            match code {
+                100 => self.set_data(block.words, numbered, sink)?,
+                280 | 281 | 300 | 301 => self.predefined_position(block, code, numbered, sink)?,
+                _ => self.local_offset(block.words, code, numbered),
+            }
         }
         self.motion(block, sink)?;
         if block.g(NON_MODAL) == Some(40) && late {
@@ -214,7 +294,7 @@ impl Modal {
             return feed.map_or(Ok(()), |feed| self.set_feed(feed));
         }
         // Under inverse time F belongs to one move; on any other line it is ignored (11.5.59).
-        if block.motion != Some(10) {
+        if !matches!(block.motion, Some(10 | 20 | 30)) {
             return Ok(());
         }
         match feed {

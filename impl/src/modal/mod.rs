@@ -6,9 +6,11 @@
 //!
 //! **Invariants.**
 //! * The codes stand in one table, [`codes`]; no other file says which group a code is in or which words it takes.
+//! * A refused block leaves the modes as they were, [`undo`].
 //! * The sink hears of a setting when it changed, and before the next effect.
 //! * Positions are program coordinates in the active length unit; only an offset, a unit or G53 goes through machine coordinates.
 
+mod arcs;
 mod check;
 mod choices;
 mod codes;
@@ -22,11 +24,15 @@ mod modes;
 mod motion;
 mod named;
 mod offsets;
+mod reference;
 mod refusal;
 mod saved;
 mod spindle;
 mod switches;
+mod target;
 mod tool;
+mod tool_table;
+mod undo;
 mod units;
 mod values;
 mod work;
@@ -74,6 +80,8 @@ pub(crate) struct Modal {
     prepared: Option<i32>,
     /// Tool table, machine unit.
     tools: Vec<Tool>,
+    /// Tools that the block has changed, with their places, as they were.
+    changed_tools: Vec<(usize, Tool)>,
     /// Mode of the controller.
     controller_mode: ControllerMode,
     /// What M70 and M73 saved.
@@ -133,6 +141,7 @@ impl Modal {
             tool: in_spindle.map_or(0, tool::number_of),
             prepared: None,
             tools: machine.tools.clone(),
+            changed_tools: Vec::with_capacity(2),
             controller_mode: ControllerMode::Auto,
             saved: SavedStates::default(),
             stop_asked: false,

@@ -116,6 +116,12 @@ pub(crate) struct InForce {
     changed: bool,
     /// Whether F was.
     feed_changed: bool,
+    /// As they were before the block, where `noted` is set.
+    before: Modes,
+    /// Whether the block has set anything but F.
+    noted: bool,
+    /// F before the block.
+    feed_before: f64,
     /// How many spindles the machine has.
     spindles: usize,
 }
@@ -123,7 +129,16 @@ pub(crate) struct InForce {
 impl InForce {
     /// Nothing is to be told yet: a run begins with all settings known.
     pub(crate) fn new(now: Modes, spindles: usize) -> Self {
-        Self { now, told: now, changed: false, feed_changed: false, spindles }
+        Self {
+            now,
+            told: now,
+            changed: false,
+            feed_changed: false,
+            before: now,
+            noted: true,
+            feed_before: 0.0,
+            spindles,
+        }
     }
 
     /// What is in force.
@@ -141,11 +156,9 @@ impl InForce {
 
     /// Sets one setting.
     #[inline]
-    pub(crate) fn put<T: PartialEq>(&mut self, of: impl FnOnce(&mut Modes) -> &mut T, value: T) {
-        let setting = of(&mut self.now);
-        if *setting != value {
-            *setting = value;
-            self.changed = true;
+    pub(crate) fn put<T: PartialEq>(&mut self, of: impl Fn(&mut Modes) -> &mut T, value: T) {
+        if *of(&mut self.now) != value {
+            *of(self.set()) = value;
         }
     }
 
@@ -153,7 +166,29 @@ impl InForce {
     #[inline]
     pub(crate) fn set(&mut self) -> &mut Modes {
         self.changed = true;
+        if !self.noted {
+            self.noted = true;
+            self.before = self.now;
+        }
         &mut self.now
+    }
+
+    /// Begins a block that can be taken back.
+    #[inline]
+    pub(crate) fn begin_notes(&mut self) {
+        self.noted = false;
+        self.feed_before = self.now.feed_rate;
+    }
+
+    /// What the block set is as it was before; what the sink was told stays told.
+    #[cold]
+    pub(crate) fn take_back(&mut self) {
+        let feed = self.feed_before;
+        if self.noted {
+            self.now = self.before;
+            self.changed = true;
+        }
+        self.set_feed_rate(feed);
     }
 
     /// Tells the sink what it does not know yet.

@@ -1,6 +1,6 @@
-//! Straight moves (11.5.3, 11.5.4, 11.5.33) and the dwell (11.5.6).
+//! Moves (11.5.3 to 11.5.5, 11.5.33) and the dwell (11.5.6).
 
-use gaugeblock_trace::{Compensation, Distance, Effect, FaultKind, Lathe, Motion};
+use gaugeblock_trace::{Compensation, Effect, FaultKind, Motion};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
@@ -24,15 +24,6 @@ impl Modal {
         self.perform(words.line, &Effect::Dwell { seconds }, sink)
     }
 
-    /// Moves the point to where the axis words of a straight move lead.
-    #[inline]
-    pub(super) fn move_by(&mut self, words: &Words) {
-        match self.in_force.now().distance {
-            Distance::Absolute => self.position.replace(words),
-            Distance::Incremental => self.position.add(words),
-        }
-    }
-
     /// The block's move, and the motion mode that it sets.
     pub(super) fn motion<K: Sink>(
         &mut self,
@@ -40,49 +31,27 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         let Some(code) = block.motion else { return Ok(()) };
-        self.motion = match code {
-            0 => Motion::Traverse,
-            10 => Motion::Feed,
-            _ => Motion::None,
-        };
+        self.motion = mode_of(code);
         let moves = block.axes_move
             || self.choices.move_in_place && block.g(MOTION).is_some() && !block.words.has_axes();
         if self.motion == Motion::None || !moves {
             return Ok(());
         }
-        let machine_coordinates = block.g(NON_MODAL) == Some(530);
-        self.check_compensated_move(machine_coordinates)?;
-        let feed = self.motion == Motion::Feed;
-        if feed || planted(Fault::TraverseNeedsFeed) {
+        self.check_compensated_move(block.g(NON_MODAL) == Some(530))?;
+        if self.motion != Motion::Traverse || planted(Fault::TraverseNeedsFeed) {
             self.check_feed_move()?;
         }
-        self.move_point(block, machine_coordinates);
+        let start = self.position;
+        self.move_point(block)?;
         let end = self.position.position();
-        let effect =
-            if feed { Effect::StraightFeed { end } } else { Effect::StraightTraverse { end } };
-        self.perform(block.words.line, &effect, sink)
-    }
-
-    /// Moves the point to the end of the block's move.
-    fn move_point(&mut self, block: &Block<'_>, machine_coordinates: bool) {
-        let radius;
-        let diameter = self.in_force.now().lathe == Lathe::Diameter;
-        let words = if diameter && !planted(Fault::DiameterAsRadius) {
-            radius = with_radius(block.words);
-            &radius
+        let effect = if self.motion == Motion::Traverse {
+            Effect::StraightTraverse { end }
+        } else if self.motion == Motion::Feed {
+            Effect::StraightFeed { end }
         } else {
-            block.words
+            self.arc(block.words, self.motion, &start)?
         };
-        if machine_coordinates {
-            // Absolute positions whatever the distance mode says (11.1.2.1).
-            let now = self.in_force.now();
-            let here = now.machine_of(self.position);
-            let adds = planted(Fault::MachineIncremental) && now.distance == Distance::Incremental;
-            let there = if adds { here.moved_by(words) } else { here.replaced(words) };
-            self.position = now.program_of(there);
-        } else {
-            self.move_by(words);
-        }
+        self.perform(block.words.line, &effect, sink)
     }
 
     fn check_feed_move(&self) -> Result<(), Refusal> {
@@ -120,11 +89,13 @@ impl Modal {
     }
 }
 
-/// The words with the X word as a radius: diameter mode (11.5.10).
-pub(super) fn with_radius(words: &Words) -> Words {
-    let mut radius = words.clone();
-    if let Some(x) = words.get(b'X') {
-        radius.set(23, x / 2.0);
+/// The motion mode of a code in tenths.
+const fn mode_of(code: u16) -> Motion {
+    match code {
+        0 => Motion::Traverse,
+        10 => Motion::Feed,
+        20 => Motion::ArcClockwise,
+        30 => Motion::ArcCounterclockwise,
+        _ => Motion::None,
     }
-    radius
 }

@@ -9,6 +9,7 @@ use crate::math;
 use crate::parameters::Numbered;
 
 use super::coordinates::Coordinates;
+use super::letters::{X, Y};
 use super::modes::Modes;
 
 /// 5210: whether the offset of G52 and G92 applies.
@@ -17,8 +18,10 @@ pub(crate) const G92_APPLIED: u32 = 5210;
 const G92_OFFSET: u32 = 5211;
 /// 5220: number of the work coordinate system.
 pub(crate) const WORK_OFFSET: u32 = 5220;
+/// 5161 to 5169: the position of G28.
+pub(crate) const G28_POSITION: u32 = 5161;
 /// 5181 to 5189: the position of G30.
-const G30_POSITION: u32 = 5181;
+pub(crate) const G30_POSITION: u32 = 5181;
 /// 5420 to 5428: the controlled point.
 const POSITION: u32 = 5420;
 
@@ -52,10 +55,16 @@ impl Modes {
         let turned = self.turn(self.rotation).map_or(local, |turn| local.turned(turn));
         machine.minus(self.tool_offset).minus(turned)
     }
+
+    /// The axes of which the coordinates change when those of `letters` do on the other side: where the system is turned, X and Y go together.
+    pub(super) fn turned_letters(&self, letters: u32) -> u32 {
+        let together = self.rotation.abs() > 0.0 && letters & (X | Y) != 0;
+        if together { letters | X | Y } else { letters }
+    }
 }
 
 /// Nine parameters in a row, X to W.
-fn row(numbered: &Numbered, first: u32) -> Coordinates {
+pub(super) fn row(numbered: &Numbered, first: u32) -> Coordinates {
     let mut row = Coordinates::default();
     for (number, coordinate) in (first..).zip(row.0.iter_mut()) {
         *coordinate = numbered.get(number);
@@ -63,7 +72,8 @@ fn row(numbered: &Numbered, first: u32) -> Coordinates {
     row
 }
 
-fn set_row(numbered: &mut Numbered, first: u32, row: Coordinates) {
+/// Sets nine parameters in a row.
+pub(super) fn set_row(numbered: &mut Numbered, first: u32, row: Coordinates) {
     for (number, coordinate) in (first..).zip(row.0) {
         numbered.set(number, coordinate);
     }
@@ -98,11 +108,6 @@ pub(crate) fn g92_offset(numbered: &Numbered) -> Coordinates {
 /// Stores the offset of G52 and G92, machine unit.
 pub(crate) fn store_g92(numbered: &mut Numbered, offset: Coordinates) {
     set_row(numbered, G92_OFFSET, offset);
-}
-
-/// The stored position of G30, machine unit.
-pub(crate) fn g30_position(numbered: &Numbered) -> Coordinates {
-    row(numbered, G30_POSITION)
 }
 
 /// Writes the controlled point into its parameters, program units.

@@ -42,6 +42,10 @@ struct Place {
 pub(crate) struct SavedStates {
     level: u32,
     places: Vec<Place>,
+    /// The places of the level before the block changed them.
+    before: Vec<Place>,
+    /// Whether it has.
+    noted: bool,
 }
 
 impl SavedStates {
@@ -49,6 +53,33 @@ impl SavedStates {
     fn here(&mut self) -> impl Iterator<Item = &mut Place> {
         let level = self.level;
         self.places.iter_mut().rev().take_while(move |place| place.level == level)
+    }
+
+    /// Begins a block that can be taken back.
+    #[inline]
+    pub(super) fn begin_notes(&mut self) {
+        self.noted = false;
+    }
+
+    /// Notes the places of the level before they change.
+    fn note(&mut self) {
+        if !self.noted {
+            self.noted = true;
+            self.before.clear();
+            let level = self.level;
+            let here = self.places.iter().filter(|place| place.level == level);
+            self.before.extend(here.cloned());
+        }
+    }
+
+    /// Takes back what the block did.
+    pub(super) fn take_back(&mut self) {
+        if self.noted {
+            let level = self.level;
+            self.places.retain(|place| place.level != level);
+            self.places.append(&mut self.before);
+            self.noted = false;
+        }
     }
 
     fn save(&mut self, place: u16, code: u16, state: Saved) {
@@ -102,6 +133,7 @@ impl Modal {
         code: u16,
         numbered: &mut Numbered,
     ) -> Result<(), Refusal> {
+        self.saved.note();
         match code {
             70 | 73 => {
                 let state = Saved {

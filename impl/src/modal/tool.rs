@@ -104,7 +104,8 @@ impl Modal {
             self.traverse_to(line, self.in_force.now().program_of(up), sink)?;
         }
         if self.tool_change.at_g30 {
-            let place = offsets::g30_position(numbered).converted(self.stored_to_active());
+            let place =
+                offsets::row(numbered, offsets::G30_POSITION).converted(self.stored_to_active());
             self.traverse_to(line, self.in_force.now().program_of(place), sink)?;
         }
         Ok(())
@@ -117,11 +118,12 @@ impl Modal {
             return;
         }
         let freed = self.tool_numbered(new).map(|tool| tool.pocket.unwrap_or(tool.number));
-        for tool in &mut self.tools {
-            if number_of(tool) == new {
-                tool.pocket = Some(0);
-            } else if number_of(tool) == old && freed.is_some() {
-                tool.pocket = freed;
+        for place in 0..self.tools.len() {
+            let number = self.tools.get(place).map(number_of);
+            if number == Some(new) {
+                self.change_tool_entry(place, |tool| tool.pocket = Some(0));
+            } else if number == Some(old) && freed.is_some() {
+                self.change_tool_entry(place, |tool| tool.pocket = freed);
             }
         }
     }

@@ -14,10 +14,7 @@ impl Modal {
     /// F.
     #[inline]
     pub(super) fn set_feed(&mut self, feed: f64) -> Result<(), Refusal> {
-        if feed < 0.0 && !planted(Fault::NegativeFeed) {
-            return refuse(FaultKind::WordOutOfRange, "F is negative");
-        }
-        self.in_force.set_feed_rate(feed);
+        self.in_force.set_feed_rate(checked_feed(feed)?);
         Ok(())
     }
 
@@ -126,4 +123,13 @@ impl Modal {
         modes.naive_cam_tolerance = not_negative(naive, "Q")?;
         Ok(())
     }
+}
+
+/// The value of an F word.
+#[inline]
+pub(super) fn checked_feed(feed: f64) -> Result<f64, Refusal> {
+    if feed < 0.0 && !planted(Fault::NegativeFeed) {
+        return refuse(FaultKind::WordOutOfRange, "F is negative");
+    }
+    Ok(feed)
 }

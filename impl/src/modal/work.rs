@@ -4,17 +4,17 @@ use alloc::format;
 
 use gaugeblock_trace::{FaultKind, Lathe};
 
+use crate::canon::Sink;
 use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
 use super::Modal;
 use super::coordinates::Coordinates;
-use super::letters::R;
 use super::modes::Modes;
-use super::motion::with_radius;
 use super::offsets;
 use super::refusal::{Refusal, refuse};
+use super::target::with_radius;
 use super::values::integer_in;
 
 impl Modal {
@@ -69,39 +69,27 @@ impl Modal {
         numbered.set(offsets::WORK_OFFSET, f64::from(system));
     }
 
-    /// The codes of group 0 that change offsets.
-    pub(super) fn offset_data(
-        &mut self,
-        words: &Words,
-        code: u16,
-        numbered: &mut Numbered,
-    ) -> Result<(), Refusal> {
+    /// G52 and G92 to G92.3.
+    pub(super) fn local_offset(&mut self, words: &Words, code: u16, numbered: &mut Numbered) {
         match code {
-            100 => self.set_data(words, numbered),
             520 => {
                 let offset = self.in_force.now().g92_offset.replaced(&self.offset_words(words));
                 self.set_g92(offset, numbered);
-                Ok(())
             }
-            920 => {
-                self.set_g92(self.offset_to_become(words), numbered);
-                Ok(())
-            }
+            920 => self.set_g92(self.offset_to_become(words), numbered),
             921 | 922 => {
                 if code == 921 {
                     offsets::store_g92(numbered, Coordinates::default());
                 }
                 numbered.set(offsets::G92_APPLIED, 0.0);
                 self.offset_by(|modes| modes.g92_offset = Coordinates::default());
-                Ok(())
             }
             923 => {
                 let offset = offsets::g92_offset(numbered).converted(self.stored_to_active());
                 numbered.set(offsets::G92_APPLIED, 1.0);
                 self.offset_by(|modes| modes.g92_offset = offset);
-                Ok(())
             }
-            _ => Ok(()),
+            _ => {}
         }
     }
 
@@ -120,15 +108,29 @@ impl Modal {
         self.offset_by(|modes| modes.g92_offset = offset);
     }
 
-    /// G10.
-    fn set_data(&mut self, words: &Words, numbered: &mut Numbered) -> Result<(), Refusal> {
+    /// G10 (11.5.12 to 11.5.17).
+    pub(super) fn set_data<K: Sink>(
+        &mut self,
+        words: &Words,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
         let kind = integer_in(words.get(b'L').unwrap_or(0.0), 0, 20, "L of G10")?;
-        if !matches!(kind, 2 | 20) {
-            return match kind {
-                0 | 1 | 10 | 11 => Err(Refusal::Unsupported(format!("G10 L{kind}"))),
-                _ => refuse(FaultKind::WordOutOfRange, format!("there is no G10 L{kind}")),
-            };
+        match kind {
+            0 => self.reload_tools(words, numbered),
+            1 | 10 | 11 => self.set_tool_entry(words, kind, numbered, sink),
+            2 | 20 => self.set_origin(words, kind, numbered),
+            _ => refuse(FaultKind::WordOutOfRange, format!("there is no G10 L{kind}")),
         }
+    }
+
+    /// G10 L2 and L20.
+    fn set_origin(
+        &mut self,
+        words: &Words,
+        kind: i32,
+        numbered: &mut Numbered,
+    ) -> Result<(), Refusal> {
         let active = self.in_force.now().work_offset;
         let system = match integer_in(words.get(b'P').unwrap_or(0.0), 0, 9, "P of G10")? {
             0 => active,
@@ -139,7 +141,7 @@ impl Modal {
         let (origin, rotation) = if kind == 2 {
             (origin.replaced(&self.offset_words(words)), words.get(b'R').unwrap_or(rotation))
         } else {
-            (self.origin_to_become(words, origin, rotation)?, rotation)
+            (self.origin_to_become(words, origin, rotation), rotation)
         };
         let stored = origin.converted(self.active_to_stored());
         offsets::store(numbered, system, stored, rotation);
@@ -150,21 +152,10 @@ impl Modal {
     }
 
     /// The origin of G10 L20: with it the point has the coordinates of the words in that system.
-    fn origin_to_become(
-        &self,
-        words: &Words,
-        origin: Coordinates,
-        rotation: f64,
-    ) -> Result<Coordinates, Refusal> {
-        if !words.has_axes() {
-            return refuse(FaultKind::MissingWord, "G10 L20 without axis words");
-        }
-        if words.present & R != 0 {
-            return refuse(FaultKind::UnusedWord, "R of G10 L20");
-        }
+    fn origin_to_become(&self, words: &Words, origin: Coordinates, rotation: f64) -> Coordinates {
         let machine = self.in_force.now().machine_of(self.position);
         let there = Modes { g5x_offset: origin, rotation, ..*self.in_force.now() };
         let wanted = there.program_of(machine).replaced(&self.offset_words(words));
-        Ok(there.origin_for(machine, wanted))
+        origin.taking(there.turned_letters(words.present), there.origin_for(machine, wanted))
     }
 }

@@ -4,6 +4,6 @@ mod named;
 mod names;
 mod numbered;
 
-pub(crate) use named::{Named, Own, ScopeMark};
+pub(crate) use named::{Named, Own, ScopeMark, Slot};
 pub(crate) use names::{NameId, Names};
 pub(crate) use numbered::{LAST, Numbered};

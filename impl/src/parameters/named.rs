@@ -49,7 +49,7 @@ const NOWHERE: u64 = 0;
 
 /// A parameter: its value, and in which scope it exists.
 #[derive(Clone, Copy, Debug)]
-struct Slot {
+pub(crate) struct Slot {
     value: f64,
     scope: u64,
 }
@@ -117,23 +117,29 @@ impl Named {
         self.slot(id).filter(|slot| slot.scope == self.scope).map(|slot| slot.value)
     }
 
-    /// Sets a global parameter; it exists from then on.
+    /// Sets a global parameter; it exists from then on. What it was comes back.
     #[inline]
-    pub(crate) fn set_global(&mut self, id: NameId, value: f64) {
-        if let Some(slot) = usize::try_from(id).ok().and_then(|id| self.slots.get_mut(id)) {
-            *slot = Slot { value, scope: GLOBAL };
-        }
+    pub(crate) fn set_global(&mut self, id: NameId, value: f64) -> Slot {
+        self.put_back(id, Slot { value, scope: GLOBAL })
     }
 
-    /// Sets a local parameter; it exists until its level is left.
+    /// Sets a local parameter; it exists until its level is left. What it was comes back.
     #[inline]
-    pub(crate) fn set_local(&mut self, id: NameId, value: f64) {
+    pub(crate) fn set_local(&mut self, id: NameId, value: f64) -> Slot {
         let scope = self.scope;
-        if let Some(slot) = usize::try_from(id).ok().and_then(|id| self.slots.get_mut(id)) {
-            if slot.scope != scope {
-                self.hidden.push(Hidden { id, slot: *slot });
-            }
-            *slot = Slot { value, scope };
+        let before = self.put_back(id, Slot { value, scope });
+        if before.scope != scope {
+            self.hidden.push(Hidden { id, slot: before });
+        }
+        before
+    }
+
+    /// Makes a parameter what it was. One that its level hid stays noted as hidden, which restores it to the same once more.
+    #[inline]
+    pub(crate) fn put_back(&mut self, id: NameId, before: Slot) -> Slot {
+        match usize::try_from(id).ok().and_then(|id| self.slots.get_mut(id)) {
+            Some(slot) => core::mem::replace(slot, before),
+            None => before,
         }
     }
 

@@ -1,11 +1,14 @@
 //! Numbered parameters `#1` to `#5602` (11.4.3.1), and which of them changed.
 
 use alloc::boxed::Box;
+use alloc::vec::Vec;
 
 /// Highest number of a parameter.
 pub(crate) const LAST: u32 = 5602;
 /// Values, one for each number from 0; 0 is no parameter and stays 0.
 const COUNT: usize = 5603;
+/// Room for what one block sets beside its settings.
+const NOTES: usize = 64;
 /// Words of 64 bits that hold a bit for each parameter.
 const MARKS: usize = 88;
 
@@ -15,12 +18,21 @@ pub(crate) struct Numbered {
     values: Box<[f64; COUNT]>,
     /// A bit for each parameter that was set since the marks were last taken.
     marks: [u64; MARKS],
+    /// What a block has set, with the values before, while it can still be refused.
+    notes: Vec<(u32, f64)>,
+    /// Whether notes are taken.
+    noting: bool,
 }
 
 impl Numbered {
     /// All parameters zero.
     pub(crate) fn new() -> Self {
-        Self { values: Box::new([0.0; COUNT]), marks: [0; MARKS] }
+        Self {
+            values: Box::new([0.0; COUNT]),
+            marks: [0; MARKS],
+            notes: Vec::with_capacity(NOTES),
+            noting: false,
+        }
     }
 
     /// A parameter's value; an absent number reads 0.
@@ -30,18 +42,48 @@ impl Numbered {
         self.values.get(place).copied().unwrap_or(0.0)
     }
 
-    /// Sets a parameter; an absent number is ignored.
+    /// Sets a parameter; an absent number is ignored. Its value before comes back.
     #[inline]
-    pub(crate) fn set(&mut self, number: u32, value: f64) {
+    pub(crate) fn replace(&mut self, number: u32, value: f64) -> f64 {
         if number == 0 {
-            return;
+            return 0.0;
         }
         let place = usize::try_from(number).unwrap_or(usize::MAX);
-        if let Some(slot) = self.values.get_mut(place) {
-            *slot = value;
-            if let Some(marks) = self.marks.get_mut(place >> 6) {
-                *marks |= 1 << (place & 63);
-            }
+        let Some(slot) = self.values.get_mut(place) else { return 0.0 };
+        if let Some(marks) = self.marks.get_mut(place >> 6) {
+            *marks |= 1 << (place & 63);
+        }
+        core::mem::replace(slot, value)
+    }
+
+    /// Sets a parameter, likewise, and takes a note of it where notes are taken.
+    #[inline]
+    pub(crate) fn set(&mut self, number: u32, value: f64) {
+        let before = self.replace(number, value);
+        if self.noting {
+            self.notes.push((number, before));
+        }
+    }
+
+    /// Begins to take notes of what is set.
+    #[inline]
+    pub(crate) fn begin_notes(&mut self) {
+        self.notes.clear();
+        self.noting = true;
+    }
+
+    /// What was set stays set.
+    #[inline]
+    pub(crate) fn end_notes(&mut self) {
+        self.noting = false;
+    }
+
+    /// What was set since [`Self::begin_notes`] gets its values back.
+    #[cold]
+    pub(crate) fn take_back(&mut self) {
+        self.noting = false;
+        while let Some((number, before)) = self.notes.pop() {
+            self.replace(number, before);
         }
     }
 

@@ -102,10 +102,12 @@ fn value() -> impl Strategy<Value = String> {
 }
 
 fn item() -> impl Strategy<Value = String> {
-    let letter = "[xyzabcuvwfXYZF]";
+    let letter = "[xyzabcuvwfXYZFijkr]";
     prop_oneof![
         8 => (letter, number()).prop_map(|(letter, number)| letter + &number),
         6 => (letter, "( |)", value()).prop_map(|(letter, blank, value)| letter + &blank + &value),
+        3 => "(g2|G3|g2i1|g3 i1j1|G02x2r1|g3x2i1|g2 z1 i1 p2|i1|r1|@1|\\^90|g90\\.1|g91\\.1|g18|g19|g17)",
+        1 => "(g28|g28\\.1|g30 x1|g30\\.1|g10l2p1|g10 l20 p1 x1|g52x1|g92y1|g92\\.2|g92\\.3|g43\\.1z1)",
         4 => "(G1|g0|G01|g1\\.|G90|G91|g20|G21|G17|g4|p1|G5|G53|G92\\.1|G 1|G-1|g38\\.2|G54|G1\\.0|g100)",
         2 => "(M3|M5|m9|M2|M62|m98|M99|M1000|m 3|M3\\.5|S[0-9]{2}|t1|h1|d1|q2|l1|i1)",
         4 => (parameter(), "( |)=( |)", value()).prop_map(|(to, is, value)| to + &is + &value),
@@ -150,6 +152,43 @@ proptest! {
             outcome(&program, 1, &options),
             "{}", program
         );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// After an error the state is that after the block before, whichever way the block went.
+    #[test]
+    fn refused_blocks_change_nothing(lines in proptest::collection::vec(line(), 1..5), short: bool) {
+        let head = "g1 f100\n#1=1 #2=-2.5\n#<a>=2 #<_g>=0.5\n";
+        let program: String = core::iter::once(head.into()).chain(lines).collect();
+        let piece = if short { usize::MAX } else { 1 };
+        let mut source = Pieces { text: program.as_bytes(), at: 0, piece };
+        let mut interpreter =
+            Interpreter::new(Machine::default(), Options::default(), Limits::default()).unwrap();
+        let state = |interpreter: &mut Interpreter| {
+            let parameters = &interpreter.parameters;
+            let named: Vec<_> = parameters.named.existing(&interpreter.packer.names).collect();
+            let named = alloc::format!("{named:?}");
+            alloc::format!(
+                "{named} {:?} {:?} {:?}",
+                interpreter.parameters(),
+                interpreter.settings(),
+                interpreter.state()
+            )
+        };
+        loop {
+            let before = state(&mut interpreter);
+            match interpreter.step(&mut source, &mut Recorder::default()) {
+                Ok(Progress::More | Progress::Stopped) => {}
+                Err(_) | Ok(Progress::Ended(gaugeblock_trace::End::Unsupported { .. })) => {
+                    prop_assert_eq!(before, state(&mut interpreter), "{}", program);
+                    break;
+                }
+                Ok(Progress::Ended(_)) => break,
+            }
+        }
     }
 }
 

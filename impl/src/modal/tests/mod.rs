@@ -1,14 +1,20 @@
 //! Tests of the modal side: programs of plain words, against a sink that writes down what it hears.
 
+mod arcs;
+mod arcs_property;
 mod ends;
 mod groups;
 mod inputs_outputs;
 mod moves;
 mod names;
 mod offsets;
+mod polar;
 mod property;
+mod reference;
 mod saved;
+mod shifts_property;
 mod spindles;
+mod tool_table;
 mod tools;
 
 use alloc::format;
@@ -92,6 +98,7 @@ pub(super) fn words(line: u32, text: &str) -> Words {
             "m" => assert!(words.push_m(value.parse().unwrap())),
             "$" => words.dollar = Some(number()),
             "@" => words.at = Some(number()),
+            "^" => words.caret = Some(number()),
             letter => words.set(letter.as_bytes()[0] - b'a', number()),
         }
     }

@@ -1,8 +1,9 @@
 //! Whatever words come in whatever order: no panic, and the sink is told all that is in force.
 
-use gaugeblock_trace::{Machine, Options, Settings};
+use gaugeblock_trace::{Effect, FaultKind, Machine, Options, Settings};
 use proptest::prelude::*;
 
+use crate::canon::{Reply, Sink};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -11,9 +12,9 @@ use super::{Recorder, machine};
 
 /// Codes that are, more often than codes that are not.
 const G: &[u16] = &[
-    0, 10, 20, 40, 70, 80, 100, 170, 180, 190, 171, 200, 210, 280, 400, 410, 420, 411, 430, 431,
-    432, 490, 520, 530, 540, 550, 593, 610, 611, 640, 800, 900, 910, 901, 911, 920, 921, 922, 923,
-    930, 940, 950, 960, 970, 980, 990, 999,
+    0, 10, 20, 30, 40, 70, 80, 100, 100, 170, 180, 190, 171, 200, 210, 280, 281, 300, 301, 382,
+    400, 410, 420, 411, 430, 431, 432, 490, 520, 530, 540, 550, 593, 610, 611, 640, 800, 900, 910,
+    901, 911, 920, 921, 922, 923, 930, 940, 950, 960, 970, 980, 990, 999,
 ];
 const M: &[u16] = &[
     0, 1, 3, 4, 5, 6, 7, 8, 9, 19, 48, 49, 50, 51, 52, 53, 60, 61, 62, 63, 64, 65, 66, 67, 68, 70,
@@ -33,7 +34,8 @@ fn block() -> impl Strategy<Value = Words> {
     let letters = prop::collection::vec((0_u8..26, value()), 0..5);
     let g = prop::collection::vec(prop::sample::select(G), 0..4);
     let m = prop::collection::vec(prop::sample::select(M), 0..3);
-    (letters, g, m, prop::option::weighted(0.2, value())).prop_map(|(letters, g, m, dollar)| {
+    let sign = || prop::option::weighted(0.1, value());
+    (letters, g, m, [sign(), sign(), sign()]).prop_map(|(letters, g, m, [dollar, at, caret])| {
         let mut words = Words::new();
         for (place, value) in letters {
             if !matches!(place, 6 | 12 | 13 | 14) {
@@ -46,7 +48,7 @@ fn block() -> impl Strategy<Value = Words> {
         for code in m {
             words.push_m(code);
         }
-        words.dollar = dollar;
+        (words.dollar, words.at, words.caret) = (dollar, at, caret);
         words
     })
 }
@@ -87,6 +89,62 @@ proptest! {
                     alloc::format!("{:?}", settings.entries()).replace("(-0.0)", "(0.0)").replace(": -0.0", ": 0.0")
                 };
                 prop_assert_eq!(text(sink.settings.clone()), text(modal.settings()));
+            }
+        }
+    }
+}
+
+/// All that a block can change.
+fn state(modal: &Modal, numbered: &Numbered) -> alloc::string::String {
+    let parameters: alloc::vec::Vec<_> = numbered.not_zero().collect();
+    let text = alloc::format!(
+        "{:?} {:?} {:?} {:?} {:?} {:?}",
+        modal.settings(),
+        modal.state(),
+        modal.tools(),
+        parameters,
+        (modal.compensation_radius, modal.feed_spindle, modal.surface_speed),
+        modal.saved,
+    );
+    // Notes of a block are no state.
+    text.split("before: [").next().unwrap().into()
+}
+
+/// Refuses every so many effects.
+struct Refusing(u32, u32);
+
+impl Sink for Refusing {
+    fn set(&mut self, _line: u32, _changed: &Settings) {}
+
+    fn perform(&mut self, _line: u32, _effect: &Effect) -> Reply {
+        self.0 += 1;
+        if self.0.is_multiple_of(self.1) {
+            Reply::Failed(FaultKind::BeyondLimit)
+        } else {
+            Reply::Done
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// After a refused block the state is that after the block before.
+    #[test]
+    fn refused_blocks_change_nothing(
+        blocks in prop::collection::vec(block(), 1..12), options in options(), random: bool, every in 1_u32..5, level: bool,
+    ) {
+        let machine = Machine { random_tool_changer: random, ..machine() };
+        let mut numbered = Numbered::new();
+        let mut modal = Modal::new(&machine, &options, &mut numbered).unwrap();
+        let mut sink = Refusing(0, every);
+        if level {
+            modal.enter_call();
+        }
+        for words in blocks {
+            let before = state(&modal, &numbered);
+            if modal.execute(&words, &mut numbered, &mut sink).is_err() {
+                prop_assert_eq!(before, state(&modal, &numbered));
             }
         }
     }

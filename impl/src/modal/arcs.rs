@@ -1,0 +1,246 @@
+//! Arcs and helices: G2 and G3 in centre and radius format (11.5.5).
+//!
+//! An arc lies in the selected plane, of which the axes are called first and second so that counterclockwise is from the first to the second
+//! one: X Y, Z X, Y Z. Whatever else moves, moves along.
+
+use gaugeblock_trace::{Distance, Effect, FaultKind, LengthUnit, Motion, Plane};
+
+use crate::canon::Sink;
+use crate::math;
+use crate::words::Words;
+
+use super::Modal;
+use super::coordinates::Coordinates;
+use super::letters::{F, I, J, K, P, R, X, Y, Z};
+use super::refusal::{Flow, Refusal, refuse};
+use super::units::checked_feed;
+use super::values::integer_in;
+
+/// Points nearer than this are one point, whatever the unit: rounding of offsets is no distance.
+const SAME_POINT: f64 = 1e-9;
+
+/// The letters of an arc besides its axis words.
+pub(super) const ARC_WORDS: u32 = I | J | K | P | R;
+
+/// A point in the selected plane, or a distance in it: along the first and along the second axis.
+#[derive(Clone, Copy, Debug)]
+struct InPlane {
+    first: f64,
+    second: f64,
+}
+
+impl InPlane {
+    fn minus(self, other: Self) -> Self {
+        Self { first: self.first - other.first, second: self.second - other.second }
+    }
+
+    fn length(self) -> f64 {
+        math::hypotenuse(self.first, self.second)
+    }
+}
+
+/// What the selected plane says about the words of an arc.
+struct ArcPlane {
+    /// Letters of the offsets along the first and the second axis.
+    offsets: [u8; 2],
+    /// Their bits.
+    offset_words: u32,
+    /// The bits of its axis words.
+    axis_words: u32,
+    start: InPlane,
+    end: InPlane,
+}
+
+/// How far the words of an arc may be from an arc, in the active unit.
+struct Tolerances {
+    /// Radii that differ by more are never those of one arc (11.5.5.1).
+    coarse: f64,
+    /// Radii that differ by no more always are.
+    fine: f64,
+    /// A chord that is longer than the diameter by no more than twice this is a diameter (11.4.24).
+    chord: f64,
+}
+
+impl Tolerances {
+    /// Of two radii, how much of one they may differ by.
+    const RELATIVE: f64 = 0.001;
+
+    fn of(units: LengthUnit) -> Self {
+        match units {
+            LengthUnit::Inch => Self { coarse: 0.05, fine: 0.0005, chord: 0.0001 },
+            LengthUnit::Millimetre => Self { coarse: 0.5, fine: 0.005, chord: 0.001 },
+        }
+    }
+
+    /// Whether the distances of both ends from the centre are radii of one arc: an error is "more than coarse, or more than fine and than a
+    /// thousandth of the radius"; the radius is that of the start.
+    fn agree(&self, start: f64, end: f64) -> bool {
+        let difference = (start - end).abs();
+        difference <= self.coarse
+            && (difference <= self.fine || difference <= Self::RELATIVE * start)
+    }
+}
+
+impl Modal {
+    /// An arc and nothing else, in one pass: the short way of [`Modal::execute`].
+    #[inline(never)]
+    pub(super) fn arc_block<K: Sink>(
+        &mut self,
+        words: &Words,
+        sink: &mut K,
+    ) -> Result<Flow, Refusal> {
+        let motion = match words.g.first() {
+            Some(20) if words.g_count == 1 => Motion::ArcClockwise,
+            Some(_) if words.g_count == 1 => Motion::ArcCounterclockwise,
+            Some(_) | None => self.motion,
+        };
+        let feed = if words.present & F != 0 { words.get(b'F') } else { None };
+        let rate_before = self.in_force.now().feed_rate;
+        let rate = feed.map_or(Ok(rate_before), checked_feed)?;
+        if rate <= 0.0 {
+            return refuse(FaultKind::ZeroFeed, "an arc without a feed rate");
+        }
+        let before = (self.motion, self.position, rate_before);
+        self.move_by(words);
+        let effect = match self.arc(words, motion, &before.1) {
+            Ok(effect) => effect,
+            Err(refusal) => {
+                self.position = before.1;
+                return Err(refusal);
+            }
+        };
+        if feed.is_some() {
+            self.in_force.set_feed_rate(rate);
+        }
+        self.motion = motion;
+        self.only_effect(words.line, before, &effect, sink)
+    }
+
+    /// The arc from a point to where the point is now, as the words say.
+    #[inline]
+    pub(super) fn arc(
+        &self,
+        words: &Words,
+        motion: Motion,
+        start: &Coordinates,
+    ) -> Result<Effect, Refusal> {
+        let plane = self.arc_plane(start)?;
+        let counterclockwise = motion == Motion::ArcCounterclockwise;
+        let tolerances = Tolerances::of(self.in_force.now().units);
+        let centre = if words.present & R != 0 {
+            radius_centre(words, &plane, counterclockwise, &tolerances)?
+        } else {
+            self.offset_centre(words, &plane, &tolerances)?
+        };
+        let turns = words.get(b'P').map_or(Ok(1), |p| integer_in(p, 1, i32::MAX, "P of an arc"))?;
+        Ok(Effect::ArcFeed {
+            end: self.position.position(),
+            first_centre: centre.first,
+            second_centre: centre.second,
+            turns: if counterclockwise { turns } else { turns.wrapping_neg() },
+        })
+    }
+
+    /// The plane of the arc; UV, WU and VW do not support arcs (11.5.18).
+    #[inline]
+    fn arc_plane(&self, start: &Coordinates) -> Result<ArcPlane, Refusal> {
+        let ([x, y, z, ..], [end_x, end_y, end_z, ..]) = (&start.0, &self.position.0);
+        let at = |first: &f64, second: &f64| InPlane { first: *first, second: *second };
+        Ok(match self.in_force.now().plane {
+            Plane::Xy => ArcPlane {
+                offsets: [b'I', b'J'],
+                offset_words: I | J,
+                axis_words: X | Y,
+                start: at(x, y),
+                end: at(end_x, end_y),
+            },
+            Plane::Zx => ArcPlane {
+                offsets: [b'K', b'I'],
+                offset_words: K | I,
+                axis_words: Z | X,
+                start: at(z, x),
+                end: at(end_z, end_x),
+            },
+            Plane::Yz => ArcPlane {
+                offsets: [b'J', b'K'],
+                offset_words: J | K,
+                axis_words: Y | Z,
+                start: at(y, z),
+                end: at(end_y, end_z),
+            },
+            Plane::Uv | Plane::Wu | Plane::Vw => {
+                return refuse(FaultKind::ModalConflict, "an arc outside of XY, ZX and YZ");
+            }
+        })
+    }
+
+    /// Centre format (11.5.5.1). I is a radius in diameter mode too (2.6.6.2).
+    #[inline]
+    fn offset_centre(
+        &self,
+        words: &Words,
+        plane: &ArcPlane,
+        tolerances: &Tolerances,
+    ) -> Result<InPlane, Refusal> {
+        let given = words.present & (I | J | K);
+        if given & !plane.offset_words != 0 {
+            return refuse(FaultKind::UnusedWord, "an offset along the normal of the plane");
+        }
+        if given == 0 {
+            return refuse(FaultKind::MissingWord, "an arc without offsets and without R");
+        }
+        let [first, second] = plane.offsets.map(|letter| words.get(letter).unwrap_or(0.0));
+        let centre = match self.in_force.now().arc_distance {
+            Distance::Absolute if given != plane.offset_words => {
+                return refuse(FaultKind::MissingWord, "G90.1 needs both offsets");
+            }
+            Distance::Absolute => InPlane { first, second },
+            Distance::Incremental => {
+                InPlane { first: plane.start.first + first, second: plane.start.second + second }
+            }
+        };
+        let radius = plane.start.minus(centre).length();
+        if !tolerances.agree(radius, plane.end.minus(centre).length()) {
+            return refuse(FaultKind::BadArc, "the radius to the end of the arc is another one");
+        }
+        if radius <= SAME_POINT {
+            return refuse(FaultKind::BadArc, "an arc without a radius");
+        }
+        Ok(centre)
+    }
+}
+
+/// Radius format (11.5.5.3): of the two centres the one that makes the arc less than half a circle, with a negative R more.
+fn radius_centre(
+    words: &Words,
+    plane: &ArcPlane,
+    counterclockwise: bool,
+    tolerances: &Tolerances,
+) -> Result<InPlane, Refusal> {
+    if words.present & (I | J | K) != 0 {
+        return refuse(FaultKind::UnusedWord, "offsets of an arc with R");
+    }
+    if words.present & plane.axis_words == 0 && !words.is_polar() {
+        return refuse(FaultKind::MissingWord, "R without an axis word of the plane");
+    }
+    let signed = words.get(b'R').unwrap_or(0.0);
+    let radius = signed.abs();
+    let chord = plane.end.minus(plane.start);
+    let length = chord.length();
+    if length <= SAME_POINT {
+        return refuse(FaultKind::BadArc, "an arc with R that ends where it begins");
+    }
+    let half = length / 2.0;
+    // Not a number is no radius either.
+    if !(half <= radius + tolerances.chord && radius > 0.0) {
+        return refuse(FaultKind::BadArc, "R is too small to reach the end");
+    }
+    let height = math::sqrt(((radius - half) * (radius + half)).max(0.0));
+    // The centre of a counterclockwise arc below half a circle is on the left of the chord.
+    let left = counterclockwise == (signed > 0.0);
+    let along = if left { height / length } else { -height / length };
+    Ok(InPlane {
+        first: plane.start.first + chord.first / 2.0 - chord.second * along,
+        second: plane.start.second + chord.second / 2.0 + chord.first * along,
+    })
+}

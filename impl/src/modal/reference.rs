@@ -1,0 +1,39 @@
+//! Predefined positions: G28, G28.1, G30, G30.1 (11.5.20, 11.5.21).
+
+use crate::canon::Sink;
+use crate::parameters::Numbered;
+
+use super::Modal;
+use super::check::Block;
+use super::offsets::{self, G28_POSITION, G30_POSITION};
+use super::refusal::Refusal;
+
+impl Modal {
+    /// G28 and G30 move, G28.1 and G30.1 store. The positions are those of the machine, in its unit.
+    pub(super) fn predefined_position<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        code: u16,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        self.refuse_under_compensation("a predefined position")?;
+        let first = if matches!(code, 280 | 281) { G28_POSITION } else { G30_POSITION };
+        if matches!(code, 281 | 301) {
+            let machine = self.in_force.now().machine_of(self.position);
+            // All nine (11.4.3.1), though 11.5.20 stops at 5166.
+            offsets::set_row(numbered, first, machine.converted(self.active_to_stored()));
+            return Ok(());
+        }
+        let mut letters = block.words.axes();
+        if letters == 0 {
+            letters = self.axes;
+        } else {
+            let intermediate = self.target(block)?;
+            self.traverse_to(block.words.line, intermediate, sink)?;
+        }
+        let stored = offsets::row(numbered, first).converted(self.stored_to_active());
+        let end = self.with_machine(self.position, letters, stored);
+        self.traverse_to(block.words.line, end, sink)
+    }
+}

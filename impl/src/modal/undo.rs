@@ -1,0 +1,72 @@
+//! A refused block changes nothing: what it had changed until it was refused is taken back.
+//!
+//! What the sink was told and did stays told and done; a caller that records looks at whole blocks.
+
+use gaugeblock_trace::{ControllerMode, Motion, Tool};
+
+use crate::parameters::Numbered;
+
+use super::Modal;
+use super::coordinates::Coordinates;
+
+/// The state before a block, as far as it is small. Settings, tools, saved states and parameters are noted when they change.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Before {
+    motion: Motion,
+    position: Coordinates,
+    compensation_radius: f64,
+    surface_speed: bool,
+    feed_spindle: u32,
+    tool: i32,
+    prepared: Option<i32>,
+    controller_mode: ControllerMode,
+}
+
+impl Modal {
+    /// Begins a block that can be taken back.
+    pub(super) fn before_block(&mut self, numbered: &mut Numbered) -> Before {
+        numbered.begin_notes();
+        self.in_force.begin_notes();
+        self.changed_tools.clear();
+        self.saved.begin_notes();
+        Before {
+            motion: self.motion,
+            position: self.position,
+            compensation_radius: self.compensation_radius,
+            surface_speed: self.surface_speed,
+            feed_spindle: self.feed_spindle,
+            tool: self.tool,
+            prepared: self.prepared,
+            controller_mode: self.controller_mode,
+        }
+    }
+
+    /// Changes a tool of the table, which a refusal takes back.
+    pub(super) fn change_tool_entry(&mut self, place: usize, change: impl FnOnce(&mut Tool)) {
+        if let Some(tool) = self.tools.get_mut(place) {
+            self.changed_tools.push((place, tool.clone()));
+            change(tool);
+        }
+    }
+
+    /// Takes back what the block did to the state.
+    #[cold]
+    pub(super) fn take_back(&mut self, before: &Before, numbered: &mut Numbered) {
+        numbered.take_back();
+        self.saved.take_back();
+        while let Some((place, before)) = self.changed_tools.pop() {
+            if let Some(tool) = self.tools.get_mut(place) {
+                *tool = before;
+            }
+        }
+        self.in_force.take_back();
+        self.motion = before.motion;
+        self.position = before.position;
+        self.compensation_radius = before.compensation_radius;
+        self.surface_speed = before.surface_speed;
+        self.feed_spindle = before.feed_spindle;
+        self.tool = before.tool;
+        self.prepared = before.prepared;
+        self.controller_mode = before.controller_mode;
+    }
+}
