@@ -8,10 +8,11 @@ use crate::words::Words;
 
 use super::Modal;
 use super::codes::{
-    COOLANT, FREE, G_GROUPS, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES, SINGLE_OVERRIDES,
-    TOOL_LENGTH, g_code, m_code,
+    COOLANT, FREE, G_GROUPS, GCode, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES,
+    SINGLE_OVERRIDES, TOOL_LENGTH, g_code, m_code,
 };
 use super::letters::{AXES, F, H, S, T, first_letter};
+use super::named::code_of;
 use super::refusal::{Refusal, refuse};
 
 /// Most M words of a block (11.4.9).
@@ -43,6 +44,15 @@ struct Taken {
     axis_codes: u8,
 }
 
+impl Taken {
+    fn add(&mut self, code: &GCode) {
+        self.uses |= code.uses;
+        self.needs |= code.needs;
+        self.needs_axes |= code.needs_axes;
+        self.dollar |= code.dollar;
+    }
+}
+
 impl<'a> Block<'a> {
     /// The code of a group, in tenths.
     pub(crate) fn g(&self, group: GGroup) -> Option<u16> {
@@ -72,6 +82,7 @@ impl Modal {
         };
         let mut taken = Taken::default();
         take_g_codes(&mut block, &mut taken)?;
+        self.take_motion_in_force(&block, &mut taken);
         self.take_m_codes(&mut block, &mut taken)?;
         if let Some(tenths) = taken.later {
             return Err(Refusal::Unsupported(format!("G{}", code_text(tenths))));
@@ -82,6 +93,17 @@ impl Modal {
         check_words(words, &taken)?;
         self.check_axes(&mut block, &taken)?;
         Ok(block)
+    }
+
+    /// The words of the motion mode that a block without a motion code repeats (11.4.11).
+    fn take_motion_in_force(&self, block: &Block<'_>, taken: &mut Taken) {
+        if block.g(MOTION).is_none()
+            && taken.axis_codes == 0
+            && block.words.has_axes()
+            && let Some(code) = self.motion_code().and_then(g_code)
+        {
+            taken.add(&code);
+        }
     }
 
     fn take_m_codes(&self, block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal> {
@@ -150,14 +172,14 @@ impl Modal {
             (0, _) => {
                 block.motion = explicit.or(self.motion_code());
                 block.axes_move = true;
-                if !matches!(block.motion, Some(0 | 10)) {
+                if matches!(block.motion, None | Some(800 | 53)) {
                     return refuse(
                         FaultKind::AxisWords,
                         "axis words without a code that uses them",
                     );
                 }
             }
-            (1, None | Some(800)) => block.motion = explicit,
+            (1, None | Some(800 | 53)) => block.motion = explicit,
             _ => return refuse(FaultKind::AxisWords, "axis words that two codes use"),
         }
         Ok(())
@@ -188,13 +210,9 @@ impl Modal {
         Ok(())
     }
 
-    /// The motion mode as a code in tenths, of those that a later block repeats.
+    /// The motion mode as a code in tenths, where a later block repeats it.
     pub(super) fn motion_code(&self) -> Option<u16> {
-        if self.motion == Motion::Traverse {
-            Some(0)
-        } else {
-            (self.motion == Motion::Feed).then_some(10)
-        }
+        Some(code_of(self.motion)).filter(|code| *code != 800)
     }
 }
 
@@ -213,10 +231,7 @@ fn take_g_codes(block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal>
                 );
             }
         }
-        taken.uses |= code.uses;
-        taken.needs |= code.needs;
-        taken.needs_axes |= code.needs_axes;
-        taken.dollar |= code.dollar;
+        taken.add(&code);
         if code.later {
             taken.later = Some(*tenths);
         }

@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Compensation, Distance, Effect, FaultKind, Lathe, Motion};
 
 use crate::canon::Sink;
+use crate::parameters::Numbered;
 use crate::words::Words;
 
 use super::Modal;
@@ -32,9 +33,16 @@ impl Modal {
     pub(super) fn motion<K: Sink>(
         &mut self,
         block: &Block<'_>,
+        numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<(), Refusal> {
         let Some(code) = block.motion else { return Ok(()) };
+        if self.motion == Motion::Nurbs {
+            self.check_open_curve(code)?;
+        }
+        if !matches!(code, 0 | 10 | 800) {
+            return self.other_motion(block, code, numbered, sink);
+        }
         self.motion = match code {
             0 => Motion::Traverse,
             10 => Motion::Feed,
@@ -76,7 +84,8 @@ impl Modal {
         }
     }
 
-    fn check_feed_move(&self) -> Result<(), Refusal> {
+    /// What every feed move needs.
+    pub(super) fn check_feed_move(&self) -> Result<(), Refusal> {
         if self.in_force.now().feed_rate <= 0.0 {
             return refuse(FaultKind::ZeroFeed, "a feed move without a feed rate");
         }
@@ -86,7 +95,8 @@ impl Modal {
         Ok(())
     }
 
-    fn check_compensated_move(&self, machine_coordinates: bool) -> Result<(), Refusal> {
+    /// What every move needs under cutter compensation.
+    pub(super) fn check_compensated_move(&self, machine_coordinates: bool) -> Result<(), Refusal> {
         if self.in_force.now().compensation == Compensation::Off {
             return Ok(());
         }
