@@ -29,7 +29,8 @@ pub trait Sink {
 pub enum Reply {
     /// It is done or queued.
     Done,
-    /// Where the probe changed, in program coordinates and the active length unit; `None` where it did not.
+    /// Where the probe changed, in program coordinates and the active length unit; `None` where it did not. A probe that is not answered has
+    /// not changed. That it was in the target state before is a [`Reply::Failed`] of [`FaultKind::Probe`].
     Contact(Option<Position>),
     /// What M66 read: a level of 0 or 1, a voltage, or -1 after a time-out.
     Input(f64),

@@ -9,6 +9,7 @@ use gaugeblock_trace::{End, Machine, Options, Program, Rs274State, Settings, Too
 
 use crate::canon::Sink;
 use crate::control::{Calculator, Cursor, Logs, Parameters, Reader, Scopes};
+use crate::done::Executed;
 use crate::error::Error;
 use crate::limits::Limits;
 use crate::modal::Modal;
@@ -85,6 +86,8 @@ pub struct Interpreter {
     pub(crate) packed: usize,
     /// Open log files.
     pub(crate) logs: Logs,
+    /// The block of words that is not finished: where it stands, its line, and what kind it is.
+    pub(crate) unfinished: Option<(Cursor, u32, Executed)>,
     /// How the run ended.
     ended: Option<Result<End, Error>>,
 }
@@ -154,6 +157,7 @@ impl Interpreter {
             defined_lines: BTreeMap::new(),
             packed: 0,
             logs: Logs::default(),
+            unfinished: None,
             ended: None,
         })
     }
@@ -169,7 +173,7 @@ impl Interpreter {
         self.parameters.drives = !preview;
     }
 
-    /// Reads and executes one block. An endless loop is a step that comes back `More`, for ever; a caller can stop it.
+    /// Reads and executes one block, or a part of one: a canned cycle that is long takes more steps than one. An endless loop is a step that comes back `More`, for ever; a caller can stop it.
     ///
     /// # Errors
     /// A refused block, a bound of [`Limits`], or a source that cannot be read. After an error the state is that after the
@@ -240,6 +244,7 @@ impl Interpreter {
         self.parameters.value_returned = false;
         self.logs = Logs::default();
         self.modal.begin();
+        self.unfinished = None;
         self.ended = None;
     }
 

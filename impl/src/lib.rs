@@ -24,14 +24,15 @@
 //! What cannot be packed is kept as a block that is refused when it is executed, because
 //! the documents refuse blocks and not programs.
 //!
-//! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes, straight moves and arcs; codes
-//! of a later round end a run as [`gaugeblock_trace::End::Unsupported`]. [`Planner::new`] answers [`Error::NotYet`].
+//! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes, straight moves, arcs, canned
+//! cycles, probes, splines and threads; codes of a later round end a run as [`gaugeblock_trace::End::Unsupported`], and what the documents leave
+//! undefined as [`gaugeblock_trace::End::Unspecified`]. [`Planner::new`] answers [`Error::NotYet`].
 //!
 //! **Invariants.**
 //! * It is written from the documents, without reading the reference model, and shares only the vocabulary with it.
 //! * It has no `std`: there is no clock, no file, no environment and no thread to reach for.
 //! * It never panics, on any program; the lints below refuse what could.
-//! * A step of the interpreter is one block at most, and skips or packs no more than the text once; a cycle of the planner is bounded. A caller
+//! * A step of the interpreter is one block at most, of a long canned cycle only a part, and skips or packs no more than the text once; a cycle of the planner is bounded. A caller
 //!   can always stop.
 //! * In steady state a block allocates nothing, unless it shows a message. Memory is bounded by [`Limits`], whatever the length of the program.
 //! * Where a program is cut into pieces by its source changes nothing.

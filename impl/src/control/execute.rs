@@ -21,6 +21,9 @@ impl Interpreter {
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
+        if let Some(place) = self.unfinished.take() {
+            return self.go_on(place, source, sink);
+        }
         loop {
             let at = self.cursor;
             if at.segment == STREAM && !self.held {
@@ -93,10 +96,28 @@ impl Interpreter {
         let progress = match flow {
             Flow::More => Progress::More,
             Flow::Stopped => Progress::Stopped,
+            Flow::Within { stopped } => {
+                self.unfinished = Some((at, line, executed));
+                return Ok(if stopped { Progress::Stopped } else { Progress::More });
+            }
             Flow::Ended => return self.program_end(at, line, source, sink),
         };
         self.done(at, line, executed, sink);
         Ok(progress)
+    }
+
+    /// Goes on within a block that is not finished.
+    #[inline(never)]
+    fn go_on<S: Source, K: Sink>(
+        &mut self,
+        (at, line, executed): (Cursor, u32, Executed),
+        source: &mut S,
+        sink: &mut K,
+    ) -> Result<Progress, Error> {
+        match self.modal.go_on(&mut self.parameters.numbered, sink) {
+            Ok(flow) => self.after_words((at, line), executed, flow, source, sink),
+            Err(refusal) => self.refuse(at, line, refusal),
+        }
     }
 
     /// Evaluates such a block and hands its words to the modes; `None` where they are M98 or M99.
@@ -146,7 +167,11 @@ impl Interpreter {
             return Ok(None);
         }
         let flow = self.modal.execute(&self.words, &mut self.parameters.numbered, sink)?;
-        Ok(Some(if stopped && flow == Flow::More { Flow::Stopped } else { flow }))
+        Ok(Some(match flow {
+            Flow::More if stopped => Flow::Stopped,
+            Flow::Within { .. } if stopped => Flow::Within { stopped },
+            Flow::More | Flow::Stopped | Flow::Within { .. } | Flow::Ended => flow,
+        }))
     }
 
     /// M2 or M30: the end, unless the file must have a second percent line.

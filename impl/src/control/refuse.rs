@@ -37,6 +37,9 @@ impl Interpreter {
             Refusal::Unsupported(what) => {
                 Ok(Progress::Ended(End::Unsupported { block: self.place(at.segment, line), what }))
             }
+            Refusal::Unspecified(why) => {
+                Ok(Progress::Ended(End::Unspecified { block: self.place(at.segment, line), why }))
+            }
         }
     }
 

@@ -9,10 +9,11 @@ use crate::words::Words;
 
 use super::Modal;
 use super::codes::{
-    COOLANT, FREE, G_GROUPS, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES, SINGLE_OVERRIDES,
-    STOP_RANK, TOOL_LENGTH, g_code, m_code, set_data,
+    COOLANT, FREE, G_GROUPS, GCode, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES,
+    SINGLE_OVERRIDES, STOP_RANK, TOOL_LENGTH, g_code, m_code, set_data,
 };
 use super::letters::{AXES, F, H, S, T, X, Y, first_letter};
+use super::named::code_of;
 use super::refusal::{Refusal, refuse};
 
 /// Most M words of a block (11.4.9).
@@ -44,6 +45,15 @@ struct Taken {
     axis_codes: u8,
 }
 
+impl Taken {
+    fn add(&mut self, code: &GCode) {
+        self.uses |= code.uses;
+        self.needs |= code.needs;
+        self.needs_axes |= code.needs_axes;
+        self.dollar |= code.dollar;
+    }
+}
+
 impl<'a> Block<'a> {
     /// The code of a group, in tenths.
     pub(crate) fn g(&self, group: GGroup) -> Option<u16> {
@@ -73,6 +83,7 @@ impl Modal {
         };
         let mut taken = Taken::default();
         take_g_codes(&mut block, &mut taken)?;
+        self.take_motion_in_force(&block, &mut taken);
         self.take_m_codes(&mut block, &mut taken)?;
         if let Some(tenths) = taken.later {
             return Err(Refusal::Unsupported(format!("G{}", code_text(tenths))));
@@ -85,6 +96,17 @@ impl Modal {
         check_polar(&block, &taken)?;
         self.check_axes(&mut block, &taken, implied)?;
         Ok(block)
+    }
+
+    /// The words of the motion mode that a block without a motion code repeats (11.4.11).
+    fn take_motion_in_force(&self, block: &Block<'_>, taken: &mut Taken) {
+        if block.g(MOTION).is_none()
+            && taken.axis_codes == 0
+            && block.words.has_axes()
+            && let Some(code) = self.motion_code().and_then(g_code)
+        {
+            taken.add(&code);
+        }
     }
 
     fn take_m_codes(&self, block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal> {
@@ -165,14 +187,14 @@ impl Modal {
             (0, _) => {
                 block.motion = explicit.or(implied);
                 block.axes_move = true;
-                if !matches!(block.motion, Some(0 | 10 | 20 | 30)) {
+                if matches!(block.motion, None | Some(800 | 53)) {
                     return refuse(
                         FaultKind::AxisWords,
                         "axis words without a code that uses them",
                     );
                 }
             }
-            (1, None | Some(800)) => block.motion = explicit,
+            (1, None | Some(800 | 53)) => block.motion = explicit,
             _ => return refuse(FaultKind::AxisWords, "axis words that two codes use"),
         }
         Ok(())
@@ -203,18 +225,12 @@ impl Modal {
         Ok(())
     }
 
-    /// The motion mode as a code in tenths, of those that a later block repeats.
+    /// The motion mode as a code in tenths, where a later block repeats it.
     pub(super) fn motion_code(&self) -> Option<u16> {
         if self.motion == Motion::None && planted(Fault::AfterCancel) {
             return Some(0);
         }
-        let codes = [
-            (Motion::Traverse, 0),
-            (Motion::Feed, 10),
-            (Motion::ArcClockwise, 20),
-            (Motion::ArcCounterclockwise, 30),
-        ];
-        codes.iter().find(|(motion, _)| *motion == self.motion).map(|(_, code)| *code)
+        Some(code_of(self.motion)).filter(|code| *code != 800)
     }
 
     /// The move that is made again because there are axis words and no code that uses them (11.4.11).
@@ -241,10 +257,7 @@ fn take_g_codes(block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal>
                 );
             }
         }
-        taken.uses |= code.uses;
-        taken.needs |= code.needs;
-        taken.needs_axes |= code.needs_axes;
-        taken.dollar |= code.dollar;
+        taken.add(&code);
         if code.later {
             taken.later = Some(*tenths);
         }

@@ -3,7 +3,7 @@
 use crate::math;
 
 use super::arcs::ARC_WORDS;
-use super::letters::{AXES, D, E, H, I, J, L, P, Q, R, S};
+use super::letters::{AXES, D, E, H, I, J, K, L, P, Q, R, S};
 
 /// A modal group of G codes: its number in table 11.7 of the 2.9 manual.
 pub(crate) type GGroup = u8;
@@ -67,6 +67,16 @@ impl GCode {
         Self { uses: u32::MAX, dollar: true, later: true, ..Self::plain(group) }
     }
 
+    /// Accepted, and then undefined: no word of its block is wrong.
+    const fn undefined(group: GGroup) -> Self {
+        Self { uses: u32::MAX, dollar: true, ..Self::plain(group) }
+    }
+
+    /// A canned cycle: axis words, R and L (11.5.43.1, 11.5.43.3).
+    const fn cycle() -> Self {
+        Self::plain(MOTION).needing_axes().using(R | L)
+    }
+
     /// Whether the code uses axis words of its own.
     pub(crate) const fn uses_axes(&self) -> bool {
         self.uses & AXES != 0
@@ -85,12 +95,23 @@ pub(crate) const fn g_code(tenths: u16) -> Option<GCode> {
         281 | 301 | 530 | 921 | 922 | 923 => GCode::plain(NON_MODAL),
         700 | 710 | 711 | 712 | 720 | 721 | 722 => GCode::later(NON_MODAL),
         0 | 10 => GCode::plain(MOTION).using(AXES),
-        800 => GCode::plain(MOTION),
+        800 | 53 => GCode::plain(MOTION),
         20 | 30 => GCode::plain(MOTION).using(AXES | ARC_WORDS),
-        50 | 51 | 52 | 53 | 330 | 331 | 382..=385 => GCode::later(MOTION),
-        730 | 740 | 760 | 810 | 820 | 830 | 840 | 850 | 860 | 870 | 880 | 890 => {
-            GCode::later(MOTION)
+        50 => GCode::plain(MOTION).needing_axes().needing(P | Q).using(I | J),
+        51 => GCode::plain(MOTION).needing_axes().using(I | J),
+        52 => GCode::plain(MOTION).using(AXES | P | L),
+        330 => GCode::plain(MOTION).needing_axes().needing(K).with_spindle(),
+        331 => GCode::plain(MOTION).needing_axes().needing(K).using(I).with_spindle(),
+        382..=385 => GCode::plain(MOTION).needing_axes(),
+        760 => {
+            let required = GCode::plain(MOTION).needing_axes().needing(P | I | J | K);
+            required.using(R | Q | H | E | L).with_spindle()
         }
+        810 | 850 => GCode::cycle(),
+        730 | 830 => GCode::cycle().using(Q),
+        820 | 890 => GCode::cycle().using(P),
+        740 | 840 | 860 => GCode::cycle().using(P).with_spindle(),
+        870 | 880 => GCode::undefined(MOTION),
         170 | 171 | 180 | 181 | 190 | 191 => GCode::plain(PLANE),
         900 | 910 => GCode::plain(DISTANCE),
         901 | 911 => GCode::plain(ARC_DISTANCE),

@@ -49,6 +49,14 @@ impl Coordinates {
         self.0.get(axis.place()).copied().unwrap_or(0.0)
     }
 
+    /// With another coordinate of one axis.
+    pub(crate) fn with_axis(mut self, axis: Axis, coordinate: f64) -> Self {
+        if let Some(place) = self.0.get_mut(axis.place()) {
+            *place = coordinate;
+        }
+        self
+    }
+
     /// The sum.
     pub(crate) fn plus(self, other: Self) -> Self {
         self.with(other, |mine, theirs| mine + theirs)

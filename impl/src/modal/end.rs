@@ -80,12 +80,14 @@ impl Modal {
     pub(crate) fn begin(&mut self) {
         self.saved.clear();
         self.stop_asked = false;
+        self.abandon();
         self.controller_mode = ControllerMode::Auto;
     }
 
     /// An operator's abort: nothing is restored (11.6.22), no call is open any more.
     pub(crate) fn abort<K: Sink>(&mut self, _numbered: &mut Numbered, sink: &mut K, line: u32) {
         self.saved.clear();
+        self.abandon();
         if !self.choices.abort_leaves_running {
             self.stop_running(self.all_spindles());
         }

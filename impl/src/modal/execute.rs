@@ -91,6 +91,7 @@ impl Modal {
             && now.lathe == Lathe::Radius
             && now.feed_mode != FeedMode::InverseTime
             && !self.surface_speed
+            && self.motion != Motion::Nurbs
     }
 
     #[inline]
@@ -182,18 +183,8 @@ impl Modal {
             }
         }
         self.g_phases(block, numbered, sink)?;
-        let mut ended = false;
-        for (rank, code) in block.m() {
-            if rank >= STOP_RANK {
-                ended = self.stop(code, words.line, numbered, sink)?;
-            }
-        }
-        self.in_force.tell(words.line, sink);
-        Ok(match (ended, self.stop_asked) {
-            (true, _) => Flow::Ended,
-            (false, true) => Flow::Stopped,
-            (false, false) => Flow::More,
-        })
+        let stop = block.m().find(|(rank, _)| *rank >= STOP_RANK).map(|(_, code)| code);
+        self.after_motion(words.line, stop, numbered, sink)
     }
 
     /// An M code that comes before the G codes.
@@ -273,7 +264,7 @@ impl Modal {
                 _ => self.local_offset(block.words, code, numbered),
             }
         }
-        self.motion(block, sink)?;
+        self.motion(block, numbered, sink)?;
         if block.g(NON_MODAL) == Some(40) && late {
             self.dwell(block.words, sink)?;
         }
@@ -294,7 +285,7 @@ impl Modal {
             return feed.map_or(Ok(()), |feed| self.set_feed(feed));
         }
         // Under inverse time F belongs to one move; on any other line it is ignored (11.5.59).
-        if !matches!(block.motion, Some(10 | 20 | 30)) {
+        if !block.motion.is_some_and(takes_inverse_time) {
             return Ok(());
         }
         match feed {
@@ -336,4 +327,10 @@ impl Modal {
         }
         Ok(reply)
     }
+}
+
+/// The motion codes that take F under inverse time. 11.5.59 names G1 to G3; 11.5.24 says that a straight probe takes the specified time, and a
+/// spline is a feed move too.
+const fn takes_inverse_time(code: u16) -> bool {
+    matches!(code, 10 | 20 | 30 | 50 | 51 | 53 | 382..=385)
 }

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! Words ─► check (groups, missing and unused words) ─► execute (11.4.23, phase by phase) ─► Sink
+//!                                                         └─► motions ─► cycles/, a bounded number of strokes at a time
 //! ```
 //!
 //! **Invariants.**
@@ -16,20 +17,25 @@ mod choices;
 mod codes;
 mod compensation;
 mod coordinates;
+mod cycles;
 mod end;
 mod execute;
 mod io;
 mod letters;
 mod modes;
 mod motion;
+mod motions;
 mod named;
 mod offsets;
+mod probe;
 mod reference;
 mod refusal;
 mod saved;
 mod spindle;
+mod splines;
 mod switches;
 mod target;
+mod threads;
 mod tool;
 mod tool_table;
 mod undo;
@@ -52,6 +58,7 @@ use crate::parameters::Numbered;
 
 use choices::{Choices, InitialMotion};
 use coordinates::{Conversion, Coordinates};
+use cycles::{Series, Unfinished};
 use modes::{InForce, Modes, SPINDLES};
 use saved::SavedStates;
 use tool::NO_TOOL;
@@ -68,6 +75,10 @@ pub(crate) struct Modal {
     motion: Motion,
     /// The controlled point: program coordinates, active length unit and degrees.
     position: Coordinates,
+    /// What a series of cycles or splines keeps from block to block.
+    series: Series,
+    /// The rest of a block that is more than a step does.
+    unfinished: Option<Unfinished>,
     /// Radius under cutter compensation, active length unit.
     compensation_radius: f64,
     /// Whether any spindle is under constant surface speed.
@@ -135,6 +146,8 @@ impl Modal {
                 InitialMotion::Traverse => Motion::Traverse,
             },
             position: Coordinates::default(),
+            series: Series::default(),
+            unfinished: None,
             compensation_radius: 0.0,
             surface_speed: false,
             feed_spindle: 0,

@@ -4,6 +4,7 @@ use gaugeblock_trace::{Compensation, Effect, FaultKind, Motion};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
+use crate::parameters::Numbered;
 use crate::words::Words;
 
 use super::Modal;
@@ -28,9 +29,16 @@ impl Modal {
     pub(super) fn motion<K: Sink>(
         &mut self,
         block: &Block<'_>,
+        numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<(), Refusal> {
         let Some(code) = block.motion else { return Ok(()) };
+        if self.motion == Motion::Nurbs {
+            self.check_open_curve(code)?;
+        }
+        if !matches!(code, 0 | 10 | 20 | 30 | 800) {
+            return self.other_motion(block, code, numbered, sink);
+        }
         self.motion = mode_of(code);
         let moves = block.axes_move
             || self.choices.move_in_place && block.g(MOTION).is_some() && !block.words.has_axes();
@@ -54,7 +62,8 @@ impl Modal {
         self.perform(block.words.line, &effect, sink)
     }
 
-    fn check_feed_move(&self) -> Result<(), Refusal> {
+    /// What every feed move needs.
+    pub(super) fn check_feed_move(&self) -> Result<(), Refusal> {
         if self.in_force.now().feed_rate <= 0.0 {
             return refuse(FaultKind::ZeroFeed, "a feed move without a feed rate");
         }
@@ -64,7 +73,8 @@ impl Modal {
         Ok(())
     }
 
-    fn check_compensated_move(&self, machine_coordinates: bool) -> Result<(), Refusal> {
+    /// What every move needs under cutter compensation.
+    pub(super) fn check_compensated_move(&self, machine_coordinates: bool) -> Result<(), Refusal> {
         if self.in_force.now().compensation == Compensation::Off {
             return Ok(());
         }

@@ -103,7 +103,7 @@ impl Modal {
         let now = self.in_force.now();
         let [spindle, ..] = &now.spindles;
         match name {
-            Predefined::MotionMode => motion_value(self.motion),
+            Predefined::MotionMode => f64::from(code_of(self.motion)),
             Predefined::Plane => plane_value(now.plane),
             Predefined::Compensation => compensation_value(now.compensation),
             Predefined::Metric if planted(Fault::MetricInverted) => {
@@ -173,10 +173,10 @@ impl Modal {
     }
 }
 
-/// Ten times the G number.
-fn motion_value(motion: Motion) -> f64 {
-    f64::from(match motion {
-        Motion::Traverse => 0_u16,
+/// The code of a motion mode in tenths.
+pub(super) fn code_of(motion: Motion) -> u16 {
+    match motion {
+        Motion::Traverse => 0,
         Motion::Feed => 10,
         Motion::ArcClockwise => 20,
         Motion::ArcCounterclockwise => 30,
@@ -202,7 +202,7 @@ fn motion_value(motion: Motion) -> f64 {
         Motion::Cycle87 => 870,
         Motion::Cycle88 => 880,
         Motion::Cycle89 => 890,
-    })
+    }
 }
 
 fn plane_value(plane: Plane) -> f64 {

@@ -22,6 +22,10 @@ pub(crate) const WORK_OFFSET: u32 = 5220;
 pub(crate) const G28_POSITION: u32 = 5161;
 /// 5181 to 5189: the position of G30.
 pub(crate) const G30_POSITION: u32 = 5181;
+/// 5061 to 5069: where the last probe changed.
+const PROBE_RESULT: u32 = 5061;
+/// 5070: whether it did.
+const PROBE_SUCCESS: u32 = 5070;
 /// 5420 to 5428: the controlled point.
 const POSITION: u32 = 5420;
 
@@ -108,6 +112,12 @@ pub(crate) fn g92_offset(numbered: &Numbered) -> Coordinates {
 /// Stores the offset of G52 and G92, machine unit.
 pub(crate) fn store_g92(numbered: &mut Numbered, offset: Coordinates) {
     set_row(numbered, G92_OFFSET, offset);
+}
+
+/// Stores what a straight probe found (11.5.24): where the probe changed, or else the programmed point, and which of both it is.
+pub(crate) fn store_probe(numbered: &mut Numbered, position: Coordinates, changed: bool) {
+    set_row(numbered, PROBE_RESULT, position);
+    numbered.set(PROBE_SUCCESS, f64::from(u8::from(changed)));
 }
 
 /// Writes the controlled point into its parameters, program units.

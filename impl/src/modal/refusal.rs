@@ -11,6 +11,11 @@ pub(crate) enum Flow {
     More,
     /// With the next block, but the sink asked to stop first; the block has been finished.
     Stopped,
+    /// With the rest of this block, of which there is more than a step does; the sink may have asked to stop first.
+    Within {
+        /// Whether it did.
+        stopped: bool,
+    },
     /// Not at all: M2, M30.
     Ended,
 }
@@ -22,6 +27,8 @@ pub(crate) enum Refusal {
     Fault(FaultKind, String),
     /// A code of a later round.
     Unsupported(String),
+    /// The documents leave open what it does; the message is for people.
+    Unspecified(String),
 }
 
 impl Refusal {

@@ -210,6 +210,7 @@ impl Modal {
         };
         self.note_surface_speed();
         if self.choices.motion_restored && (self.choices.every_motion || is_listed(saved.motion)) {
+            self.series = self.series.changed(self.motion, saved.motion);
             self.motion = saved.motion;
         }
     }

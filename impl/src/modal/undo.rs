@@ -8,6 +8,7 @@ use crate::parameters::Numbered;
 
 use super::Modal;
 use super::coordinates::Coordinates;
+use super::cycles::Series;
 
 /// The state before a block, as far as it is small. Settings, tools, saved states and parameters are noted when they change.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +21,7 @@ pub(super) struct Before {
     tool: i32,
     prepared: Option<i32>,
     controller_mode: ControllerMode,
+    series: Series,
 }
 
 impl Modal {
@@ -38,6 +40,7 @@ impl Modal {
             tool: self.tool,
             prepared: self.prepared,
             controller_mode: self.controller_mode,
+            series: self.series,
         }
     }
 
@@ -68,5 +71,6 @@ impl Modal {
         self.tool = before.tool;
         self.prepared = before.prepared;
         self.controller_mode = before.controller_mode;
+        self.series = before.series;
     }
 }

@@ -61,6 +61,7 @@ impl Modal {
             return;
         }
         self.position = self.position.converted(conversion);
+        self.series.convert(conversion);
         self.compensation_radius = conversion.of(self.compensation_radius);
         let keep_feed = self.choices.feed_number_kept || planted(Fault::FeedNumber);
         let modes = self.in_force.set();

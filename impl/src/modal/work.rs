@@ -20,9 +20,13 @@ use super::values::integer_in;
 impl Modal {
     /// Changes offsets. Nothing moves: the point keeps its machine coordinates and gets other program coordinates.
     pub(super) fn offset_by(&mut self, change: impl FnOnce(&mut Modes)) {
-        let machine = self.in_force.now().machine_of(self.position);
+        let now = self.in_force.now();
+        let machine = now.machine_of(self.position);
+        self.series.each_point(|point| now.machine_of(point));
         change(self.in_force.set());
-        self.position = self.in_force.now().program_of(machine);
+        let now = self.in_force.now();
+        self.position = now.program_of(machine);
+        self.series.each_point(|point| now.program_of(point));
     }
 
     /// The axis words of an offset; whether X is a diameter there is an option.

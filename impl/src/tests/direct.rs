@@ -42,9 +42,9 @@ fn outcome(program: &str, piece: usize, options: &Options) -> String {
         Interpreter::new(Machine::default(), options.clone(), Limits::default()).unwrap();
     let mut recorder = Recorder::default();
     let mut source = Pieces { text: program.as_bytes(), at: 0, piece };
-    let mut end = interpreter.run(&mut source, &mut recorder, 300);
+    let mut end = interpreter.run(&mut source, &mut recorder, 60);
     if let Ok(Progress::Stopped) = end {
-        end = interpreter.run(&mut source, &mut recorder, 300);
+        end = interpreter.run(&mut source, &mut recorder, 60);
     }
     alloc::format!(
         "{end:?}\n{:?}\n{:?}\n{:?}\n{:?}\n{:?}\n{:?}",
@@ -109,10 +109,21 @@ fn item() -> impl Strategy<Value = String> {
         3 => "(g2|G3|g2i1|g3 i1j1|G02x2r1|g3x2i1|g2 z1 i1 p2|i1|r1|@1|\\^90|g90\\.1|g91\\.1|g18|g19|g17)",
         1 => "(g28|g28\\.1|g30 x1|g30\\.1|g10l2p1|g10 l20 p1 x1|g52x1|g92y1|g92\\.2|g92\\.3|g43\\.1z1)",
         4 => "(G1|g0|G01|g1\\.|G90|G91|g20|G21|G17|g4|p1|G5|G53|G92\\.1|G 1|G-1|g38\\.2|G54|G1\\.0|g100)",
+        5 => cycle_item(),
         2 => "(M3|M5|m9|M2|M62|m98|M99|M1000|m 3|M3\\.5|S[0-9]{2}|t1|h1|d1|q2|l1|i1)",
         4 => (parameter(), "( |)=( |)", value()).prop_map(|(to, is, value)| to + &is + &value),
         2 => "(\\([a-z ]{0,6}\\)|;[ a-z(]{0,6}|\\(msg, *[a-z]\\)|\\( *debug,#1\\)|\\(a\\(b\\)|\\()",
         1 => "(o1|n5|N|\\$1|@1|\\^2|%|/|=|\\[|\\x00|\u{e9})",
+    ]
+}
+
+/// Words of canned cycles, probing, splines and threads, and blocks of them that are accepted.
+fn cycle_item() -> impl Strategy<Value = String> {
+    prop_oneof![
+        3 => "(G80|G81|G82|G83|g73|g84|G74|G85|G86|G87|g89|G98|G99|G5\\.[123]|G33|G33\\.1|g38\\.[345]|g76|G18|G93|G42)",
+        2 => "(g81 x1 z-1 r1 |g83 y1 z-2 r0 q\\.5 l2 |g84 z-1 r1 p0 |g91 g89 x1 z-1 r1 p0 l3 |m3 g86 z-1 r1 p1 )",
+        1 => "(g18 g76 p1 z-9 i-1 j1 k2 |g38\\.3 z-3 |g5 i1 j1 p1 q1 x1 y1 |g5\\.2 x1 y1 l2 |m4 g33 z1 k1 )",
+        3 => "([rR]1|r-1|z-2|Q0?\\.5|p0|l2|L3|k1|i-?1|j1|h2|e1|l1000)",
     ]
 }
 

@@ -2,6 +2,7 @@
 
 mod calls;
 mod comments;
+mod cycles;
 mod direct;
 mod expressions;
 mod loops;

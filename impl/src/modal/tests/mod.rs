@@ -2,18 +2,23 @@
 
 mod arcs;
 mod arcs_property;
+mod cycles;
 mod ends;
 mod groups;
 mod inputs_outputs;
+mod motions_property;
 mod moves;
 mod names;
 mod offsets;
 mod polar;
+mod probes;
 mod property;
 mod reference;
 mod saved;
 mod shifts_property;
 mod spindles;
+mod splines;
+mod threads;
 mod tool_table;
 mod tools;
 
@@ -31,7 +36,7 @@ use crate::words::Words;
 
 use super::{Flow, Modal, Refusal};
 
-/// Writes down effects with their lines, and answers inputs with 0.5, user code 199 and orientations beyond 9 s with no.
+/// Writes down effects with their lines, and answers inputs with 0.5, probes with a contact at Z-1, user code 199 and orientations beyond 9 s with no.
 #[derive(Default)]
 pub(super) struct Recorder {
     pub(super) effects: Vec<String>,
@@ -55,6 +60,8 @@ impl Sink for Recorder {
         self.effects.push(text);
         if let Effect::WaitInput { .. } = effect {
             Reply::Input(0.5)
+        } else if let Effect::StraightProbe { end, .. } = effect {
+            Reply::Contact((end.z < -1.0).then_some(Position { z: -1.0, ..*end }))
         } else if let Effect::UserCode { code: 199, .. } = effect {
             Reply::Failed(FaultKind::UnknownCode)
         } else if let Effect::WaitOrient { timeout: 10.0.., .. } = effect {
@@ -128,8 +135,11 @@ pub(super) fn run(machine: &Machine, options: &[(&str, &str)], program: &str) ->
             "begin" => run.modal.begin(),
             "abort" => run.modal.abort(&mut run.numbered, &mut run.sink, line),
             _ => {
-                let result =
-                    run.modal.execute(&words(line, text), &mut run.numbered, &mut run.sink);
+                let words = words(line, text);
+                let mut result = run.modal.execute(&words, &mut run.numbered, &mut run.sink);
+                while let Ok(Flow::Within { .. }) = result {
+                    result = run.modal.go_on(&mut run.numbered, &mut run.sink);
+                }
                 let goes_on = matches!(result, Ok(Flow::More | Flow::Stopped));
                 run.last = (line, result);
                 if !goes_on {

@@ -7,14 +7,15 @@ use crate::canon::{Reply, Sink};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
-use super::super::Modal;
+use super::super::{Flow, Modal};
 use super::{Recorder, machine};
 
 /// Codes that are, more often than codes that are not.
 const G: &[u16] = &[
-    0, 10, 20, 30, 40, 70, 80, 100, 100, 170, 180, 190, 171, 200, 210, 280, 281, 300, 301, 382,
-    400, 410, 420, 411, 430, 431, 432, 490, 520, 530, 540, 550, 593, 610, 611, 640, 800, 900, 910,
-    901, 911, 920, 921, 922, 923, 930, 940, 950, 960, 970, 980, 990, 999,
+    0, 10, 20, 30, 40, 50, 51, 52, 53, 330, 331, 382, 383, 384, 385, 730, 740, 760, 810, 820, 830,
+    840, 850, 860, 870, 880, 890, 70, 80, 100, 100, 170, 180, 190, 171, 200, 210, 280, 281, 300,
+    301, 400, 410, 420, 411, 430, 431, 432, 490, 520, 530, 540, 550, 593, 610, 611, 640, 800, 900,
+    910, 901, 911, 920, 921, 922, 923, 930, 940, 950, 960, 970, 980, 990, 999,
 ];
 const M: &[u16] = &[
     0, 1, 3, 4, 5, 6, 7, 8, 9, 19, 48, 49, 50, 51, 52, 53, 60, 61, 62, 63, 64, 65, 66, 67, 68, 70,
@@ -83,7 +84,15 @@ proptest! {
                 1 => modal.leave_call(&mut numbered, &mut sink, 1),
                 _ => {}
             }
-            if modal.execute(&words, &mut numbered, &mut sink).is_ok() {
+            let mut flow = modal.execute(&words, &mut numbered, &mut sink);
+            for _ in 0..20 {
+                if let Ok(Flow::Within { .. }) = flow {
+                    flow = modal.go_on(&mut numbered, &mut sink);
+                }
+            }
+            if let Ok(Flow::Within { .. }) = flow {
+                modal.begin();
+            } else if flow.is_ok() {
                 // Minus zero is zero: a change between them is no change.
                 let text = |settings: Settings| {
                     alloc::format!("{:?}", settings.entries()).replace("(-0.0)", "(0.0)").replace(": -0.0", ": 0.0")

@@ -1,6 +1,6 @@
 //! M70 to M73.
 
-use gaugeblock_trace::FaultKind::NothingSaved;
+use gaugeblock_trace::FaultKind::{MissingWord, NothingSaved};
 
 use super::Expect::{After, Refused};
 use super::{check, check_on, machine};
@@ -147,4 +147,20 @@ fn order_within_a_block() {
     check("m70 m7; m72", After("mist = off"));
     check("f1; m70; f2; m71 m72", After("feed_rate = 1"));
     check("m70 m71; m72", Refused(NothingSaved));
+}
+
+/// Sticky words and the direction of a spline are those of a series, which another motion ends.
+#[test]
+fn restored_cycles() {
+    let every: super::Chosen =
+        &[("saved-state.motion-mode", "restored"), ("saved-state.listed-motion", "every")];
+    let after = |between: &str, expect| {
+        let program = alloc::format!("f100; g0 z5; g98 g81 x1 z-1 r1; m70; {between}; m72; x2");
+        check_on(&machine(), every, &program, expect);
+    };
+    after("m8", After("position = (x2 z5)"));
+    after("g0 x5", Refused(MissingWord));
+    after("g82 x5 z-2 r1 p1", Refused(MissingWord));
+    let spline = "f9; g5 x1 i1 j1 p1 q1; m70; g0 x2; m72; x3 p1 q1";
+    check_on(&machine(), every, spline, Refused(MissingWord));
 }

@@ -1,0 +1,184 @@
+//! Canned cycles: G73, G74, G81 to G89 (11.5.40, 11.5.41, 11.5.43 to 11.5.53, 11.5.61), which rewrite a block into plain moves.
+//!
+//! ```text
+//! Words ─► series (sticky words, initial level) ─► Drilling (a hole as numbers) ─► strokes (one move, dwell or switch at a time)
+//! ```
+//!
+//! **Invariants.**
+//! * Everything that a block can be refused for is checked before its first stroke.
+//! * A step performs a bounded number of strokes, whatever L and Q are, and a cycle allocates nothing.
+
+mod numbers;
+mod series;
+mod strokes;
+pub(super) mod threading;
+mod unfinished;
+
+pub(super) use series::Series;
+pub(super) use unfinished::{Before, Unfinished};
+
+use gaugeblock_trace::{Axis, Compensation, FaultKind, FeedMode, Lathe, Motion, Plane, Retract};
+
+use crate::words::Words;
+
+use super::Modal;
+use super::check::Block;
+use super::coordinates::Coordinates;
+use super::letters::{A, AXES, B, C, U, V, W, X, Y, Z};
+use super::motions::mode_of;
+use super::refusal::{Refusal, refuse};
+use super::spindle::FIRST;
+use super::target::with_radius;
+
+use numbers::Numbers;
+use strokes::{Cycle, Drilling, Levels};
+use unfinished::Job;
+
+/// First, second and normal axis of a plane: the hole is where the first two say, and the tool goes along the third.
+#[derive(Clone, Copy, Debug)]
+struct PlaneAxes {
+    first: Axis,
+    second: Axis,
+    normal: Axis,
+}
+
+impl PlaneAxes {
+    const fn of(plane: Plane) -> Self {
+        let [first, second, normal] = match plane {
+            Plane::Xy => [Axis::X, Axis::Y, Axis::Z],
+            Plane::Zx => [Axis::Z, Axis::X, Axis::Y],
+            Plane::Yz => [Axis::Y, Axis::Z, Axis::X],
+            Plane::Uv => [Axis::U, Axis::V, Axis::W],
+            Plane::Wu => [Axis::W, Axis::U, Axis::V],
+            Plane::Vw => [Axis::V, Axis::W, Axis::U],
+        };
+        Self { first, second, normal }
+    }
+
+    /// The letters of axis words that a cycle takes in a plane (11.5.43).
+    const fn letters(plane: Plane) -> u32 {
+        match plane {
+            Plane::Xy | Plane::Zx | Plane::Yz => X | Y | Z,
+            Plane::Uv | Plane::Wu | Plane::Vw => U | V | W,
+        }
+    }
+}
+
+/// The motion modes among which a series of cycles goes on (11.5.61).
+pub(super) const fn is_cycle(motion: Motion) -> bool {
+    matches!(
+        motion,
+        Motion::Cycle73
+            | Motion::Cycle74
+            | Motion::Thread76
+            | Motion::Cycle81
+            | Motion::Cycle82
+            | Motion::Cycle83
+            | Motion::Cycle84
+            | Motion::Cycle85
+            | Motion::Cycle86
+            | Motion::Cycle87
+            | Motion::Cycle88
+            | Motion::Cycle89
+    )
+}
+
+impl Modal {
+    /// Checks a canned cycle and makes it the unfinished work of its block.
+    pub(super) fn canned_cycle(
+        &mut self,
+        block: &Block<'_>,
+        code: u16,
+        before: Before,
+    ) -> Result<(), Refusal> {
+        if matches!(code, 870 | 880) {
+            // 11.5.51, 11.5.52.
+            return Err(Refusal::Unspecified("G87 and G88 are accepted, and undefined".into()));
+        }
+        self.check_cycle_modes(block.words)?;
+        let radius;
+        let words = if self.in_force.now().lathe == Lathe::Diameter {
+            radius = with_radius(block.words);
+            &radius
+        } else {
+            block.words
+        };
+        let axes = PlaneAxes::of(self.in_force.now().plane);
+        let series = self.series.of_cycles(self.motion, self.position);
+        let numbers = Numbers::read(words, code, axes.normal, series.sticky(code))?;
+        let levels = self.levels(&numbers, axes.normal, series.start());
+        if levels.retract < levels.bottom {
+            return refuse(FaultKind::WordOutOfRange, "R is below the bottom of the hole");
+        }
+        self.check_feed_move()?;
+        let spindle = self.selected(block, FIRST)?;
+        let turning = self.spindle_of(spindle);
+        if code == 860 && !turning.turns() {
+            return refuse(FaultKind::ZeroSpeed, "G86 while the spindle stands");
+        }
+        let (hole, step) = self.holes(words, axes);
+        self.series = series.with_sticky(code, numbers);
+        self.motion = mode_of(code);
+        let cycle = Cycle {
+            axes,
+            hole,
+            step,
+            levels,
+            dwell: numbers.dwell,
+            increment: numbers.increment,
+            spindle,
+            turn: turning.turn,
+            overrides: (self.in_force.now().feed_override, turning.speed_override),
+        };
+        let job = Job::Drilling(Drilling::new(code, cycle, numbers.repeats));
+        self.begin_job(block.words.line, job, before);
+        Ok(())
+    }
+
+    /// Modes and axis words that no cycle takes (11.5.43, 11.5.43.5).
+    fn check_cycle_modes(&self, words: &Words) -> Result<(), Refusal> {
+        let now = self.in_force.now();
+        if now.compensation != Compensation::Off {
+            return refuse(FaultKind::CompensationActive, "a canned cycle under compensation");
+        }
+        if now.feed_mode == FeedMode::InverseTime {
+            return refuse(FaultKind::ModalConflict, "a canned cycle under inverse time");
+        }
+        if words.present & (A | B | C) != 0 {
+            return refuse(FaultKind::AxisWords, "a rotary axis word in a canned cycle");
+        }
+        if words.present & AXES & !PlaneAxes::letters(now.plane) != 0 {
+            return refuse(FaultKind::AxisWords, "an axis word that is not of the plane's family");
+        }
+        Ok(())
+    }
+
+    /// R, the bottom and the clear level as positions. In incremental mode R counts from where the axis is, and the bottom from R
+    /// (11.5.43.2).
+    fn levels(&self, numbers: &Numbers, normal: Axis, start: Coordinates) -> Levels {
+        let now = self.in_force.now();
+        let (retract, bottom) = if self.is_incremental() {
+            let retract = self.position.of_axis(normal) + numbers.retract;
+            (retract, retract + numbers.bottom)
+        } else {
+            (numbers.retract, numbers.bottom)
+        };
+        let initial = start.of_axis(normal);
+        let clear = if now.retract == Retract::OldZ { initial.max(retract) } else { retract };
+        Levels { retract, bottom, clear }
+    }
+
+    /// Where the first hole is, and how far each is from the one before: in absolute mode they are all in one place (11.5.43.3).
+    fn holes(&self, words: &Words, axes: PlaneAxes) -> ([f64; 2], [f64; 2]) {
+        let plane = [axes.first, axes.second];
+        let here = plane.map(|axis| self.position.of_axis(axis));
+        let [first, second] = plane.map(|axis| numbers::axis_word(words, axis));
+        let [at_first, at_second] = here;
+        if !self.is_incremental() {
+            return ([first.unwrap_or(at_first), second.unwrap_or(at_second)], [0.0, 0.0]);
+        }
+        let step = [first.unwrap_or(0.0), second.unwrap_or(0.0)];
+        let [by_first, by_second] = step;
+        ([at_first + by_first, at_second + by_second], step)
+    }
+}

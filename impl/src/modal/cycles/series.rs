@@ -1,0 +1,94 @@
+//! What a series of contiguous blocks of one motion keeps from block to block: sticky words and the initial level of canned cycles
+//! (11.5.43.2, 11.5.61), and an open data block of G5.2 (11.5.9).
+//!
+//! A motion mode that ends a series does not come here: what is kept holds only while the motion mode in force is one of its own.
+
+use gaugeblock_trace::Motion;
+
+use super::super::coordinates::{Conversion, Coordinates};
+use super::super::splines::Curve;
+use super::is_cycle;
+use super::numbers::Numbers;
+
+/// What is kept.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in super::super) struct Series {
+    /// Where the point was before the first cycle.
+    start: Option<Coordinates>,
+    /// The numbers of the last cycle, and its code in tenths.
+    sticky: Option<(u16, Numbers)>,
+    /// Whether the last spline was a G5, whose end gives the next one its direction.
+    pub(in super::super) cubic: bool,
+    /// The data block that G5.2 opened.
+    pub(in super::super) curve: Option<Curve>,
+}
+
+/// A series of cycles that a block goes on with or begins.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OfCycles {
+    start: Coordinates,
+    sticky: Option<(u16, Numbers)>,
+}
+
+impl Series {
+    /// The series of cycles under a motion mode; a new one begins where the point is.
+    pub(super) fn of_cycles(&self, motion: Motion, position: Coordinates) -> OfCycles {
+        match self.start {
+            Some(start) if is_cycle(motion) => OfCycles { start, sticky: self.sticky },
+            Some(_) | None => OfCycles { start: position, sticky: None },
+        }
+    }
+
+    /// Begins a series of cycles with a code that has no sticky words, unless one is under way.
+    pub(super) fn with_cycle(&self, motion: Motion, position: Coordinates) -> Self {
+        let start = self.of_cycles(motion, position).start;
+        Self { start: Some(start), ..Self::default() }
+    }
+
+    /// What a spline leaves to the next.
+    pub(in super::super) fn of_spline(cubic: bool) -> Self {
+        Self { cubic, ..Self::default() }
+    }
+
+    /// An open data block.
+    pub(in super::super) fn of_curve(curve: Curve) -> Self {
+        Self { curve: Some(curve), ..Self::default() }
+    }
+
+    /// The motion mode changes by other means than a motion code (M72): a series goes on from cycle to cycle only.
+    pub(in super::super) fn changed(self, from: Motion, to: Motion) -> Self {
+        if from == to || is_cycle(from) && is_cycle(to) { self } else { Self::default() }
+    }
+
+    /// Lengths are told in another unit; sticky words are numbers and stay.
+    pub(in super::super) fn convert(&mut self, by: Conversion) {
+        self.each_point(|point| point.converted(by));
+    }
+
+    /// Changes every point that is kept, as the controlled point changes when offsets do.
+    pub(in super::super) fn each_point(&mut self, change: impl Fn(Coordinates) -> Coordinates) {
+        if let Some(start) = &mut self.start {
+            *start = change(*start);
+        }
+        if let Some(curve) = &mut self.curve {
+            curve.last = change(curve.last);
+        }
+    }
+}
+
+impl OfCycles {
+    /// Where the point was before the series.
+    pub(super) fn start(&self) -> Coordinates {
+        self.start
+    }
+
+    /// The numbers to keep for a cycle: those of a block of the same one (11.5.43.2).
+    pub(super) fn sticky(&self, code: u16) -> Option<Numbers> {
+        self.sticky.filter(|(kept, _)| *kept == code).map(|(_, numbers)| numbers)
+    }
+
+    /// The series with the numbers of this block.
+    pub(super) fn with_sticky(&self, code: u16, numbers: Numbers) -> Series {
+        Series { start: Some(self.start), sticky: Some((code, numbers)), ..Series::default() }
+    }
+}

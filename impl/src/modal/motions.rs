@@ -1,0 +1,113 @@
+//! Motion codes other than G0, G1 and G80, each handed to where it is done.
+
+use gaugeblock_trace::{Distance, Effect, Lathe, Motion};
+
+use crate::canon::Sink;
+use crate::parameters::Numbered;
+use crate::words::Words;
+
+use super::Modal;
+use super::check::Block;
+use super::coordinates::Coordinates;
+use super::modes::Spindle;
+use super::refusal::Refusal;
+use super::spindle::Spindles;
+use super::target::with_radius;
+
+impl Modal {
+    /// The block's motion. One that is refused has not been, also where the outside refuses it.
+    pub(super) fn other_motion<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        code: u16,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        if block.words.at.is_some() || block.words.caret.is_some() {
+            return Err(Refusal::Unsupported("polar words of another move than G0 and G1".into()));
+        }
+        let before = self.before();
+        let done = match code {
+            330 => self.synchronised_move(block, sink),
+            331 => self.tap_rigidly(block, sink),
+            382..=385 => self.probe(block.words, code, numbered, sink),
+            50 | 51 => self.spline(block.words, code, sink),
+            52 => self.add_control_point(block.words),
+            53 => self.close_curve(block.words.line, sink),
+            760 => self.thread(block, before),
+            _ => self.canned_cycle(block, code, before),
+        };
+        if done.is_err() {
+            self.restore_motion(&before);
+        }
+        done
+    }
+
+    /// Where the axis words of a move lead.
+    pub(super) fn end_point(&self, words: &Words) -> Coordinates {
+        self.point_from(self.position, words)
+    }
+
+    /// Where axis words lead, incremental ones from a point.
+    pub(super) fn point_from(&self, from: Coordinates, words: &Words) -> Coordinates {
+        let radius;
+        let words = if self.in_force.now().lathe == Lathe::Diameter {
+            radius = with_radius(words);
+            &radius
+        } else {
+            words
+        };
+        if self.is_incremental() { from.moved_by(words) } else { from.replaced(words) }
+    }
+
+    /// Whether axis words are increments.
+    pub(super) fn is_incremental(&self) -> bool {
+        self.in_force.now().distance == Distance::Incremental
+    }
+
+    /// A straight feed move of a code's own.
+    pub(super) fn feed_to<K: Sink>(
+        &mut self,
+        line: u32,
+        end: Coordinates,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        self.position = end;
+        self.perform(line, &Effect::StraightFeed { end: end.position() }, sink)
+    }
+
+    /// The spindle of a set of one.
+    pub(super) fn spindle_of(&self, which: Spindles) -> Spindle {
+        let [first, ..] = self.in_force.now().spindles;
+        let number = usize::try_from(which.trailing_zeros()).unwrap_or(0);
+        self.in_force.now().spindles.get(number).copied().unwrap_or(first)
+    }
+}
+
+/// The motion mode that a code other than G0, G1 and G80 sets.
+pub(super) const fn mode_of(code: u16) -> Motion {
+    match code {
+        50 => Motion::CubicSpline,
+        51 => Motion::QuadraticSpline,
+        52 => Motion::Nurbs,
+        330 => Motion::SpindleSynchronised,
+        331 => Motion::RigidTap,
+        382 => Motion::ProbeTowardError,
+        383 => Motion::ProbeToward,
+        384 => Motion::ProbeAwayError,
+        385 => Motion::ProbeAway,
+        730 => Motion::Cycle73,
+        740 => Motion::Cycle74,
+        760 => Motion::Thread76,
+        810 => Motion::Cycle81,
+        820 => Motion::Cycle82,
+        830 => Motion::Cycle83,
+        840 => Motion::Cycle84,
+        850 => Motion::Cycle85,
+        860 => Motion::Cycle86,
+        870 => Motion::Cycle87,
+        880 => Motion::Cycle88,
+        890 => Motion::Cycle89,
+        _ => Motion::None,
+    }
+}

@@ -1,0 +1,43 @@
+//! Straight probing: G38.2 to G38.5 (11.5.24).
+
+use gaugeblock_trace::{Compensation, Effect, FaultKind};
+
+use crate::canon::{Reply, Sink};
+use crate::parameters::Numbered;
+use crate::words::Words;
+
+use super::Modal;
+use super::motions::mode_of;
+use super::offsets;
+use super::refusal::{Refusal, refuse};
+
+impl Modal {
+    /// A straight move until the probe changes. Where it did, or else the programmed point, goes into 5061 to 5069, and into 5070 whether it did.
+    pub(super) fn probe<K: Sink>(
+        &mut self,
+        words: &Words,
+        code: u16,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        if self.in_force.now().compensation != Compensation::Off {
+            return refuse(FaultKind::CompensationActive, "probing under cutter compensation");
+        }
+        self.check_feed_move()?;
+        let end = self.end_point(words);
+        if end == self.position {
+            return refuse(FaultKind::Probe, "the probe is at the programmed point already");
+        }
+        self.motion = mode_of(code);
+        let effect = Effect::StraightProbe { end: end.position(), contact: None };
+        // That the probe is in the target state already only the outside can tell; it refuses then.
+        let reply = self.ask(words.line, &effect, sink)?;
+        let contact = if let Reply::Contact(Some(contact)) = reply { Some(contact) } else { None };
+        if contact.is_none() && matches!(code, 382 | 384) && reply != Reply::Stop {
+            return refuse(FaultKind::Probe, "the probe did not change");
+        }
+        self.position = contact.map_or(end, Into::into);
+        offsets::store_probe(numbered, self.position, contact.is_some());
+        Ok(())
+    }
+}

@@ -1,0 +1,133 @@
+//! Splines: G5, G5.1 and the data block of G5.2 and G5.3 (11.5.7 to 11.5.9).
+
+use gaugeblock_trace::{Effect, FaultKind, Motion, Plane};
+
+use crate::canon::Sink;
+use crate::words::Words;
+
+use super::Modal;
+use super::coordinates::Coordinates;
+use super::cycles::Series;
+use super::letters::{AXES, I, J, X, Y};
+use super::motions::mode_of;
+use super::refusal::{Refusal, refuse};
+use super::values::integer;
+
+/// A data block that G5.2 opened.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Curve {
+    /// How many control points there are; the first one is where the point was.
+    points: u32,
+    /// L.
+    order: i32,
+    /// The last control point.
+    pub(super) last: Coordinates,
+}
+
+impl Modal {
+    /// G5 and G5.1: a curve to the end point. I, J, P and Q shape it and do not show in the effect.
+    pub(super) fn spline<K: Sink>(
+        &mut self,
+        words: &Words,
+        code: u16,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        self.check_spline(words)?;
+        if code == 50 {
+            self.check_cubic(words)?;
+        } else {
+            check_quadratic(words)?;
+        }
+        self.check_feed_move()?;
+        self.motion = mode_of(code);
+        self.series = Series::of_spline(code == 50);
+        self.position = self.end_point(words);
+        let points = if code == 50 { 4 } else { 3 };
+        let end = self.position.position();
+        self.perform(words.line, &Effect::NurbsFeed { points, end }, sink)
+    }
+
+    /// What no spline takes: another plane, another axis, compensation.
+    fn check_spline(&self, words: &Words) -> Result<(), Refusal> {
+        if self.in_force.now().plane != Plane::Xy {
+            return refuse(FaultKind::ModalConflict, "a spline outside of the XY plane");
+        }
+        if words.present & AXES & !(X | Y) != 0 {
+            return refuse(FaultKind::AxisWords, "a spline with an axis other than X and Y");
+        }
+        self.check_compensated_move(false)
+    }
+
+    /// I and J: both or neither, and both in the first of a series.
+    fn check_cubic(&self, words: &Words) -> Result<(), Refusal> {
+        let given = words.present & (I | J);
+        let follows = self.motion == Motion::CubicSpline && self.series.cubic;
+        match given {
+            0 if follows => Ok(()),
+            0 => refuse(FaultKind::MissingWord, "the first G5 of a series without I and J"),
+            _ if given == I | J => Ok(()),
+            _ => refuse(FaultKind::MissingWord, "just one of I and J"),
+        }
+    }
+
+    /// G5.2, and the lines behind it: the first one opens the data block, axis words add a control point.
+    pub(super) fn add_control_point(&mut self, words: &Words) -> Result<(), Refusal> {
+        self.check_spline(words)?;
+        let open = self.series.curve.filter(|_| self.motion == Motion::Nurbs);
+        let mut curve = open.unwrap_or(Curve { points: 1, order: 3, last: self.position });
+        if let Some(order) = words.get(b'L') {
+            curve.order = integer(order, "L")?;
+            if curve.order < 1 {
+                return refuse(FaultKind::WordOutOfRange, "L is not positive");
+            }
+        }
+        if words.has_axes() {
+            curve.points = curve.points.saturating_add(1);
+            curve.last = self.point_from(curve.last, words);
+        } else if words.has(b'P') && curve.points > 1 {
+            return refuse(FaultKind::MissingWord, "a weight without its control point");
+        }
+        self.motion = Motion::Nurbs;
+        self.series = Series::of_curve(curve);
+        Ok(())
+    }
+
+    /// What another motion code does to an open data block is not documented: the curve is not dropped silently.
+    pub(super) fn check_open_curve(&self, code: u16) -> Result<(), Refusal> {
+        if self.series.curve.is_none() || matches!(code, 52 | 53) {
+            return Ok(());
+        }
+        let why = "a motion code within the data block of G5.2 (11.5.9)";
+        Err(Refusal::Unspecified(why.into()))
+    }
+
+    /// G5.3: the curve is fed along, and no motion mode is in force then.
+    pub(super) fn close_curve<K: Sink>(&mut self, line: u32, sink: &mut K) -> Result<(), Refusal> {
+        let open = self.series.curve.filter(|_| self.motion == Motion::Nurbs);
+        let Some(curve) = open else {
+            return Err(Refusal::Unspecified("G5.3 where no data block is open (11.5.9)".into()));
+        };
+        if i64::from(curve.points) < i64::from(curve.order) {
+            let why = "a curve with fewer control points than its order (11.5.9)";
+            return Err(Refusal::Unspecified(why.into()));
+        }
+        self.check_feed_move()?;
+        self.motion = Motion::None;
+        self.series = Series::default();
+        self.position = curve.last;
+        let end = self.position.position();
+        self.perform(line, &Effect::NurbsFeed { points: curve.points, end }, sink)
+    }
+}
+
+/// I and J of G5.1: one or both, and not both zero.
+fn check_quadratic(words: &Words) -> Result<(), Refusal> {
+    if words.present & (I | J) == 0 {
+        return refuse(FaultKind::MissingWord, "G5.1 without I and without J");
+    }
+    let is_zero = |letter| words.get(letter).unwrap_or(0.0).abs() <= 0.0;
+    if is_zero(b'I') && is_zero(b'J') {
+        return refuse(FaultKind::WordOutOfRange, "I and J of G5.1 are zero");
+    }
+    Ok(())
+}
