@@ -38,12 +38,15 @@ const fn alone(number: u32, words: &'static str) -> Code {
     Code { number, group: None, words, axis_words: false, later: None }
 }
 
+/// The letters of an arc: offsets of its centre, its radius, its turns.
+pub const ARC: &str = "ijkrp";
+
 /// Every G code of the language.
 pub const G_CODES: &[Code] = &[
     axes(0, Group::Motion, ""),
     axes(10, Group::Motion, ""),
-    later(20, Group::Motion, "arcs"),
-    later(30, Group::Motion, "arcs"),
+    axes(20, Group::Motion, ARC),
+    axes(30, Group::Motion, ARC),
     code(40, Group::NonModal, "p"),
     later(50, Group::Motion, "splines"),
     later(51, Group::Motion, "splines"),

@@ -120,9 +120,7 @@ impl Phase {
             Self::Retract => groups(&[ModalGroup::Retract]),
             Self::OffsetData => words.g.contains(&100) || words.g.contains(&520),
             Self::Motion => {
-                groups(&[ModalGroup::Motion])
-                    || words.g.contains(&530)
-                    || moves_by_axis_words(words)
+                groups(&[ModalGroup::Motion]) || words.g.contains(&530) || moves_without_code(words)
             }
             Self::Stop => groups(&[ModalGroup::Stopping]),
         }
@@ -135,12 +133,17 @@ fn has_group(words: &Words, groups: &[ModalGroup]) -> bool {
     g.chain(m).any(|code| code.group.is_some_and(|group| groups.contains(&group)))
 }
 
-/// Whether axis words, polar ones too, stand in the block for no code that uses them: then the motion mode does.
+/// Whether axis words, polar ones too, or offsets of a centre stand in the block for no code that uses them: then the
+/// motion mode does.
 ///
 /// Rule modal-groups.motion-suspended. A code of group 0 that uses axis words suspends the motion mode for its block.
-fn moves_by_axis_words(words: &Words) -> bool {
-    let used = words.g.iter().filter_map(|number| g_code(*number)).any(|code| code.axis_words);
-    has_axis_words(words) && !used
+pub fn moves_without_code(words: &Words) -> bool {
+    let codes = || words.g.iter().filter_map(|number| g_code(*number));
+    let offset = |letter: &&char| "ijk".contains(**letter);
+    let offsets = words.letters.keys().find(offset);
+    let uses_offsets = |offset: &char| codes().any(|code| code.words.contains(*offset));
+    !codes().any(|code| code.axis_words)
+        && (has_axis_words(words) || offsets.is_some_and(|offset| !uses_offsets(offset)))
 }
 
 /// The letters of the axes, and the polar words that stand for X and Y.

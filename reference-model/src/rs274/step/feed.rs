@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::{FaultKind, FeedMode, Motion, Switch};
 
-use super::motion::motion_of;
+use super::motion::{is_feed, motion_of};
 use super::spindle::number;
 use super::word;
 use crate::rs274::machine::State;
@@ -60,7 +60,7 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
         return Err(refuse("feed.negative-rate", FaultKind::WordOutOfRange, message));
     }
     let motion = motion_of(words, state);
-    if state.modes.feed_mode == FeedMode::InverseTime && motion != Some(Motion::Feed) {
+    if state.modes.feed_mode == FeedMode::InverseTime && !motion.is_some_and(is_feed) {
         state.evidence.accepted("feed.inverse-time-stray-rate");
         return Ok(());
     }

@@ -1,5 +1,6 @@
 //! What each phase of a block does.
 
+mod arc;
 pub mod compensation;
 pub mod coolant;
 pub mod dwell;

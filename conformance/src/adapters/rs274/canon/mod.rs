@@ -7,6 +7,8 @@ mod effects;
 mod settings;
 mod spindles;
 
+use std::f64::consts::TAU;
+
 use gaugeblock_trace::{Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings};
 
 use super::output::Call;
@@ -181,6 +183,30 @@ impl Canon {
         }
     }
 
+    /// The same for an arc: its length is that of the helix.
+    fn show_inverse_time_of_arc(&mut self, numbers: &[f64]) {
+        let (Some(speed), &[first, second, first_centre, second_centre, turns, along, ..]) =
+            (self.speed, numbers)
+        else {
+            return;
+        };
+        let Position { x, y, z, .. } = self.position;
+        let (from_first, from_second, from_along) = match self.now.plane {
+            Some(Plane::Zx) => (z, x, y),
+            Some(Plane::Yz) => (y, z, x),
+            Some(Plane::Xy | Plane::Uv | Plane::Wu | Plane::Vw) | None => (x, y, z),
+        };
+        let angle = |first: f64, second: f64| (second - second_centre).atan2(first - first_centre);
+        let swept = (angle(first, second) - angle(from_first, from_second)) * turns.signum();
+        let part = swept.rem_euclid(TAU);
+        let part = if part < 1e-9 { TAU } else { part };
+        let radius = (from_first - first_centre).hypot(from_second - second_centre);
+        let length = radius * (part + (turns.abs() - 1.0) * TAU);
+        let change = speed / length.hypot(along - from_along);
+        let change = self.lengths.feed(change, Some(FeedMode::InverseTime));
+        self.set(change);
+    }
+
     fn move_to(&mut self, [x, y, z, a, b, c]: [f64; 6]) -> Position {
         self.position = Position { x, y, z, a, b, c, ..self.position };
         self.position
@@ -190,6 +216,7 @@ impl Canon {
         let &[first, second, first_centre, second_centre, turns, along, a, b, c] = numbers else {
             return Err(call.unreadable("arguments of an arc"));
         };
+        self.show_inverse_time_of_arc(numbers);
         let (x, y, z) = match self.now.plane {
             Some(Plane::Zx) => (second, along, first),
             Some(Plane::Yz) => (along, first, second),
