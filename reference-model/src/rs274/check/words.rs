@@ -3,13 +3,13 @@
 use gaugeblock_trace::{Axis, FaultKind};
 
 use crate::rs274::machine::State;
-use crate::rs274::modes::{ARC, Code, g_code, m_code};
+use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code};
 use crate::rs274::order::AXIS_LETTERS;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
-use crate::rs274::step::letter;
 use crate::rs274::step::motion::{is_arc, motion_of};
+use crate::rs274::step::{letter, whole};
 
 /// Letters that stand for themselves: feed, speed, tool.
 const ON_THEIR_OWN: &str = "fst";
@@ -17,6 +17,7 @@ const ON_THEIR_OWN: &str = "fst";
 /// Refuses words without a use.
 pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
     axes(words, state)?;
+    polar(words)?;
     for letter in words.letters.keys().copied() {
         let itself = AXIS_LETTERS.contains(letter) || ON_THEIR_OWN.contains(letter);
         if !itself && !is_used(letter, words, state) {
@@ -71,10 +72,38 @@ fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let not_by_feed_mode = letter == '$' && !quirks::uses_dollar_of_feed_mode(state);
     let uses = |code: &Code| code.words.contains(letter);
     let by_g = words.g.iter().filter(|code| !(not_by_feed_mode && **code == 950));
+    let by_g = by_g.filter(|code| **code != 100 || used_by_offset_data(letter, words));
     let mut codes = by_g
         .filter_map(|code| g_code(*code))
         .chain(words.m.iter().filter_map(|code| m_code(*code)));
     serves_speed || codes.any(uses) || by_arc(letter, words, state)
+}
+
+/// Whether G10 uses a letter: its L says which.
+fn used_by_offset_data(letter: char, words: &Words) -> bool {
+    let kind = words.letters.get(&'l').copied().and_then(whole);
+    let letters = match kind {
+        Some(0) => "l",
+        Some(1 | 10 | 11) => "lpqrij",
+        Some(20) => "lp",
+        _ => "lpr",
+    };
+    letters.contains(letter)
+}
+
+/// Rule motion.polar-moves-only. Polar words name a point that a move goes to, and no offset.
+fn polar(words: &Words) -> Result<(), Halt> {
+    if !words.letters.keys().any(|letter| "@^".contains(*letter)) {
+        return Ok(());
+    }
+    if words.g.iter().any(|code| [280, 300].contains(code)) {
+        let why = "whether polar words can name the point by way of which G28 and G30 go";
+        return Err(Halt::Unspecified(why.to_owned()));
+    }
+    let offset = |code: &u32| [100, 431, 432, 520, 920].contains(code);
+    let Some(code) = words.g.iter().find(|code| offset(code)) else { return Ok(()) };
+    let message = format!("polar words with {}", g_text(*code));
+    Err(refuse("motion.polar-moves-only", FaultKind::AxisWords, message))
 }
 
 /// Rule arcs.mode-holds. While G2 or G3 is in force, a block with axis words or offsets of a centre is an arc without a code.

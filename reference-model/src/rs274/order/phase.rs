@@ -51,7 +51,7 @@ pub enum Phase {
     Distance,
     /// G98, G99.
     Retract,
-    /// G10, G52.
+    /// G10, G28, G30, G52, G92.
     OffsetData,
     /// G0, G1, G80, and axis words alone.
     Motion,
@@ -118,7 +118,7 @@ impl Phase {
                 groups(&[ModalGroup::Distance, ModalGroup::ArcDistance, ModalGroup::Lathe])
             }
             Self::Retract => groups(&[ModalGroup::Retract]),
-            Self::OffsetData => words.g.contains(&100) || words.g.contains(&520),
+            Self::OffsetData => words.g.iter().any(|code| OFFSET_DATA.contains(code)),
             Self::Motion => {
                 groups(&[ModalGroup::Motion]) || words.g.contains(&530) || moves_without_code(words)
             }
@@ -126,6 +126,9 @@ impl Phase {
         }
     }
 }
+
+/// G codes that change the data of offsets, or go to a stored position.
+const OFFSET_DATA: [u32; 10] = [100, 280, 281, 300, 301, 520, 920, 921, 922, 923];
 
 fn has_group(words: &Words, groups: &[ModalGroup]) -> bool {
     let g = words.g.iter().filter_map(|number| g_code(*number));

@@ -1,4 +1,4 @@
-//! Quirks of moves and arcs.
+//! Quirks of moves, arcs, rotated systems and the tool table.
 
 use gaugeblock_trace::{FaultKind, LengthUnit, Plane};
 
@@ -13,6 +13,22 @@ pub(crate) fn radius_tolerances(state: &State) -> Option<(f64, f64)> {
         LengthUnit::Inch => (0.2 * half_square, 0.002 * half_square),
         LengthUnit::Millimetre => (2.0 * half_square, 0.02 * half_square),
     })
+}
+
+/// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, the point is turned without the local
+/// offset, which it keeps as it was.
+pub(crate) fn turn_system(reload: fn(&mut State), state: &mut State) {
+    if !state.readings.quirk("rs274.rotation-under-local-offset") {
+        return reload(state);
+    }
+    let local = std::mem::take(&mut state.modes.g92_offset);
+    reload(state);
+    state.modes.g92_offset = local;
+}
+
+/// Quirk rs274.tool-entry-under-compensation. The tool table can be changed while the cutter is compensated.
+pub(crate) fn table_under_compensation(state: &State) -> bool {
+    state.readings.quirk("rs274.tool-entry-under-compensation")
 }
 
 /// Quirk rs274.polar-plane. Polar words are refused outside of the XY plane.

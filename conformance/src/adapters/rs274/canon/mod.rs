@@ -6,6 +6,7 @@
 mod effects;
 mod settings;
 mod spindles;
+mod tool_table;
 
 use std::f64::consts::TAU;
 
@@ -41,7 +42,7 @@ pub(super) struct Canon {
     /// Tool in the spindle.
     pub(super) tool: i32,
     lengths: Lengths,
-    table: Vec<i32>,
+    table: tool_table::Table,
     events: Vec<Event>,
     /// Feed rate of the next move under inverse time, where the calls show a speed in place of F.
     speed: Option<f64>,
@@ -54,13 +55,12 @@ type Done = Result<Mark, HarnessError>;
 impl Canon {
     /// Nothing set yet.
     pub(super) fn new(machine: &Machine) -> Self {
-        let number = |number: u32| i32::try_from(number).unwrap_or(i32::MAX);
         Self {
             now: Settings::default(),
             position: Position::default(),
             tool: 0,
             lengths: Lengths::default(),
-            table: machine.tools.iter().map(|tool| number(tool.number)).collect(),
+            table: tool_table::Table::new(machine),
             events: Vec::new(),
             speed: None,
             block: String::new(),
@@ -149,10 +149,8 @@ impl Canon {
                 self.feed_rate(rate);
                 Ok(Mark::None)
             }
-            (
-                "STRAIGHT_PROBE" | "NURBS_FEED" | "START_SPEED_FEED_SYNC" | "SET_TOOL_TABLE_ENTRY",
-                _,
-            ) => {
+            ("SET_TOOL_TABLE_ENTRY", _) => self.tool_entry(call, &numbers),
+            ("STRAIGHT_PROBE" | "NURBS_FEED" | "START_SPEED_FEED_SYNC", _) => {
                 Ok(Mark::Unsupported(format!("{} does not show what the effect needs", call.name)))
             }
             _ => self.setting(call, &numbers),
