@@ -147,6 +147,7 @@ const FRAGMENTS: &[(&str, Kind)] = &[
     ("g53 incremental", Kind::ModalConflict),
     ("g0 or g1 with g53", Kind::ModalConflict),
     ("Cannot use g53", Kind::ModalConflict),
+    ("not allowed with loaded tool", Kind::ModalConflict),
     ("not allowed with G10", Kind::UnusedWord),
     ("not allowed in G10", Kind::UnusedWord),
     ("without offsets has no effect", Kind::MissingWord),

@@ -3,12 +3,13 @@
 use gaugeblock_trace::{Axis, FaultKind};
 
 use crate::rs274::machine::State;
-use crate::rs274::modes::{Code, g_code, m_code};
+use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code};
 use crate::rs274::order::AXIS_LETTERS;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
-use crate::rs274::step::letter;
+use crate::rs274::step::motion::{is_arc, motion_of};
+use crate::rs274::step::{letter, whole};
 
 /// Letters that stand for themselves: feed, speed, tool.
 const ON_THEIR_OWN: &str = "fst";
@@ -16,6 +17,7 @@ const ON_THEIR_OWN: &str = "fst";
 /// Refuses words without a use.
 pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
     axes(words, state)?;
+    polar(words)?;
     for letter in words.letters.keys().copied() {
         let itself = AXIS_LETTERS.contains(letter) || ON_THEIR_OWN.contains(letter);
         if !itself && !is_used(letter, words, state) {
@@ -30,18 +32,20 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
     {
         naive_cam_alone(state)?;
     }
-    one_meaning_of_p(words)
+    one_meaning_of_p(words, state)
 }
 
 /// P of one code is not that of another: seconds, a number of a coordinate system, a tolerance, a switch. No document says
 /// whose it is when two codes of a block use it. M50 to M53 mean the same by it.
-fn one_meaning_of_p(words: &Words) -> Result<(), Halt> {
+fn one_meaning_of_p(words: &Words, state: &State) -> Result<(), Halt> {
     if !words.letters.contains_key(&'p') {
         return Ok(());
     }
     let uses = |code: &&Code| code.words.contains('p');
     let by_g = words.g.iter().filter_map(|code| g_code(*code)).filter(uses).count();
     let by_m = words.m.iter().filter_map(|code| m_code(*code)).filter(uses).count();
+    let without_code = !words.g.iter().any(|code| [20, 30].contains(code));
+    let by_g = by_g + usize::from(without_code && by_arc('p', words, state));
     if by_g > 1 || by_g == 1 && by_m > 0 {
         let why = "two codes of the block use P, and nothing says whose it is";
         return Err(Halt::Unspecified(why.to_owned()));
@@ -68,10 +72,43 @@ fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let not_by_feed_mode = letter == '$' && !quirks::uses_dollar_of_feed_mode(state);
     let uses = |code: &Code| code.words.contains(letter);
     let by_g = words.g.iter().filter(|code| !(not_by_feed_mode && **code == 950));
+    let by_g = by_g.filter(|code| **code != 100 || used_by_offset_data(letter, words));
     let mut codes = by_g
         .filter_map(|code| g_code(*code))
         .chain(words.m.iter().filter_map(|code| m_code(*code)));
-    serves_speed || codes.any(uses)
+    serves_speed || codes.any(uses) || by_arc(letter, words, state)
+}
+
+/// Whether G10 uses a letter: its L says which.
+fn used_by_offset_data(letter: char, words: &Words) -> bool {
+    let kind = words.letters.get(&'l').copied().and_then(whole);
+    let letters = match kind {
+        Some(0) => "l",
+        Some(1 | 10 | 11) => "lpqrij",
+        Some(20) => "lp",
+        _ => "lpr",
+    };
+    letters.contains(letter)
+}
+
+/// Rule motion.polar-moves-only. Polar words name a point that a move goes to, and no offset.
+fn polar(words: &Words) -> Result<(), Halt> {
+    if !words.letters.keys().any(|letter| "@^".contains(*letter)) {
+        return Ok(());
+    }
+    if words.g.iter().any(|code| [280, 300].contains(code)) {
+        let why = "whether polar words can name the point by way of which G28 and G30 go";
+        return Err(Halt::Unspecified(why.to_owned()));
+    }
+    let offset = |code: &u32| [100, 431, 432, 520, 920].contains(code);
+    let Some(code) = words.g.iter().find(|code| offset(code)) else { return Ok(()) };
+    let message = format!("polar words with {}", g_text(*code));
+    Err(refuse("motion.polar-moves-only", FaultKind::AxisWords, message))
+}
+
+/// Rule arcs.mode-holds. While G2 or G3 is in force, a block with axis words or offsets of a centre is an arc without a code.
+fn by_arc(letter: char, words: &Words, state: &State) -> bool {
+    ARC.contains(letter) && motion_of(words, state).is_some_and(is_arc)
 }
 
 /// The rule that refuses a word without a use: some chapters say it of a word of their own.

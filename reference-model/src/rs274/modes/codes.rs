@@ -38,12 +38,15 @@ const fn alone(number: u32, words: &'static str) -> Code {
     Code { number, group: None, words, axis_words: false, later: None }
 }
 
+/// The letters of an arc: offsets of its centre, its radius, its turns.
+pub const ARC: &str = "ijkrp";
+
 /// Every G code of the language.
 pub const G_CODES: &[Code] = &[
     axes(0, Group::Motion, ""),
     axes(10, Group::Motion, ""),
-    later(20, Group::Motion, "arcs"),
-    later(30, Group::Motion, "arcs"),
+    axes(20, Group::Motion, ARC),
+    axes(30, Group::Motion, ARC),
     code(40, Group::NonModal, "p"),
     later(50, Group::Motion, "splines"),
     later(51, Group::Motion, "splines"),
@@ -51,7 +54,7 @@ pub const G_CODES: &[Code] = &[
     later(53, Group::Motion, "splines"),
     code(70, Group::Lathe, ""),
     code(80, Group::Lathe, ""),
-    axes(100, Group::NonModal, "lpr"),
+    axes(100, Group::NonModal, "lpqrij"),
     code(170, Group::Plane, ""),
     code(171, Group::Plane, ""),
     code(180, Group::Plane, ""),
@@ -60,10 +63,10 @@ pub const G_CODES: &[Code] = &[
     code(191, Group::Plane, ""),
     code(200, Group::Units, ""),
     code(210, Group::Units, ""),
-    later(280, Group::NonModal, "predefined positions"),
-    later(281, Group::NonModal, "predefined positions"),
-    later(300, Group::NonModal, "predefined positions"),
-    later(301, Group::NonModal, "predefined positions"),
+    axes(280, Group::NonModal, ""),
+    code(281, Group::NonModal, ""),
+    axes(300, Group::NonModal, ""),
+    code(301, Group::NonModal, ""),
     later(330, Group::Motion, "spindle synchronised motion"),
     later(331, Group::Motion, "rigid tapping"),
     later(382, Group::Motion, "probing"),
@@ -117,10 +120,10 @@ pub const G_CODES: &[Code] = &[
     code(901, Group::ArcDistance, ""),
     code(910, Group::Distance, ""),
     code(911, Group::ArcDistance, ""),
-    later(920, Group::NonModal, "G92 offsets"),
-    later(921, Group::NonModal, "G92 offsets"),
-    later(922, Group::NonModal, "G92 offsets"),
-    later(923, Group::NonModal, "G92 offsets"),
+    axes(920, Group::NonModal, ""),
+    code(921, Group::NonModal, ""),
+    code(922, Group::NonModal, ""),
+    code(923, Group::NonModal, ""),
     code(930, Group::FeedMode, ""),
     code(940, Group::FeedMode, ""),
     code(950, Group::FeedMode, "$"),

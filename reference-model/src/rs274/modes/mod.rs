@@ -6,7 +6,7 @@ mod groups;
 mod saved_state;
 mod settings;
 
-pub use codes::{Code, G_CODES, M_CODES, g_code, g_text, m_code};
+pub use codes::{ARC, Code, G_CODES, M_CODES, g_code, g_text, m_code};
 pub use coordinates::{converted, unit_size};
 pub(crate) use coordinates::{each, first_parameter};
 pub use groups::ModalGroup;

@@ -3,7 +3,7 @@
 mod phase;
 mod rules;
 
-pub use phase::{AXIS_LETTERS, Phase, has_axis_words};
+pub use phase::{AXIS_LETTERS, Phase, has_axis_words, moves_without_code};
 pub use rules::{ORDER_RULES, OrderRule};
 
 use super::machine::State;
@@ -97,7 +97,7 @@ fn perform(
         Phase::Path => step::path::perform(words, state),
         Phase::Distance => step::units_planes::select_distance(words, state),
         Phase::Retract => step::units_planes::select_retract(words, state),
-        Phase::OffsetData => step::offsets::change(words, state)?,
+        Phase::OffsetData => step::offsets::change(words, state, record)?,
         Phase::Motion => step::motion::perform(words, state, record)?,
         Phase::Stop => return Ok(step::stop::perform(words, state, record)),
     }

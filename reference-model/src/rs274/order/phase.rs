@@ -51,7 +51,7 @@ pub enum Phase {
     Distance,
     /// G98, G99.
     Retract,
-    /// G10, G52.
+    /// G10, G28, G30, G52, G92.
     OffsetData,
     /// G0, G1, G80, and axis words alone.
     Motion,
@@ -118,16 +118,17 @@ impl Phase {
                 groups(&[ModalGroup::Distance, ModalGroup::ArcDistance, ModalGroup::Lathe])
             }
             Self::Retract => groups(&[ModalGroup::Retract]),
-            Self::OffsetData => words.g.contains(&100) || words.g.contains(&520),
+            Self::OffsetData => words.g.iter().any(|code| OFFSET_DATA.contains(code)),
             Self::Motion => {
-                groups(&[ModalGroup::Motion])
-                    || words.g.contains(&530)
-                    || moves_by_axis_words(words)
+                groups(&[ModalGroup::Motion]) || words.g.contains(&530) || moves_without_code(words)
             }
             Self::Stop => groups(&[ModalGroup::Stopping]),
         }
     }
 }
+
+/// G codes that change the data of offsets, or go to a stored position.
+const OFFSET_DATA: [u32; 10] = [100, 280, 281, 300, 301, 520, 920, 921, 922, 923];
 
 fn has_group(words: &Words, groups: &[ModalGroup]) -> bool {
     let g = words.g.iter().filter_map(|number| g_code(*number));
@@ -135,12 +136,17 @@ fn has_group(words: &Words, groups: &[ModalGroup]) -> bool {
     g.chain(m).any(|code| code.group.is_some_and(|group| groups.contains(&group)))
 }
 
-/// Whether axis words, polar ones too, stand in the block for no code that uses them: then the motion mode does.
+/// Whether axis words, polar ones too, or offsets of a centre stand in the block for no code that uses them: then the
+/// motion mode does.
 ///
 /// Rule modal-groups.motion-suspended. A code of group 0 that uses axis words suspends the motion mode for its block.
-fn moves_by_axis_words(words: &Words) -> bool {
-    let used = words.g.iter().filter_map(|number| g_code(*number)).any(|code| code.axis_words);
-    has_axis_words(words) && !used
+pub fn moves_without_code(words: &Words) -> bool {
+    let codes = || words.g.iter().filter_map(|number| g_code(*number));
+    let offset = |letter: &&char| "ijk".contains(**letter);
+    let offsets = words.letters.keys().find(offset);
+    let uses_offsets = |offset: &char| codes().any(|code| code.words.contains(*offset));
+    !codes().any(|code| code.axis_words)
+        && (has_axis_words(words) || offsets.is_some_and(|offset| !uses_offsets(offset)))
 }
 
 /// The letters of the axes, and the polar words that stand for X and Y.

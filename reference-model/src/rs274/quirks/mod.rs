@@ -4,6 +4,7 @@
 //! that shows it. The main path calls a section by one line, `if state.readings.quirk("rs274.…")`.
 
 pub mod control;
+pub mod motion;
 pub mod outputs;
 pub mod saved_state;
 pub mod settings;

@@ -2,7 +2,8 @@
 
 use gaugeblock_trace::{FaultKind, FeedMode, Motion, Switch};
 
-use super::motion::motion_of;
+use super::motion::{is_feed, motion_of};
+use super::positions;
 use super::spindle::number;
 use super::word;
 use crate::rs274::machine::State;
@@ -60,7 +61,7 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
         return Err(refuse("feed.negative-rate", FaultKind::WordOutOfRange, message));
     }
     let motion = motion_of(words, state);
-    if state.modes.feed_mode == FeedMode::InverseTime && motion != Some(Motion::Feed) {
+    if state.modes.feed_mode == FeedMode::InverseTime && !motion.is_some_and(is_feed) {
         state.evidence.accepted("feed.inverse-time-stray-rate");
         return Ok(());
     }
@@ -84,7 +85,7 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
 /// Rule overrides.feed-stop-holds. While the feed stop is enabled its input holds every move; while it is disabled it has no
 /// effect (overrides.feed-stop-no-effect).
 pub(crate) fn is_held(words: &Words, state: &mut State) -> bool {
-    let traverse = motion_of(words, state) == Some(Motion::Traverse);
+    let traverse = positions::moves(words) || motion_of(words, state) == Some(Motion::Traverse);
     let panel = &state.panel;
     let factor = if traverse { panel.rapid_override } else { panel.feed_override };
     let (adaptive, stop) = (state.outside.adaptive_feed(), state.outside.feed_stop());

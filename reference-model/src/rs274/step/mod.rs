@@ -1,10 +1,12 @@
 //! What each phase of a block does.
 
+mod arc;
 pub mod compensation;
 pub mod coolant;
 pub mod dwell;
 pub mod feed;
 pub mod inputs;
+mod local_offset;
 pub mod message;
 pub mod motion;
 pub mod offsets;
@@ -12,6 +14,7 @@ pub mod orient;
 pub mod outputs;
 pub mod overrides;
 pub mod path;
+pub(crate) mod positions;
 pub mod program_end;
 pub(crate) mod restore;
 pub mod saved_state;
@@ -21,6 +24,7 @@ mod target;
 pub mod tool;
 pub mod tool_change;
 pub mod tool_length;
+mod tool_table;
 pub mod units_planes;
 pub mod user_codes;
 mod word;

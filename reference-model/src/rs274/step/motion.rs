@@ -1,14 +1,15 @@
-//! G0, G1, G80, and axis words alone.
+//! G0, G1, G2, G3, G80, and axis words alone.
 
 use gaugeblock_trace::{
     Compensation, Effect, FaultKind, FeedMode, Motion, Position, SpindleMode, SpindleTurn,
 };
 
+use super::arc;
 use super::target::{end_point, machine_end_point};
 use super::{outputs, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::g_code;
-use crate::rs274::order::has_axis_words;
+use crate::rs274::order::{has_axis_words, moves_without_code};
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
@@ -22,14 +23,28 @@ pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
     let programmed = words.g.iter().find_map(|code| match code {
         0 => Some(Motion::Traverse),
         10 => Some(Motion::Feed),
+        20 => Some(Motion::ArcClockwise),
+        30 => Some(Motion::ArcCounterclockwise),
         _ => None,
     });
     let cancelled = words.g.contains(&800);
-    let used = words.g.iter().filter_map(|code| g_code(*code)).any(|code| code.axis_words);
     programmed.or(cancelled.then_some(Motion::None)).or_else(|| {
-        let implied = has_axis_words(words) && !used;
-        (implied || words.g.contains(&530)).then_some(state.modes.motion)
+        let implied = moves_without_code(words) || words.g.contains(&530);
+        implied.then_some(state.modes.motion)
     })
+}
+
+/// G codes of moves.
+const MOVES: [u32; 4] = [0, 10, 20, 30];
+
+/// Whether a motion is an arc.
+pub(crate) fn is_arc(motion: Motion) -> bool {
+    matches!(motion, Motion::ArcClockwise | Motion::ArcCounterclockwise)
+}
+
+/// Whether a motion is executed at the feed rate.
+pub(super) fn is_feed(motion: Motion) -> bool {
+    motion == Motion::Feed || is_arc(motion)
 }
 
 /// Moves, or sets the motion mode.
@@ -38,15 +53,18 @@ pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
 /// A move that the modes in force do not allow.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
     let Some(motion) = motion_of(words, state) else { return Ok(()) };
-    let programmed = words.g.iter().any(|code| [0, 10, 800].contains(code));
+    let programmed = words.g.iter().any(|code| MOVES.contains(code) || *code == 800);
     state.evidence.accepted(if programmed { "motion.mode-change" } else { "motion.mode-holds" });
+    if !programmed && is_arc(motion) {
+        state.evidence.accepted("arcs.mode-holds");
+    }
     if words.g.contains(&530) {
         machine_coordinates_possible(motion, words, state)?;
     }
     if motion == Motion::None {
         return cancel(words, programmed, state);
     }
-    if !has_axis_words(words) {
+    if !has_axis_words(words) && !is_arc(motion) {
         return without_axis_words(motion, words, state, record);
     }
     move_to(motion, words, state, record)
@@ -74,7 +92,7 @@ fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), Halt
 /// Whether the axis words of a block are the motion's.
 fn moves_by(words: &Words) -> bool {
     let others = words.g.iter().filter_map(|code| g_code(*code));
-    !others.filter(|code| ![0, 10].contains(&code.number)).any(|code| code.axis_words)
+    !others.filter(|code| !MOVES.contains(&code.number)).any(|code| code.axis_words)
 }
 
 /// Rule motion.without-axis-words. Whether a motion code alone makes a move of no length is a choice.
@@ -103,8 +121,11 @@ fn move_to(
     if state.modes.compensation != Compensation::Off && !quirks::moves_as_without_radius(state) {
         return Err(Halt::Unsupported("a move under cutter compensation".to_owned()));
     }
-    if motion == Motion::Feed {
-        feed_possible(words, state)?;
+    if is_feed(motion) {
+        feed_possible(motion, words, state)?;
+    }
+    if is_arc(motion) {
+        return arc::perform(motion, words, state, record);
     }
     let end = if words.g.contains(&530) {
         machine_end_point(words, state)
@@ -132,7 +153,7 @@ fn machine_coordinates_possible(
     words: &Words,
     state: &mut State,
 ) -> Result<(), Halt> {
-    if motion == Motion::None {
+    if ![Motion::Traverse, Motion::Feed].contains(&motion) {
         let rule = "offsets.machine-needs-motion";
         return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
     }
@@ -156,7 +177,8 @@ fn machine_coordinates_possible(
 /// Rule feed.move-without-rate. Otherwise a feed rate must have been set, and again after a switch of the feed mode
 /// (feed.rate-after-mode-change).
 /// Rule spindle.surface-speed-while-stopped. Under constant surface speed the spindle must turn.
-fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt> {
+/// Rule arcs.needs-feed-rate. All this holds for arcs too.
+fn feed_possible(motion: Motion, words: &Words, state: &mut State) -> Result<(), Halt> {
     if state.modes.feed_mode == FeedMode::InverseTime {
         if word(words, 'f').is_none() {
             state.evidence.refused("feed.inverse-time-stray-rate");
@@ -168,6 +190,9 @@ fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt> {
     if state.modes.feed_rate == 0.0 {
         if state.modes.feed_awaited {
             state.evidence.refused("feed.rate-after-mode-change");
+        }
+        if is_arc(motion) {
+            state.evidence.refused("arcs.needs-feed-rate");
         }
         let message = "a feed move, and no feed rate";
         return Err(refuse("feed.move-without-rate", FaultKind::ZeroFeed, message));

@@ -1,15 +1,17 @@
-//! G54 to G59.3, G10 L2, G52.
+//! G54 to G59.3, G10 L2 and L20; the other data of offsets have rooms of their own.
 
-use gaugeblock_trace::{Axis, Compensation, FaultKind, Motion};
+use gaugeblock_trace::{Axis, Compensation, FaultKind, Motion, Position};
 
 use super::target::offset_words;
-use super::{whole, word};
+use super::tool_table::{self, Values};
+use super::{local_offset, positions, whole, word};
 use crate::rs274::machine::State;
-use crate::rs274::modes::{converted, first_parameter};
+use crate::rs274::modes::{converted, each, first_parameter};
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::settings as quirks;
+use crate::rs274::quirks::{motion as motion_quirks, settings as quirks};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::task::Record;
 
 /// Selects a coordinate system.
 ///
@@ -65,27 +67,64 @@ fn reload(state: &mut State) {
 /// Rule modal-groups.motion-suspended. The axis words are not the motion mode's, which holds again in the next block.
 ///
 /// # Errors
-/// Those of G10 and G52.
-pub fn change(words: &Words, state: &mut State) -> Result<(), Halt> {
+/// Those of G10, G28, G30, G52 and G92.
+pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
     if has_axis_words(words) && state.modes.motion != Motion::None {
         state.evidence.accepted("modal-groups.motion-suspended");
     }
-    if words.g.contains(&100) { set_origin(words, state) } else { set_local(words, state) }
+    if words.g.iter().any(|code| [280, 281, 300, 301].contains(code)) {
+        return positions::perform(words, state, record);
+    }
+    if !words.g.contains(&100) {
+        return local_offset::change(words, state);
+    }
+    match kind(words)? {
+        0 => tool_table::reload(state),
+        1 => tool_table::set(Values::Offsets, words, state, record),
+        10 => tool_table::set(Values::Coordinates, words, state, record),
+        11 => tool_table::set(Values::FixtureCoordinates, words, state, record),
+        20 => set_origin(true, words, state),
+        _ => set_origin(false, words, state),
+    }
 }
 
-/// G10 L2.
+/// Rule offsets.change-under-compensation. Whether an offset that is in force can be changed while the cutter is compensated
+/// is a choice.
+pub(super) fn in_force_changes(state: &mut State) -> Result<(), Halt> {
+    let rule = "offsets.change-under-compensation";
+    if state.modes.compensation == Compensation::Off {
+        return Ok(());
+    }
+    if state.readings.is(rule, "refused") {
+        let message = "an offset in force is changed while cutter compensation is on";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    state.evidence.accepted(rule);
+    Ok(())
+}
+
+/// G10 L2 and L20.
 ///
 /// Rule offsets.set. It sets the origin of system P to the axis values; P0 is the active one (offsets.set-active).
 /// Rule offsets.set-replaces. They replace the old ones, whatever the distance mode.
 /// Rule offsets.set-omitted-axes. Axes without a word keep theirs.
-fn set_origin(words: &Words, state: &mut State) -> Result<(), Halt> {
-    kind(words)?;
+/// Rule offsets.rotation. R of G10 L2 is the angle by which the system is turned about Z; without R it stays.
+fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), Halt> {
     let system = system(words, state)?;
+    if system == state.modes.work_offset {
+        in_force_changes(state)?;
+    }
     let first = first_parameter(system);
-    for (axis, value) in offset_words(words, state) {
-        store_length(first, axis, value, state);
+    let named = offset_words(words, state);
+    if calculated {
+        store_calculated(system, &named, state);
+    } else {
+        for (axis, value) in named {
+            store_length(first, axis, value, state);
+        }
     }
     if let Some(rotation) = word(words, 'r') {
+        state.evidence.accepted("offsets.rotation");
         state.parameters.store(first + 9, rotation);
     }
     for rule in ["offsets.set", "offsets.set-replaces", "offsets.set-omitted-axes"] {
@@ -94,24 +133,52 @@ fn set_origin(words: &Words, state: &mut State) -> Result<(), Halt> {
     if system == state.modes.work_offset {
         state.evidence.accepted("offsets.set-immediate");
         state.evidence.accepted("offsets.local-stays");
-        reload(state);
+        if calculated {
+            reload(state);
+        } else {
+            motion_quirks::turn_system(reload, state);
+        }
     } else {
         state.evidence.accepted("offsets.set-inactive");
     }
     Ok(())
 }
 
+/// Rule offsets.calculate. G10 L20 sets the origin of a system so that the current point gets the axis values in it, with
+/// the local offset and the tool offset in force.
+fn store_calculated(system: u32, named: &[(Axis, f64)], state: &mut State) {
+    state.evidence.accepted("offsets.calculate");
+    let mut modes = state.modes.clone();
+    let machine = modes.machine_point(state.position);
+    modes.work_offset = system;
+    let parameters = &state.parameters;
+    modes.load_work_offset(|number| parameters.stored(number), state.machine.length_unit);
+    let mut wanted = modes.program_point(machine);
+    for (axis, value) in named {
+        *wanted.get_mut(*axis) = *value;
+    }
+    modes.g5x_offset = Position::default();
+    let from_origin = modes.machine_point(wanted);
+    let origin = each(machine, from_origin, |machine, point| machine - point);
+    let rotated = modes.rotation != 0.0;
+    let is_named = |axis: Axis| named.iter().any(|(named, _)| *named == axis);
+    let in_plane = is_named(Axis::X) || is_named(Axis::Y);
+    for axis in Axis::ALL.iter().copied() {
+        let turns_too = rotated && in_plane && [Axis::X, Axis::Y].contains(&axis);
+        if is_named(axis) || turns_too {
+            store_length(first_parameter(system), axis, origin.get(axis), state);
+        }
+    }
+}
+
 /// Rule offsets.set-needs-kind. L says what G10 sets.
-fn kind(words: &Words) -> Result<(), Halt> {
+fn kind(words: &Words) -> Result<i32, Halt> {
     let rule = "offsets.set-needs-kind";
     let Some(kind) = word(words, 'l') else {
         return Err(refuse(rule, FaultKind::MissingWord, "G10 needs L"));
     };
     match whole(kind) {
-        Some(2) => Ok(()),
-        Some(kind @ (0 | 1 | 10 | 11 | 20)) => {
-            Err(Halt::Unsupported(format!("G10 L{kind}: tool table and calculated origins")))
-        }
+        Some(kind @ (0 | 1 | 2 | 10 | 11 | 20)) => Ok(kind),
         _ => Err(refuse(rule, FaultKind::WordOutOfRange, format!("there is no G10 L{kind}"))),
     }
 }
@@ -119,7 +186,7 @@ fn kind(words: &Words) -> Result<(), Halt> {
 /// Rule offsets.set-number. P is an integer from 0 to 9; 0 is the active system.
 fn system(words: &Words, state: &mut State) -> Result<u32, Halt> {
     let Some(number) = word(words, 'p').map(|number| quirks::origin_number(number, state)) else {
-        let message = "G10 L2 needs P, the coordinate system";
+        let message = "G10 L2 and L20 need P, the coordinate system";
         return Err(refuse("offsets.set-needs-number", FaultKind::MissingWord, message));
     };
     let message = || format!("P{number} is no coordinate system from 0 to 9");
@@ -136,47 +203,10 @@ fn system(words: &Words, state: &mut State) -> Result<u32, Halt> {
 }
 
 /// Stores a coordinate in the machine's length unit, as one of nine parameters from a first one.
-fn store_length(first: u32, axis: Axis, value: f64, state: &mut State) {
-    let mut position = gaugeblock_trace::Position::default();
+pub(super) fn store_length(first: u32, axis: Axis, value: f64, state: &mut State) {
+    let mut position = Position::default();
     *position.get_mut(axis) = value;
     let stored = converted(position, state.modes.units, state.machine.length_unit).get(axis);
     let place = (first..).zip(Axis::ALL).find(|(_, known)| **known == axis).map(|(place, _)| place);
     state.parameters.store(place.expect("offsets: an axis is one of nine"), stored);
-}
-
-/// G52.
-///
-/// Rule offsets.local. It shifts the coordinate system by its axis values, after the rotation, and moves nothing.
-/// Rule offsets.local-replaces. The values count from the coordinate system, not from an earlier G52.
-/// Rule offsets.local-omitted-axes. Axes without a word keep theirs.
-/// Rule offsets.local-parameters. #5211 to #5219 hold the offset, #5210 tells that it applies.
-///
-/// # Errors
-/// Rule offsets.local-needs-axes.
-fn set_local(words: &Words, state: &mut State) -> Result<(), Halt> {
-    if !has_axis_words(words) {
-        let message = "G52 needs an axis word";
-        return Err(refuse("offsets.local-needs-axes", FaultKind::MissingWord, message));
-    }
-    for rule in [
-        "offsets.local",
-        "offsets.local-replaces",
-        "offsets.local-omitted-axes",
-        "offsets.local-parameters",
-    ] {
-        state.evidence.accepted(rule);
-    }
-    let machine = state.modes.machine_point(state.position);
-    let mut offset = state.modes.g92_offset;
-    for (axis, value) in offset_words(words, state) {
-        *offset.get_mut(axis) = value;
-    }
-    state.modes.g92_offset = offset;
-    state.modes.local_applies = true;
-    state.position = state.modes.program_point(machine);
-    for axis in Axis::ALL.iter().copied() {
-        store_length(5211, axis, offset.get(axis), state);
-    }
-    state.parameters.store(5210, 1.0);
-    Ok(())
 }

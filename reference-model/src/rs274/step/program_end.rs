@@ -42,6 +42,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) {
 /// program-end.compensation, program-end.spindle, program-end.motion, program-end.coolant.
 /// On a machine with several spindles it is a choice which of them stop.
 /// Rules program-end.kept and program-end.feed-kept. What the list leaves out stays.
+/// Rule offsets.local-persists. So does the local offset.
 fn reset(state: &mut State) {
     for rule in [
         "program-end.work-offset",
@@ -58,6 +59,9 @@ fn reset(state: &mut State) {
         "program-end.parameters-kept",
     ] {
         state.evidence.accepted(rule);
+    }
+    if state.modes.local_applies {
+        state.evidence.accepted("offsets.local-persists");
     }
     use_system(1, state);
     let every = state.readings.is("program-end.spindles", "all");

@@ -5,6 +5,7 @@ use gaugeblock_trace::{Axis, Distance, FaultKind, Lathe, Position};
 use super::word;
 use crate::math;
 use crate::rs274::machine::State;
+use crate::rs274::quirks::motion as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 
@@ -113,6 +114,7 @@ fn polar(words: &Words, state: &mut State) -> Result<Option<Position>, Halt> {
         let message = "polar words together with X or Y";
         return Err(refuse("motion.polar-mixed", FaultKind::AxisWords, message));
     }
+    quirks::polar_plane(state)?;
     let here = state.position;
     let incremental = state.modes.distance == Distance::Incremental;
     if incremental && here.x == 0.0 && here.y == 0.0 {

@@ -1,11 +1,11 @@
 //! M6 and M61.
 
-use gaugeblock_trace::{Axis, Effect, FaultKind, Position, SpindleTurn};
+use gaugeblock_trace::{Effect, FaultKind, Position, SpindleTurn};
 
+use super::positions;
 use super::tool::entry;
 use super::{outputs, pass, spindle, whole, word};
 use crate::rs274::machine::State;
-use crate::rs274::modes::converted;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -73,23 +73,13 @@ fn moves(state: &mut State, record: &mut Record) {
         state.evidence.accepted("tool.change-quill-up");
     }
     if state.machine.tool_change.at_g30 {
-        let mut there = Position::default();
-        for (number, axis) in (G30_POSITION..).zip(Axis::ALL) {
-            if state.machine.axes.contains(axis) {
-                *there.get_mut(*axis) = state.parameters.stored(number);
-            }
-        }
-        let there = converted(there, state.machine.length_unit, state.modes.units);
-        traverse(there, state, record);
+        traverse(positions::stored(positions::G30_POSITION, state), state, record);
         state.evidence.accepted("tool.change-at-g30");
     }
 }
 
-/// The parameter with X of the position of G30, machine unit.
-const G30_POSITION: u32 = 5181;
-
 /// A rapid move to a machine position, active length unit.
-fn traverse(machine: Position, state: &mut State, record: &mut Record) {
+pub(super) fn traverse(machine: Position, state: &mut State, record: &mut Record) {
     state.position = state.modes.program_point(machine);
     outputs::motion_begins(state);
     record.effect(state, Effect::StraightTraverse { end: state.position });

@@ -120,8 +120,9 @@ impl Run<'_> {
     fn execute(&mut self, words: &Words) -> Result<Rest, Halt> {
         let mut rest = Rest::Execute;
         for phase in order::phases(words) {
-            if phase == Phase::Motion {
-                self.may_move(words)?;
+            let to_position = phase == Phase::OffsetData && step::positions::moves(words);
+            if phase == Phase::Motion || to_position {
+                self.may_move(phase, words)?;
             }
             self.waits_for_machine = waits_for_machine(phase, words);
             if self.waits_for_machine && self.ahead {

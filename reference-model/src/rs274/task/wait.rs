@@ -98,8 +98,8 @@ impl Run<'_> {
     ///
     /// Rules overrides.feed-zero, overrides.adaptive-feed-zero, overrides.feed-stop-holds. Until then the block stands, and the
     /// operator or an input may change what holds it.
-    pub(super) fn may_move(&mut self, words: &Words) -> Result<(), Halt> {
-        if self.ahead || !self.moves(words) {
+    pub(super) fn may_move(&mut self, phase: Phase, words: &Words) -> Result<(), Halt> {
+        if self.ahead || !self.moves(phase, words) {
             return Ok(());
         }
         while step::feed::is_held(words, &mut self.state) {
@@ -120,10 +120,10 @@ impl Run<'_> {
     }
 
     /// Whether a block moves: one that is refused does not even begin to.
-    fn moves(&self, words: &Words) -> bool {
+    fn moves(&self, phase: Phase, words: &Words) -> bool {
         let mut state = self.state.clone();
         let mut record = Record::new(&state);
-        let moved = order::execute(Phase::Motion, words, &mut state, &mut record);
+        let moved = order::execute(phase, words, &mut state, &mut record);
         moved.is_ok() && record.effects() > 0
     }
 }

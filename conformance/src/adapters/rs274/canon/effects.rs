@@ -80,7 +80,7 @@ impl Canon {
         let place = usize::try_from(whole(call, place)?).map_err(|_| call.unreadable("tool"))?;
         match place.checked_sub(1) {
             None => Ok(0),
-            Some(index) => self.table.get(index).copied().ok_or_else(|| call.unreadable("tool")),
+            Some(index) => self.table.number_at(index).ok_or_else(|| call.unreadable("tool")),
         }
     }
 }

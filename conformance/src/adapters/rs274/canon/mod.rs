@@ -6,6 +6,9 @@
 mod effects;
 mod settings;
 mod spindles;
+mod tool_table;
+
+use std::f64::consts::TAU;
 
 use gaugeblock_trace::{Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings};
 
@@ -39,7 +42,7 @@ pub(super) struct Canon {
     /// Tool in the spindle.
     pub(super) tool: i32,
     lengths: Lengths,
-    table: Vec<i32>,
+    table: tool_table::Table,
     events: Vec<Event>,
     /// Feed rate of the next move under inverse time, where the calls show a speed in place of F.
     speed: Option<f64>,
@@ -52,13 +55,12 @@ type Done = Result<Mark, HarnessError>;
 impl Canon {
     /// Nothing set yet.
     pub(super) fn new(machine: &Machine) -> Self {
-        let number = |number: u32| i32::try_from(number).unwrap_or(i32::MAX);
         Self {
             now: Settings::default(),
             position: Position::default(),
             tool: 0,
             lengths: Lengths::default(),
-            table: machine.tools.iter().map(|tool| number(tool.number)).collect(),
+            table: tool_table::Table::new(machine),
             events: Vec::new(),
             speed: None,
             block: String::new(),
@@ -147,10 +149,8 @@ impl Canon {
                 self.feed_rate(rate);
                 Ok(Mark::None)
             }
-            (
-                "STRAIGHT_PROBE" | "NURBS_FEED" | "START_SPEED_FEED_SYNC" | "SET_TOOL_TABLE_ENTRY",
-                _,
-            ) => {
+            ("SET_TOOL_TABLE_ENTRY", _) => self.tool_entry(call, &numbers),
+            ("STRAIGHT_PROBE" | "NURBS_FEED" | "START_SPEED_FEED_SYNC", _) => {
                 Ok(Mark::Unsupported(format!("{} does not show what the effect needs", call.name)))
             }
             _ => self.setting(call, &numbers),
@@ -181,6 +181,30 @@ impl Canon {
         }
     }
 
+    /// The same for an arc: its length is that of the helix.
+    fn show_inverse_time_of_arc(&mut self, numbers: &[f64]) {
+        let (Some(speed), &[first, second, first_centre, second_centre, turns, along, ..]) =
+            (self.speed, numbers)
+        else {
+            return;
+        };
+        let Position { x, y, z, .. } = self.position;
+        let (from_first, from_second, from_along) = match self.now.plane {
+            Some(Plane::Zx) => (z, x, y),
+            Some(Plane::Yz) => (y, z, x),
+            Some(Plane::Xy | Plane::Uv | Plane::Wu | Plane::Vw) | None => (x, y, z),
+        };
+        let angle = |first: f64, second: f64| (second - second_centre).atan2(first - first_centre);
+        let swept = (angle(first, second) - angle(from_first, from_second)) * turns.signum();
+        let part = swept.rem_euclid(TAU);
+        let part = if part < 1e-9 { TAU } else { part };
+        let radius = (from_first - first_centre).hypot(from_second - second_centre);
+        let length = radius * (part + (turns.abs() - 1.0) * TAU);
+        let change = speed / length.hypot(along - from_along);
+        let change = self.lengths.feed(change, Some(FeedMode::InverseTime));
+        self.set(change);
+    }
+
     fn move_to(&mut self, [x, y, z, a, b, c]: [f64; 6]) -> Position {
         self.position = Position { x, y, z, a, b, c, ..self.position };
         self.position
@@ -190,6 +214,7 @@ impl Canon {
         let &[first, second, first_centre, second_centre, turns, along, a, b, c] = numbers else {
             return Err(call.unreadable("arguments of an arc"));
         };
+        self.show_inverse_time_of_arc(numbers);
         let (x, y, z) = match self.now.plane {
             Some(Plane::Zx) => (second, along, first),
             Some(Plane::Yz) => (along, first, second),

@@ -69,6 +69,10 @@ fn each_call_is_a_setting_or_an_effect() {
             "arc_distance=absolute",
         ),
         ("COMMENT(\"interpreter: feed mode set to inverse time\")", "feed_mode=inverse_time"),
+        (
+            "SET_TOOL_TABLE_ENTRY(1, 4, 0.1000 0.0000 2.0000 0.0000 0.0000 0.0000 0.0000 0.0000 0.0000, 10.0000, 20.0000, 3)",
+            "set_tool_entry tool=4 offset=(x0.1 z2) diameter=0 front_angle=10 back_angle=20 orientation=3",
+        ),
         ("DWELL(0.5000)", "dwell seconds=0.5"),
         ("MESSAGE(\"a \"b\"\")", "message channel=display text=\"a \\\"b\\\"\""),
         ("LOGAPPEND(\"a.txt\")", "log_open file=\"a.txt\" append=yes"),
@@ -93,6 +97,7 @@ fn what_says_nothing_is_passed_over() {
         "ON_RESET()",
         "START_CHANGE()",
         "SET_FEED_REFERENCE(CANON_XYZ)",
+        "SET_TOOL_TABLE_ENTRY(0, 4, 0.1 0 2 0 0 0 0 0 0, 0, 0, 0)",
         "COMMENT(\"hello\")",
         "TURN_PROBE_OFF()",
     ];

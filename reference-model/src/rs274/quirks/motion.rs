@@ -1,0 +1,42 @@
+//! Quirks of moves, arcs, rotated systems and the tool table.
+
+use gaugeblock_trace::{FaultKind, LengthUnit, Plane};
+
+use crate::rs274::machine::State;
+use crate::rs274::refusal::{Halt, refuse};
+
+/// Quirk rs274.arc-radius-tolerance. How far the radii at start and end of an arc may be apart: about five times as far as
+/// documented. The larger holds always, the smaller for arcs of which it is more than a thousandth.
+pub(crate) fn radius_tolerances(state: &State) -> Option<(f64, f64)> {
+    let half_square = std::f64::consts::SQRT_2;
+    state.readings.quirk("rs274.arc-radius-tolerance").then(|| match state.modes.units {
+        LengthUnit::Inch => (0.2 * half_square, 0.002 * half_square),
+        LengthUnit::Millimetre => (2.0 * half_square, 0.02 * half_square),
+    })
+}
+
+/// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, the point is turned without the local
+/// offset, which it keeps as it was.
+pub(crate) fn turn_system(reload: fn(&mut State), state: &mut State) {
+    if !state.readings.quirk("rs274.rotation-under-local-offset") {
+        return reload(state);
+    }
+    let local = std::mem::take(&mut state.modes.g92_offset);
+    reload(state);
+    state.modes.g92_offset = local;
+}
+
+/// Quirk rs274.tool-entry-under-compensation. The tool table can be changed while the cutter is compensated.
+pub(crate) fn table_under_compensation(state: &State) -> bool {
+    state.readings.quirk("rs274.tool-entry-under-compensation")
+}
+
+/// Quirk rs274.polar-plane. Polar words are refused outside of the XY plane.
+pub(crate) fn polar_plane(state: &State) -> Result<(), Halt> {
+    let rule = "rs274.polar-plane";
+    if state.modes.plane != Plane::Xy && state.readings.quirk(rule) {
+        let message = "polar words outside of the XY plane";
+        return Err(refuse(rule, FaultKind::ModalConflict, message));
+    }
+    Ok(())
+}
