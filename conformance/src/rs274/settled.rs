@@ -1,0 +1,187 @@
+//! Modes and offsets of a block, and what M72 and the end of a sub with M73 bring back.
+
+use gaugeblock_trace::{Compensation, FeedMode, Path, SpindleMode};
+
+use super::block::Printed;
+use super::modes::Modes;
+
+/// G54 to G59.3.
+const WORK_OFFSETS: [u16; 9] = [540, 550, 560, 570, 580, 590, 591, 592, 593];
+
+impl Printed<'_> {
+    /// Plane, units, lathe, compensation, tool length, work offset, path, distance, retract.
+    pub(super) fn modes(&mut self) {
+        if self.words.g.is_empty() {
+            return;
+        }
+        let (before, after) = (self.before, self.after);
+        self.plane_and_units();
+        if self.words.g_of(&[70, 80]).is_some() && before.lathe != after.lathe {
+            self.out.lathe(after.lathe);
+        }
+        match self.words.g_of(&[400, 410, 420, 411, 421]) {
+            Some(400) => self.out.compensation(Compensation::Off),
+            Some(_) => self.out.compensation(after.compensation),
+            None => {}
+        }
+        if self.words.g_of(&[430, 431, 432, 490]).is_some() {
+            self.out.tool_offset(&after.tool_offset);
+        }
+        if let Some(code) = self.words.g_of(&WORK_OFFSETS) {
+            self.work_offset(code);
+        }
+        match self.words.g_of(&[610, 611, 640]) {
+            Some(640) => {
+                self.out.path_mode(&after);
+                self.out.naive_cam_tolerance(&after);
+            }
+            Some(_) => self.out.path_mode(&after),
+            None => {}
+        }
+        if before.distance != after.distance && self.words.g_of(&[900, 910]).is_some() {
+            self.out.distance(after.distance);
+        }
+        if before.arc_distance != after.arc_distance {
+            self.out.arc_distance(after.arc_distance);
+        }
+        if self.words.g_of(&[980, 990]).is_some() {
+            self.out.retract(after.retract);
+        }
+    }
+
+    fn work_offset(&mut self, code: u16) {
+        let system = WORK_OFFSETS.iter().position(|other| *other == code).map_or(0, |place| place + 1);
+        if usize::try_from(self.before.work_offset) == Ok(system) {
+            self.out.note("continuing to use same coordinate system");
+            return;
+        }
+        self.out.g5x_offset(&self.after);
+        self.out.g92_offset(&self.after);
+        self.out.rotation(&self.after);
+    }
+
+    /// G10, G52, G92 and its kin.
+    pub(super) fn offsets(&mut self) {
+        let Some(code) = self.words.g_of(&[100, 520, 920, 921, 922, 923]) else { return };
+        if code != 100 {
+            self.out.g92_offset(&self.after);
+            return;
+        }
+        let whole = |letter| self.words.get(letter).unwrap_or(0.0).round();
+        if ![2.0, 20.0].contains(&whole(b'L')) {
+            self.tool_entry();
+            return;
+        }
+        let system = whole(b'P');
+        if system <= 0.0 || (system - f64::from(self.after.work_offset)).abs() < 0.5 {
+            self.out.g5x_offset(&self.after);
+            self.out.rotation(&self.after);
+        } else {
+            self.out.note("setting coordinate system origin");
+        }
+    }
+
+    /// What restoring changes: units, then what is set by one block, then coolant and overrides.
+    pub(super) fn restored(&mut self) {
+        let (before, after) = (self.before, self.after);
+        if before.units != after.units {
+            self.out.units(after.units);
+        }
+        if before.feed_mode != after.feed_mode {
+            self.out.feed_mode(after.feed_mode, 0);
+        }
+        if differ(before.feed_rate, after.feed_rate) && after.feed_mode != FeedMode::InverseTime {
+            self.out.call_with("SET_FEED_RATE", after.feed_rate);
+        }
+        self.restored_spindles(&before, &after);
+        if before.plane != after.plane {
+            self.out.plane(after.plane);
+        }
+        if before.lathe != after.lathe {
+            self.out.lathe(after.lathe);
+        }
+        if before.compensation != after.compensation {
+            self.out.compensation(after.compensation);
+        }
+        if before.units == after.units && before.tool_offset != after.tool_offset {
+            self.out.tool_offset(&after.tool_offset);
+        }
+        if before.work_offset != after.work_offset {
+            self.out.g5x_offset(&after);
+            self.out.g92_offset(&after);
+            self.out.rotation(&after);
+        }
+        let tolerances = differ(before.blend_tolerance, after.blend_tolerance)
+            || differ(before.naive_cam_tolerance, after.naive_cam_tolerance);
+        if before.path != after.path || tolerances && before.units == after.units {
+            self.out.path_mode(&after);
+            if after.path == Path::Continuous {
+                self.out.naive_cam_tolerance(&after);
+            }
+        }
+        if before.distance != after.distance {
+            self.out.distance(after.distance);
+        }
+        if before.arc_distance != after.arc_distance {
+            self.out.arc_distance(after.arc_distance);
+        }
+        if before.retract != after.retract {
+            self.out.retract(after.retract);
+        }
+        self.restored_switches(&before, &after);
+        self.before = after;
+    }
+
+    fn restored_spindles(&mut self, before: &Modes, after: &Modes) {
+        let spindles = before.spindles.iter().zip(&after.spindles);
+        for (number, (before, after)) in self.all().zip(spindles) {
+            let mode = before.mode != after.mode
+                || after.mode == SpindleMode::SurfaceSpeed && before.limit != after.limit;
+            if mode {
+                self.out.spindle_mode(number, after);
+            }
+            if mode || differ(before.speed, after.speed) {
+                self.out.spindle_speed(number, after.speed);
+            }
+            if before.turn != after.turn {
+                self.out.turn(number, after.turn);
+            }
+        }
+    }
+
+    fn restored_switches(&mut self, before: &Modes, after: &Modes) {
+        if (before.mist, before.flood) != (after.mist, after.flood) {
+            self.out.mist(after.mist);
+            self.out.flood(after.flood);
+        }
+        if before.feed_override != after.feed_override {
+            self.out.feed_override(after.feed_override);
+        }
+        let spindles = before.spindles.iter().zip(&after.spindles);
+        for (number, (before, after)) in self.all().zip(spindles) {
+            if before.speed_override != after.speed_override {
+                self.out.speed_override(number, after.speed_override);
+            }
+        }
+        if before.adaptive_feed != after.adaptive_feed {
+            self.out.adaptive_feed(after.adaptive_feed);
+        }
+        if before.feed_stop != after.feed_stop {
+            self.out.feed_stop(after.feed_stop);
+        }
+    }
+}
+
+/// Whether two numbers are not the same.
+fn differ(one: f64, other: f64) -> bool {
+    (one - other).abs() > 0.0
+}
+
+/// Codes of the motion group.
+pub(super) const MOTIONS: [u16; 27] = [
+    0, 10, 20, 30, 50, 51, 52, 53, 330, 331, 382, 383, 384, 385, 730, 740, 760, 800, 810, 820, 830,
+    840, 850, 860, 870, 880, 890,
+];
+
+/// Canned cycles.
+pub(super) const CYCLES: [u16; 11] = [730, 740, 810, 820, 830, 840, 850, 860, 870, 880, 890];
