@@ -81,6 +81,10 @@ pub(super) struct Printed<'a> {
     /// How many events have been printed.
     pub(super) at: usize,
     pub(super) machine: &'a Fixed,
+    /// F as it was programmed last: `rs274` does not convert it with the unit.
+    pub(super) feed: f64,
+    /// F as it was programmed when the state was saved that the block restores.
+    pub(super) saved_feed: Option<f64>,
     /// Whether a canned cycle is in force.
     pub(super) cycle: bool,
     /// The comment that is printed, where the text has one.
@@ -206,6 +210,9 @@ impl Printed<'_> {
             && let Some(feed) = self.words.get(b'F')
         {
             self.out.call_with("SET_FEED_RATE", feed);
+            self.feed = feed;
+        } else if mode.is_some() {
+            self.feed = 0.0;
         }
     }
 
@@ -454,6 +461,7 @@ impl Printed<'_> {
             self.out.call("PALLET_SHUTTLE");
         }
         self.out.call("PROGRAM_END");
+        self.out.label(None);
         self.out.call("ON_RESET");
     }
 }

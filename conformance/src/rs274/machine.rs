@@ -69,6 +69,8 @@ pub(super) fn options() -> Options {
     let files = files::built_in();
     let editions = files.get("editions.toml").and_then(|text| text.parse::<toml::Table>().ok());
     let Some(editions) = editions else { return options };
+    // It is no departure there, since no document says otherwise of `rs274` itself.
+    options.0.insert("tool.change-without-selection".to_owned(), "accepted".to_owned());
     let editions = editions.get("edition").and_then(toml::Value::as_array);
     let mut wanted = Some(EDITION);
     while let Some(id) = wanted {

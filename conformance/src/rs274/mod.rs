@@ -41,6 +41,7 @@ use gaugeblock_trace::{End, Fault, FaultKind};
 use ini::Ini;
 use output::Output;
 use printer::Printer;
+use refusals::Refused;
 use source::{Files, Texts};
 
 /// How many blocks are executed between looks at what they came to.
@@ -160,6 +161,7 @@ impl Run {
         let place = fault.block.as_ref().map(|block| (block.file.as_str(), block.line));
         let reached = refusals::reached(fault, self.printer.words());
         let words = self.printer.words().clone();
+        let (position, plane) = self.printer.place();
         self.printer.refused(place, reached, &self.interpreter.settings());
         let line = match place {
             Some((file, line)) if fault.kind != Some(FaultKind::MissingEnd) => {
@@ -169,8 +171,10 @@ impl Run {
         };
         let line = String::from_utf8_lossy(&line);
         self.printer.out.flush();
-        complain(&refusals::sentence(fault, &words, &line));
-        complain(&line);
+        let percent = self.texts.begins_with_percent();
+        let refused = Refused { fault, words: &words, line: &line, position, plane, percent };
+        complain(&refused.sentence());
+        complain(&refused.shown());
     }
 
     /// Runs blocks from standard input, each on its own, up to `quit`.

@@ -8,7 +8,7 @@ use super::block::Printed;
 use super::modes::Modes;
 
 /// Millimetres in an inch: stored lengths are inches.
-const INCH: f64 = 25.4;
+pub(super) const INCH: f64 = 25.4;
 
 impl Printed<'_> {
     /// The block's motion.
@@ -203,7 +203,7 @@ struct FirstMoves {
 }
 
 /// A position in the plane's axes and along its normal.
-fn in_plane(plane: Plane, at: &Position) -> ([f64; 2], f64) {
+pub(super) fn in_plane(plane: Plane, at: &Position) -> ([f64; 2], f64) {
     match plane {
         Plane::Xy => ([at.x, at.y], at.z),
         Plane::Zx => ([at.z, at.x], at.y),

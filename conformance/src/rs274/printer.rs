@@ -1,7 +1,7 @@
 //! The sink of the interpreter: gathers what a block says and does, and prints its calls when it is done.
 
 use gaugeblock_impl::{BlockBegun, BlockDone, Executed, Reply, Sink};
-use gaugeblock_trace::{Effect, Event, FaultKind, Position, Settings};
+use gaugeblock_trace::{Effect, Event, FaultKind, Plane, Position, Settings};
 
 use super::block::{Fixed, Phase, Printed, Words};
 use super::modes::Modes;
@@ -19,6 +19,10 @@ pub(super) struct Printer {
     modes: Modes,
     /// Where the controlled point was before the block.
     position: Position,
+    /// F as it was programmed last.
+    feed: f64,
+    /// The same where M70 and M73 saved it, by call level.
+    saved_feeds: Vec<Option<f64>>,
     /// The motion code in force, in tenths.
     motion: u16,
     fixed: Fixed,
@@ -39,6 +43,8 @@ impl Printer {
             texts,
             modes,
             position: Position::default(),
+            feed: 0.0,
+            saved_feeds: vec![None],
             motion: 800,
             fixed,
             words: Words::default(),
@@ -57,6 +63,11 @@ impl Printer {
     /// The words of the block that was begun last.
     pub(super) fn words(&self) -> &Words {
         &self.words
+    }
+
+    /// Where the controlled point was before the block, and the plane.
+    pub(super) fn place(&self) -> (Position, Plane) {
+        (self.position, self.modes.plane)
     }
 
     /// Prints what a refused block did before the phase at which it was refused.
@@ -92,6 +103,8 @@ impl Printer {
             events,
             at: 0,
             machine: &self.fixed,
+            feed: self.feed,
+            saved_feed: self.saved_feeds.last().copied().flatten(),
             cycle: CYCLES.contains(&self.motion),
             comment,
         }
@@ -115,7 +128,12 @@ impl Printer {
         }
         let mut printed = self.printed(events, after, comment);
         printed.print(end);
-        self.position = printed.position;
+        (self.position, self.feed) = (printed.position, printed.feed);
+        if (self.words.has_m(70) || self.words.has_m(73))
+            && let Some(saved) = self.saved_feeds.last_mut()
+        {
+            *saved = Some(self.feed);
+        }
     }
 
     /// Prints a block that was executed.
@@ -140,6 +158,12 @@ impl Printer {
         self.events = events;
     }
 
+    /// A call or a return has led to a call level.
+    fn at_level(&mut self, level: u32) {
+        let levels = usize::try_from(level).unwrap_or(0).saturating_add(1);
+        self.saved_feeds.resize(levels, None);
+    }
+
     /// Prints what a return from a sub brings back.
     fn returned(&mut self, file: &str, line: u32) {
         let events = std::mem::take(&mut self.events);
@@ -155,7 +179,9 @@ impl Printer {
         let out = &mut self.out;
         self.texts.line(file, line, |line| out.label(text::number(line)));
         self.words = Words::default();
-        self.printed(&events, after, None).restored();
+        let mut printed = self.printed(&events, after, None);
+        printed.restored();
+        self.feed = printed.feed;
         self.modes = after;
     }
 }
@@ -188,11 +214,16 @@ impl Sink for Printer {
             }
             Executed::Return | Executed::NumberedReturn => {
                 self.returned(done.file(), done.line());
+                self.at_level(done.call_level());
                 if let Some(position) = done.state().position {
                     self.position = position;
                 }
             }
-            Executed::OWord | Executed::Call | Executed::NumberedCall => self.events.clear(),
+            Executed::Call | Executed::NumberedCall => {
+                self.events.clear();
+                self.at_level(done.call_level());
+            }
+            Executed::OWord => self.events.clear(),
         }
         self.begun = false;
     }

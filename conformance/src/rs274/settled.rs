@@ -1,9 +1,10 @@
 //! Modes and offsets of a block, and what M72 and the end of a sub with M73 bring back.
 
-use gaugeblock_trace::{Compensation, FeedMode, Path, SpindleMode};
+use gaugeblock_trace::{Compensation, FeedMode, LengthUnit, Path, SpindleMode, Switch};
 
 use super::block::Printed;
 use super::modes::Modes;
+use super::motion::INCH;
 
 /// G54 to G59.3.
 const WORK_OFFSETS: [u16; 9] = [540, 550, 560, 570, 580, 590, 591, 592, 593];
@@ -90,8 +91,11 @@ impl Printed<'_> {
         if before.feed_mode != after.feed_mode {
             self.out.feed_mode(after.feed_mode, 0);
         }
-        if differ(before.feed_rate, after.feed_rate) && after.feed_mode != FeedMode::InverseTime {
-            self.out.call_with("SET_FEED_RATE", after.feed_rate);
+        let feed = self.saved_feed.unwrap_or(after.feed_rate);
+        let changed = self.saved_feed.map_or(before.feed_rate, |_| self.feed);
+        if differ(changed, feed) && after.feed_mode != FeedMode::InverseTime {
+            // It comes back with one decimal.
+            self.out.call_with("SET_FEED_RATE", (feed * 10.0).round_ties_even() / 10.0);
         }
         self.restored_spindles(&before, &after);
         if before.plane != after.plane {
@@ -111,9 +115,10 @@ impl Printed<'_> {
             self.out.g92_offset(&after);
             self.out.rotation(&after);
         }
-        let tolerances = differ(before.blend_tolerance, after.blend_tolerance)
-            || differ(before.naive_cam_tolerance, after.naive_cam_tolerance);
-        if before.path != after.path || tolerances && before.units == after.units {
+        let scale = scale(before.units, after.units);
+        let tolerances = differ(before.blend_tolerance * scale, after.blend_tolerance)
+            || differ(before.naive_cam_tolerance * scale, after.naive_cam_tolerance);
+        if before.path != after.path || tolerances {
             self.out.path_mode(&after);
             if after.path == Path::Continuous {
                 self.out.naive_cam_tolerance(&after);
@@ -129,7 +134,7 @@ impl Printed<'_> {
             self.out.retract(after.retract);
         }
         self.restored_switches(&before, &after);
-        self.before = after;
+        (self.before, self.feed) = (after, feed);
     }
 
     fn restored_spindles(&mut self, before: &Modes, after: &Modes) {
@@ -141,7 +146,8 @@ impl Printed<'_> {
                 self.out.spindle_mode(number, after);
             }
             if mode || differ(before.speed, after.speed) {
-                self.out.spindle_speed(number, after.speed);
+                // It comes back as an integer.
+                self.out.spindle_speed(number, after.speed.round_ties_even());
             }
             if before.turn != after.turn {
                 self.out.turn(number, after.turn);
@@ -151,8 +157,13 @@ impl Printed<'_> {
 
     fn restored_switches(&mut self, before: &Modes, after: &Modes) {
         if (before.mist, before.flood) != (after.mist, after.flood) {
-            self.out.mist(after.mist);
-            self.out.flood(after.flood);
+            let off = (after.mist, after.flood) == (Switch::Off, Switch::Off);
+            if off || before.mist != after.mist && after.mist == Switch::On {
+                self.out.mist(after.mist);
+            }
+            if off || before.flood != after.flood && after.flood == Switch::On {
+                self.out.flood(after.flood);
+            }
         }
         if before.feed_override != after.feed_override {
             self.out.feed_override(after.feed_override);
@@ -172,9 +183,18 @@ impl Printed<'_> {
     }
 }
 
-/// Whether two numbers are not the same.
+/// From one length unit to another.
+fn scale(from: LengthUnit, to: LengthUnit) -> f64 {
+    match (from, to) {
+        (LengthUnit::Inch, LengthUnit::Millimetre) => INCH,
+        (LengthUnit::Millimetre, LengthUnit::Inch) => INCH.recip(),
+        (LengthUnit::Inch, LengthUnit::Inch) | (LengthUnit::Millimetre, LengthUnit::Millimetre) => 1.0,
+    }
+}
+
+/// Whether two numbers are not the same, but for what a conversion loses.
 fn differ(one: f64, other: f64) -> bool {
-    (one - other).abs() > 0.0
+    (one - other).abs() > 1.0e-9
 }
 
 /// Codes of the motion group.

@@ -60,6 +60,12 @@ impl Texts {
         see(text.map_or(&[], |text| text.line(line)))
     }
 
+    /// Whether the main program begins with a percent line.
+    pub(super) fn begins_with_percent(&self) -> bool {
+        let loaded = self.0.borrow();
+        loaded.main.bytes.trim_ascii_start().starts_with(b"%")
+    }
+
     /// The text of the last line of the main program that holds anything.
     pub(super) fn last_line(&self) -> Vec<u8> {
         let loaded = self.0.borrow();
@@ -88,6 +94,50 @@ impl Files {
         texts.0.borrow_mut().main = Text::new(main);
         Self { texts, folders, at: 0, open: Vec::new(), main: shared }
     }
+
+    fn open_text(&mut self, name: &str, bytes: Vec<u8>) {
+        self.open.push((Rc::from(bytes.as_slice()), 0));
+        self.texts.0.borrow_mut().others.insert(name.to_owned(), Text::new(bytes));
+    }
+}
+
+/// The text of a sub that the main program defines, with empty lines before it so that its lines keep their numbers; none where there is none.
+///
+/// `rs274` finds a sub that is defined behind its call. The interpreter does not, but looks for a file of its name.
+fn defined_later(main: &[u8], name: &str) -> Option<Vec<u8>> {
+    let name = name.strip_suffix(".ngc")?.as_bytes();
+    let mut text = Vec::new();
+    let mut within = false;
+    for line in main.split_inclusive(|byte| *byte == b'\n') {
+        let keyword = keyword(line, name);
+        within |= keyword == Some(&b"sub"[..]);
+        if within {
+            text.extend_from_slice(line);
+        } else {
+            text.push(b'\n');
+        }
+        if within && keyword == Some(&b"endsub"[..]) {
+            return Some(text);
+        }
+    }
+    None
+}
+
+/// The keyword of a line that begins with this label, `sub` or `endsub`.
+fn keyword(line: &[u8], label: &[u8]) -> Option<&'static [u8]> {
+    let mut bare: Vec<u8> =
+        line.iter().filter(|byte| !byte.is_ascii_whitespace()).map(u8::to_ascii_lowercase).collect();
+    if bare.first() == Some(&b'n') {
+        let digits = bare.iter().skip(1).take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
+        bare.drain(..=digits);
+    }
+    let rest = bare.strip_prefix(b"o")?;
+    let rest = match rest.strip_prefix(b"<") {
+        Some(rest) => rest.strip_prefix(label)?.strip_prefix(b">")?,
+        None => rest.strip_prefix(label)?,
+    };
+    let keywords: [&[u8]; 2] = [b"sub", b"endsub"];
+    keywords.into_iter().find(|keyword| rest.starts_with(keyword))
 }
 
 impl Source for Files {
@@ -116,6 +166,10 @@ impl Source for Files {
     }
 
     fn open(&mut self, name: &str) -> Result<bool, Unreadable> {
+        if let Some(bytes) = defined_later(&self.main, name) {
+            self.open_text(name, bytes);
+            return Ok(true);
+        }
         for folder in &self.folders {
             let path = folder.join(name);
             if !path.is_file() {
@@ -125,8 +179,7 @@ impl Source for Files {
                 file: name.to_owned(),
                 message: error.to_string(),
             })?;
-            self.open.push((Rc::from(bytes.as_slice()), 0));
-            self.texts.0.borrow_mut().others.insert(name.to_owned(), Text::new(bytes));
+            self.open_text(name, bytes);
             return Ok(true);
         }
         Ok(false)

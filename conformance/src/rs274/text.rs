@@ -27,7 +27,7 @@ pub(super) fn comment(line: &[u8]) -> Option<&[u8]> {
         found = inner.get(..close);
         rest = inner.get(close + 1..)?;
     }
-    found
+    found.map(<[u8]>::trim_ascii_start)
 }
 
 /// Whether a comment does something, so that it is not printed as a comment.
@@ -52,7 +52,7 @@ mod tests {
     fn numbers_and_comments_are_found() {
         assert_eq!(number(b" / n 10.5 g0"), Some(&b"10"[..]));
         assert_eq!(number(b"g0 x1"), None);
-        assert_eq!(comment(b"(a) g0 (b) x1"), Some(&b"b"[..]));
+        assert_eq!(comment(b"(a) g0 ( b ) x1"), Some(&b"b "[..]));
         assert_eq!(comment(b"(a) g0 ; (b)"), None);
         assert!(acts(b" M S G, hi"));
         assert!(!acts(b"message"));
