@@ -250,7 +250,7 @@ impl Interpreter {
 
     /// Goes on behind a refused block: the next step executes the block after it, or, where calls were open, the one after the outermost call.
     /// What a refused block has done already stays done.
-    pub fn go_on(&mut self) {
+    pub fn pass_refused(&mut self) {
         if let Some(frame) = self.scopes.frames.first() {
             self.cursor = frame.back;
             self.leave_calls();

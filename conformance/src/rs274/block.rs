@@ -81,6 +81,8 @@ pub(super) struct Printed<'a> {
     /// How many events have been printed.
     pub(super) at: usize,
     pub(super) machine: &'a Fixed,
+    /// The place in the table of the tool that T selected last.
+    pub(super) selected: i64,
     /// F as it was programmed last: `rs274` does not convert it with the unit.
     pub(super) feed: f64,
     /// F as it was programmed when the state was saved that the block restores.
@@ -240,6 +242,7 @@ impl Printed<'_> {
             self.next(|effect| matches!(effect, Effect::PrepareTool { .. }))
         {
             self.out.call_of("SELECT_TOOL", tool);
+            self.selected = self.machine.place(tool);
         }
     }
 
@@ -291,14 +294,13 @@ impl Printed<'_> {
         let changed =
             |effect: &Effect| matches!(effect, Effect::ChangeTool { .. } | Effect::SetToolNumber { .. });
         match self.next(changed) {
-            Some(Effect::ChangeTool { tool }) => {
+            Some(Effect::ChangeTool { .. }) => {
                 // A change that leaves the spindle on tells no stop.
                 let stopped = self.spindle_after(0).turn == SpindleTurn::Stopped || self.words.m.len() > 1;
                 for number in self.all().filter(|_| stopped) {
                     self.out.call_of("STOP_SPINDLE_TURNING", number);
                 }
-                let place = self.machine.place(tool);
-                self.out.call_of("CHANGE_TOOL", place);
+                self.out.call_of("CHANGE_TOOL", self.selected);
             }
             Some(Effect::SetToolNumber { tool }) => {
                 let place = self.machine.place(tool);

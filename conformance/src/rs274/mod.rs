@@ -152,7 +152,7 @@ impl Run {
             if last || !self.goes_on {
                 return (1, false);
             }
-            self.interpreter.go_on();
+            self.interpreter.pass_refused();
         }
     }
 
@@ -170,6 +170,11 @@ impl Run {
             _ => self.texts.last_line(),
         };
         let line = String::from_utf8_lossy(&line);
+        let called = fault.kind == Some(FaultKind::UnknownSub) && line.to_lowercase().contains("m98");
+        if called && self.texts.last_line().trim_ascii() == b"%" {
+            // The search has come by the second percent line.
+            self.printer.out.call("FINISH");
+        }
         self.printer.out.flush();
         let percent = self.texts.begins_with_percent();
         let refused = Refused { fault, words: &words, line: &line, position, plane, percent };

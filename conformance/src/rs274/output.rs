@@ -32,13 +32,8 @@ impl Output {
     /// The number of the block whose calls come next.
     pub(super) fn label(&mut self, number: Option<&[u8]>) {
         self.label.clear();
-        let digits = number.map(|digits| {
-            let zeros = digits.iter().take_while(|digit| **digit == b'0').count();
-            digits.get(zeros.min(digits.len().saturating_sub(1))..).unwrap_or(digits)
-        });
-        let digits = digits.unwrap_or(b".....");
         self.label.push(b'N');
-        self.label.extend_from_slice(digits);
+        self.label.extend_from_slice(number.unwrap_or(b"....."));
         while self.label.len() < 7 {
             self.label.push(b' ');
         }

@@ -19,6 +19,8 @@ pub(super) struct Printer {
     modes: Modes,
     /// Where the controlled point was before the block.
     position: Position,
+    /// The place in the table of the tool that T selected last.
+    selected: i64,
     /// F as it was programmed last.
     feed: f64,
     /// The same where M70 and M73 saved it, by call level.
@@ -43,6 +45,7 @@ impl Printer {
             texts,
             modes,
             position: Position::default(),
+            selected: 0,
             feed: 0.0,
             saved_feeds: vec![None],
             motion: 800,
@@ -103,6 +106,7 @@ impl Printer {
             events,
             at: 0,
             machine: &self.fixed,
+            selected: self.selected,
             feed: self.feed,
             saved_feed: self.saved_feeds.last().copied().flatten(),
             cycle: CYCLES.contains(&self.motion),
@@ -128,7 +132,9 @@ impl Printer {
         }
         let mut printed = self.printed(events, after, comment);
         printed.print(end);
-        (self.position, self.feed) = (printed.position, printed.feed);
+        let (position, feed, selected) = (printed.position, printed.feed, printed.selected);
+        self.modes = printed.after;
+        (self.position, self.feed, self.selected) = (position, feed, selected);
         if (self.words.has_m(70) || self.words.has_m(73))
             && let Some(saved) = self.saved_feeds.last_mut()
         {
@@ -146,7 +152,6 @@ impl Printer {
             }
         }
         self.print(done.file(), done.line(), &events, after, Phase::End);
-        self.modes = after;
         let moves_only = self.words.m.is_empty() && self.words.g.iter().all(|code| MOTIONS.contains(code));
         if !moves_only && let Some(position) = done.state().position {
             self.position = position;
@@ -181,8 +186,7 @@ impl Printer {
         self.words = Words::default();
         let mut printed = self.printed(&events, after, None);
         printed.restored();
-        self.feed = printed.feed;
-        self.modes = after;
+        (self.modes, self.feed) = (printed.after, printed.feed);
     }
 }
 

@@ -1,9 +1,9 @@
 //! Modes and offsets of a block, and what M72 and the end of a sub with M73 bring back.
 
-use gaugeblock_trace::{Compensation, FeedMode, LengthUnit, Path, SpindleMode, Switch};
+use gaugeblock_trace::{Compensation, FeedMode, LengthUnit, Path, SpindleLimit, SpindleMode, Switch};
 
 use super::block::Printed;
-use super::modes::Modes;
+use super::modes::{Modes, Spindle};
 use super::motion::INCH;
 
 /// G54 to G59.3.
@@ -134,7 +134,7 @@ impl Printed<'_> {
             self.out.retract(after.retract);
         }
         self.restored_switches(&before, &after);
-        (self.before, self.feed) = (after, feed);
+        (self.before, self.feed) = (self.after, feed);
     }
 
     fn restored_spindles(&mut self, before: &Modes, after: &Modes) {
@@ -143,7 +143,8 @@ impl Printed<'_> {
             let mode = before.mode != after.mode
                 || after.mode == SpindleMode::SurfaceSpeed && before.limit != after.limit;
             if mode {
-                self.out.spindle_mode(number, after);
+                // The limit does not come back.
+                self.out.spindle_mode(number, &Spindle { limit: SpindleLimit::None, ..*after });
             }
             if mode || differ(before.speed, after.speed) {
                 // It comes back as an integer.
@@ -155,32 +156,44 @@ impl Printed<'_> {
         }
     }
 
+    /// Coolant that was on comes back, and so do enabled overrides and inputs; what was off does not, but for both coolants.
     fn restored_switches(&mut self, before: &Modes, after: &Modes) {
-        if (before.mist, before.flood) != (after.mist, after.flood) {
-            let off = (after.mist, after.flood) == (Switch::Off, Switch::Off);
-            if off || before.mist != after.mist && after.mist == Switch::On {
-                self.out.mist(after.mist);
+        let off = (after.mist, after.flood) == (Switch::Off, Switch::Off);
+        if (before.mist, before.flood) == (after.mist, after.flood) {
+        } else if off {
+            self.out.mist(Switch::Off);
+            self.out.flood(Switch::Off);
+        } else {
+            if restored(before.mist, after.mist, &mut self.after.mist) {
+                self.out.mist(Switch::On);
             }
-            if off || before.flood != after.flood && after.flood == Switch::On {
-                self.out.flood(after.flood);
+            if restored(before.flood, after.flood, &mut self.after.flood) {
+                self.out.flood(Switch::On);
             }
         }
         if before.feed_override != after.feed_override {
-            self.out.feed_override(after.feed_override);
-        }
-        let spindles = before.spindles.iter().zip(&after.spindles);
-        for (number, (before, after)) in self.all().zip(spindles) {
-            if before.speed_override != after.speed_override {
-                self.out.speed_override(number, after.speed_override);
+            if restored(before.feed_override, after.feed_override, &mut self.after.feed_override) {
+                self.out.feed_override(Switch::On);
+            }
+            for number in self.all() {
+                self.out.speed_override(number, Switch::On);
             }
         }
-        if before.adaptive_feed != after.adaptive_feed {
-            self.out.adaptive_feed(after.adaptive_feed);
+        if restored(before.adaptive_feed, after.adaptive_feed, &mut self.after.adaptive_feed) {
+            self.out.adaptive_feed(Switch::On);
         }
-        if before.feed_stop != after.feed_stop {
-            self.out.feed_stop(after.feed_stop);
+        if restored(before.feed_stop, after.feed_stop, &mut self.after.feed_stop) {
+            self.out.feed_stop(Switch::On);
         }
     }
+}
+
+/// Whether a switch is turned on again. One that was off stays as it is.
+fn restored(before: Switch, saved: Switch, now: &mut Switch) -> bool {
+    if before != saved && saved == Switch::Off {
+        *now = before;
+    }
+    before != saved && saved == Switch::On
 }
 
 /// From one length unit to another.

@@ -108,10 +108,15 @@ fn defined_later(main: &[u8], name: &str) -> Option<Vec<u8>> {
     let name = name.strip_suffix(".ngc")?.as_bytes();
     let mut text = Vec::new();
     let mut within = false;
+    let mut percents = 0;
     for line in main.split_inclusive(|byte| *byte == b'\n') {
+        percents += u8::from(line.trim_ascii() == b"%");
+        if percents == 2 {
+            break;
+        }
         let keyword = keyword(line, name);
         within |= keyword == Some(&b"sub"[..]);
-        if within {
+        if within && line.trim_ascii() != b"%" {
             text.extend_from_slice(line);
         } else {
             text.push(b'\n');
@@ -120,7 +125,13 @@ fn defined_later(main: &[u8], name: &str) -> Option<Vec<u8>> {
             return Some(text);
         }
     }
-    None
+    // One that ends in the other style is refused where it does.
+    within.then(|| {
+        text.extend_from_slice(b"\no<");
+        text.extend_from_slice(name);
+        text.extend_from_slice(b"> endsub\n");
+        text
+    })
 }
 
 /// The keyword of a line that begins with this label, `sub` or `endsub`.

@@ -4,14 +4,13 @@
 const ACTS: [&[u8]; 8] =
     [b"msg,", b"debug,", b"print,", b"log,", b"logopen,", b"logappend,", b"abort,", b"logclose"];
 
-/// The digits of a line's number; none where it has none.
+/// The digits of a line's number, without a fraction; none where it has none.
 pub(super) fn number(line: &[u8]) -> Option<&[u8]> {
     let line = after_blanks(line);
     let line = line.strip_prefix(b"/").map_or(line, after_blanks);
     let [b'n' | b'N', rest @ ..] = line else { return None };
-    let rest = after_blanks(rest);
     let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
-    rest.get(..digits).filter(|digits| !digits.is_empty())
+    rest.get(..digits)
 }
 
 /// The text of the last comment in parentheses, where no comment behind a semicolon follows it.
@@ -50,7 +49,7 @@ mod tests {
 
     #[test]
     fn numbers_and_comments_are_found() {
-        assert_eq!(number(b" / n 10.5 g0"), Some(&b"10"[..]));
+        assert_eq!(number(b" / n10.5 g0"), Some(&b"10"[..]));
         assert_eq!(number(b"g0 x1"), None);
         assert_eq!(comment(b"(a) g0 ( b ) x1"), Some(&b"b "[..]));
         assert_eq!(comment(b"(a) g0 ; (b)"), None);
