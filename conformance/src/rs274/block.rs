@@ -87,8 +87,10 @@ pub(super) struct Printed<'a> {
     pub(super) feed: f64,
     /// F as it was programmed when the state was saved that the block restores.
     pub(super) saved_feed: Option<f64>,
-    /// Whether a canned cycle is in force.
-    pub(super) cycle: bool,
+    /// The canned cycle in force, in tenths.
+    pub(super) cycle: Option<u16>,
+    /// Where the point was along the normal of the plane when the first of a row of cycles began.
+    pub(super) old_level: Option<f64>,
     /// The comment that is printed, where the text has one.
     pub(super) comment: Option<Vec<u8>>,
 }

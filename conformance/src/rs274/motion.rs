@@ -7,6 +7,9 @@ use gaugeblock_trace::{
 use super::block::Printed;
 use super::modes::Modes;
 
+/// What a cycle switches to on its way.
+const EXACT_PATH: &str = "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)";
+
 /// Millimetres in an inch: stored lengths are inches.
 pub(super) const INCH: f64 = 25.4;
 
@@ -16,15 +19,10 @@ impl Printed<'_> {
         if self.words.g_of(&[800]).is_some() {
             self.out.note("motion mode set to none");
         }
-        let cycle = self.cycle;
         let exact = self.after.path == Path::ExactPath;
-        let mut moved = false;
         let mut stage = self.before;
-        let mut switched = !cycle || exact;
-        let first = self.first_moves();
-        if cycle && first.at_r && !first.preliminary {
-            self.out.call_to("STRAIGHT_TRAVERSE", &self.position.clone());
-        }
+        let mut moved = self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
+        let mut switched = moved || self.cycle.is_none() || exact;
         while let Some(event) = self.events.get(self.at) {
             match event {
                 Event::Set(changed) => {
@@ -34,24 +32,70 @@ impl Printed<'_> {
                         self.changed_within(&before, &stage);
                     }
                 }
-                Event::Do(effect) if is_after_motion(effect, cycle) => break,
+                Event::Do(effect) if is_after_motion(effect, self.cycle.is_some()) => break,
                 Event::Do(effect) => {
-                    let after_preliminary = moved || !first.preliminary;
-                    if !switched && after_preliminary {
-                        switched = true;
-                        self.out.begin("SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)").end();
+                    if !std::mem::replace(&mut switched, true) {
+                        self.out.begin(EXACT_PATH).end();
                     }
                     moved = true;
                     let effect = effect.clone();
                     self.effect(&effect);
+                    self.bored_out();
                 }
             }
             self.at += 1;
         }
-        if cycle && moved && !exact {
+        if self.cycle.is_some() && moved && !exact {
             let after = self.after;
             self.out.path_mode(&after);
             self.out.naive_cam_tolerance(&after);
+        }
+    }
+
+    /// The moves of a cycle down to the R plane; whether there are any.
+    ///
+    /// Where the point was below the R plane when the first of a row of cycles began, every one of them first moves to the R plane at its
+    /// old place, and only then is the path mode switched.
+    fn come_to_r(&mut self, stage: &mut Modes, exact: bool) -> bool {
+        let mut hole = None;
+        while let Some(event) = self.events.get(self.at) {
+            match event {
+                Event::Set(changed) if hole.is_none() => stage.apply(changed),
+                Event::Do(Effect::StraightTraverse { end }) => hole = Some(*end),
+                Event::Set(_) | Event::Do(_) => break,
+            }
+            self.at += 1;
+        }
+        let Some(hole) = hole else { return false };
+        let plane = self.after.plane;
+        let (_, level) = in_plane(plane, &self.position);
+        let (_, r) = in_plane(plane, &hole);
+        let old = *self.old_level.get_or_insert(level);
+        if old < r {
+            let above = with_level(plane, &self.position, r);
+            self.out.call_to("STRAIGHT_TRAVERSE", &above);
+        }
+        if !exact {
+            self.out.begin(EXACT_PATH).end();
+        }
+        if old >= r && level > r {
+            let above = with_level(plane, &hole, level);
+            self.out.call_to("STRAIGHT_TRAVERSE", &above);
+        }
+        self.out.call_to("STRAIGHT_TRAVERSE", &hole);
+        self.position = hole;
+        true
+    }
+
+    /// G85 ends each hole with a traverse, though it has come out by a feed already.
+    fn bored_out(&mut self) {
+        let Some(Event::Do(Effect::StraightFeed { end })) = self.events.get(self.at) else { return };
+        let next = self.events.get(self.at + 1);
+        let goes_on = matches!(next, Some(Event::Do(Effect::StraightFeed { .. })));
+        let rises = matches!(next, Some(Event::Do(Effect::StraightTraverse { end: next }))
+            if in_plane(self.after.plane, next).0 == in_plane(self.after.plane, end).0);
+        if self.cycle == Some(850) && !goes_on && !rises {
+            self.out.call_to("STRAIGHT_TRAVERSE", end);
         }
     }
 
@@ -175,31 +219,6 @@ impl Printed<'_> {
         begun.number(front_angle).text(", ").number(back_angle).text(", ");
         begun.integer(orientation.into()).text(")").end();
     }
-
-    /// How the first moves of a cycle come to the R plane.
-    fn first_moves(&self) -> FirstMoves {
-        let mut moves = self.events.iter().skip(self.at).filter_map(|event| match event {
-            Event::Do(Effect::StraightTraverse { end }) => Some((true, *end)),
-            Event::Do(Effect::StraightFeed { end }) => Some((false, *end)),
-            Event::Do(_) | Event::Set(_) => None,
-        });
-        let Some((true, first)) = moves.next() else { return FirstMoves::default() };
-        let (from, level) = in_plane(self.after.plane, &self.position);
-        let (to, along) = in_plane(self.after.plane, &first);
-        let same_place = from.iter().zip(&to).all(|(from, to)| (from - to).abs() <= 0.0);
-        let upward = same_place && along > level;
-        let fed = moves.next().is_some_and(|(traverse, _)| !traverse);
-        FirstMoves { preliminary: upward, at_r: fed && (along - level).abs() <= 0.0 }
-    }
-}
-
-/// How the first moves of a cycle come to the R plane.
-#[derive(Clone, Copy, Debug, Default)]
-struct FirstMoves {
-    /// The first one only leads up to the R plane.
-    preliminary: bool,
-    /// The point lay in the R plane already.
-    at_r: bool,
 }
 
 /// A position in the plane's axes and along its normal.
@@ -212,6 +231,20 @@ pub(super) fn in_plane(plane: Plane, at: &Position) -> ([f64; 2], f64) {
         Plane::Wu => ([at.w, at.u], at.v),
         Plane::Vw => ([at.v, at.w], at.u),
     }
+}
+
+/// A position with another coordinate along the plane's normal.
+fn with_level(plane: Plane, at: &Position, level: f64) -> Position {
+    let mut at = *at;
+    *match plane {
+        Plane::Xy => &mut at.z,
+        Plane::Zx => &mut at.y,
+        Plane::Yz => &mut at.x,
+        Plane::Uv => &mut at.w,
+        Plane::Wu => &mut at.v,
+        Plane::Vw => &mut at.u,
+    } = level;
+    at
 }
 
 /// The length of a straight move: that of X, Y and Z, or of the rotary axes where those stand.

@@ -25,6 +25,8 @@ pub(super) struct Printer {
     feed: f64,
     /// The same where M70 and M73 saved it, by call level.
     saved_feeds: Vec<Option<f64>>,
+    /// Where the point was along the normal of the plane when the first of a row of cycles began.
+    old_level: Option<f64>,
     /// The motion code in force, in tenths.
     motion: u16,
     fixed: Fixed,
@@ -48,6 +50,7 @@ impl Printer {
             selected: 0,
             feed: 0.0,
             saved_feeds: vec![None],
+            old_level: None,
             motion: 800,
             fixed,
             words: Words::default(),
@@ -109,7 +112,8 @@ impl Printer {
             selected: self.selected,
             feed: self.feed,
             saved_feed: self.saved_feeds.last().copied().flatten(),
-            cycle: CYCLES.contains(&self.motion),
+            cycle: Some(self.motion).filter(|code| CYCLES.contains(code)),
+            old_level: self.old_level,
             comment,
         }
     }
@@ -128,12 +132,16 @@ impl Printer {
             text::comment(line).filter(|comment| !text::acts(comment)).map(<[u8]>::to_vec)
         });
         if let Some(code) = self.words.g_of(&MOTIONS) {
+            if !CYCLES.contains(&self.motion) {
+                self.old_level = None;
+            }
             self.motion = code;
         }
         let mut printed = self.printed(events, after, comment);
         printed.print(end);
         let (position, feed, selected) = (printed.position, printed.feed, printed.selected);
-        self.modes = printed.after;
+        let (after, old_level) = (printed.after, printed.old_level);
+        (self.modes, self.old_level) = (after, old_level);
         (self.position, self.feed, self.selected) = (position, feed, selected);
         if (self.words.has_m(70) || self.words.has_m(73))
             && let Some(saved) = self.saved_feeds.last_mut()
