@@ -18,4 +18,5 @@ pub mod fingerprint;
 pub mod judge;
 pub mod observe;
 pub mod report;
+pub mod rs274;
 pub mod suite;

@@ -2,6 +2,7 @@
 
 use gaugeblock_trace::{Effect, FaultKind, Position, Settings};
 
+use crate::begun::BlockBegun;
 use crate::done::BlockDone;
 
 /// What receives the commands of a program, in order.
@@ -16,6 +17,12 @@ pub trait Sink {
 
     /// Performs an effect, or queues it, under the settings in force.
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply;
+
+    /// The words of a block are about to be checked and executed; for those who show what a program says, besides what it does.
+    #[inline]
+    fn block_begun(&mut self, begun: &BlockBegun<'_>) {
+        let _nothing = begun;
+    }
 
     /// A block is done; for those who record. A refused block is never done.
     #[inline]

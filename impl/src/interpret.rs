@@ -167,6 +167,11 @@ impl Interpreter {
         self.packer.block_delete = skipped;
     }
 
+    /// Says that the sink is told of lines that hold a plain comment only, as of blocks that do nothing; otherwise they are none.
+    pub fn set_comments_told(&mut self, told: bool) {
+        self.packer.comments_told = told;
+    }
+
     /// Says that this run only shows what a program would do: `#<_task>` is 0 then, by which a program can spare a preview what only a
     /// machine can answer (11.4.3.5).
     pub fn set_preview(&mut self, preview: bool) {
@@ -245,6 +250,17 @@ impl Interpreter {
         self.logs = Logs::default();
         self.modal.begin();
         self.unfinished = None;
+        self.ended = None;
+    }
+
+    /// Goes on behind a refused block: the next step executes the block after it, or, where calls were open, the one after the outermost call.
+    /// What a refused block has done already stays done.
+    pub fn pass_refused(&mut self) {
+        if let Some(frame) = self.scopes.frames.first() {
+            self.cursor = frame.back;
+            self.leave_calls();
+            self.modal.begin();
+        }
         self.ended = None;
     }
 

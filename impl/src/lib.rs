@@ -57,6 +57,7 @@
 
 extern crate alloc;
 
+mod begun;
 mod canon;
 mod control;
 mod done;
@@ -78,6 +79,7 @@ mod syntax;
 mod tests;
 mod words;
 
+pub use begun::BlockBegun;
 pub use canon::{Reply, Sink};
 pub use done::{BlockDone, Executed};
 pub use error::Error;

@@ -8,6 +8,7 @@ mod faults;
 mod fingerprint;
 mod matrix;
 mod place;
+mod rs274;
 mod rules;
 mod run;
 mod schema;
@@ -75,6 +76,8 @@ enum Command {
     Certify(certify::Arguments),
     /// Show what a program does on a controller: effects, settings, states
     Run(run::Arguments),
+    /// Print a program's canonical calls as LinuxCNC's rs274 prints them
+    Rs274(rs274::Arguments),
     /// Show where two controllers first differ on programs
     Compare(compare::Arguments),
     /// Tell which option of each choice, and which quirk, a controller shows
@@ -99,6 +102,7 @@ pub fn main() -> ExitCode {
             suite(&call).and_then(|suite| certify::certify(arguments, &suite))
         }
         Command::Run(arguments) => suite(&call).and_then(|suite| run::run(arguments, &suite)),
+        Command::Rs274(arguments) => rs274::rs274(arguments),
         Command::Compare(arguments) => {
             suite(&call).and_then(|suite| compare::compare(arguments, &suite))
         }

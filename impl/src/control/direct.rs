@@ -51,7 +51,7 @@ impl Interpreter {
             if self.percent.is_none() {
                 self.percent = Some(false);
             }
-            if !bare {
+            if !bare || self.packer.comments_told {
                 break;
             }
         }

@@ -2,6 +2,7 @@
 
 use gaugeblock_trace::{Compensation, Effect, FaultKind, FeedMode, Lathe, Motion};
 
+use crate::begun::BlockBegun;
 use crate::canon::{Reply, Sink};
 use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
@@ -28,6 +29,7 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
+        sink.block_begun(&BlockBegun { words });
         if self.is_straight(words) {
             return self.straight_block(words, sink);
         }

@@ -48,6 +48,8 @@ pub(crate) struct Packer {
     pub(crate) choices: Choices,
     /// Whether blocks that begin with a slash are skipped.
     pub(crate) block_delete: bool,
+    /// Whether a line that holds a plain comment only is a block, which does nothing.
+    pub(crate) comments_told: bool,
     /// The bound that the line just packed goes beyond.
     pub(crate) beyond: Option<Limit>,
     /// Most named parameters.
@@ -77,6 +79,7 @@ impl Packer {
             ini: machine.ini.clone(),
             choices,
             block_delete: false,
+            comments_told: false,
             beyond: None,
             most_names: limits.named_parameters,
             bracket_depth: limits.bracket_depth,
@@ -122,7 +125,7 @@ impl Packer {
             block.refused = u32::try_from(into.refusals.len()).unwrap_or(NONE);
             into.refusals.push(*refused);
         }
-        if block.bare && block.comment == NONE && block.refused == NONE {
+        if block.bare && block.comment == NONE && block.refused == NONE && !self.comments_told {
             return Taken::Nothing;
         }
         block.end = u32::try_from(into.ops.len()).unwrap_or(NONE);

@@ -22,8 +22,8 @@ pub(crate) fn pack(packer: &mut Packer, text: &[u8], into: &mut Segment) -> Opti
     let first_piece = into.pieces.len();
     let first = u32::try_from(first_piece).ok()?;
     match act {
-        Act::Debug | Act::Print | Act::Log => expand(packer, rest, into),
-        Act::Message | Act::Abort => plain_text(rest, first_piece, into),
+        Act::Debug | Act::Print | Act::Log | Act::Abort => expand(packer, rest, into),
+        Act::Message => plain_text(rest, first_piece, into),
         Act::LogOpen | Act::LogAppend | Act::ProbeOpen => {
             plain_text(rest.trim_ascii(), first_piece, into);
         }

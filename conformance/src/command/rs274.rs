@@ -1,0 +1,14 @@
+//! `gaugeblock rs274`.
+
+pub(super) use crate::rs274::Arguments;
+
+use super::Refused;
+
+/// Runs the program. What ends it is told as `rs274` tells it: by the exit status 1.
+pub(super) fn rs274(arguments: &Arguments) -> Result<u8, Refused> {
+    crate::rs274::rs274(arguments).map_err(|message| Refused {
+        status: 1,
+        message,
+        hint: Some("`gaugeblock rs274 --help` tells the options".to_owned()),
+    })
+}

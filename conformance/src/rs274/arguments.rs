@@ -1,0 +1,56 @@
+//! The options of the command, with the letters that `rs274` has.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock rs274 -g part.ngc
+  gaugeblock rs274 -g -t tools.tbl -v mill.var -i mill.ini part.ngc calls.txt
+  printf 'g20\\ng0 x1\\nquit\\n' | gaugeblock rs274 -g
+
+The canonical calls are printed as LinuxCNC's `rs274` prints them, by the production interpreter. Subroutine files are found beside the
+program and in SUBROUTINE_PATH and PROGRAM_PREFIX of the INI file; nothing else of the host is reached, and user-defined M codes run nothing.
+The exit status is 0 where the program came to its end and 1 where a block was refused.";
+
+/// What the command is called with.
+#[derive(Clone, Debug, Default, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// The program; without one, blocks are read from standard input up to `quit`
+    #[arg(value_name = "PROGRAM")]
+    pub program: Option<PathBuf>,
+    /// Where the calls go instead of standard output
+    #[arg(value_name = "OUTPUT")]
+    pub output: Option<PathBuf>,
+    /// Start at once; it always does, since there is no menu here
+    #[arg(short = 'g')]
+    pub go: bool,
+    /// What to do after a refused block: 0 goes on with the next one, 1 and 2 stop
+    #[arg(short = 'n', value_name = "MODE", default_value_t = 2, value_parser = clap::value_parser!(u8).range(0..=2))]
+    pub next: u8,
+    /// The tool table
+    #[arg(short = 't', value_name = "FILE")]
+    pub tools: Option<PathBuf>,
+    /// The parameter file, which is read, and written at the end
+    #[arg(short = 'v', value_name = "FILE")]
+    pub parameters: Option<PathBuf>,
+    /// The INI file
+    #[arg(short = 'i', value_name = "FILE")]
+    pub ini: Option<PathBuf>,
+    /// Skip blocks that begin with a slash
+    #[arg(short = 'b')]
+    pub block_delete: bool,
+    /// Accepted; there is no stack of functions to show
+    #[arg(short = 's')]
+    pub stack: bool,
+    /// Another interpreter; refused, since nothing is loaded
+    #[arg(short = 'p', value_name = "MODULE")]
+    pub plug: Option<PathBuf>,
+    /// Accepted; there is no task to initialise
+    #[arg(short = 'T')]
+    pub task: bool,
+    /// Accepted; nothing is logged
+    #[arg(short = 'l', value_name = "LEVEL", allow_negative_numbers = true)]
+    pub log_level: Option<i32>,
+}

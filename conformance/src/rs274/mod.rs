@@ -1,0 +1,249 @@
+//! `gaugeblock rs274`: the production interpreter behind the command line and the printed text of LinuxCNC's `rs274`.
+//!
+//! ```text
+//! Arguments ─► ini, machine, parameters ─► Interpreter ─► printer ─► block, settled, motion ─► calls ─► output
+//!              source (program, subroutine files)            └ text (number and comment of a line)
+//! ```
+//!
+//! The interpreter tells its sink the words of a block, what changed and what was done; the printer puts that into the order in which
+//! `rs274` prints a block, and prints what was programmed again though it did not change. What is printed was learned by running the program.
+//!
+//! **Not imitated:** the menu that is shown without `-g`, and its prompts; plug-in interpreters, Python and remapped codes; what the quirks of
+//! `rs274` (`conformance/suite/quirks`) make it do otherwise than its manual: those of saved state, of the unit of F and of the position after
+//! probing show in what is printed. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever.
+//!
+//! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders. User-defined codes run nothing.
+
+mod arguments;
+mod block;
+mod calls;
+mod ini;
+mod machine;
+mod modes;
+mod motion;
+mod output;
+mod parameters;
+mod printer;
+mod refusals;
+mod settled;
+mod source;
+mod text;
+
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{BufRead, Write};
+use std::path::Path;
+
+pub use arguments::Arguments;
+use block::Fixed;
+use gaugeblock_impl::{Error, Interpreter, Limits, Progress};
+use gaugeblock_trace::{End, Fault, FaultKind};
+use ini::Ini;
+use output::Output;
+use printer::Printer;
+use refusals::Refused;
+use source::{Files, Texts};
+
+/// How many blocks are executed between looks at what they came to.
+const BLOCKS: u64 = 1 << 20;
+
+/// Why it does not begin, or does not end as it should; for people.
+type Trouble = String;
+
+/// A run of the command.
+#[derive(Debug)]
+struct Run {
+    interpreter: Interpreter,
+    printer: Printer,
+    texts: Texts,
+    /// Whether it goes on behind a refused block.
+    goes_on: bool,
+}
+
+/// Runs the command; the exit status.
+///
+/// # Errors
+/// A file of the call that cannot be read or written, or an option that is refused; for people.
+pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
+    if arguments.plug.is_some() {
+        return Err("-p: no other interpreter can be loaded".to_owned());
+    }
+    complain("executing");
+    let ini = match &arguments.ini {
+        Some(path) => Ini::read(&read_text(path)?),
+        None => Ini::default(),
+    };
+    // As with `rs274`, a missing tool table is an empty one, and a missing parameter file is written anew.
+    let table = arguments.tools.as_ref().and_then(|path| read_text(path).ok()).unwrap_or_default();
+    let stored = arguments.parameters.as_ref().and_then(|path| read_text(path).ok());
+    let stored = parameters::read(stored.as_deref().unwrap_or_default())?;
+    let program = arguments.program.as_ref().map(|path| {
+        std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))
+    });
+    let program = program.transpose()?;
+
+    let mut machine = machine::machine(&ini, machine::tools(&table));
+    let forgets = machine::forgets_g92(&ini);
+    let kept = stored.iter().filter(|(number, _)| !(forgets && machine::is_g92(**number)));
+    machine.parameters = kept.map(|(number, value)| (*number, *value)).collect();
+    let fixed = Fixed {
+        tools: machine.tools.iter().filter_map(|tool| i32::try_from(tool.number).ok()).collect(),
+        spindles: machine.spindles,
+    };
+    let mut interpreter = Interpreter::new(machine, machine::options(), Limits::default())
+        .map_err(|error| error.to_string())?;
+    interpreter.set_block_delete(arguments.block_delete);
+    interpreter.set_preview(true);
+    interpreter.set_comments_told(true);
+    let texts = Texts::default();
+    let output = Output::new(sink(arguments.output.as_deref())?);
+    let printer = Printer::new(output, texts.clone(), &interpreter.settings(), fixed);
+    let mut run = Run { interpreter, printer, texts, goes_on: arguments.next == 0 };
+    let folders = machine::folders(&ini, arguments.program.as_deref());
+    let status = match program {
+        Some(text) => run.program(text, folders, arguments.ini.is_some()),
+        None => run.by_hand(&folders),
+    };
+    run.printer.out.flush();
+    if let Some(path) = &arguments.parameters {
+        let now: BTreeMap<_, _> = run.interpreter.parameters().into_iter().collect();
+        parameters::write(path, &stored, &now)
+            .map_err(|error| format!("{}: {error}", path.display()))?;
+    }
+    Ok(status)
+}
+
+impl Run {
+    /// Runs a program file.
+    fn program(&mut self, text: Vec<u8>, folders: Vec<std::path::PathBuf>, has_ini: bool) -> u8 {
+        self.printer.out.call("ON_RESET");
+        let mut source = Files::new(text, folders, self.texts.clone());
+        let (status, ended) = self.blocks(&mut source);
+        self.printer.out.label(None);
+        // The end of a program has reset once already; the INI file takes one more away.
+        let resets = 2 - u8::from(ended) - u8::from(has_ini);
+        for _ in 0..resets {
+            self.printer.out.call("ON_RESET");
+        }
+        status
+    }
+
+    /// Runs block after block; the exit status, and whether the program ended by a code.
+    fn blocks(&mut self, source: &mut Files) -> (u8, bool) {
+        loop {
+            let fault = match self.interpreter.run(source, &mut self.printer, BLOCKS) {
+                Ok(Progress::More | Progress::Stopped) => continue,
+                Ok(Progress::Ended(End::ProgramEnd)) => return (0, true),
+                Ok(Progress::Ended(End::PercentEnd)) => {
+                    self.printer.out.label(None);
+                    self.printer.out.call("FINISH");
+                    return (0, false);
+                }
+                Ok(Progress::Ended(End::Endless)) => {
+                    self.printer.ended(&self.interpreter.settings());
+                    return (0, true);
+                }
+                Ok(Progress::Ended(end)) => unsupported(&end),
+                Err(Error::Fault(fault)) => *fault,
+                Err(error) => Fault { kind: None, block: None, span: None, message: error.to_string() },
+            };
+            let last = fault.kind == Some(FaultKind::MissingEnd) || fault.block.is_none();
+            self.refused(&fault);
+            if last || !self.goes_on {
+                return (1, false);
+            }
+            self.interpreter.pass_refused();
+        }
+    }
+
+    /// Prints what a refused block did, and says why it is refused.
+    fn refused(&mut self, fault: &Fault) {
+        let place = fault.block.as_ref().map(|block| (block.file.as_str(), block.line));
+        let reached = refusals::reached(fault, self.printer.words());
+        let words = self.printer.words().clone();
+        let (position, plane) = self.printer.place();
+        self.printer.refused(place, reached, &self.interpreter.settings());
+        let line = match place {
+            Some((file, line)) if fault.kind != Some(FaultKind::MissingEnd) => {
+                self.texts.line(file, line, <[u8]>::to_vec)
+            }
+            _ => self.texts.last_line(),
+        };
+        let line = String::from_utf8_lossy(&line);
+        let called = fault.kind == Some(FaultKind::UnknownSub) && line.to_lowercase().contains("m98");
+        if called && self.texts.last_line().trim_ascii() == b"%" {
+            // The search has come by the second percent line.
+            self.printer.out.call("FINISH");
+        }
+        self.printer.out.flush();
+        let percent = self.texts.begins_with_percent();
+        let refused = Refused { fault, words: &words, line: &line, position, plane, percent };
+        complain(&refused.sentence());
+        complain(&refused.shown());
+    }
+
+    /// Runs blocks from standard input, each on its own, up to `quit`.
+    fn by_hand(&mut self, folders: &[std::path::PathBuf]) -> u8 {
+        for line in std::io::stdin().lock().split(b'\n') {
+            let Ok(line) = line else { break };
+            if line.trim_ascii() == b"quit" {
+                break;
+            }
+            self.interpreter.begin();
+            let mut source = Files::new(line, folders.to_vec(), self.texts.clone());
+            loop {
+                match self.interpreter.run(&mut source, &mut self.printer, BLOCKS) {
+                    Ok(Progress::More | Progress::Stopped) => {}
+                    Ok(Progress::Ended(_)) => break,
+                    Err(Error::Fault(fault)) => {
+                        if fault.kind != Some(FaultKind::MissingEnd) {
+                            self.refused(&fault);
+                        }
+                        break;
+                    }
+                    Err(error) => {
+                        complain(&error.to_string());
+                        break;
+                    }
+                }
+            }
+            self.printer.out.label(None);
+        }
+        0
+    }
+}
+
+/// What the interpreter does not do yet, as a fault.
+fn unsupported(end: &End) -> Fault {
+    let (block, message) = match end {
+        End::Unsupported { block, what } => (Some(block.clone()), format!("not supported: {what}")),
+        End::Unspecified { block, why } => (Some(block.clone()), format!("not specified: {why}")),
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::Endless
+        | End::Fault(_)
+        | End::Paused
+        | End::Aborted
+        | End::BudgetExhausted { .. } => (None, "the program does not go on".to_owned()),
+    };
+    Fault { kind: None, block, span: None, message }
+}
+
+fn sink(path: Option<&Path>) -> Result<Box<dyn Write>, Trouble> {
+    Ok(match path {
+        Some(path) => {
+            Box::new(File::create(path).map_err(|error| format!("{}: {error}", path.display()))?)
+        }
+        None => Box::new(std::io::stdout()),
+    })
+}
+
+fn read_text(path: &Path) -> Result<String, Trouble> {
+    let bytes = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Writes a line to standard error; a reader that went away is no error.
+fn complain(text: &str) {
+    let _closed_pipe = writeln!(std::io::stderr(), "{text}");
+}

@@ -1,0 +1,81 @@
+//! The settings in force as the printer keeps them: small enough to be copied for each block.
+
+use gaugeblock_trace::{
+    Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Position, Retract, Settings,
+    SpindleLimit, SpindleMode, SpindleTurn, Switch,
+};
+
+/// Most spindles that a machine has.
+pub(super) const SPINDLES: usize = 8;
+
+/// What is set for one spindle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Spindle {
+    pub(super) speed: f64,
+    pub(super) mode: SpindleMode,
+    pub(super) limit: SpindleLimit,
+    pub(super) turn: SpindleTurn,
+    pub(super) speed_override: Switch,
+}
+
+macro_rules! modes {
+    ($($field:ident: $type:ty = $initial:expr),* ; $($indexed:ident => $spindle:ident),*) => {
+        /// All settings; lengths in the active unit.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub(super) struct Modes {
+            $(pub(super) $field: $type,)*
+            pub(super) spindles: [Spindle; SPINDLES],
+        }
+
+        impl Default for Modes {
+            fn default() -> Self {
+                let spindle = Spindle {
+                    speed: 0.0,
+                    mode: SpindleMode::Rpm,
+                    limit: SpindleLimit::None,
+                    turn: SpindleTurn::Stopped,
+                    speed_override: Switch::On,
+                };
+                Self { $($field: $initial,)* spindles: [spindle; SPINDLES] }
+            }
+        }
+
+        impl Modes {
+            /// Takes over what changed.
+            pub(super) fn apply(&mut self, changed: &Settings) {
+                $(if let Some(value) = changed.$field { self.$field = value; })*
+                $(for (place, value) in changed.$indexed.iter().flat_map(|values| &values.0) {
+                    if let Some(spindle) = self.spindles.get_mut(usize::from(*place)) {
+                        spindle.$spindle = *value;
+                    }
+                })*
+            }
+        }
+    };
+}
+
+modes! {
+    units: LengthUnit = LengthUnit::Millimetre,
+    plane: Plane = Plane::Xy,
+    distance: Distance = Distance::Absolute,
+    arc_distance: Distance = Distance::Incremental,
+    feed_mode: FeedMode = FeedMode::PerMinute,
+    feed_rate: f64 = 0.0,
+    retract: Retract = Retract::RPlane,
+    compensation: Compensation = Compensation::Off,
+    tool_offset: Position = Position::default(),
+    work_offset: u32 = 1,
+    g5x_offset: Position = Position::default(),
+    g92_offset: Position = Position::default(),
+    rotation: f64 = 0.0,
+    path: Path = Path::Continuous,
+    blend_tolerance: f64 = 0.0,
+    naive_cam_tolerance: f64 = 0.0,
+    lathe: Lathe = Lathe::Radius,
+    mist: Switch = Switch::Off,
+    flood: Switch = Switch::Off,
+    feed_override: Switch = Switch::On,
+    adaptive_feed: Switch = Switch::Off,
+    feed_stop: Switch = Switch::On;
+    spindle_speed => speed, spindle_mode => mode, spindle_limit => limit, spindle => turn, speed_override => speed_override
+}

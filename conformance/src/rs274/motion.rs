@@ -1,0 +1,267 @@
+//! The motion of a block: moves, probing, threads, and canned cycles, around which the path mode is switched.
+
+use gaugeblock_trace::{
+    Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn,
+};
+
+use super::block::Printed;
+use super::modes::Modes;
+
+/// What a cycle switches to on its way.
+const EXACT_PATH: &str = "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)";
+
+/// Millimetres in an inch: stored lengths are inches.
+pub(super) const INCH: f64 = 25.4;
+
+impl Printed<'_> {
+    /// The block's motion.
+    pub(super) fn motion(&mut self) {
+        if self.words.g_of(&[800]).is_some() {
+            self.out.note("motion mode set to none");
+        }
+        let exact = self.after.path == Path::ExactPath;
+        let mut stage = self.before;
+        let mut moved = self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
+        let mut switched = moved || self.cycle.is_none() || exact;
+        while let Some(event) = self.events.get(self.at) {
+            match event {
+                Event::Set(changed) => {
+                    let before = stage;
+                    stage.apply(changed);
+                    if moved {
+                        self.changed_within(&before, &stage);
+                    }
+                }
+                Event::Do(effect) if is_after_motion(effect, self.cycle.is_some()) => break,
+                Event::Do(effect) => {
+                    if !std::mem::replace(&mut switched, true) {
+                        self.out.begin(EXACT_PATH).end();
+                    }
+                    moved = true;
+                    let effect = effect.clone();
+                    self.effect(&effect);
+                    self.bored_out();
+                }
+            }
+            self.at += 1;
+        }
+        if self.cycle.is_some() && moved && !exact {
+            let after = self.after;
+            self.out.path_mode(&after);
+            self.out.naive_cam_tolerance(&after);
+        }
+    }
+
+    /// The moves of a cycle down to the R plane; whether there are any.
+    ///
+    /// Where the point was below the R plane when the first of a row of cycles began, every one of them first moves to the R plane at its
+    /// old place, and only then is the path mode switched.
+    fn come_to_r(&mut self, stage: &mut Modes, exact: bool) -> bool {
+        let mut hole = None;
+        while let Some(event) = self.events.get(self.at) {
+            match event {
+                Event::Set(changed) if hole.is_none() => stage.apply(changed),
+                Event::Do(Effect::StraightTraverse { end }) => hole = Some(*end),
+                Event::Set(_) | Event::Do(_) => break,
+            }
+            self.at += 1;
+        }
+        let Some(hole) = hole else { return false };
+        let plane = self.after.plane;
+        let (_, level) = in_plane(plane, &self.position);
+        let (_, r) = in_plane(plane, &hole);
+        let old = *self.old_level.get_or_insert(level);
+        if old < r {
+            let above = with_level(plane, &self.position, r);
+            self.out.call_to("STRAIGHT_TRAVERSE", &above);
+        }
+        if !exact {
+            self.out.begin(EXACT_PATH).end();
+        }
+        if old >= r && level > r {
+            let above = with_level(plane, &hole, level);
+            self.out.call_to("STRAIGHT_TRAVERSE", &above);
+        }
+        self.out.call_to("STRAIGHT_TRAVERSE", &hole);
+        self.position = hole;
+        true
+    }
+
+    /// G85 ends each hole with a traverse, though it has come out by a feed already.
+    fn bored_out(&mut self) {
+        let Some(Event::Do(Effect::StraightFeed { end })) = self.events.get(self.at) else { return };
+        let next = self.events.get(self.at + 1);
+        let goes_on = matches!(next, Some(Event::Do(Effect::StraightFeed { .. })));
+        let rises = matches!(next, Some(Event::Do(Effect::StraightTraverse { end: next }))
+            if in_plane(self.after.plane, next).0 == in_plane(self.after.plane, end).0);
+        if self.cycle == Some(850) && !goes_on && !rises {
+            self.out.call_to("STRAIGHT_TRAVERSE", end);
+        }
+    }
+
+    /// What a cycle or a thread switches on its way.
+    fn changed_within(&mut self, before: &Modes, stage: &Modes) {
+        let pairs = before.spindles.iter().zip(&stage.spindles);
+        let turns = |turn| matches!(turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise);
+        for (number, (before, now)) in self.all().zip(pairs) {
+            if before.turn != now.turn {
+                if turns(before.turn) {
+                    self.out.turn(number, SpindleTurn::Stopped);
+                }
+                if turns(now.turn) {
+                    self.out.turn(number, now.turn);
+                }
+            }
+        }
+        if before.feed_override != stage.feed_override {
+            self.out.feed_override(stage.feed_override);
+        }
+        let pairs = before.spindles.iter().zip(&stage.spindles);
+        for (number, (before, now)) in self.all().zip(pairs) {
+            if before.speed_override != now.speed_override {
+                self.out.speed_override(number, now.speed_override);
+            }
+        }
+    }
+
+    fn effect(&mut self, effect: &Effect) {
+        match effect {
+            Effect::StraightTraverse { end } => {
+                self.out.call_to("STRAIGHT_TRAVERSE", end);
+                self.position = *end;
+            }
+            Effect::StraightFeed { end } => {
+                self.speed_of(distance(&self.position, end));
+                self.out.call_to("STRAIGHT_FEED", end);
+                self.position = *end;
+            }
+            Effect::ArcFeed { end, first_centre, second_centre, turns } => {
+                let length = self.arc_length(end, [*first_centre, *second_centre], *turns);
+                self.speed_of(length);
+                let ([first, second], axis) = in_plane(self.after.plane, end);
+                let begun = self.out.begin("ARC_FEED(");
+                begun.numbers(&[first, second, *first_centre, *second_centre], ", ").text(", ");
+                begun.integer((*turns).into()).text(", ");
+                begun.numbers(&[axis, end.a, end.b, end.c], ", ").text(")").end();
+                self.position = *end;
+            }
+            Effect::NurbsFeed { points, end } => {
+                self.out.begin("NURBS_FEED(").integer((*points).into()).text(", ...)").end();
+                self.position = *end;
+            }
+            Effect::StraightProbe { end, .. } => {
+                self.out.call("TURN_PROBE_ON");
+                self.out.call_to("STRAIGHT_PROBE", end);
+                self.out.call("TURN_PROBE_OFF");
+                self.position = *end;
+            }
+            Effect::RigidTap { end } => {
+                let pitch = self.words.get(b'K');
+                if let Some(pitch) = pitch {
+                    self.out.synchronised(pitch);
+                }
+                let Position { x, y, z, .. } = *end;
+                self.out.begin("RIGID_TAP(").numbers(&[x, y, z], ", ").text(")").end();
+                if pitch.is_some() {
+                    self.out.call("STOP_SPEED_FEED_SYNCH");
+                }
+            }
+            Effect::StartSpindleSynchronisation { pitch, .. } => self.out.synchronised(*pitch),
+            Effect::StopSpindleSynchronisation {} => self.out.call("STOP_SPEED_FEED_SYNCH"),
+            Effect::Dwell { seconds } => self.out.call_with("DWELL", *seconds),
+            Effect::OrientSpindle { .. } | Effect::WaitOrient { .. } => self.orient(),
+            Effect::Stop { .. } => self.out.call("PROGRAM_STOP"),
+            _ => {}
+        }
+    }
+
+    /// Under inverse time the speed of a move, in length units per minute, is printed before it.
+    fn speed_of(&mut self, length: f64) {
+        if self.after.feed_mode == FeedMode::InverseTime
+            && let Some(feed) = self.words.get(b'F')
+        {
+            self.out.call_with("SET_FEED_RATE", length * feed);
+        }
+    }
+
+    fn arc_length(&self, end: &Position, centre: [f64; 2], turns: i32) -> f64 {
+        let ([x, y], z) = in_plane(self.after.plane, &self.position);
+        let ([end_x, end_y], end_z) = in_plane(self.after.plane, end);
+        let radius = libm::hypot(x - centre[0], y - centre[1]);
+        let from = libm::atan2(y - centre[1], x - centre[0]);
+        let to = libm::atan2(end_y - centre[1], end_x - centre[0]);
+        let full = std::f64::consts::TAU;
+        let mut angle = if turns > 0 { to - from } else { from - to };
+        if angle <= 1.0e-9 {
+            angle += full;
+        }
+        angle += full * f64::from(turns.saturating_abs().saturating_sub(1));
+        libm::hypot(radius * angle, end_z - z)
+    }
+
+    /// G10 L1, L10 and L11 write into the tool table, whose lengths are inches.
+    pub(super) fn tool_entry(&mut self) {
+        let Some(Effect::SetToolEntry { tool, offset, front_angle, back_angle, orientation, .. }) =
+            self.next(|effect| matches!(effect, Effect::SetToolEntry { .. }))
+        else {
+            return;
+        };
+        let scale = if self.after.units == LengthUnit::Millimetre { INCH } else { 1.0 };
+        let mut offsets = offset.to_array();
+        for (place, value) in offsets.iter_mut().enumerate() {
+            if !(3..6).contains(&place) {
+                *value /= scale;
+            }
+        }
+        let place = self.machine.place(tool);
+        let begun = self.out.begin("SET_TOOL_TABLE_ENTRY(").integer(place).text(", ");
+        begun.integer(tool.into()).text(", ").numbers(&offsets, " ").text(", ");
+        begun.number(front_angle).text(", ").number(back_angle).text(", ");
+        begun.integer(orientation.into()).text(")").end();
+    }
+}
+
+/// A position in the plane's axes and along its normal.
+pub(super) fn in_plane(plane: Plane, at: &Position) -> ([f64; 2], f64) {
+    match plane {
+        Plane::Xy => ([at.x, at.y], at.z),
+        Plane::Zx => ([at.z, at.x], at.y),
+        Plane::Yz => ([at.y, at.z], at.x),
+        Plane::Uv => ([at.u, at.v], at.w),
+        Plane::Wu => ([at.w, at.u], at.v),
+        Plane::Vw => ([at.v, at.w], at.u),
+    }
+}
+
+/// A position with another coordinate along the plane's normal.
+fn with_level(plane: Plane, at: &Position, level: f64) -> Position {
+    let mut at = *at;
+    *match plane {
+        Plane::Xy => &mut at.z,
+        Plane::Zx => &mut at.y,
+        Plane::Yz => &mut at.x,
+        Plane::Uv => &mut at.w,
+        Plane::Wu => &mut at.v,
+        Plane::Vw => &mut at.u,
+    } = level;
+    at
+}
+
+/// The length of a straight move: that of X, Y and Z, or of the rotary axes where those stand.
+fn distance(from: &Position, to: &Position) -> f64 {
+    let (from, to) = (from.to_array(), to.to_array());
+    let length = |axes: std::ops::Range<usize>| {
+        let squares = axes.map(|axis| (to[axis] - from[axis]) * (to[axis] - from[axis]));
+        libm::sqrt(squares.sum())
+    };
+    [0..3, 6..9, 3..6].into_iter().map(length).find(|length| *length > 0.0).unwrap_or(0.0)
+}
+
+/// Whether an effect belongs to what follows the motion. A cycle may stop for a person.
+fn is_after_motion(effect: &Effect, cycle: bool) -> bool {
+    match effect {
+        Effect::Stop { .. } => !cycle,
+        Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. } => true,
+        _ => false,
+    }
+}

@@ -1,0 +1,242 @@
+//! The sink of the interpreter: gathers what a block says and does, and prints its calls when it is done.
+
+use gaugeblock_impl::{BlockBegun, BlockDone, Executed, Reply, Sink};
+use gaugeblock_trace::{Effect, Event, FaultKind, Plane, Position, Settings};
+
+use super::block::{Fixed, Phase, Printed, Words};
+use super::modes::Modes;
+use super::output::Output;
+use super::settled::{CYCLES, MOTIONS};
+use super::source::Texts;
+use super::text;
+
+/// Prints what an interpreter does.
+#[derive(Debug)]
+pub(super) struct Printer {
+    pub(super) out: Output,
+    texts: Texts,
+    /// Settings before the block.
+    modes: Modes,
+    /// Where the controlled point was before the block.
+    position: Position,
+    /// The place in the table of the tool that T selected last.
+    selected: i64,
+    /// F as it was programmed last.
+    feed: f64,
+    /// The same where M70 and M73 saved it, by call level.
+    saved_feeds: Vec<Option<f64>>,
+    /// Where the point was along the normal of the plane when the first of a row of cycles began.
+    old_level: Option<f64>,
+    /// The motion code in force, in tenths.
+    motion: u16,
+    fixed: Fixed,
+    /// The words of the block, where it has any.
+    words: Words,
+    begun: bool,
+    /// What the block did.
+    events: Vec<Event>,
+}
+
+impl Printer {
+    /// Prints the start of an interpreter that has these settings.
+    pub(super) fn new(out: Output, texts: Texts, settings: &Settings, fixed: Fixed) -> Self {
+        let mut modes = Modes::default();
+        modes.apply(settings);
+        let mut printer = Self {
+            out,
+            texts,
+            modes,
+            position: Position::default(),
+            selected: 0,
+            feed: 0.0,
+            saved_feeds: vec![None],
+            old_level: None,
+            motion: 800,
+            fixed,
+            words: Words::default(),
+            begun: false,
+            events: Vec::new(),
+        };
+        let out = &mut printer.out;
+        out.units(modes.units);
+        out.g5x_offset(&modes);
+        out.g92_offset(&modes);
+        out.rotation(&modes);
+        out.begin("SET_FEED_REFERENCE(CANON_XYZ)").end();
+        printer
+    }
+
+    /// The words of the block that was begun last.
+    pub(super) fn words(&self) -> &Words {
+        &self.words
+    }
+
+    /// Where the controlled point was before the block, and the plane.
+    pub(super) fn place(&self) -> (Position, Plane) {
+        (self.position, self.modes.plane)
+    }
+
+    /// Prints what a refused block did before the phase at which it was refused.
+    pub(super) fn refused(&mut self, place: Option<(&str, u32)>, reached: Phase, settings: &Settings) {
+        let events = std::mem::take(&mut self.events);
+        if let Some((file, line)) = place.filter(|_| reached > Phase::Comment) {
+            self.forget_words();
+            let mut after = self.modes;
+            after.apply(settings);
+            self.print(file, line, &events, after, reached);
+        }
+        self.begun = false;
+        self.modes.apply(settings);
+        self.out.label(None);
+    }
+
+    /// Prints the end of a program that ends like one with M2, though no block said so.
+    pub(super) fn ended(&mut self, settings: &Settings) {
+        let mut after = self.modes;
+        after.apply(settings);
+        self.words = Words::default();
+        let events = std::mem::take(&mut self.events);
+        self.printed(&events, after, None).program_end();
+    }
+
+    fn printed<'a>(&'a mut self, events: &'a [Event], after: Modes, comment: Option<Vec<u8>>) -> Printed<'a> {
+        Printed {
+            out: &mut self.out,
+            words: &self.words,
+            before: self.modes,
+            after,
+            position: self.position,
+            events,
+            at: 0,
+            machine: &self.fixed,
+            selected: self.selected,
+            feed: self.feed,
+            saved_feed: self.saved_feeds.last().copied().flatten(),
+            cycle: Some(self.motion).filter(|code| CYCLES.contains(code)),
+            old_level: self.old_level,
+            comment,
+        }
+    }
+
+    /// A block without words has none of the block before.
+    fn forget_words(&mut self) {
+        if !std::mem::take(&mut self.begun) {
+            self.words = Words::default();
+        }
+    }
+
+    fn print(&mut self, file: &str, line: u32, events: &[Event], after: Modes, end: Phase) {
+        let out = &mut self.out;
+        let comment = self.texts.line(file, line, |line| {
+            out.label(text::number(line));
+            text::comment(line).filter(|comment| !text::acts(comment)).map(<[u8]>::to_vec)
+        });
+        if let Some(code) = self.words.g_of(&MOTIONS) {
+            if !CYCLES.contains(&self.motion) {
+                self.old_level = None;
+            }
+            self.motion = code;
+        }
+        let mut printed = self.printed(events, after, comment);
+        printed.print(end);
+        let (position, feed, selected) = (printed.position, printed.feed, printed.selected);
+        let (after, old_level) = (printed.after, printed.old_level);
+        (self.modes, self.old_level) = (after, old_level);
+        (self.position, self.feed, self.selected) = (position, feed, selected);
+        if (self.words.has_m(70) || self.words.has_m(73))
+            && let Some(saved) = self.saved_feeds.last_mut()
+        {
+            *saved = Some(self.feed);
+        }
+    }
+
+    /// Prints a block that was executed.
+    fn done(&mut self, done: &BlockDone<'_>) {
+        let mut events = std::mem::take(&mut self.events);
+        let mut after = self.modes;
+        for event in &events {
+            if let Event::Set(changed) = event {
+                after.apply(changed);
+            }
+        }
+        self.print(done.file(), done.line(), &events, after, Phase::End);
+        let moves_only = self.words.m.is_empty() && self.words.g.iter().all(|code| MOTIONS.contains(code));
+        if !moves_only && let Some(position) = done.state().position {
+            self.position = position;
+        }
+        if done.executed() == Executed::End {
+            self.motion = 10;
+        }
+        events.clear();
+        self.events = events;
+    }
+
+    /// A call or a return has led to a call level.
+    fn at_level(&mut self, level: u32) {
+        let levels = usize::try_from(level).unwrap_or(0).saturating_add(1);
+        self.saved_feeds.resize(levels, None);
+    }
+
+    /// Prints what a return from a sub brings back.
+    fn returned(&mut self, file: &str, line: u32) {
+        let events = std::mem::take(&mut self.events);
+        let mut after = self.modes;
+        for event in &events {
+            if let Event::Set(changed) = event {
+                after.apply(changed);
+            }
+        }
+        if after == self.modes {
+            return;
+        }
+        let out = &mut self.out;
+        self.texts.line(file, line, |line| out.label(text::number(line)));
+        self.words = Words::default();
+        let mut printed = self.printed(&events, after, None);
+        printed.restored();
+        (self.modes, self.feed) = (printed.after, printed.feed);
+    }
+}
+
+impl Sink for Printer {
+    fn set(&mut self, _line: u32, changed: &Settings) {
+        self.events.push(Event::Set(changed.clone()));
+    }
+
+    fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
+        self.events.push(Event::Do(effect.clone()));
+        match effect {
+            Effect::StraightProbe { end, .. } => Reply::Contact(Some(*end)),
+            Effect::WaitInput { .. } => Reply::Input(0.0),
+            Effect::UserCode { .. } => Reply::Failed(FaultKind::UnknownCode),
+            _ => Reply::Done,
+        }
+    }
+
+    fn block_begun(&mut self, begun: &BlockBegun<'_>) {
+        self.begun = true;
+        self.words.take(begun);
+    }
+
+    fn block_done(&mut self, done: &mut BlockDone<'_>) {
+        match done.executed() {
+            Executed::Words | Executed::Comment | Executed::End => {
+                self.forget_words();
+                self.done(done);
+            }
+            Executed::Return | Executed::NumberedReturn => {
+                self.returned(done.file(), done.line());
+                self.at_level(done.call_level());
+                if let Some(position) = done.state().position {
+                    self.position = position;
+                }
+            }
+            Executed::Call | Executed::NumberedCall => {
+                self.events.clear();
+                self.at_level(done.call_level());
+            }
+            Executed::OWord => self.events.clear(),
+        }
+        self.begun = false;
+    }
+}

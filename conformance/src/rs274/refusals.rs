@@ -1,0 +1,236 @@
+//! Refused blocks: how far they came, and what is said.
+//!
+//! The sentences are our own, but for those on which programs depend that read the output of `rs274`: short facts of its interface, as observed.
+
+use gaugeblock_trace::{Fault, FaultKind, Plane, Position};
+
+use super::block::{Phase, Words};
+use super::motion::in_plane;
+use super::settled::{CYCLES, MOTIONS};
+
+/// A refused block, as far as a sentence about it needs it.
+#[derive(Debug)]
+pub(super) struct Refused<'a> {
+    pub(super) fault: &'a Fault,
+    pub(super) words: &'a Words,
+    /// Its text.
+    pub(super) line: &'a str,
+    /// Where the controlled point was before it.
+    pub(super) position: Position,
+    pub(super) plane: Plane,
+    /// Whether the program begins with a percent line.
+    pub(super) percent: bool,
+}
+
+/// Up to which phase a refused block is executed.
+pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
+    let motion = words.g_of(&MOTIONS);
+    let arc_or_cycle = motion.is_some_and(|code| code > 10 && code != 800);
+    match fault.kind {
+        Some(
+            FaultKind::BadArc
+            | FaultKind::ZeroFeed
+            | FaultKind::Gouging
+            | FaultKind::Probe
+            | FaultKind::ZeroSpeed,
+        ) => Phase::Motion,
+        Some(FaultKind::MissingWord | FaultKind::WordOutOfRange | FaultKind::AxisWords)
+            if arc_or_cycle =>
+        {
+            Phase::Motion
+        }
+        Some(FaultKind::ToolNotFound) => Phase::Tool,
+        Some(FaultKind::NothingSaved) => Phase::Saved,
+        _ => Phase::Comment,
+    }
+}
+
+impl Refused<'_> {
+    /// What is said of it.
+    pub(super) fn sentence(&self) -> String {
+        self.observed().unwrap_or_else(|| self.fault.message.clone())
+    }
+
+    fn observed(&self) -> Option<String> {
+        let motion = self.words.g_of(&MOTIONS);
+        let text = match self.fault.kind? {
+            FaultKind::ZeroFeed => match motion {
+                Some(20 | 30) => "Cannot make arc with zero feed rate",
+                Some(code) if CYCLES.contains(&code) => "Cannot feed with zero feed rate",
+                _ => "Cannot do g1 with zero feed rate",
+            },
+            FaultKind::NothingSaved => {
+                "Cannot restore context from invalid stack frame - missing M70/M73?"
+            }
+            FaultKind::DivideByZero => "Attempt to divide by zero",
+            FaultKind::NestedSub => "Nested subroutine definition",
+            FaultKind::MissingEnd if self.percent => "File ended with no percent sign",
+            FaultKind::MissingEnd => "File ended with no percent sign or program end",
+            FaultKind::BadArc if matches!(motion, Some(20 | 30)) => return self.arc(),
+            FaultKind::MissingWord => return self.missing_word(motion),
+            FaultKind::AxisWords if motion.is_some_and(|code| CYCLES.contains(&code)) => {
+                let turned = ["a", "b", "c"].into_iter().find(|axis| self.has(axis))?;
+                return Some(format!("Cannot put an {turned} in canned cycle"));
+            }
+            FaultKind::NoSuchParameter => return self.absent(),
+            FaultKind::ReadOnlyParameter => {
+                let name = self.line.split_once("#<")?.1.split('>').next()?;
+                return Some(format!("Cannot assign to read-only parameter #<{}>", name.to_lowercase()));
+            }
+            FaultKind::FanucDisabled => {
+                let found = if self.has("m98") { "m98" } else { "m99" };
+                return Some(format!("DISABLE_FANUC_STYLE_SUB set in INI file, but found {found}"));
+            }
+            FaultKind::MixedStyles => return self.mixed(),
+            FaultKind::ToolNotFound => {
+                let tool = self.words.get(b'T')?;
+                return Some(format!("Requested tool {tool:.0} not found in the tool table"));
+            }
+            FaultKind::BadExpression | FaultKind::BadNumber | FaultKind::BadBlock
+                if self.has("exists[") =>
+            {
+                return self.exists();
+            }
+            _ => return None,
+        };
+        Some(text.to_owned())
+    }
+
+    /// Whether the text holds something, blanks and cases apart.
+    fn has(&self, what: &str) -> bool {
+        let text: String = self.line.chars().filter(|letter| !letter.is_whitespace()).collect();
+        text.to_lowercase().contains(what)
+    }
+
+    fn missing_word(&self, motion: Option<u16>) -> Option<String> {
+        let text = match motion {
+            Some(20 | 30) => "R i j k words all missing for arc",
+            Some(382..=385) => "All axes missing with motion code",
+            _ if self.has("m98") => "Found 'm98' code with no P-word",
+            _ => return None,
+        };
+        Some(text.to_owned())
+    }
+
+    /// Subroutines of one style, called or ended in the other; the line is that of the head or the end of the sub.
+    fn mixed(&self) -> Option<String> {
+        let text = if self.has("m99") {
+            "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition"
+        } else if self.has("endsub") {
+            "Fanuc 'O....' subroutine definition must end with 'M99'"
+        } else if self.has("m98") {
+            "'O.... sub' subroutine must be called with 'O.... call'"
+        } else {
+            "Fanuc 'O....' subroutine must be called with 'M98'"
+        };
+        Some(text.to_owned())
+    }
+
+    /// The text that is shown with the sentence. Where a call is of the wrong style it is that of the definition.
+    pub(super) fn shown(&self) -> String {
+        if self.fault.kind == Some(FaultKind::MixedStyles) {
+            let line = self.line.trim();
+            if let Some(at) = line.to_lowercase().find("call") {
+                return line.get(..at).unwrap_or(line).trim_end().to_owned();
+            }
+            let label: String = line.chars().skip_while(|letter| !matches!(letter, 'P' | 'p')).skip(1).collect();
+            if self.has("m98") {
+                return format!("O{} sub", label.trim());
+            }
+        }
+        self.line.to_owned()
+    }
+
+    fn exists(&self) -> Option<String> {
+        let name = self.line.to_lowercase().split_once("exists[")?.1.trim_start().to_owned();
+        let text = match name.as_bytes() {
+            [b'#', b'<', ..] if !name.contains('>') => "Named parameter not terminated",
+            [b'#', b']', ..] => "bad number format (conversion failed) parsing ''",
+            [b'#', letter, ..] if letter.is_ascii_alphabetic() => {
+                return Some(format!("Unknown word starting with {}", char::from(*letter)));
+            }
+            [b'#', ..] => "Expected ] reading bracketed parameter",
+            _ => "Expected # reading parameter",
+        };
+        Some(text.to_owned())
+    }
+
+    /// A named parameter that does not exist: the first one of the line behind an equals sign.
+    fn absent(&self) -> Option<String> {
+        let value = self.line.split_once('=').map_or(self.line, |(_, value)| value);
+        let name = value.split_once("#<")?.1.split('>').next()?;
+        // The name of an INI entry is shown with its first part in lower case.
+        let name = match name.split_once('[') {
+            Some((first, rest)) => format!("{}[{rest}", first.to_lowercase()),
+            None => name.to_lowercase(),
+        };
+        Some(format!("Named parameter #<{name}> not defined"))
+    }
+
+    /// An arc whose radii differ.
+    fn arc(&self) -> Option<String> {
+        if self.words.get(b'R').is_some() {
+            return Some("Arc radius too small to reach end point".to_owned());
+        }
+        let (axes, offsets) = match self.plane {
+            Plane::Zx => ([b'Z', b'X'], [b'K', b'I']),
+            Plane::Yz => ([b'Y', b'Z'], [b'J', b'K']),
+            Plane::Xy | Plane::Uv | Plane::Wu | Plane::Vw => ([b'X', b'Y'], [b'I', b'J']),
+        };
+        let (start, _) = in_plane(self.plane, &self.position);
+        let point = |letters: [u8; 2], value: [f64; 2]| {
+            let [first, second] = letters.map(char::from);
+            format!("({first}{:.4},{second}{:.4})", value[0], value[1])
+        };
+        let mut centre = start;
+        let mut end = start;
+        for place in 0..2 {
+            centre[place] += self.words.get(offsets[place]).unwrap_or(0.0);
+            end[place] = self.words.get(axes[place]).unwrap_or(end[place]);
+        }
+        let radius = |at: [f64; 2]| libm::hypot(at[0] - centre[0], at[1] - centre[1]);
+        let (first, second) = (radius(start), radius(end));
+        let error = (first - second).abs();
+        let relative = 100.0 * error / first.max(second);
+        Some(format!(
+            "Radius to end of arc differs from radius to start: start={} center={} end={} r1={first:.4} r2={second:.4} abs_err={} rel_err={relative:.4}%",
+            point(axes, start),
+            point(axes, centre),
+            point(axes, end),
+            four_digits(error),
+        ))
+    }
+}
+
+/// A number with four significant digits and no zeros behind them.
+fn four_digits(value: f64) -> String {
+    let mut decimals = 3_usize;
+    let mut scale = value;
+    while scale > 0.0 && scale < 1.0 && decimals < 12 {
+        scale *= 10.0;
+        decimals += 1;
+    }
+    let mut large = value;
+    while large >= 10.0 && decimals > 0 {
+        large /= 10.0;
+        decimals -= 1;
+    }
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_have_four_digits() {
+        for (value, text) in [(0.285_71, "0.2857"), (3.0, "3"), (0.002_857, "0.002857"), (2.857, "2.857")] {
+            assert_eq!(four_digits(value), text);
+        }
+    }
+}

@@ -1,0 +1,220 @@
+//! Modes and offsets of a block, and what M72 and the end of a sub with M73 bring back.
+
+use gaugeblock_trace::{Compensation, FeedMode, LengthUnit, Path, SpindleLimit, SpindleMode, Switch};
+
+use super::block::Printed;
+use super::modes::{Modes, Spindle};
+use super::motion::INCH;
+
+/// G54 to G59.3.
+const WORK_OFFSETS: [u16; 9] = [540, 550, 560, 570, 580, 590, 591, 592, 593];
+
+impl Printed<'_> {
+    /// Plane, units, lathe, compensation, tool length, work offset, path, distance, retract.
+    pub(super) fn modes(&mut self) {
+        if self.words.g.is_empty() {
+            return;
+        }
+        let (before, after) = (self.before, self.after);
+        self.plane_and_units();
+        if self.words.g_of(&[70, 80]).is_some() && before.lathe != after.lathe {
+            self.out.lathe(after.lathe);
+        }
+        match self.words.g_of(&[400, 410, 420, 411, 421]) {
+            Some(400) => self.out.compensation(Compensation::Off),
+            Some(_) => self.out.compensation(after.compensation),
+            None => {}
+        }
+        if self.words.g_of(&[430, 431, 432, 490]).is_some() {
+            self.out.tool_offset(&after.tool_offset);
+        }
+        if let Some(code) = self.words.g_of(&WORK_OFFSETS) {
+            self.work_offset(code);
+        }
+        match self.words.g_of(&[610, 611, 640]) {
+            Some(640) => {
+                self.out.path_mode(&after);
+                self.out.naive_cam_tolerance(&after);
+            }
+            Some(_) => self.out.path_mode(&after),
+            None => {}
+        }
+        if before.distance != after.distance && self.words.g_of(&[900, 910]).is_some() {
+            self.out.distance(after.distance);
+        }
+        if before.arc_distance != after.arc_distance {
+            self.out.arc_distance(after.arc_distance);
+        }
+        if self.words.g_of(&[980, 990]).is_some() {
+            self.out.retract(after.retract);
+        }
+    }
+
+    fn work_offset(&mut self, code: u16) {
+        let system = WORK_OFFSETS.iter().position(|other| *other == code).map_or(0, |place| place + 1);
+        if usize::try_from(self.before.work_offset) == Ok(system) {
+            self.out.note("continuing to use same coordinate system");
+            return;
+        }
+        self.out.g5x_offset(&self.after);
+        self.out.g92_offset(&self.after);
+        self.out.rotation(&self.after);
+    }
+
+    /// G10, G52, G92 and its kin.
+    pub(super) fn offsets(&mut self) {
+        let Some(code) = self.words.g_of(&[100, 520, 920, 921, 922, 923]) else { return };
+        if code != 100 {
+            self.out.g92_offset(&self.after);
+            return;
+        }
+        let whole = |letter| self.words.get(letter).unwrap_or(0.0).round();
+        if ![2.0, 20.0].contains(&whole(b'L')) {
+            self.tool_entry();
+            return;
+        }
+        let system = whole(b'P');
+        if system <= 0.0 || (system - f64::from(self.after.work_offset)).abs() < 0.5 {
+            self.out.g5x_offset(&self.after);
+            self.out.rotation(&self.after);
+        } else {
+            self.out.note("setting coordinate system origin");
+        }
+    }
+
+    /// What restoring changes: units, then what is set by one block, then coolant and overrides.
+    pub(super) fn restored(&mut self) {
+        let (before, after) = (self.before, self.after);
+        if before.units != after.units {
+            self.out.units(after.units);
+        }
+        if before.feed_mode != after.feed_mode {
+            self.out.feed_mode(after.feed_mode, 0);
+        }
+        let feed = self.saved_feed.unwrap_or(after.feed_rate);
+        let changed = self.saved_feed.map_or(before.feed_rate, |_| self.feed);
+        if differ(changed, feed) && after.feed_mode != FeedMode::InverseTime {
+            // It comes back with one decimal.
+            self.out.call_with("SET_FEED_RATE", (feed * 10.0).round_ties_even() / 10.0);
+        }
+        self.restored_spindles(&before, &after);
+        if before.plane != after.plane {
+            self.out.plane(after.plane);
+        }
+        if before.lathe != after.lathe {
+            self.out.lathe(after.lathe);
+        }
+        if before.compensation != after.compensation {
+            self.out.compensation(after.compensation);
+        }
+        if before.units == after.units && before.tool_offset != after.tool_offset {
+            self.out.tool_offset(&after.tool_offset);
+        }
+        if before.work_offset != after.work_offset {
+            self.out.g5x_offset(&after);
+            self.out.g92_offset(&after);
+            self.out.rotation(&after);
+        }
+        let scale = scale(before.units, after.units);
+        let tolerances = differ(before.blend_tolerance * scale, after.blend_tolerance)
+            || differ(before.naive_cam_tolerance * scale, after.naive_cam_tolerance);
+        if before.path != after.path || tolerances {
+            self.out.path_mode(&after);
+            if after.path == Path::Continuous {
+                self.out.naive_cam_tolerance(&after);
+            }
+        }
+        if before.distance != after.distance {
+            self.out.distance(after.distance);
+        }
+        if before.arc_distance != after.arc_distance {
+            self.out.arc_distance(after.arc_distance);
+        }
+        if before.retract != after.retract {
+            self.out.retract(after.retract);
+        }
+        self.restored_switches(&before, &after);
+        (self.before, self.feed) = (self.after, feed);
+    }
+
+    fn restored_spindles(&mut self, before: &Modes, after: &Modes) {
+        let spindles = before.spindles.iter().zip(&after.spindles);
+        for (number, (before, after)) in self.all().zip(spindles) {
+            let mode = before.mode != after.mode
+                || after.mode == SpindleMode::SurfaceSpeed && before.limit != after.limit;
+            if mode {
+                // The limit does not come back.
+                self.out.spindle_mode(number, &Spindle { limit: SpindleLimit::None, ..*after });
+            }
+            if mode || differ(before.speed, after.speed) {
+                // It comes back as an integer.
+                self.out.spindle_speed(number, after.speed.round_ties_even());
+            }
+            if before.turn != after.turn {
+                self.out.turn(number, after.turn);
+            }
+        }
+    }
+
+    /// Coolant that was on comes back, and so do enabled overrides and inputs; what was off does not, but for both coolants.
+    fn restored_switches(&mut self, before: &Modes, after: &Modes) {
+        let off = (after.mist, after.flood) == (Switch::Off, Switch::Off);
+        if (before.mist, before.flood) == (after.mist, after.flood) {
+        } else if off {
+            self.out.mist(Switch::Off);
+            self.out.flood(Switch::Off);
+        } else {
+            if restored(before.mist, after.mist, &mut self.after.mist) {
+                self.out.mist(Switch::On);
+            }
+            if restored(before.flood, after.flood, &mut self.after.flood) {
+                self.out.flood(Switch::On);
+            }
+        }
+        if before.feed_override != after.feed_override {
+            if restored(before.feed_override, after.feed_override, &mut self.after.feed_override) {
+                self.out.feed_override(Switch::On);
+            }
+            for number in self.all() {
+                self.out.speed_override(number, Switch::On);
+            }
+        }
+        if restored(before.adaptive_feed, after.adaptive_feed, &mut self.after.adaptive_feed) {
+            self.out.adaptive_feed(Switch::On);
+        }
+        if restored(before.feed_stop, after.feed_stop, &mut self.after.feed_stop) {
+            self.out.feed_stop(Switch::On);
+        }
+    }
+}
+
+/// Whether a switch is turned on again. One that was off stays as it is.
+fn restored(before: Switch, saved: Switch, now: &mut Switch) -> bool {
+    if before != saved && saved == Switch::Off {
+        *now = before;
+    }
+    before != saved && saved == Switch::On
+}
+
+/// From one length unit to another.
+fn scale(from: LengthUnit, to: LengthUnit) -> f64 {
+    match (from, to) {
+        (LengthUnit::Inch, LengthUnit::Millimetre) => INCH,
+        (LengthUnit::Millimetre, LengthUnit::Inch) => INCH.recip(),
+        (LengthUnit::Inch, LengthUnit::Inch) | (LengthUnit::Millimetre, LengthUnit::Millimetre) => 1.0,
+    }
+}
+
+/// Whether two numbers are not the same, but for what a conversion loses.
+fn differ(one: f64, other: f64) -> bool {
+    (one - other).abs() > 1.0e-9
+}
+
+/// Codes of the motion group.
+pub(super) const MOTIONS: [u16; 27] = [
+    0, 10, 20, 30, 50, 51, 52, 53, 330, 331, 382, 383, 384, 385, 730, 740, 760, 800, 810, 820, 830,
+    840, 850, 860, 870, 880, 890,
+];
+
+/// Canned cycles.
+pub(super) const CYCLES: [u16; 11] = [730, 740, 810, 820, 830, 840, 850, 860, 870, 880, 890];
