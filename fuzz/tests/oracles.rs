@@ -27,7 +27,9 @@ fn a_pair_that_differs_is_told() {
             turn += 1;
             let mut outcome = reference(scenario)?;
             for step in outcome.steps.iter_mut().filter(|_| turn == 2) {
-                step.events.retain(|event| !matches!(event, Event::Do(Effect::Dwell { .. } | Effect::StraightFeed { .. })));
+                step.events.retain(|event| {
+                    !matches!(event, Event::Do(Effect::Dwell { .. } | Effect::StraightFeed { .. }))
+                });
             }
             Some(outcome)
         };

@@ -44,7 +44,8 @@ fn every_row_can_be_accepted() {
             wrote && (accepted(&outcome.end) || matches!(outcome.end, End::Unsupported { .. }))
         };
         // Some rows need another one before them.
-        let needs = ["saved.restore", "saved.invalidate", "control.break", "sub.call-again", "tool.change"];
+        let needs =
+            ["saved.restore", "saved.invalidate", "control.break", "sub.call-again", "tool.change"];
         let needs_too = ["synchronised", "saved.autorestore"];
         let waits = needs.contains(&row.name) || needs_too.iter().any(|n| row.name.starts_with(n));
         if !waits && !runs.any(fits) {

@@ -125,9 +125,13 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     let header = header(arguments, &plan, edition);
     let (journal, done) = match &arguments.report {
         Some(folder) => {
-            let (journal, done) = Journal::open(folder, &header, arguments.resume).map_err(|why| {
-                Refused::wrong(why, "--resume goes on with the same call; another run needs another folder")
-            })?;
+            let (journal, done) =
+                Journal::open(folder, &header, arguments.resume).map_err(|why| {
+                    Refused::wrong(
+                        why,
+                        "--resume goes on with the same call; another run needs another folder",
+                    )
+                })?;
             (Some(journal), done)
         }
         None => (None, Vec::new()),
@@ -138,7 +142,12 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     generate(arguments, &plan, journal, &mut so_far)?;
     let seconds = begun.elapsed().as_secs_f64();
     let finds = shrink_all(&plan, so_far.groups.finds(), arguments.shrink);
-    let report = fuzz_report::Report { header: &header, statistics: &so_far.statistics, finds: &finds, seconds };
+    let report = fuzz_report::Report {
+        header: &header,
+        statistics: &so_far.statistics,
+        finds: &finds,
+        seconds,
+    };
     if let Some(folder) = &arguments.report {
         report.write(folder)?;
     }
@@ -179,7 +188,8 @@ fn generate(
     let processors = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let best = plan.iut.best_jobs().or(plan.against.best_jobs());
     let bar = indicatif::ProgressBar::new_spinner();
-    let (end, stop) = (seconds.map(|seconds| now() + Duration::from_secs(seconds)), AtomicBool::new(false));
+    let (end, stop) =
+        (seconds.map(|seconds| now() + Duration::from_secs(seconds)), AtomicBool::new(false));
     let mut trouble = None;
     let done = so_far.done.clone();
     let extent = Extent {
@@ -201,7 +211,10 @@ fn generate(
     });
     bar.finish_and_clear();
     match trouble {
-        Some(why) => Err(Refused::unfinished(format!("the journal: {why}"), "free the disk, then the same call with --resume")),
+        Some(why) => Err(Refused::unfinished(
+            format!("the journal: {why}"),
+            "free the disk, then the same call with --resume",
+        )),
         None => Ok(()),
     }
 }
@@ -220,7 +233,9 @@ fn shrink_all(plan: &Plan<'_>, finds: Vec<Find>, attempts: u32) -> Vec<Find> {
     if attempts == 0 {
         return finds;
     }
-    let bar = indicatif::ProgressBar::new(u64::try_from(finds.len().min(SHRUNK_AT_MOST)).unwrap_or_default());
+    let bar = indicatif::ProgressBar::new(
+        u64::try_from(finds.len().min(SHRUNK_AT_MOST)).unwrap_or_default(),
+    );
     bar.set_message("shrinking");
     for find in finds.iter_mut().take(SHRUNK_AT_MOST) {
         *find = shrunk(plan, find, attempts);
@@ -249,7 +264,12 @@ fn recipe(arguments: &Arguments) -> Result<Recipe, Refused> {
             ));
         }
     }
-    Ok(Recipe { wrong_programs: arguments.wrong, only: arguments.only.clone(), setups, ..Recipe::default() })
+    Ok(Recipe {
+        wrong_programs: arguments.wrong,
+        only: arguments.only.clone(),
+        setups,
+        ..Recipe::default()
+    })
 }
 
 /// The options that apply, and whether each program changes some of them.
@@ -288,7 +308,8 @@ fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), Refuse
     for (id, shown) in shown {
         if let Some(option) = shown["option"].as_str() {
             let choice = suite.choices.iter().find(|choice| choice.id == *id);
-            let known = choice.is_some_and(|choice| choice.options.iter().any(|o| o.name == option));
+            let known =
+                choice.is_some_and(|choice| choice.options.iter().any(|o| o.name == option));
             if !known {
                 return Err(Refused::wrong(
                     format!("{name}: the suite has no choice `{id}` with an option `{option}`"),
@@ -326,7 +347,10 @@ fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
         iut: named(plan.iut),
         against: named(plan.against),
         options: format!("{}, {}", edition.id, arguments.options),
-        recipe: format!("wrong {}, spliced {}, only {:?}", arguments.wrong, plan.spliced, arguments.only),
+        recipe: format!(
+            "wrong {}, spliced {}, only {:?}",
+            arguments.wrong, plan.spliced, arguments.only
+        ),
         seed: arguments.seed,
         shard: format!("{index}/{of}"),
     }

@@ -49,7 +49,8 @@ impl Report<'_> {
     pub(super) fn text(&self, verbose: bool) -> String {
         let mut text = String::new();
         let Header { iut, against, options, seed, shard, .. } = self.header;
-        let _infallible = writeln!(text, "{iut} against {against}, {options}, seed {seed}, shard {shard}\n");
+        let _infallible =
+            writeln!(text, "{iut} against {against}, {options}, seed {seed}, shard {shard}\n");
         for (place, find) in self.finds.iter().take(SHOWN).enumerate() {
             let _infallible = writeln!(text, "{}", describe(place + 1, find));
         }
@@ -57,7 +58,8 @@ impl Report<'_> {
             let _infallible = writeln!(text, "… and {} more kinds\n", self.finds.len() - SHOWN);
         }
         let s = self.statistics;
-        let rate = if self.seconds > 0.0 { thousands(s.programs) / self.seconds * 1000.0 } else { 0.0 };
+        let rate =
+            if self.seconds > 0.0 { thousands(s.programs) / self.seconds * 1000.0 } else { 0.0 };
         let _infallible = writeln!(
             text,
             "{} programs in {:.1} s ({rate:.0} a second); {} compared, {} of them accepted; {} of blocks compared",
@@ -85,7 +87,9 @@ impl Report<'_> {
             list(&mut text, what, counts, if verbose { usize::MAX } else { 6 });
         }
         if verbose {
-            for (what, counts) in [("ends", &s.ends), ("faults", &s.faults), ("codes", &s.codes), ("rules", &s.rules)] {
+            for (what, counts) in
+                [("ends", &s.ends), ("faults", &s.faults), ("codes", &s.codes), ("rules", &s.rules)]
+            {
                 list(&mut text, what, counts, usize::MAX);
             }
         }
@@ -97,7 +101,9 @@ impl Report<'_> {
         let Statistics { diverging, compared, not_judged, .. } = self.statistics;
         match (self.finds.len(), compared) {
             (0, 0) => "nothing was compared".to_owned(),
-            (0, _) if !not_judged.is_empty() => "no divergence, but not everything was judged".to_owned(),
+            (0, _) if !not_judged.is_empty() => {
+                "no divergence, but not everything was judged".to_owned()
+            }
             (0, _) => "no divergence".to_owned(),
             (kinds, _) => format!("{diverging} programs diverge, in {kinds} kinds"),
         }
@@ -108,14 +114,24 @@ impl Report<'_> {
         place::write_whole(&folder.join("report.json"), &format!("{:#}\n", self.json()))?;
         place::write_whole(&folder.join("report.txt"), &self.text(true))?;
         for (at, find) in self.finds.iter().enumerate() {
-            let name: String = find.signature.to_string().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).take(60).collect();
+            let name: String = find
+                .signature
+                .to_string()
+                .chars()
+                .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' })
+                .take(60)
+                .collect();
             let folder = folder.join(format!("{:03}-{name}", at + 1));
             place::folder(&folder)?;
             place::write_whole(&folder.join("program.ngc"), &find.scenario.program.main)?;
-            for (name, text) in find.scenario.program.files.iter().filter(|(name, _)| !name.contains(['/', '\\'])) {
+            for (name, text) in
+                find.scenario.program.files.iter().filter(|(name, _)| !name.contains(['/', '\\']))
+            {
                 place::write_whole(&folder.join(name), text)?;
             }
-            let scenario = find.scenario.to_text().map_err(|error| Refused::unfinished(error.message, "this is a fault of gaugeblock"))?;
+            let scenario = find.scenario.to_text().map_err(|error| {
+                Refused::unfinished(error.message, "this is a fault of gaugeblock")
+            })?;
             place::write_whole(&folder.join("scenario.toml"), &scenario)?;
             place::write_whole(&folder.join("divergence.txt"), &describe(at + 1, find))?;
         }
@@ -125,7 +141,10 @@ impl Report<'_> {
 
 /// A divergence with its smallest program.
 pub(super) fn describe(place: usize, find: &Find) -> String {
-    let mut text = format!("{place}. {} ({} programs, the smallest from {})\n", find.signature, find.count, find.number);
+    let mut text = format!(
+        "{place}. {} ({} programs, the smallest from {})\n",
+        find.signature, find.count, find.number
+    );
     if !find.rules.is_empty() && find.rules.len() <= 8 {
         let _infallible = writeln!(text, "  rules: {}", find.rules.join(", "));
     }
@@ -158,8 +177,10 @@ fn unusual(find: &Find) -> Vec<String> {
         text.lines().map(str::to_owned).collect::<Vec<_>>()
     };
     let (usual, lines) = (of(&plain), of(&find.scenario));
-    let mut all: Vec<String> =
-        lines.into_iter().filter(|line| !usual.contains(line) && !line.is_empty() && !line.starts_with(']')).collect();
+    let mut all: Vec<String> = lines
+        .into_iter()
+        .filter(|line| !usual.contains(line) && !line.is_empty() && !line.starts_with(']'))
+        .collect();
     if find.scenario.program.block_delete {
         all.push("block delete".to_owned());
     }
@@ -181,7 +202,8 @@ fn list(text: &mut String, what: &str, counts: &Counts, most: usize) {
 }
 
 fn thousands(count: u64) -> f64 {
-    f64::from(u32::try_from(count / 1000).unwrap_or(u32::MAX)) + f64::from(u32::try_from(count % 1000).unwrap_or_default()) / 1000.0
+    f64::from(u32::try_from(count / 1000).unwrap_or(u32::MAX))
+        + f64::from(u32::try_from(count % 1000).unwrap_or_default()) / 1000.0
 }
 
 fn percent(part: u64, whole: u64) -> String {

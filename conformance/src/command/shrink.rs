@@ -68,16 +68,22 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
     let difference = match plan.judge(&scenario, &mut statistics) {
         Came::Differs(difference) => *difference,
         Came::Same => {
-            write_out(&format!("{name}: {} and {} do not differ\n", arguments.iut, arguments.against));
+            write_out(&format!(
+                "{name}: {} and {} do not differ\n",
+                arguments.iut, arguments.against
+            ));
             return Ok(1);
         }
         Came::Fragile => {
-            write_out(&format!("{name}: they differ, but the last bit of a transcendental function decides\n"));
+            write_out(&format!(
+                "{name}: they differ, but the last bit of a transcendental function decides\n"
+            ));
             return Ok(1);
         }
         Came::Unsupported | Came::Unspecified | Came::NotJudged => {
             let counts = [&statistics.unsupported, &statistics.unspecified, &statistics.not_judged];
-            let why: Vec<&str> = counts.iter().flat_map(|counts| counts.keys()).map(String::as_str).collect();
+            let why: Vec<&str> =
+                counts.iter().flat_map(|counts| counts.keys()).map(String::as_str).collect();
             return Err(Refused::unfinished(
                 format!("{name}: not compared: {}", why.join("; ")),
                 "`gaugeblock run` shows what each controller does with it",

@@ -40,7 +40,16 @@ impl Find {
         let Difference { divergence, signature } = difference;
         let shape = source(&scenario, &divergence).map(shape).unwrap_or_default();
         let divergence = divergence.to_string();
-        Self { number, signature, shape, count: 1, scenario, divergence, rules: Vec::new(), shrunk: false }
+        Self {
+            number,
+            signature,
+            shape,
+            count: 1,
+            scenario,
+            divergence,
+            rules: Vec::new(),
+            shrunk: false,
+        }
     }
 
     fn size(&self) -> (usize, u64) {

@@ -57,7 +57,11 @@ impl Journal {
     ///
     /// # Errors
     /// The folder cannot be written, a journal is there although nothing is to be resumed, or it is of something else.
-    pub fn open(folder: &Path, header: &Header, resume: bool) -> Result<(Self, Vec<Chunk>), String> {
+    pub fn open(
+        folder: &Path,
+        header: &Header,
+        resume: bool,
+    ) -> Result<(Self, Vec<Chunk>), String> {
         let path = folder.join(FILE);
         let name = path.display();
         let failed = |error: std::io::Error| format!("{name}: {error}");
@@ -72,13 +76,15 @@ impl Journal {
             let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
             let mut lines = whole.lines();
             if let Some(first) = lines.next() {
-                let found: Header = serde_json::from_str(first).map_err(|e| format!("{name}:1: {e}"))?;
+                let found: Header =
+                    serde_json::from_str(first).map_err(|e| format!("{name}:1: {e}"))?;
                 if found != *header {
                     return Err(format!("{name}: it is of another run: {first}"));
                 }
             }
             for (at, line) in lines.enumerate() {
-                let chunk = serde_json::from_str(line).map_err(|e| format!("{name}:{}: {e}", at + 2))?;
+                let chunk =
+                    serde_json::from_str(line).map_err(|e| format!("{name}:{}: {e}", at + 2))?;
                 done.push(chunk);
             }
             kept = whole.len();
@@ -128,7 +134,8 @@ mod tests {
 
     #[test]
     fn a_cut_line_is_done_again() {
-        let folder = std::env::temp_dir().join(format!("gaugeblock-journal-{}", std::process::id()));
+        let folder =
+            std::env::temp_dir().join(format!("gaugeblock-journal-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();
         let path = folder.join(FILE);
         let _absent = std::fs::remove_file(&path);

@@ -4,9 +4,9 @@ use gaugeblock_fuzz::generate::nudged;
 use gaugeblock_reference::Evidence;
 use gaugeblock_trace::{End, Outcome, Scenario};
 
-use super::Plan;
 use super::signature::Signature;
 use super::statistics::{Statistics, count};
+use super::{Plan, comparable};
 use crate::adapters::{Adapter, Capabilities, HarnessError};
 use crate::compare::{Divergence, compare, surely_same};
 use crate::observe::Observed;
@@ -89,8 +89,10 @@ impl Plan<'_> {
         if surely_same(expected, found, show_pins(self.iut) && show_pins(self.against)) {
             return None;
         }
+        let (expected, found) = comparable::comparable(expected, found);
         let shows = self.iut.shows(scenario).and(&self.against.shows(scenario));
-        compare(&Observed::of(expected), &Observed::of(found), &shows).divergence
+        let comparison = compare(&Observed::of(&expected), &Observed::of(&found), &shows);
+        comparison.divergence.map(|divergence| comparable::named(divergence, &expected, &found))
     }
 
     /// Whether the model's own answer changes when every transcendental result moves by its last bit.
@@ -120,15 +122,20 @@ impl Plan<'_> {
             | HarnessError::UnknownMessage(_)
             | HarnessError::ObservationDisturbs { .. } => {
                 let line = error.to_string();
-                let short: String = line.lines().next().unwrap_or_default().chars().take(100).collect();
+                let short: String =
+                    line.lines().next().unwrap_or_default().chars().take(100).collect();
                 count(&mut statistics.not_judged, &format!("{}: {short}", name(side)));
                 return Came::NotJudged;
             }
         };
         let of = |other: bool| if other { error.to_string() } else { "an end".to_owned() };
         let is_iut = name(side) == name(self.iut);
-        let divergence =
-            Divergence { block: None, field: what.to_owned(), expected: of(!is_iut), found: of(is_iut) };
+        let divergence = Divergence {
+            block: None,
+            field: what.to_owned(),
+            expected: of(!is_iut),
+            found: of(is_iut),
+        };
         differs(divergence, statistics)
     }
 }

@@ -4,6 +4,7 @@
 //! machine, each is [journaled](journal) when it is done, and what they found is put together in the order of numbers, so that the same
 //! plan gives the same report however often it was interrupted.
 
+mod comparable;
 pub mod groups;
 pub mod journal;
 mod judge;
@@ -22,8 +23,8 @@ use gaugeblock_trace::{Options, Scenario};
 use crate::adapters::Adapter;
 use crate::suite::{Choice, ChoiceKind};
 use groups::{Find, Groups};
-pub use judge::{Came, Difference};
 use journal::Chunk;
+pub use judge::{Came, Difference};
 use statistics::Statistics;
 
 /// How many programs are run and journaled together.

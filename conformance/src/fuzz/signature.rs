@@ -46,7 +46,11 @@ fn without_index(field: &str) -> String {
         return if number <= 5000 { "#n at the end".to_owned() } else { field.to_owned() };
     }
     let name = field.split('[').next().unwrap_or_default();
-    if name == "parameter" && !field.contains("[_") { "parameter".to_owned() } else { name.to_owned() }
+    if name == "parameter" && !field.contains("[_") {
+        "parameter".to_owned()
+    } else {
+        name.to_owned()
+    }
 }
 
 /// Words stay, numbers do not, and an effect is its name; a fault keeps its kind.
@@ -71,7 +75,10 @@ fn kind_of(value: &str) -> String {
 pub fn rules(scenario: &Scenario, divergence: &Divergence) -> Vec<String> {
     let reached = |scenario: &Scenario| -> Vec<String> {
         let evidence = gaugeblock_reference::run(scenario).1;
-        evidence.iter().map(|(rule, outcome)| format!("{rule} ({outcome:?})").to_lowercase()).collect()
+        evidence
+            .iter()
+            .map(|(rule, outcome)| format!("{rule} ({outcome:?})").to_lowercase())
+            .collect()
     };
     let all = reached(scenario);
     let block = divergence.block.as_ref().filter(|block| block.file == Program::MAIN);
@@ -105,7 +112,10 @@ mod tests {
             signature("end", "refused at main.ngc:3 (zero_feed)", "program end"),
             "end: program end against refused (zero_feed)"
         );
-        assert_eq!(signature("spindle_speed[2]", "100", "0"), "spindle_speed: a value against a value");
+        assert_eq!(
+            signature("spindle_speed[2]", "100", "0"),
+            "spindle_speed: a value against a value"
+        );
         assert_eq!(signature("motion", "traverse", "none"), "motion: none against traverse");
         assert_eq!(
             signature("effect", "straight_feed end=(x1)", "no further effect"),

@@ -122,7 +122,8 @@ mod tests {
 
     #[test]
     fn a_single_rule_can_be_asked_for() {
-        let recipe = Recipe { only: vec!["dwell".to_owned()], wrong_programs: 0, ..Recipe::default() };
+        let recipe =
+            Recipe { only: vec!["dwell".to_owned()], wrong_programs: 0, ..Recipe::default() };
         let text = from_seed(1, 1, &recipe).program.main.to_lowercase();
         assert!(text.contains("g4"), "{text}");
         assert!(!text.contains("g0"), "{text}");

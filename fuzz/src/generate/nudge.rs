@@ -32,7 +32,8 @@ fn line(line: &str, factor: &str) -> String {
     let speech = lower.find(['(', ';']).unwrap_or(lower.len());
     for at in (0..speech).rev() {
         let Some(rest) = lower.get(at..) else { continue };
-        let begins = |name: &&&str| rest.strip_prefix(**name).is_some_and(|rest| rest.starts_with('['));
+        let begins =
+            |name: &&&str| rest.strip_prefix(**name).is_some_and(|rest| rest.starts_with('['));
         let in_word = at > 0 && lower.as_bytes()[at - 1].is_ascii_alphabetic();
         let named = FUNCTIONS.iter().find(begins).filter(|_| !in_word);
         if let Some(end) = named.and_then(|name| end_of(&line, at + name.len())) {

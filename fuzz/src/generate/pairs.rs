@@ -36,25 +36,54 @@ struct Change {
 
 /// Modal codes that change nothing when they are repeated in the next block.
 const REPEATABLE: &[&str] = &[
-    "g17", "g18", "g19", "g20", "g21", "g90", "g91", "g90.1", "g91.1", "g98", "g99", "g61", "g61.1", "g54", "g55", "g56",
-    "g57", "g58", "g59", "g59.1", "g59.2", "g59.3", "g7", "g8", "m7", "m8", "m9", "m48", "m49",
+    "g17", "g18", "g19", "g20", "g21", "g90", "g91", "g90.1", "g91.1", "g98", "g99", "g61",
+    "g61.1", "g54", "g55", "g56", "g57", "g58", "g59", "g59.1", "g59.2", "g59.3", "g7", "g8", "m7",
+    "m8", "m9", "m48", "m49",
 ];
 
 const CHANGES: &[Change] = &[
-    Change { name: "comments", moves_lines: false, line: |line| if is_plain(line) { format!("{line} (so)") } else { line.to_owned() } },
-    Change { name: "upper case", moves_lines: false, line: |line| if is_plain(line) { line.to_ascii_uppercase() } else { line.to_owned() } },
-    Change { name: "blanks", moves_lines: false, line: |line| if is_plain(line) { line.replace(' ', " \t ") } else { line.to_owned() } },
-    Change { name: "CRLF", moves_lines: false, line: |line| format!("{}\r", line.trim_end_matches('\r')) },
+    Change {
+        name: "comments",
+        moves_lines: false,
+        line: |line| if is_plain(line) { format!("{line} (so)") } else { line.to_owned() },
+    },
+    Change {
+        name: "upper case",
+        moves_lines: false,
+        line: |line| if is_plain(line) { line.to_ascii_uppercase() } else { line.to_owned() },
+    },
+    Change {
+        name: "blanks",
+        moves_lines: false,
+        line: |line| if is_plain(line) { line.replace(' ', " \t ") } else { line.to_owned() },
+    },
+    Change {
+        name: "CRLF",
+        moves_lines: false,
+        line: |line| format!("{}\r", line.trim_end_matches('\r')),
+    },
     Change {
         name: "line numbers",
         moves_lines: false,
-        line: |line| if is_plain(line) && line.starts_with(['g', 'm', 'x', 'f', 's', 't', '#']) { format!("n7 {line}") } else { line.to_owned() },
+        line: |line| {
+            if is_plain(line) && line.starts_with(['g', 'm', 'x', 'f', 's', 't', '#']) {
+                format!("n7 {line}")
+            } else {
+                line.to_owned()
+            }
+        },
     },
-    Change { name: "blank lines", moves_lines: true, line: |line| if is_plain(line) { format!("\n{line}\n") } else { line.to_owned() } },
+    Change {
+        name: "blank lines",
+        moves_lines: true,
+        line: |line| if is_plain(line) { format!("\n{line}\n") } else { line.to_owned() },
+    },
     Change {
         name: "repeated modal words",
         moves_lines: true,
-        line: |line| if REPEATABLE.contains(&line) { format!("{line}\n{line}") } else { line.to_owned() },
+        line: |line| {
+            if REPEATABLE.contains(&line) { format!("{line}\n{line}") } else { line.to_owned() }
+        },
     },
 ];
 
@@ -69,8 +98,12 @@ pub fn pair(dice: &mut Dice<'_>) -> Pair {
         0 => inlined_call(dice),
         1 => unrolled_loop(dice),
         2 => deleted_blocks(dice),
-        3 => path(dice, "inch and millimetre", |points| (moves(points, "g21", 1.0), moves(points, "g20", 25.4))),
-        4 => path(dice, "absolute and incremental", |points| (moves(points, "g21 g90", 1.0), steps(points))),
+        3 => path(dice, "inch and millimetre", |points| {
+            (moves(points, "g21", 1.0), moves(points, "g20", 25.4))
+        }),
+        4 => path(dice, "absolute and incremental", |points| {
+            (moves(points, "g21 g90", 1.0), steps(points))
+        }),
         5 => path(dice, "shifted work offset", shifted),
         6 => path(dice, "split moves", |points| (moves(points, "g21", 1.0), halves(points))),
         _ => changed(dice),
@@ -78,7 +111,8 @@ pub fn pair(dice: &mut Dice<'_>) -> Pair {
 }
 
 fn changed(dice: &mut Dice<'_>) -> Pair {
-    let recipe = Recipe { setups: Setups::Plain, wrong_programs: 5, later_programs: 0, ..Recipe::default() };
+    let recipe =
+        Recipe { setups: Setups::Plain, wrong_programs: 5, later_programs: 0, ..Recipe::default() };
     let one = super::scenario(dice, &recipe);
     let change = dice.pick(CHANGES);
     let mut other = one.clone();
@@ -91,13 +125,29 @@ fn changed(dice: &mut Dice<'_>) -> Pair {
 
 /// Simple blocks that do the same at every call level and on every line.
 fn blocks(dice: &mut Dice<'_>) -> String {
-    let names = ["motion.traverse", "mode.", "offset.select", "coolant", "spindle.turn", "spindle.speed", "dwell"];
+    let names = [
+        "motion.traverse",
+        "mode.",
+        "offset.select",
+        "coolant",
+        "spindle.turn",
+        "spindle.speed",
+        "dwell",
+    ];
     let only = names.map(str::to_owned).to_vec();
-    let recipe = Recipe { blocks: (2, 8), wrong_programs: 0, only, setups: Setups::Plain, ..Recipe::default() };
+    let recipe = Recipe {
+        blocks: (2, 8),
+        wrong_programs: 0,
+        only,
+        setups: Setups::Plain,
+        ..Recipe::default()
+    };
     let text = super::scenario(dice, &recipe).program.main.to_lowercase();
     // What a call changes: its own #1 to #30, the level, the line.
     let differs = |line: &str| line.contains('#') || line.contains('%');
-    text.lines().filter(|line| !differs(line) && line.trim() != "m2" && line.trim() != "m30").fold(String::new(), |text, line| text + line + "\n")
+    text.lines()
+        .filter(|line| !differs(line) && line.trim() != "m2" && line.trim() != "m30")
+        .fold(String::new(), |text, line| text + line + "\n")
 }
 
 fn inlined_call(dice: &mut Dice<'_>) -> Pair {
@@ -117,7 +167,8 @@ fn unrolled_loop(dice: &mut Dice<'_>) -> Pair {
 fn deleted_blocks(dice: &mut Dice<'_>) -> Pair {
     let body = blocks(dice);
     let with: String = body.lines().map(|line| format!("{line}\n/g0 x99\n/ #31 = 5\n")).collect();
-    let mut pair = both("block delete", &format!("{body}m2\n"), &format!("{with}m2\n"), Same::Effects);
+    let mut pair =
+        both("block delete", &format!("{body}m2\n"), &format!("{with}m2\n"), Same::Effects);
     pair.other.program.block_delete = true;
     pair
 }
@@ -137,9 +188,7 @@ fn both(name: &'static str, one: &str, other: &str, same: Same) -> Pair {
 }
 
 fn moves(points: &[Point], modes: &str, unit: f64) -> String {
-    let point = |(x, y, z): &Point| {
-        format!("g1 x[{x} / {unit}] y[{y} / {unit}] z[{z} / {unit}]\n")
-    };
+    let point = |(x, y, z): &Point| format!("g1 x[{x} / {unit}] y[{y} / {unit}] z[{z} / {unit}]\n");
     format!("{modes} f100\n{}m2\n", points.iter().map(point).collect::<String>())
 }
 

@@ -1,8 +1,8 @@
 //! Machines, benches and operators.
 
 use gaugeblock_trace::scenario::{
-    Action, Bench, Folder, InputChange, Machine, OperatorEvent, OrientAnswer, ProbeContact, Scenario, Tool, ToolChange,
-    UserProgram, When,
+    Action, Bench, Folder, InputChange, Machine, OperatorEvent, OrientAnswer, ProbeContact,
+    Scenario, Tool, ToolChange, UserProgram, When,
 };
 use gaugeblock_trace::{Axis, Block, LengthUnit, Position, Program};
 
@@ -76,8 +76,13 @@ fn machine(dice: &mut Dice<'_>, free: bool) -> Machine {
 fn stored(dice: &mut Dice<'_>, machine: &mut Machine) {
     for number in 1..=dice.range(0, 4) {
         let number = number + 10 * dice.below(2);
-        let offset = Position { z: quarter(dice), x: if dice.chance(20) { quarter(dice) } else { 0.0 }, ..Position::default() };
-        let tool = Tool { number, pocket: None, offset, diameter: quarter(dice), ..Tool::default() };
+        let offset = Position {
+            z: quarter(dice),
+            x: if dice.chance(20) { quarter(dice) } else { 0.0 },
+            ..Position::default()
+        };
+        let tool =
+            Tool { number, pocket: None, offset, diameter: quarter(dice), ..Tool::default() };
         machine.tools.push(tool);
     }
     if dice.chance(40) {
@@ -99,7 +104,9 @@ fn quarter(dice: &mut Dice<'_>) -> f64 {
 fn bench(dice: &mut Dice<'_>) -> Bench {
     let mut bench = Bench::default();
     if dice.chance(50) {
-        bench.wires.insert(dice.below(3).to_string(), u16::try_from(dice.below(3)).unwrap_or_default());
+        bench
+            .wires
+            .insert(dice.below(3).to_string(), u16::try_from(dice.below(3)).unwrap_or_default());
     }
     let mut time = 0.0;
     for _ in 0..dice.below(4) {
@@ -111,7 +118,12 @@ fn bench(dice: &mut Dice<'_>) -> Bench {
         bench.inputs.push(InputChange { time, input, value });
     }
     if dice.chance(30) {
-        let answers = [OrientAnswer::After(0.0), OrientAnswer::After(1.5), OrientAnswer::Never, OrientAnswer::Fault(3)];
+        let answers = [
+            OrientAnswer::After(0.0),
+            OrientAnswer::After(1.5),
+            OrientAnswer::Never,
+            OrientAnswer::Fault(3),
+        ];
         bench.orient.push(*dice.pick(&answers));
     }
     if dice.chance(30) {
@@ -123,9 +135,15 @@ fn bench(dice: &mut Dice<'_>) -> Bench {
     for _ in 0..dice.below(3) {
         let file = format!("M{}", dice.range(100, 105));
         if bench.user_programs.iter().all(|program| program.file != file) {
-            let folder = *dice.pick(&[Folder::ProgramPrefix, Folder::ProgramPrefix, Folder::SearchPath]);
+            let folder =
+                *dice.pick(&[Folder::ProgramPrefix, Folder::ProgramPrefix, Folder::SearchPath]);
             let duration = quarter(dice);
-            bench.user_programs.push(UserProgram { file, folder, duration, ..UserProgram::default() });
+            bench.user_programs.push(UserProgram {
+                file,
+                folder,
+                duration,
+                ..UserProgram::default()
+            });
         }
     }
     bench
@@ -133,8 +151,16 @@ fn bench(dice: &mut Dice<'_>) -> Bench {
 
 fn operator(dice: &mut Dice<'_>) -> Vec<OperatorEvent> {
     let actions = [
-        Action::Pause, Action::Resume, Action::Resume, Action::CycleStart, Action::Abort, Action::OptionalStop(true),
-        Action::FeedOverride(0.5), Action::RapidOverride(0.25), Action::FeedHold(true), Action::FeedHold(false),
+        Action::Pause,
+        Action::Resume,
+        Action::Resume,
+        Action::CycleStart,
+        Action::Abort,
+        Action::OptionalStop(true),
+        Action::FeedOverride(0.5),
+        Action::RapidOverride(0.25),
+        Action::FeedHold(true),
+        Action::FeedHold(false),
         Action::Mdi("g0 x5".to_owned()),
     ];
     let mut events: Vec<OperatorEvent> = (0..dice.below(4))

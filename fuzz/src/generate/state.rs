@@ -42,6 +42,8 @@ pub(crate) struct State {
     pub(crate) saved: bool,
     /// Whether a tool is selected.
     pub(crate) selected: bool,
+    /// Whether a tool was changed to.
+    pub(crate) loaded: bool,
     /// Whether the first spindle turns at a speed.
     pub(crate) turning: bool,
     /// Named parameters that exist here.
@@ -79,6 +81,7 @@ impl State {
             xy_plane: true,
             saved: false,
             selected: false,
+            loaded: false,
             turning: false,
             names: Vec::new(),
             subs: Vec::new(),
@@ -99,6 +102,7 @@ impl State {
         self.xy_plane &= before.xy_plane;
         self.saved &= before.saved;
         self.selected &= before.selected;
+        self.loaded &= before.loaded;
         self.turning &= before.turning;
         self.names.retain(|name| before.names.contains(name));
         self.loops.clone_from(&before.loops);

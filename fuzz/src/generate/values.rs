@@ -4,8 +4,8 @@ use super::writer::Writer;
 
 /// Numbers as people write them.
 const NUMBERS: &[&str] = &[
-    "1", "0", "2", "3", "-1", "10", "0.5", "2.5", "-2.5", "100", "25.4", "1.0", "+3.", ".5", "-.25",
-    "0.001", "7", "-10", "1000", "12.3456", "-0", "00.10", "1.5", "90", "360", "0.0001",
+    "1", "0", "2", "3", "-1", "10", "0.5", "2.5", "-2.5", "100", "25.4", "1.0", "+3.", ".5",
+    "-.25", "0.001", "7", "-10", "1000", "12.3456", "-0", "00.10", "1.5", "90", "360", "0.0001",
 ];
 
 /// Numbered parameters that programs use.
@@ -21,13 +21,50 @@ const STATE_NUMBERED: &[&str] = &[
 
 /// Predefined named parameters.
 const PREDEFINED: &[&str] = &[
-    "_vmajor", "_line", "_motion_mode", "_plane", "_ccomp", "_metric", "_imperial", "_absolute",
-    "_incremental", "_inverse_time", "_units_per_minute", "_units_per_rev", "_coord_system",
-    "_tool_offset", "_retract_r_plane", "_retract_old_z", "_spindle_rpm_mode", "_spindle_css_mode",
-    "_ijk_absolute_mode", "_lathe_diameter_mode", "_lathe_radius_mode", "_spindle_on",
-    "_spindle_cw", "_mist", "_flood", "_feed_override", "_speed_override", "_adaptive_feed",
-    "_feed_hold", "_feed", "_rpm", "_current_tool", "_selected_tool", "_value", "_value_returned",
-    "_call_level", "_remap_level", "_x", "_y", "_z", "_a", "_abs_x", "_abs_y", "_abs_z",
+    "_vmajor",
+    "_line",
+    "_motion_mode",
+    "_plane",
+    "_ccomp",
+    "_metric",
+    "_imperial",
+    "_absolute",
+    "_incremental",
+    "_inverse_time",
+    "_units_per_minute",
+    "_units_per_rev",
+    "_coord_system",
+    "_tool_offset",
+    "_retract_r_plane",
+    "_retract_old_z",
+    "_spindle_rpm_mode",
+    "_spindle_css_mode",
+    "_ijk_absolute_mode",
+    "_lathe_diameter_mode",
+    "_lathe_radius_mode",
+    "_spindle_on",
+    "_spindle_cw",
+    "_mist",
+    "_flood",
+    "_feed_override",
+    "_speed_override",
+    "_adaptive_feed",
+    "_feed_hold",
+    "_feed",
+    "_rpm",
+    "_current_tool",
+    "_selected_tool",
+    "_value",
+    "_value_returned",
+    "_call_level",
+    "_remap_level",
+    "_x",
+    "_y",
+    "_z",
+    "_a",
+    "_abs_x",
+    "_abs_y",
+    "_abs_z",
 ];
 
 /// Names that programs give.
@@ -180,7 +217,8 @@ impl Writer<'_, '_> {
     /// Remembers that a parameter was set.
     pub(crate) fn was_set(&mut self, parameter: &str) {
         let name = parameter.strip_prefix("#<").and_then(|rest| rest.strip_suffix('>'));
-        if let Some(name) = name.filter(|name| !self.state.names.iter().any(|known| known == name)) {
+        if let Some(name) = name.filter(|name| !self.state.names.iter().any(|known| known == name))
+        {
             self.state.names.push(name.to_owned());
         }
     }

@@ -4,12 +4,14 @@ use super::dice::Dice;
 use super::odd;
 
 /// Characters that a slip of the finger brings in.
-const SLIPS: &[char] = &['x', 'g', '1', '.', '-', '[', ']', '#', '=', '(', 'm', ' ', 'o', '$', '<', '%', 'z', '0'];
+const SLIPS: &[char] =
+    &['x', 'g', '1', '.', '-', '[', ']', '#', '=', '(', 'm', ' ', 'o', '$', '<', '%', 'z', '0'];
 
 /// Words that often do not belong to a block.
 const WORDS: &[&str] = &[
-    " p1", " q2", " l3", " x1", " g1", " g0", " m5", " m70", " f100", " s0", " h1", " d1", " r1", " i1", " k2", " e1",
-    " t1", " $1", " p-1", " f-1", " f0", " s-5", " g54", " g92 x1", " g4 p1", " m62 p1", " #31=1", " n5", " m3.5", " g1.5",
+    " p1", " q2", " l3", " x1", " g1", " g0", " m5", " m70", " f100", " s0", " h1", " d1", " r1",
+    " i1", " k2", " e1", " t1", " $1", " p-1", " f-1", " f0", " s-5", " g54", " g92 x1", " g4 p1",
+    " m62 p1", " #31=1", " n5", " m3.5", " g1.5",
 ];
 
 /// The block with one thing wrong, or another block that is often refused.
@@ -37,7 +39,9 @@ pub(super) fn spoilt(line: &str, dice: &mut Dice<'_>) -> String {
             swapped.into_iter().collect()
         }
         6 => {
-            let other = *dice.pick(&["-1", "1.5", "99999", "0.00001", "1e3", "#<none>", "[1/0]", "[", "sqrt[-1]"]);
+            let other = *dice.pick(&[
+                "-1", "1.5", "99999", "0.00001", "1e3", "#<none>", "[1/0]", "[", "sqrt[-1]",
+            ]);
             match line.rfind(|c: char| c.is_ascii_digit()) {
                 Some(at) => format!("{}{other}", &line[..at]),
                 None => format!("{line}{other}"),

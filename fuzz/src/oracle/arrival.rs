@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_impl::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable};
+use gaugeblock_impl::{
+    BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable,
+};
 use gaugeblock_trace::{Effect, Scenario, Settings};
 
 use crate::generate::Dice;
@@ -19,7 +21,8 @@ pub fn arrives(scenario: &Scenario, dice: &mut Dice<'_>) -> Result<(), String> {
     };
     let whole = told(scenario, &mut memory(), 1);
     let most = usize::try_from(dice.range(1, 40)).unwrap_or(1);
-    let sizes: Vec<usize> = (0..7).map(|_| 1 + usize::try_from(dice.below(40)).unwrap_or_default() % most).collect();
+    let sizes: Vec<usize> =
+        (0..7).map(|_| 1 + usize::try_from(dice.below(40)).unwrap_or_default() % most).collect();
     let mut pieces = Pieces { inner: memory(), sizes, turn: 0 };
     for (how, other) in [
         ("in pieces", told(scenario, &mut pieces, 1)),
@@ -28,7 +31,12 @@ pub fn arrives(scenario: &Scenario, dice: &mut Dice<'_>) -> Result<(), String> {
         if other != whole {
             let same = whole.lines().zip(other.lines()).take_while(|(a, b)| a == b).count();
             let at = |text: &str| text.lines().nth(same).unwrap_or("nothing more").to_owned();
-            return Err(format!("{how}:\n{}\n{}\nagainst\n{}", program.main, at(&other), at(&whole)));
+            return Err(format!(
+                "{how}:\n{}\n{}\nagainst\n{}",
+                program.main,
+                at(&other),
+                at(&whole)
+            ));
         }
     }
     Ok(())

@@ -18,7 +18,10 @@ pub fn goes_on(
         // The block at which the budget ran out may have begun.
         let sure = part.steps.len().saturating_sub(1).min(whole.steps.len());
         if part.steps[..sure] != whole.steps[..sure] {
-            return Err(format!("with a budget of {steps} blocks another run begins:\n{}", part.to_text()));
+            return Err(format!(
+                "with a budget of {steps} blocks another run begins:\n{}",
+                part.to_text()
+            ));
         }
         let ended = matches!(part.end, End::BudgetExhausted { .. });
         if !ended && part.steps.len() < whole.steps.len() {

@@ -52,9 +52,12 @@ fn effects(outcome: &Outcome) -> Vec<&Effect> {
     let refused = |line: &gaugeblock_trace::Block| matches!(&outcome.end, End::Fault(fault) if fault.block.as_ref() == Some(line));
     let last = outcome.steps.len().saturating_sub(1);
     let steps = outcome.steps.iter().enumerate();
-    let counted = steps.filter(|(at, step)| !(*at == last && step.state.is_none() && refused(&step.block)));
+    let counted =
+        steps.filter(|(at, step)| !(*at == last && step.state.is_none() && refused(&step.block)));
     let events = counted.flat_map(|(_, step)| &step.events);
-    events.filter_map(|event| if let Event::Do(effect) = event { Some(effect) } else { None }).collect()
+    events
+        .filter_map(|event| if let Event::Do(effect) = event { Some(effect) } else { None })
+        .collect()
 }
 
 /// Settings at the end of a run that was not refused.
@@ -104,9 +107,8 @@ fn machine(end: &Position, settings: &Settings) -> Point {
 
 /// Whether a point lies on the straight line between two others.
 fn on_the_way(from: &Point, point: &Point, to: &Point) -> bool {
-    let length = |a: &Point, b: &Point| {
-        a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
-    };
+    let length =
+        |a: &Point, b: &Point| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
     (length(from, point) + length(point, to) - length(from, to)).abs() < TOLERANCE * 1e-3
 }
 

@@ -51,7 +51,9 @@ fn machine(search: &mut Search<'_>) {
     attempt(search, |scenario| scenario.machine.analog_io = default().analog_io);
     attempt(search, |scenario| scenario.machine.orient_offset = default().orient_offset);
     attempt(search, |scenario| scenario.machine.tool_change = default().tool_change);
-    attempt(search, |scenario| scenario.machine.random_tool_changer = default().random_tool_changer);
+    attempt(search, |scenario| {
+        scenario.machine.random_tool_changer = default().random_tool_changer
+    });
     attempt(search, |scenario| scenario.machine.fanuc_subs = default().fanuc_subs);
     attempt(search, |scenario| scenario.machine.ini.clear());
     for place in (0..search.best.machine.tools.len()).rev() {

@@ -71,7 +71,8 @@ pub(super) fn simplify(search: &mut Search<'_>, file: Option<&str>) {
     each_line(search, file, |line| {
         let mut simpler = Vec::new();
         for inner in values(line) {
-            let (text, before, after) = (&line[inner.clone()], &line[..inner.start], &line[inner.end..]);
+            let (text, before, after) =
+                (&line[inner.clone()], &line[..inner.start], &line[inner.end..]);
             for other in replacements(text) {
                 simpler.push(format!("{before}{other}{after}"));
             }
@@ -99,7 +100,10 @@ fn each_line(search: &mut Search<'_>, file: Option<&str>, others: fn(&str) -> Ve
 
 fn with_line(text: &str, at: usize, line: &str) -> String {
     let lines = text.lines().enumerate();
-    lines.map(|(place, old)| if place == at { line } else { old }).flat_map(|line| [line, "\n"]).collect()
+    lines
+        .map(|(place, old)| if place == at { line } else { old })
+        .flat_map(|line| [line, "\n"])
+        .collect()
 }
 
 /// Simpler forms of a value, the simplest first.
@@ -109,9 +113,17 @@ fn replacements(value: &str) -> Vec<String> {
         if all.iter().any(|simple| simple == value) {
             return all.into_iter().take_while(|simple| simple != value).collect();
         }
-        all.extend([number.trunc(), (number / 2.0).trunc(), number.trunc() - 1.0].iter().filter(|n| n.abs() < 1e15).map(f64::to_string));
+        all.extend(
+            [number.trunc(), (number / 2.0).trunc(), number.trunc() - 1.0]
+                .iter()
+                .filter(|n| n.abs() < 1e15)
+                .map(f64::to_string),
+        );
         all.push(value.trim_start_matches('+').to_owned());
-        all.retain(|simple| simple.len() < value.len() || simple.parse::<f64>().is_ok_and(|n| n.abs() < number.abs()));
+        all.retain(|simple| {
+            simple.len() < value.len()
+                || simple.parse::<f64>().is_ok_and(|n| n.abs() < number.abs())
+        });
         return all;
     }
     // A bracket: its operands alone. A function: its argument.
@@ -147,7 +159,9 @@ fn parts(line: &str) -> Vec<Range<usize>> {
             b'[' => value_end(line, at),
             b'#' => setting_end(line, at),
             b'o' | b'O' => o_word_end(line, at),
-            b if b.is_ascii_alphabetic() || b == b'$' || b == b'@' || b == b'^' => value_end(line, at + 1).max(at + 1),
+            b if b.is_ascii_alphabetic() || b == b'$' || b == b'@' || b == b'^' => {
+                value_end(line, at + 1).max(at + 1)
+            }
             _ => at + line[at..].chars().next().map_or(1, char::len_utf8),
         };
         parts.push(first..at);
@@ -195,7 +209,11 @@ fn value_end(line: &str, from: usize) -> usize {
     }
     if byte(at) == b'[' {
         let end = bracket_end(bytes, at);
-        return if byte(end) == b'/' && byte(end + 1) == b'[' { bracket_end(bytes, end + 1) } else { end };
+        return if byte(end) == b'/' && byte(end + 1) == b'[' {
+            bracket_end(bytes, end + 1)
+        } else {
+            end
+        };
     }
     while byte(at).is_ascii_digit() || byte(at) == b'.' {
         at += 1;
@@ -241,7 +259,8 @@ fn values(line: &str) -> Vec<Range<usize>> {
             }
             at = end;
         } else {
-            is_code = matches!(byte.to_ascii_lowercase(), b'g' | b'm' | b'o' | b'#') || (is_code && byte == b' ');
+            is_code = matches!(byte.to_ascii_lowercase(), b'g' | b'm' | b'o' | b'#')
+                || (is_code && byte == b' ');
             at += line[at..].chars().next().map_or(1, char::len_utf8);
         }
     }
@@ -254,10 +273,22 @@ mod tests {
 
     #[test]
     fn parts_of_a_line() {
-        let line = "/n5 G1x1.5 y[2 + #3]z-sin[#<a b>] #<c d> = atan[1]/[2] o<a b> call [1] [2] (so) ; on";
+        let line =
+            "/n5 G1x1.5 y[2 + #3]z-sin[#<a b>] #<c d> = atan[1]/[2] o<a b> call [1] [2] (so) ; on";
         let parts: Vec<&str> = parts(line).into_iter().map(|part| &line[part]).collect();
         let expected = [
-            "/", "n5", "G1", "x1.5", "y[2 + #3]", "z-sin[#<a b>]", "#<c d> = atan[1]/[2]", "o<a b> call", "[1]", "[2]", "(so)", "; on",
+            "/",
+            "n5",
+            "G1",
+            "x1.5",
+            "y[2 + #3]",
+            "z-sin[#<a b>]",
+            "#<c d> = atan[1]/[2]",
+            "o<a b> call",
+            "[1]",
+            "[2]",
+            "(so)",
+            "; on",
         ];
         assert_eq!(parts, expected);
     }

@@ -33,7 +33,8 @@ pub fn scenario(bytes: &[u8]) -> Scenario {
 
 /// A single block that is often refused.
 pub(super) fn block(dice: &mut Dice<'_>) -> String {
-    let bytes: Vec<u8> = (0..12).map(|_| u8::try_from(dice.below(256)).unwrap_or_default()).collect();
+    let bytes: Vec<u8> =
+        (0..12).map(|_| u8::try_from(dice.below(256)).unwrap_or_default()).collect();
     let mut choices = Choices { bytes: &bytes };
     let mut writer = Writer { choices: &mut choices, text: String::new(), last_label: 300 };
     writer.row(LOOSE, 0, 2);

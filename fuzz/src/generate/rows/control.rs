@@ -53,68 +53,98 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.body(3);
         w.structure(&format!("o{label} endrepeat"));
     }),
-    Row::when("control.break", Kind::Control, 3, |s| !s.loops.is_empty(), |w| {
-        let loops = w.state.loops.clone();
-        let (label, outer) = (w.new_label(), *w.dice.pick(&loops));
-        let how = *w.dice.pick(&["break", "continue"]);
-        let condition = w.condition();
-        w.structure(&format!("o{label} if [{condition}]"));
-        w.structure(&format!("o{outer} {how}"));
-        w.structure(&format!("o{label} endif"));
-    }),
-    Row::when("sub.define-and-call", Kind::Sub, 14, |s| !s.nested, |w| {
-        let label = if w.dice.chance(30) {
-            format!("<{}{}>", w.dice.pick(&["bore", "Face", "a_b"]), w.new_label())
-        } else {
-            w.new_label().to_string()
-        };
-        w.structure(&format!("o{label} sub"));
-        if w.dice.chance(25) {
-            w.structure("m73");
-        }
-        w.sub_body(5);
-        if w.dice.chance(20) {
-            let (branch, condition) = (w.new_label(), w.condition());
+    Row::when(
+        "control.break",
+        Kind::Control,
+        3,
+        |s| !s.loops.is_empty(),
+        |w| {
+            let loops = w.state.loops.clone();
+            let (label, outer) = (w.new_label(), *w.dice.pick(&loops));
+            let how = *w.dice.pick(&["break", "continue"]);
+            let condition = w.condition();
+            w.structure(&format!("o{label} if [{condition}]"));
+            w.structure(&format!("o{outer} {how}"));
+            w.structure(&format!("o{label} endif"));
+        },
+    ),
+    Row::when(
+        "sub.define-and-call",
+        Kind::Sub,
+        14,
+        |s| !s.nested,
+        |w| {
+            let label = if w.dice.chance(30) {
+                format!("<{}{}>", w.dice.pick(&["bore", "Face", "a_b"]), w.new_label())
+            } else {
+                w.new_label().to_string()
+            };
+            w.structure(&format!("o{label} sub"));
+            if w.dice.chance(25) {
+                w.structure("m73");
+            }
+            w.sub_body(5);
+            if w.dice.chance(20) {
+                let (branch, condition) = (w.new_label(), w.condition());
+                let value = w.returned();
+                w.structure(&format!("o{branch} if [{condition}]"));
+                w.structure(&format!("o{label} return{value}"));
+                w.structure(&format!("o{branch} endif"));
+            }
             let value = w.returned();
-            w.structure(&format!("o{branch} if [{condition}]"));
-            w.structure(&format!("o{label} return{value}"));
+            w.structure(&format!("o{label} endsub{value}"));
+            w.call(&label);
+            w.state.subs.push(Sub { label, numbered: false });
+        },
+    ),
+    Row::when(
+        "sub.recursive",
+        Kind::Sub,
+        3,
+        |s| !s.nested,
+        |w| {
+            let (label, branch) = (w.new_label(), w.new_label());
+            w.structure(&format!("o{label} sub"));
+            w.sub_body(2);
+            w.structure(&format!("o{branch} if [#1 gt 0]"));
+            w.structure(&format!("o{label} call [#1 - 1]"));
             w.structure(&format!("o{branch} endif"));
-        }
-        let value = w.returned();
-        w.structure(&format!("o{label} endsub{value}"));
-        w.call(&label);
-        w.state.subs.push(Sub { label, numbered: false });
-    }),
-    Row::when("sub.recursive", Kind::Sub, 3, |s| !s.nested, |w| {
-        let (label, branch) = (w.new_label(), w.new_label());
-        w.structure(&format!("o{label} sub"));
-        w.sub_body(2);
-        w.structure(&format!("o{branch} if [#1 gt 0]"));
-        w.structure(&format!("o{label} call [#1 - 1]"));
-        w.structure(&format!("o{branch} endif"));
-        w.structure(&format!("o{label} endsub"));
-        let depth = w.dice.range(1, 9);
-        w.structure(&format!("o{label} call [{depth}]"));
-        w.state.forget_modes();
-    }),
-    Row::when("sub.call-again", Kind::Sub, 10, |s| s.subs.iter().any(|sub| !sub.numbered), |w| {
-        let subs: Vec<_> = w.state.subs.iter().filter(|sub| !sub.numbered).cloned().collect();
-        let sub = w.dice.pick(&subs).clone();
-        w.call(&sub.label);
-    }),
-    Row::when("numbered.call", Kind::Numbered, 10, |s| s.fanuc && !s.in_sub && !s.nested, |w| {
-        let known: Vec<_> = w.state.subs.iter().filter(|sub| sub.numbered).cloned().collect();
-        let label = if known.is_empty() || w.dice.chance(40) {
-            w.numbered_program()
-        } else {
-            w.dice.pick(&known).label.clone()
-        };
-        let times = *w.dice.pick(&["", "", " l1", " l2", " l3"]);
-        w.structure(&format!("m98 p{label}{times}"));
-        w.state.forget_modes();
-        w.state.per_minute = false;
-        w.state.names.clear();
-    }),
+            w.structure(&format!("o{label} endsub"));
+            let depth = w.dice.range(1, 9);
+            w.structure(&format!("o{label} call [{depth}]"));
+            w.state.forget_modes();
+        },
+    ),
+    Row::when(
+        "sub.call-again",
+        Kind::Sub,
+        10,
+        |s| s.subs.iter().any(|sub| !sub.numbered),
+        |w| {
+            let subs: Vec<_> = w.state.subs.iter().filter(|sub| !sub.numbered).cloned().collect();
+            let sub = w.dice.pick(&subs).clone();
+            w.call(&sub.label);
+        },
+    ),
+    Row::when(
+        "numbered.call",
+        Kind::Numbered,
+        10,
+        |s| s.fanuc && !s.in_sub && !s.nested,
+        |w| {
+            let known: Vec<_> = w.state.subs.iter().filter(|sub| sub.numbered).cloned().collect();
+            let label = if known.is_empty() || w.dice.chance(40) {
+                w.numbered_program()
+            } else {
+                w.dice.pick(&known).label.clone()
+            };
+            let times = *w.dice.pick(&["", "", " l1", " l2", " l3"]);
+            w.structure(&format!("m98 p{label}{times}"));
+            w.state.forget_modes();
+            w.state.per_minute = false;
+            w.state.names.clear();
+        },
+    ),
 ];
 
 impl Writer<'_, '_> {
@@ -123,6 +153,14 @@ impl Writer<'_, '_> {
         self.state.loops.push(label);
         // What holds before the first turn need not hold before the second.
         self.state.forget_modes();
+        if self.dice.chance(50) {
+            let feed = self.within(1, 900);
+            self.block(&format!("g94 f{feed}"));
+            self.state.feed = true;
+            self.state.per_minute = true;
+        } else {
+            self.state.per_minute = false;
+        }
         self.body(few);
         self.state.join(&before);
     }

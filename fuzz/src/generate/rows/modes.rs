@@ -7,11 +7,17 @@ pub(in super::super) const ROWS: &[Row] = &[
         let code = *w.dice.pick(&["g20", "g21"]);
         w.block(code);
     }),
-    Row::when("mode.plane", Kind::Mode, 10, |s| !s.compensated, |w| {
-        let code = *w.dice.pick(&["g17", "g18", "g19", "g17.1", "g18.1", "g19.1"]);
-        w.block(code);
-        w.state.xy_plane = code == "g17";
-    }),
+    Row::when(
+        "mode.plane",
+        Kind::Mode,
+        10,
+        |s| !s.compensated,
+        |w| {
+            let code = *w.dice.pick(&["g17", "g18", "g19", "g17.1", "g18.1", "g19.1"]);
+            w.block(code);
+            w.state.xy_plane = code == "g17";
+        },
+    ),
     Row::any("mode.distance", Kind::Mode, 14, |w| {
         let code = *w.dice.pick(&["g90", "g91", "g90.1", "g91.1"]);
         w.block(code);
@@ -34,20 +40,20 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.state.feed = true;
     }),
     Row::any("feed.mode", Kind::Feed, 8, |w| {
-        let code = *w.dice.pick(&["g93", "g94", "g95", "g94"]);
+        let code = *w.dice.pick(&["g93", "g94", "g94", "g94", "g95", "g94"]);
         w.block(code);
         w.state.feed &= code == "g94" && w.state.per_minute;
         w.state.per_minute = code == "g94";
     }),
     Row::any("offset.select", Kind::Offset, 14, |w| {
-        let code = *w.dice.pick(&[
-            "g54", "g55", "g56", "g57", "g58", "g59", "g59.1", "g59.2", "g59.3",
-        ]);
+        let code =
+            *w.dice.pick(&["g54", "g55", "g56", "g57", "g58", "g59", "g59.1", "g59.2", "g59.3"]);
         w.block(code);
     }),
     Row::any("offset.set", Kind::Offset, 14, |w| {
         let (system, axes) = (w.whole(0, 9), w.axes(3));
-        let rotation = if w.dice.chance(15) { format!(" r{}", w.within(0, 90)) } else { String::new() };
+        let rotation =
+            if w.dice.chance(15) { format!(" r{}", w.within(0, 90)) } else { String::new() };
         w.block(&format!("g10 l2 p{system}{axes}{rotation}"));
     }),
     Row::any("offset.parameter", Kind::Offset, 3, |w| {
@@ -59,15 +65,27 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.block("m70");
         w.state.saved = true;
     }),
-    Row::when("saved.restore", Kind::Saved, 14, |s| s.saved, |w| {
-        w.block("m72");
-        w.state.forget_modes();
-        w.state.per_minute = false;
-    }),
-    Row::when("saved.invalidate", Kind::Saved, 3, |s| s.saved, |w| {
-        w.block("m71");
-        w.state.saved = false;
-    }),
+    Row::when(
+        "saved.restore",
+        Kind::Saved,
+        14,
+        |s| s.saved,
+        |w| {
+            w.block("m72");
+            w.state.forget_modes();
+            w.state.per_minute = false;
+        },
+    ),
+    Row::when(
+        "saved.invalidate",
+        Kind::Saved,
+        3,
+        |s| s.saved,
+        |w| {
+            w.block("m71");
+            w.state.saved = false;
+        },
+    ),
     Row::any("saved.around", Kind::Saved, 8, |w| {
         w.block("m70");
         w.body(3);
@@ -76,10 +94,16 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.state.per_minute = false;
         w.state.saved = true;
     }),
-    Row::when("saved.autorestore", Kind::Saved, 6, |s| s.in_sub, |w| {
-        w.block("m73");
-        w.state.saved = true;
-    }),
+    Row::when(
+        "saved.autorestore",
+        Kind::Saved,
+        6,
+        |s| s.in_sub,
+        |w| {
+            w.block("m73");
+            w.state.saved = true;
+        },
+    ),
     Row::any("crowded.modes", Kind::Crowded, 25, |w| {
         let mut words = Vec::new();
         for group in [

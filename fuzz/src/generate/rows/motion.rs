@@ -9,29 +9,47 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.block(&format!("g0{axes}"));
         w.moves(true);
     }),
-    Row::when("motion.feed", Kind::Motion, 40, |s| s.feed && s.per_minute, |w| {
-        let axes = w.axes(3);
-        w.block(&format!("g1{axes}"));
-        w.moves(false);
-    }),
-    Row::when("motion.feed-with-f", Kind::Motion, 25, |s| s.per_minute, |w| {
-        let (axes, feed) = (w.axes(3), w.within(1, 2000));
-        w.block(&format!("g1{axes} f{feed}"));
-        w.state.feed = true;
-        w.moves(false);
-    }),
-    Row::when("motion.inverse-time", Kind::Feed, 10, |s| !s.compensated, |w| {
-        w.block("g93");
-        for _ in 0..w.dice.range(1, 3) {
-            let (axes, feed) = (w.axes(2), w.within(1, 60));
+    Row::when(
+        "motion.feed",
+        Kind::Motion,
+        40,
+        |s| s.feed && s.per_minute,
+        |w| {
+            let axes = w.axes(3);
+            w.block(&format!("g1{axes}"));
+            w.moves(false);
+        },
+    ),
+    Row::when(
+        "motion.feed-with-f",
+        Kind::Motion,
+        25,
+        |s| s.per_minute,
+        |w| {
+            let (axes, feed) = (w.axes(3), w.within(1, 2000));
             w.block(&format!("g1{axes} f{feed}"));
-        }
-        let feed = w.within(1, 500);
-        w.block(&format!("g94 f{feed}"));
-        w.state.feed = true;
-        w.state.per_minute = true;
-        w.moves(false);
-    }),
+            w.state.feed = true;
+            w.moves(false);
+        },
+    ),
+    Row::when(
+        "motion.inverse-time",
+        Kind::Feed,
+        10,
+        |s| !s.compensated,
+        |w| {
+            w.block("g93");
+            for _ in 0..w.dice.range(1, 3) {
+                let (axes, feed) = (w.axes(2), w.within(1, 60));
+                w.block(&format!("g1{axes} f{feed}"));
+            }
+            let feed = w.within(1, 500);
+            w.block(&format!("g94 f{feed}"));
+            w.state.feed = true;
+            w.state.per_minute = true;
+            w.moves(false);
+        },
+    ),
     Row::any("motion.axes-alone", Kind::Motion, 20, |w| {
         let can = w.state.moving && (w.state.rapid || (w.state.feed && w.state.per_minute));
         let axes = w.axes(3);
@@ -53,11 +71,17 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.block(&format!("g53 g0{axes}"));
         w.moves(true);
     }),
-    Row::when("motion.machine-feed", Kind::Motion, 3, |s| s.feed && s.per_minute, |w| {
-        let axes = w.axes(2);
-        w.block(&format!("g53 g1{axes}"));
-        w.moves(false);
-    }),
+    Row::when(
+        "motion.machine-feed",
+        Kind::Motion,
+        3,
+        |s| s.feed && s.per_minute,
+        |w| {
+            let axes = w.axes(2);
+            w.block(&format!("g53 g1{axes}"));
+            w.moves(false);
+        },
+    ),
     Row::any("dwell", Kind::Path, 10, |w| {
         let seconds = *w.dice.pick(&["0", "0.1", "1", "2.5", "[1/4]", "#500"]);
         let seconds = if seconds == "#500" { "[abs[#500] mod 5]" } else { seconds };
@@ -67,7 +91,9 @@ pub(in super::super) const ROWS: &[Row] = &[
         let code = *w.dice.pick(&["g61", "g61.1", "g64", "g64"]);
         let words = match (code, w.dice.below(4)) {
             ("g64", 1 | 2) => format!(" p{}", w.dice.pick(&["0.1", "0.01", "1", "0", "[1/8]"])),
-            ("g64", 3) => format!(" p{} q{}", w.dice.pick(&["0.1", "0.5"]), w.dice.pick(&["0.05", "0.2"])),
+            ("g64", 3) => {
+                format!(" p{} q{}", w.dice.pick(&["0.1", "0.5"]), w.dice.pick(&["0.05", "0.2"]))
+            }
             _ => String::new(),
         };
         w.block(&format!("{code}{words}"));

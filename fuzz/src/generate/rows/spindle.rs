@@ -13,11 +13,12 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.block(&format!("{code}{which}"));
     }),
     Row::any("spindle.turn-at", Kind::Spindle, 10, |w| {
-        let (code, speed, which) = (*w.dice.pick(&["m3", "m4"]), w.within(1, 9000), w.spindle_word(30));
+        let (code, speed, which) =
+            (*w.dice.pick(&["m3", "m4"]), w.within(1, 9000), w.spindle_word(30));
         w.block(&format!("{code} s{speed}{which}"));
         w.state.turning = true;
     }),
-    Row::any("spindle.surface-speed", Kind::Spindle, 6, |w| {
+    Row::any("spindle.surface-speed", Kind::Spindle, 4, |w| {
         let (limit, speed, which) = (w.within(100, 3000), w.within(10, 300), w.spindle_word(20));
         w.block(&format!("g96 d{limit} s{speed}{which}"));
     }),
@@ -31,11 +32,11 @@ pub(in super::super) const ROWS: &[Row] = &[
     }),
     Row::any("spindle.orient", Kind::Spindle, 4, |w| {
         let (angle, which) = (w.within(0, 359), w.spindle_word(20));
-        let more = *w.dice.pick(&["", " p0", " p1", " p2", " q1", " p1 q2.5"]);
+        let more = *w.dice.pick(&[" q1", " p0 q1", " p1 q2", " p2 q0.5"]);
         w.block(&format!("m19 r{angle}{more}{which}"));
     }),
     Row::any("coolant", Kind::Coolant, 20, |w| {
-        let code = *w.dice.pick(&["m7", "m8", "m9", "m9", "m7 m8"]);
+        let code = *w.dice.pick(&["m7", "m8", "m9", "m9"]);
         w.block(code);
     }),
     Row::any("override.both", Kind::Override, 10, |w| {
@@ -57,7 +58,7 @@ impl Writer<'_, '_> {
         if last == 0 || !self.dice.chance(percent) {
             return String::new();
         }
-        if self.dice.chance(8) {
+        if self.dice.chance(3) {
             return " $-1".to_owned();
         }
         format!(" ${}", self.dice.range(0, last))

@@ -5,7 +5,8 @@ use super::super::table::{Kind, Row};
 
 pub(in super::super) const ROWS: &[Row] = &[
     Row::any("message.plain", Kind::Message, 6, |w| {
-        let text = *w.dice.pick(&["plain", "a=1", "100 %", "x, y", "two  blanks", " led by a blank", ""]);
+        let text =
+            *w.dice.pick(&["plain", "a=1", "100 %", "x, y", "two  blanks", " led by a blank", ""]);
         let how = *w.dice.pick(&["msg", "MSG", "print", "debug", " msg "]);
         w.block(&format!("({how},{text})"));
     }),
@@ -18,7 +19,8 @@ pub(in super::super) const ROWS: &[Row] = &[
     }),
     Row::any("message.formats", Kind::Message, 8, |w| {
         let how = *w.dice.pick(&["print", "debug"]);
-        let format = *w.dice.pick(&["%d", "%f", "%.2f", "%.0f", "%lf", "%.1f"]);
+        let format =
+            *w.dice.pick(&["%d", "%f", "%.2f", "%.0f", "%.1f", "%.3f", "%d", "%f", "%.4f", "%lf"]);
         let other = *w.dice.pick(&["", " %d#32", " #32", " %f#32"]);
         w.block(&format!("({how},{format}#31{other})"));
     }),
@@ -36,7 +38,8 @@ pub(in super::super) const ROWS: &[Row] = &[
         }
     }),
     Row::any("text.comment", Kind::Text, 5, |w| {
-        let text = *w.dice.pick(&["(plain)", "; plain", "()", "(a) (b)", "(a);b", "( msg no comma)"]);
+        let text =
+            *w.dice.pick(&["(plain)", "; plain", "()", "(a) (b)", "(a);b", "( msg no comma)"]);
         w.block(text);
     }),
     Row::any("text.blank", Kind::Text, 4, |w| {
@@ -49,12 +52,25 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.state.moving = false;
     }),
     Row::any("text.spaced", Kind::Text, 5, |w| {
-        let text = *w.dice.pick(&["g 0 x 1 2", "g0x1y2z3", "g0 x +1. 5", "G0X-.5", "g00 x01", "g0 x1(a)y2"]);
+        let text = *w.dice.pick(&[
+            "g 0 x 1 2",
+            "g0x1y2z3",
+            "g0 x +1. 5",
+            "G0X-.5",
+            "g00 x01",
+            "g0 x1(a)y2",
+        ]);
         w.block(text);
         w.moves(true);
     }),
-    Row::when("text.odd", Kind::Text, 1, |s| !s.nested, |w| {
-        let odd = odd::block(w.dice);
-        w.block(&odd);
-    }),
+    Row::when(
+        "text.odd",
+        Kind::Text,
+        1,
+        |s| !s.nested,
+        |w| {
+            let odd = odd::block(w.dice);
+            w.block(&odd);
+        },
+    ),
 ];
