@@ -15,6 +15,7 @@ pub mod compare;
 pub mod expectations;
 pub mod explain;
 pub mod fingerprint;
+pub mod fuzz;
 pub mod judge;
 pub mod observe;
 pub mod report;

@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_fuzz::{generate, oracle};
+use gaugeblock_fuzz::generate::{self, odd};
+use gaugeblock_fuzz::oracle;
 use gaugeblock_trace::{End, Scenario};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -19,8 +20,13 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn almost_valid_program(bytes in vec(any::<u8>(), 0..400)) {
-        check(&generate::scenario(&bytes))?;
+    fn odd_program(bytes in vec(any::<u8>(), 0..400)) {
+        check(&odd::scenario(&bytes))?;
+    }
+
+    #[test]
+    fn program_of_the_table(bytes in vec(any::<u8>(), 0..600)) {
+        check(&generate::from_bytes(&bytes))?;
     }
 
     #[test]
@@ -36,7 +42,7 @@ fn generator_does_not_idle() {
     let (mut ended, mut refused, mut steps) = (0, 0, 0);
     for _ in 0..500 {
         let bytes = vec(any::<u8>(), 0..150).new_tree(&mut runner).unwrap().current();
-        let outcome = oracle::model_keeps_its_promises(&generate::scenario(&bytes)).unwrap();
+        let outcome = oracle::model_keeps_its_promises(&odd::scenario(&bytes)).unwrap();
         steps += outcome.steps.len();
         match outcome.end {
             End::Fault(_) => refused += 1,

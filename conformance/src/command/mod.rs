@@ -6,12 +6,15 @@ mod controller;
 #[cfg(feature = "faulty")]
 mod faults;
 mod fingerprint;
+mod fuzz;
+mod fuzz_report;
 mod matrix;
 mod place;
 mod rs274;
 mod rules;
 mod run;
 mod schema;
+mod shrink;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -80,6 +83,10 @@ enum Command {
     Rs274(rs274::Arguments),
     /// Show where two controllers first differ on programs
     Compare(compare::Arguments),
+    /// Run generated programs on two controllers: what differs, with the smallest program of each
+    Fuzz(fuzz::Arguments),
+    /// Make a program on which two controllers differ as small as it can be
+    Shrink(shrink::Arguments),
     /// Tell which option of each choice, and which quirk, a controller shows
     Fingerprint(fingerprint::Arguments),
     /// List the rules: sentences, sources, cases; check or bless the suite
@@ -105,6 +112,10 @@ pub fn main() -> ExitCode {
         Command::Rs274(arguments) => rs274::rs274(arguments),
         Command::Compare(arguments) => {
             suite(&call).and_then(|suite| compare::compare(arguments, &suite))
+        }
+        Command::Fuzz(arguments) => suite(&call).and_then(|suite| fuzz::fuzz(arguments, &suite)),
+        Command::Shrink(arguments) => {
+            suite(&call).and_then(|suite| shrink::shrink(arguments, &suite))
         }
         Command::Fingerprint(arguments) => {
             suite(&call).and_then(|suite| fingerprint::fingerprint(arguments, &suite))

@@ -1,6 +1,7 @@
 //! Two outcomes side by side: the first divergence, and what could not be compared.
 
 pub mod pins;
+mod same;
 mod tally;
 pub mod tolerance;
 
@@ -8,6 +9,7 @@ use std::collections::BTreeSet;
 
 use gaugeblock_trace::{Block, End, Entry, Fault, Pin, Settings, Value};
 
+pub use same::surely_same;
 pub use tally::{Basis, Tally};
 
 use crate::adapters::Capabilities;

@@ -1,132 +1,131 @@
-//! Programs that are almost valid, from bytes.
+//! Scenarios from choices: a program and its subroutine files, a machine, a bench, an operator.
 //!
-//! Each byte chooses a row of a table, so that a small change of the bytes is a small change of the program; an engine
-//! that mutates bytes and a library that shrinks them both work on it. Most blocks are well formed, since what is refused at
-//! its first word tests little; some are broken on purpose.
+//! Choices come from [bytes or a seed](Dice). A program is written from the rows of a [table](TABLE), each of which knows where
+//! it is possible, so that most programs are accepted; a dial makes some of them slightly wrong. [`odd`] writes programs that are
+//! refused more often than not, [`splice`] mixes what others wrote, [`pairs`] writes what must do the same as something else.
 
-mod tables;
+mod dice;
+mod nudge;
+pub mod odd;
+pub mod pairs;
+mod rows;
+mod setup;
+pub mod splice;
+mod state;
+mod table;
+mod values;
+mod writer;
+mod wrong;
 
-use gaugeblock_trace::scenario::{Budget, Start};
-use gaugeblock_trace::{Language, Machine, Program, Scenario};
-use tables::{LOOSE, NESTED, TABLES, TOP};
+use gaugeblock_trace::scenario::Budget;
+use gaugeblock_trace::{Program, Scenario};
 
-/// A scenario from bytes: the first few choose the machine and the switches, the rest the program.
-pub fn scenario(bytes: &[u8]) -> Scenario {
-    let mut choices = Choices { bytes };
-    let switches = choices.next();
-    let program = Program {
-        language: Language::Rs274,
-        block_delete: switches & 1 != 0,
-        start: if switches & 0x3e == 0x3e { Start::Mdi } else { Start::Program },
-        files: [("cave.ngc".to_owned(), cave(&mut choices))].into(),
-        main: program(&mut choices, 60),
-    };
-    let machine = Machine {
-        spindles: 1 + (switches >> 4 & 3),
-        fanuc_subs: switches & 0xc0 != 0xc0,
-        ..Machine::default()
-    };
-    let budget = Budget { steps: 400, effects: 400, time: 10_000.0 };
-    Scenario { program, machine, budget, ..Scenario::default() }
+pub use dice::Dice;
+pub use nudge::nudged;
+pub use setup::Setups;
+pub use table::{Kind, Row, TABLE};
+
+use state::{State, Sub};
+use writer::Writer;
+
+/// Budget of a generated scenario: loops in loops end soon enough.
+pub const BUDGET: Budget = Budget { steps: 400, effects: 400, time: 10_000.0 };
+
+/// What is generated.
+#[derive(Clone, Debug)]
+pub struct Recipe {
+    /// Fewest and most blocks of the main program.
+    pub blocks: (u32, u32),
+    /// In how many of a hundred programs something is slightly wrong.
+    pub wrong_programs: u32,
+    /// How many of a hundred blocks are wrong in such a program.
+    pub wrong_blocks: u32,
+    /// How many of a hundred programs consist of one kind of statement.
+    pub single_kind_programs: u32,
+    /// How many of a hundred programs may use what not every controller does yet.
+    pub later_programs: u32,
+    /// Only rows whose name begins with one of these; all when empty. Single-rule programs are made so.
+    pub only: Vec<String>,
+    /// Which machines, benches and operators.
+    pub setups: Setups,
+}
+
+impl Default for Recipe {
+    fn default() -> Self {
+        Self {
+            blocks: (4, 44),
+            wrong_programs: 15,
+            wrong_blocks: 5,
+            single_kind_programs: 12,
+            later_programs: 8,
+            only: Vec::new(),
+            setups: Setups::Any,
+        }
+    }
+}
+
+/// A scenario. Its options are empty: which documents apply is the caller's to say.
+pub fn scenario(dice: &mut Dice<'_>, recipe: &Recipe) -> Scenario {
+    let mut scenario = setup::scenario(dice, recipe.setups);
+    let mut state = State::of(&scenario);
+    let mut files = std::collections::BTreeMap::new();
+    if recipe.only.is_empty() && dice.chance(15) {
+        let name = *dice.pick(&["cave", "drill_row", "x1"]);
+        let blocks = dice.range(1, 6);
+        let text = Writer::new(dice, recipe, state.clone()).sub_file(name, blocks);
+        files.insert(format!("{name}.ngc"), text);
+        state.subs.push(Sub { label: format!("<{name}>"), numbered: false });
+    }
+    let block_delete = dice.chance(30);
+    let main = Writer::new(dice, recipe, state).main();
+    scenario.program = Program { main, files, block_delete, ..scenario.program };
+    scenario.budget = BUDGET;
+    scenario
+}
+
+/// A scenario from the bytes of a fuzzing engine.
+pub fn from_bytes(bytes: &[u8]) -> Scenario {
+    scenario(&mut Dice::of_bytes(bytes), &Recipe::default())
+}
+
+/// The scenario of a number under a seed.
+pub fn from_seed(seed: u64, number: u64, recipe: &Recipe) -> Scenario {
+    scenario(&mut Dice::of_seed(seed, number), recipe)
 }
 
 /// A scenario whose program is these bytes, as far as they are text.
 pub fn raw(bytes: &[u8]) -> Scenario {
-    let budget = Budget { steps: 400, effects: 400, time: 10_000.0 };
-    Scenario { budget, ..Scenario::of(String::from_utf8_lossy(bytes)) }
+    Scenario { budget: BUDGET, ..Scenario::of(String::from_utf8_lossy(bytes)) }
 }
 
-/// Bytes as a sequence of choices; after the last one every choice is the first row.
-struct Choices<'a> {
-    bytes: &'a [u8],
-}
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
 
-impl Choices<'_> {
-    fn next(&mut self) -> u8 {
-        match self.bytes.split_first() {
-            Some((first, rest)) => {
-                self.bytes = rest;
-                *first
-            }
-            None => 0,
-        }
+    use super::*;
+
+    #[test]
+    fn a_number_under_a_seed_gives_one_scenario() {
+        let recipe = Recipe::default();
+        assert_eq!(from_seed(1, 2, &recipe), from_seed(1, 2, &recipe));
+        assert_ne!(from_seed(1, 2, &recipe).program, from_seed(1, 3, &recipe).program);
     }
 
-    fn row<'t>(&mut self, table: &'t [&'t str]) -> &'t str {
-        table[usize::from(self.next()) % table.len()]
-    }
-}
-
-/// A program of up to so many statements, while there are bytes.
-fn program(choices: &mut Choices<'_>, statements: usize) -> String {
-    let mut writer = Writer { choices, text: String::new(), last_label: 100 };
-    for _ in 0..statements {
-        if writer.choices.bytes.is_empty() {
-            break;
-        }
-        writer.statement(true, 3);
-    }
-    writer.text + "m2\no900\n#30 = [#30 + 1]\nm99\n"
-}
-
-/// A subroutine file.
-fn cave(choices: &mut Choices<'_>) -> String {
-    let mut writer = Writer { choices, text: "o<cave> sub\n".to_owned(), last_label: 50 };
-    writer.body(2);
-    writer.text + "o<cave> endsub\nm2\n"
-}
-
-struct Writer<'c, 'b> {
-    choices: &'c mut Choices<'b>,
-    text: String,
-    last_label: u32,
-}
-
-impl Writer<'_, '_> {
-    fn statement(&mut self, top: bool, depth: u32) {
-        let kind = self.choices.next();
-        match kind {
-            0..12 => {
-                self.row(LOOSE, 0, depth);
-                self.text.push('\n');
-            }
-            12..48 if top => self.row(TOP, 0, depth),
-            _ => self.row(NESTED, 0, depth),
-        }
+    #[test]
+    fn rows_have_names_of_their_own_and_every_kind_has_one() {
+        let rows: Vec<_> = TABLE.iter().copied().flatten().collect();
+        let names: BTreeSet<_> = rows.iter().map(|row| row.name).collect();
+        assert_eq!(names.len(), rows.len());
+        let kinds: BTreeSet<_> = rows.iter().map(|row| row.kind).collect();
+        assert_eq!(kinds, Kind::ALL.iter().copied().collect());
     }
 
-    fn body(&mut self, depth: u32) {
-        if depth > 0 {
-            for _ in 0..self.choices.next() % 4 {
-                self.statement(false, depth - 1);
-            }
-        }
-    }
-
-    /// Writes a chosen row of a table, or its first one where it is deep enough, with each placeholder filled.
-    fn row(&mut self, table: &[&str], label: u32, depth: u32) {
-        let row = if depth == 0 { table[0] } else { self.choices.row(table) };
-        let label = if row.contains("{O}") && label == 0 { self.new_label() } else { label };
-        let mut rest = row;
-        while let Some((before, after)) = rest.split_once('{') {
-            self.text.push_str(before);
-            let (name, after) = after.split_once('}').unwrap_or((after, ""));
-            match name {
-                "B" => self.body(depth.saturating_sub(1)),
-                "O" => self.text.push_str(&label.to_string()),
-                _ => {
-                    if let Some((_, table)) = TABLES.iter().find(|(known, _)| *known == name) {
-                        self.row(table, label, depth.saturating_sub(1));
-                    }
-                }
-            }
-            rest = after;
-        }
-        self.text.push_str(rest);
-    }
-
-    fn new_label(&mut self) -> u32 {
-        self.last_label += 1;
-        self.last_label
+    #[test]
+    fn a_single_rule_can_be_asked_for() {
+        let recipe =
+            Recipe { only: vec!["dwell".to_owned()], wrong_programs: 0, ..Recipe::default() };
+        let text = from_seed(1, 1, &recipe).program.main.to_lowercase();
+        assert!(text.contains("g4"), "{text}");
+        assert!(!text.contains("g0"), "{text}");
     }
 }

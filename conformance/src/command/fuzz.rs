@@ -1,0 +1,357 @@
+//! `gaugeblock fuzz`.
+
+use std::collections::BTreeSet;
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use gaugeblock_fuzz::generate::{Recipe, Setups};
+use gaugeblock_trace::Options;
+
+use super::{Format, Refused, controller, fuzz_report, place, write_error, write_out};
+use crate::adapters::Adapter;
+use crate::catalogue::editions_of;
+use crate::certify::scenario_of;
+use crate::fuzz::groups::{Find, Groups, merged, shrunk};
+use crate::fuzz::journal::{Header, Journal};
+use crate::fuzz::statistics::Statistics;
+use crate::fuzz::{Extent, Plan, Shard, run};
+use crate::suite::{Edition, Suite};
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock fuzz
+      production against the reference, a minute long
+  gaugeblock fuzz --iut rs274 --edition rs274-2.9-observed --programs 30000
+      is anything of LinuxCNC's interpreter not explained yet?
+  gaugeblock fuzz --options random --seconds 36000 --report nightly
+      every reading of the documents, with a journal; after a kill: the same call with --resume
+  gaugeblock fuzz --shard 3/8 --seed 20 --programs 1000000 --report shard-3
+      one of eight machines
+  gaugeblock fuzz --only io. --programs 10000
+      programs of one kind of block
+  gaugeblock fingerprint rs274 --format json > shown.json; gaugeblock fuzz --iut rs274 --options from:shown.json
+      under the options that a controller shows, so that what is known does not hide what is new
+
+Exit status: 0 no divergence, 1 divergences, 2 the call is wrong, 3 it could not finish or something was not judged.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The controller under test
+    #[arg(long, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
+    iut: String,
+    /// The controller that it is compared with
+    #[arg(long, value_name = "CONTROLLER", default_value = "reference")]
+    against: String,
+    /// The edition of the documents that applies [default: the controller's own]
+    #[arg(long, value_name = "EDITION")]
+    edition: Option<String>,
+    /// `edition`, `random` (other options of choices in each program), or `from:FILE` (what a controller shows:
+    /// `gaugeblock fingerprint --format json`)
+    #[arg(long, value_name = "HOW", default_value = "edition")]
+    options: String,
+    /// What all programs follow from
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// A part: I of N, from 1; together the parts run every program once
+    #[arg(long, value_name = "I/N", default_value = "1/1", value_parser = shard)]
+    shard: Shard,
+    /// How many programs, all shards together [default: no end; without --seconds too: a minute]
+    #[arg(long, value_name = "N")]
+    programs: Option<u64>,
+    /// How long
+    #[arg(long, value_name = "S")]
+    seconds: Option<u64>,
+    /// How many run at once [default: as many as there are processors, or as the controller is best run]
+    #[arg(long, short, value_name = "N")]
+    jobs: Option<NonZero<usize>>,
+    /// Only blocks of these kinds, by the beginning of a row's name, such as `io.` or `saved`; may be repeated
+    #[arg(long, value_name = "ROW")]
+    only: Vec<String>,
+    /// In how many of a hundred programs something is slightly wrong
+    #[arg(long, value_name = "PERCENT", default_value_t = Recipe::default().wrong_programs, value_parser = clap::value_parser!(u32).range(0..=100))]
+    wrong: u32,
+    /// How many of a hundred programs are put together from the suite's cases
+    #[arg(long, value_name = "PERCENT", default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=100))]
+    spliced: u32,
+    /// Write the journal, the report and each smallest program into this folder
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
+    /// Go on with the journal in the folder of --report
+    #[arg(long, requires = "report")]
+    resume: bool,
+    /// Attempts at shrinking each divergence; 0 leaves the programs as they were generated
+    #[arg(long, value_name = "N", default_value_t = 2000)]
+    shrink: u32,
+    /// What to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Print how often each rule, code and fault was reached
+    #[arg(long, short)]
+    verbose: bool,
+}
+
+fn shard(text: &str) -> Result<Shard, String> {
+    let wrong = || "I/N, with I from 1 to N, such as 3/8".to_owned();
+    let (index, of) = text.split_once('/').ok_or_else(wrong)?;
+    let (index, of) = (index.parse().map_err(|_| wrong())?, of.parse().map_err(|_| wrong())?);
+    if (1..=of).contains(&index) { Ok(Shard { index, of }) } else { Err(wrong()) }
+}
+
+pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let own = controller::own_edition(&arguments.iut);
+    let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    let (options, random) = options(arguments, suite, edition)?;
+    if let Some(folder) = &arguments.report {
+        place::folder(folder)?;
+    }
+    let iut = controller::controller(&arguments.iut)?;
+    let against = controller::controller(&arguments.against)?;
+    controller::honours(iut.as_ref(), &options)?;
+    controller::honours(against.as_ref(), &options)?;
+    let plan = Plan {
+        iut: iut.as_ref(),
+        against: against.as_ref(),
+        recipe: recipe(arguments)?,
+        seed: arguments.seed,
+        spliced: if arguments.only.is_empty() { arguments.spliced } else { 0 },
+        seeds: seeds(suite, edition, &options),
+        options,
+        random: if random { suite.choices.iter().collect() } else { Vec::new() },
+        bench: edition.bench.clone(),
+    };
+    let header = header(arguments, &plan, edition);
+    let (journal, done) = match &arguments.report {
+        Some(folder) => {
+            let (journal, done) =
+                Journal::open(folder, &header, arguments.resume).map_err(|why| {
+                    Refused::wrong(
+                        why,
+                        "--resume goes on with the same call; another run needs another folder",
+                    )
+                })?;
+            (Some(journal), done)
+        }
+        None => (None, Vec::new()),
+    };
+    let mut so_far = SoFar::default();
+    done.into_iter().for_each(|chunk| so_far.add(chunk));
+    let begun = now();
+    generate(arguments, &plan, journal, &mut so_far)?;
+    let seconds = begun.elapsed().as_secs_f64();
+    let finds = shrink_all(&plan, so_far.groups.finds(), arguments.shrink);
+    let report = fuzz_report::Report {
+        header: &header,
+        statistics: &so_far.statistics,
+        finds: &finds,
+        seconds,
+    };
+    if let Some(folder) = &arguments.report {
+        report.write(folder)?;
+    }
+    match arguments.format {
+        Format::Text => write_out(&report.text(arguments.verbose)),
+        Format::Json => write_out(&format!("{:#}\n", report.json())),
+    }
+    Ok(report.exit_status())
+}
+
+/// What was done so far, in this call and the ones before.
+#[derive(Default)]
+struct SoFar {
+    done: BTreeSet<u64>,
+    statistics: Statistics,
+    groups: Groups,
+}
+
+impl SoFar {
+    fn add(&mut self, chunk: crate::fuzz::journal::Chunk) {
+        if self.done.insert(chunk.chunk) {
+            self.statistics.add(&chunk.statistics);
+            chunk.found.into_iter().for_each(|find| self.groups.add(find));
+        }
+    }
+}
+
+fn generate(
+    arguments: &Arguments,
+    plan: &Plan<'_>,
+    mut journal: Option<Journal>,
+    so_far: &mut SoFar,
+) -> Result<(), Refused> {
+    let seconds = match (arguments.seconds, arguments.programs) {
+        (None, None) => Some(60),
+        (seconds, _) => seconds,
+    };
+    let processors = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
+    let best = plan.iut.best_jobs().or(plan.against.best_jobs());
+    let bar = indicatif::ProgressBar::new_spinner();
+    let (end, stop) =
+        (seconds.map(|seconds| now() + Duration::from_secs(seconds)), AtomicBool::new(false));
+    let mut trouble = None;
+    let done = so_far.done.clone();
+    let extent = Extent {
+        shard: arguments.shard,
+        programs: arguments.programs.unwrap_or(u64::MAX),
+        jobs: arguments.jobs.or(best).unwrap_or(processors),
+        done: &done,
+        stop: &stop,
+    };
+    run(plan, &extent, &mut |chunk| {
+        if let Some(Err(why)) = journal.as_mut().map(|journal| journal.done(&chunk)) {
+            trouble = Some(why);
+        }
+        so_far.add(chunk);
+        let (programs, groups) = (so_far.statistics.programs, so_far.groups.len());
+        bar.set_message(format!("{programs} programs, {groups} kinds of divergences"));
+        bar.tick();
+        trouble.is_none() && end.is_none_or(|end| now() < end)
+    });
+    bar.finish_and_clear();
+    match trouble {
+        Some(why) => Err(Refused::unfinished(
+            format!("the journal: {why}"),
+            "free the disk, then the same call with --resume",
+        )),
+        None => Ok(()),
+    }
+}
+
+/// The clock ends a run; it never decides what is generated.
+#[expect(clippy::disallowed_methods, reason = "the command line alone may read the clock")]
+fn now() -> Instant {
+    Instant::now()
+}
+
+/// Divergences beyond this number stay as they were generated.
+const SHRUNK_AT_MOST: usize = 150;
+
+fn shrink_all(plan: &Plan<'_>, finds: Vec<Find>, attempts: u32) -> Vec<Find> {
+    let mut finds = merged(finds);
+    if attempts == 0 {
+        return finds;
+    }
+    let bar = indicatif::ProgressBar::new(
+        u64::try_from(finds.len().min(SHRUNK_AT_MOST)).unwrap_or_default(),
+    );
+    bar.set_message("shrinking");
+    for find in finds.iter_mut().take(SHRUNK_AT_MOST) {
+        *find = shrunk(plan, find, attempts);
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    merged(finds)
+}
+
+fn recipe(arguments: &Arguments) -> Result<Recipe, Refused> {
+    let stand_alone = |name: &str| name.starts_with("rs274");
+    let setups = if stand_alone(&arguments.iut) || stand_alone(&arguments.against) {
+        Setups::StandAlone
+    } else if arguments.iut == "production" || arguments.against == "production" {
+        Setups::Any
+    } else {
+        Setups::Operated
+    };
+    let rows = || gaugeblock_fuzz::generate::TABLE.iter().copied().flatten();
+    for only in &arguments.only {
+        if !rows().any(|row| row.name.starts_with(only.as_str())) {
+            let known: Vec<&str> = rows().map(|row| row.name).collect();
+            return Err(Refused::wrong(
+                format!("no row of the generator begins with `{only}`"),
+                format!("rows: {}", known.join(", ")),
+            ));
+        }
+    }
+    Ok(Recipe {
+        wrong_programs: arguments.wrong,
+        only: arguments.only.clone(),
+        setups,
+        ..Recipe::default()
+    })
+}
+
+/// The options that apply, and whether each program changes some of them.
+fn options(
+    arguments: &Arguments,
+    suite: &Suite,
+    edition: &Edition,
+) -> Result<(Options, bool), Refused> {
+    let mut options = suite.options(edition);
+    match arguments.options.as_str() {
+        "edition" => Ok((options, false)),
+        "random" => Ok((options, true)),
+        how => match how.strip_prefix("from:") {
+            Some(file) => {
+                shown(Path::new(file), suite, &mut options)?;
+                Ok((options, false))
+            }
+            None => Err(Refused::wrong(
+                format!("`{how}` is no way to choose options"),
+                "one of: edition, random, from:FILE",
+            )),
+        },
+    }
+}
+
+/// Takes over what a fingerprint says for sure.
+fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), Refused> {
+    let name = file.display();
+    let hint = "`gaugeblock fingerprint CONTROLLER --format json` writes such a file";
+    let text = place::program(file)?;
+    let document: serde_json::Value = serde_json::from_str(&text)
+        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+    let shown = document["options"]
+        .as_object()
+        .ok_or_else(|| Refused::wrong(format!("{name}: no `options` in it"), hint))?;
+    for (id, shown) in shown {
+        if let Some(option) = shown["option"].as_str() {
+            let choice = suite.choices.iter().find(|choice| choice.id == *id);
+            let known =
+                choice.is_some_and(|choice| choice.options.iter().any(|o| o.name == option));
+            if !known {
+                return Err(Refused::wrong(
+                    format!("{name}: the suite has no choice `{id}` with an option `{option}`"),
+                    "take the fingerprint anew, with this version",
+                ));
+            }
+            options.0.insert(id.clone(), option.to_owned());
+        }
+    }
+    Ok(())
+}
+
+/// The suite's cases under an edition, as seeds of splices.
+fn seeds(suite: &Suite, edition: &Edition, options: &Options) -> Vec<gaugeblock_trace::Scenario> {
+    let runs = |rule, case| editions_of(suite, rule, case).iter().any(|e| e.id == edition.id);
+    let cases = suite.rules.iter().flat_map(|rule| rule.cases.iter().map(move |case| (rule, case)));
+    cases
+        .filter(|(rule, case)| runs(rule, case))
+        .map(|(_, case)| scenario_of(case, options, edition))
+        .filter(|scenario| scenario.operator.is_empty() && scenario.program.main.len() < 2000)
+        .collect()
+}
+
+fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
+    let named = |side: &dyn Adapter| {
+        format!("{} {}", side.capabilities().name, side.capabilities().version)
+    };
+    let Shard { index, of } = arguments.shard;
+    if arguments.iut == arguments.against {
+        write_error("note: a controller is compared with itself");
+    }
+    Header {
+        journal: 0,
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        iut: named(plan.iut),
+        against: named(plan.against),
+        options: format!("{}, {}", edition.id, arguments.options),
+        recipe: format!(
+            "wrong {}, spliced {}, only {:?}",
+            arguments.wrong, plan.spliced, arguments.only
+        ),
+        seed: arguments.seed,
+        shard: format!("{index}/{of}"),
+    }
+}

@@ -1,0 +1,212 @@
+//! What `gaugeblock fuzz` tells: on a terminal, as JSON, as files.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use serde_json::json;
+
+use super::{Refused, place};
+use crate::fuzz::groups::Find;
+use crate::fuzz::journal::Header;
+use crate::fuzz::statistics::{Counts, Statistics};
+
+/// How many divergences are shown with their programs.
+const SHOWN: usize = 40;
+
+/// A finished run.
+#[derive(Debug)]
+pub(super) struct Report<'a> {
+    pub(super) header: &'a Header,
+    pub(super) statistics: &'a Statistics,
+    pub(super) finds: &'a [Find],
+    pub(super) seconds: f64,
+}
+
+impl Report<'_> {
+    /// 0 nothing, 1 divergences, 3 not everything was judged, or nothing was compared.
+    pub(super) fn exit_status(&self) -> u8 {
+        if !self.finds.is_empty() {
+            1
+        } else if !self.statistics.not_judged.is_empty() || self.statistics.compared == 0 {
+            3
+        } else {
+            0
+        }
+    }
+
+    pub(super) fn json(&self) -> serde_json::Value {
+        let finds: Vec<_> = self.finds.iter().map(|find| {
+            json!({
+                "signature": find.signature, "rules": find.rules, "count": find.count, "number": find.number,
+                "divergence": find.divergence, "shrunk": find.shrunk, "scenario": find.scenario,
+            })
+        }).collect();
+        json!({
+            "gaugeblock": "fuzz", "version": 0, "run": self.header, "statistics": self.statistics, "divergences": finds,
+        })
+    }
+
+    pub(super) fn text(&self, verbose: bool) -> String {
+        let mut text = String::new();
+        let Header { iut, against, options, seed, shard, .. } = self.header;
+        let _infallible =
+            writeln!(text, "{iut} against {against}, {options}, seed {seed}, shard {shard}\n");
+        for (place, find) in self.finds.iter().take(SHOWN).enumerate() {
+            let _infallible = writeln!(text, "{}", describe(place + 1, find));
+        }
+        if self.finds.len() > SHOWN {
+            let _infallible = writeln!(text, "… and {} more kinds\n", self.finds.len() - SHOWN);
+        }
+        let s = self.statistics;
+        let rate =
+            if self.seconds > 0.0 { thousands(s.programs) / self.seconds * 1000.0 } else { 0.0 };
+        let _infallible = writeln!(
+            text,
+            "{} programs in {:.1} s ({rate:.0} a second); {} compared, {} of them accepted; {} of blocks compared",
+            s.programs,
+            self.seconds,
+            percent(s.compared, s.programs),
+            percent(s.accepted, s.compared),
+            percent(s.blocks_compared, s.blocks),
+        );
+        let _infallible = writeln!(
+            text,
+            "{} blocks a program; {} rule outcomes, {} codes, {} kinds of faults reached; {} fragile ({})",
+            s.blocks_compared.checked_div(s.compared).unwrap_or_default(),
+            s.rules.len(),
+            s.codes.len(),
+            s.faults.len(),
+            s.fragile,
+            percent(s.fragile, s.compared),
+        );
+        for (what, counts) in [
+            ("unsupported", &s.unsupported),
+            ("left open by the documents", &s.unspecified),
+            ("not judged", &s.not_judged),
+        ] {
+            list(&mut text, what, counts, if verbose { usize::MAX } else { 6 });
+        }
+        if verbose {
+            for (what, counts) in
+                [("ends", &s.ends), ("faults", &s.faults), ("codes", &s.codes), ("rules", &s.rules)]
+            {
+                list(&mut text, what, counts, usize::MAX);
+            }
+        }
+        let _infallible = writeln!(text, "{}", self.verdict());
+        text
+    }
+
+    fn verdict(&self) -> String {
+        let Statistics { diverging, compared, not_judged, .. } = self.statistics;
+        match (self.finds.len(), compared) {
+            (0, 0) => "nothing was compared".to_owned(),
+            (0, _) if !not_judged.is_empty() => {
+                "no divergence, but not everything was judged".to_owned()
+            }
+            (0, _) => "no divergence".to_owned(),
+            (kinds, _) => format!("{diverging} programs diverge, in {kinds} kinds"),
+        }
+    }
+
+    /// Writes report.json, report.txt and a folder for each divergence.
+    pub(super) fn write(&self, folder: &Path) -> Result<(), Refused> {
+        place::write_whole(&folder.join("report.json"), &format!("{:#}\n", self.json()))?;
+        place::write_whole(&folder.join("report.txt"), &self.text(true))?;
+        for (at, find) in self.finds.iter().enumerate() {
+            let name: String = find
+                .signature
+                .to_string()
+                .chars()
+                .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' })
+                .take(60)
+                .collect();
+            let folder = folder.join(format!("{:03}-{name}", at + 1));
+            place::folder(&folder)?;
+            place::write_whole(&folder.join("program.ngc"), &find.scenario.program.main)?;
+            for (name, text) in
+                find.scenario.program.files.iter().filter(|(name, _)| !name.contains(['/', '\\']))
+            {
+                place::write_whole(&folder.join(name), text)?;
+            }
+            let scenario = find.scenario.to_text().map_err(|error| {
+                Refused::unfinished(error.message, "this is a fault of gaugeblock")
+            })?;
+            place::write_whole(&folder.join("scenario.toml"), &scenario)?;
+            place::write_whole(&folder.join("divergence.txt"), &describe(at + 1, find))?;
+        }
+        Ok(())
+    }
+}
+
+/// A divergence with its smallest program.
+pub(super) fn describe(place: usize, find: &Find) -> String {
+    let mut text = format!(
+        "{place}. {} ({} programs, the smallest from {})\n",
+        find.signature, find.count, find.number
+    );
+    if !find.rules.is_empty() && find.rules.len() <= 8 {
+        let _infallible = writeln!(text, "  rules: {}", find.rules.join(", "));
+    }
+    let program = &find.scenario.program;
+    for (at, line) in program.main.lines().enumerate() {
+        let _infallible = writeln!(text, "  {:>4} | {line}", at + 1);
+    }
+    for (name, file) in &program.files {
+        let _infallible = writeln!(text, "  {name}");
+        for (at, line) in file.lines().enumerate() {
+            let _infallible = writeln!(text, "  {:>4} | {line}", at + 1);
+        }
+    }
+    for difference in unusual(find) {
+        let _infallible = writeln!(text, "  with {difference}");
+    }
+    let _infallible = writeln!(text, "  {}", find.divergence);
+    text
+}
+
+/// What of machine and bench is not the default.
+fn unusual(find: &Find) -> Vec<String> {
+    let plain = gaugeblock_trace::Scenario::default();
+    let of = |scenario: &gaugeblock_trace::Scenario| {
+        let mut shown = scenario.clone();
+        shown.program = plain.program.clone();
+        shown.options = plain.options.clone();
+        shown.budget = plain.budget;
+        let text = shown.to_text().unwrap_or_default();
+        text.lines().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let (usual, lines) = (of(&plain), of(&find.scenario));
+    let mut all: Vec<String> = lines
+        .into_iter()
+        .filter(|line| !usual.contains(line) && !line.is_empty() && !line.starts_with(']'))
+        .collect();
+    if find.scenario.program.block_delete {
+        all.push("block delete".to_owned());
+    }
+    all
+}
+
+fn list(text: &mut String, what: &str, counts: &Counts, most: usize) {
+    let mut all: Vec<_> = counts.iter().collect();
+    all.sort_by(|a, b| b.1.cmp(a.1).then_with(|| a.0.cmp(b.0)));
+    if !all.is_empty() {
+        let _infallible = writeln!(text, "{what}:");
+    }
+    for (name, count) in all.iter().take(most) {
+        let _infallible = writeln!(text, "  {count:>8}  {name}");
+    }
+    if all.len() > most {
+        let _infallible = writeln!(text, "            … {} more", all.len() - most);
+    }
+}
+
+fn thousands(count: u64) -> f64 {
+    f64::from(u32::try_from(count / 1000).unwrap_or(u32::MAX))
+        + f64::from(u32::try_from(count % 1000).unwrap_or_default()) / 1000.0
+}
+
+fn percent(part: u64, whole: u64) -> String {
+    let tenths = part.saturating_mul(1000).checked_div(whole).unwrap_or_default();
+    format!("{}.{} %", tenths / 10, tenths % 10)
+}

@@ -1,0 +1,80 @@
+//! What of two runs of a program that nobody has read can be compared, and how a difference is named.
+
+use std::borrow::Cow;
+
+use gaugeblock_trace::{Bound, End, Fault, Outcome};
+
+use crate::compare::{Divergence, end_text};
+
+/// Both runs as far as they can be compared.
+///
+/// What a refused block did before it was refused is unspecified, and so are the parameters after it. A run whose budget ran out is the
+/// beginning of a longer one, and what a budget counts is each interpreter's own: blocks that both finished are compared.
+pub(super) fn comparable<'a>(
+    expected: &'a Outcome,
+    found: &'a Outcome,
+) -> (Cow<'a, Outcome>, Cow<'a, Outcome>) {
+    let (mut expected, mut found) = (Cow::Borrowed(expected), Cow::Borrowed(found));
+    if is_exhausted(&expected) || is_exhausted(&found) {
+        let sure = finished(&expected).min(finished(&found)).saturating_sub(1);
+        cut(expected.to_mut(), sure);
+        cut(found.to_mut(), sure);
+    } else if matches!(expected.end, End::Fault(_)) || matches!(found.end, End::Fault(_)) {
+        expected.to_mut().parameters = None;
+        found.to_mut().parameters = None;
+    }
+    (expected, found)
+}
+
+fn is_exhausted(outcome: &Outcome) -> bool {
+    matches!(outcome.end, End::BudgetExhausted { .. })
+}
+
+/// How many blocks have a state.
+fn finished(outcome: &Outcome) -> usize {
+    outcome.steps.iter().filter(|step| step.state.is_some()).count()
+}
+
+/// Leaves the first so many blocks that have a state, and those before the last of them.
+fn cut(outcome: &mut Outcome, blocks: usize) {
+    let with_state = outcome.steps.iter().enumerate().filter(|(_, step)| step.state.is_some());
+    let end = blocks.checked_sub(1).and_then(|last| with_state.map(|(at, _)| at + 1).nth(last));
+    outcome.steps.truncate(end.unwrap_or_default());
+    outcome.end = End::BudgetExhausted { bound: Bound::Steps };
+    outcome.parameters = None;
+    outcome.pins.clear();
+}
+
+/// The difference, named by the refusal where one side goes on behind a block that the other one refuses: what follows from that is
+/// not what differs.
+pub(super) fn named(divergence: Divergence, expected: &Outcome, found: &Outcome) -> Divergence {
+    let goes_on = divergence.field == "end"
+        || divergence.field == "run"
+        || (divergence.field == "effect"
+            && [&divergence.expected, &divergence.found]
+                .iter()
+                .any(|text| *text == "no further effect"));
+    if !goes_on {
+        return divergence;
+    }
+    let fault = |outcome: &Outcome| -> Option<Fault> {
+        if let End::Fault(fault) = &outcome.end { Some(fault.clone()) } else { None }
+    };
+    let accepted = || "accepted".to_owned();
+    let (left, right) = (finished(expected), finished(found));
+    match (fault(expected), fault(found)) {
+        (Some(fault), other) if left < right || other.is_none() => Divergence {
+            block: fault.block,
+            field: "end".to_owned(),
+            expected: end_text(&expected.end),
+            found: accepted(),
+        },
+        (other, Some(fault)) if right < left || other.is_none() => Divergence {
+            block: fault.block,
+            field: "end".to_owned(),
+            expected: accepted(),
+            found: end_text(&found.end),
+        },
+        _ => divergence,
+    }
+}

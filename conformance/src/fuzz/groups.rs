@@ -1,0 +1,149 @@
+//! Divergences by signature, and the smallest program of each.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_fuzz::shrink::{shape, shrink};
+use gaugeblock_trace::{Program, Scenario};
+use serde::{Deserialize, Serialize};
+
+use super::signature::{Signature, rules};
+use super::statistics::Statistics;
+use super::{Came, Difference, Plan};
+use crate::compare::Divergence;
+
+/// A program on which two controllers differ.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Find {
+    /// The program's number under the seed.
+    pub number: u64,
+    /// What differs.
+    pub signature: Signature,
+    /// What kind of block it shows at: codes, letters, keywords.
+    pub shape: String,
+    /// In how many programs.
+    pub count: u64,
+    /// The smallest of them so far.
+    pub scenario: Scenario,
+    /// The difference in words.
+    pub divergence: String,
+    /// The rules that the block reaches, once the program is shrunk; in a report, before that none.
+    #[serde(default)]
+    pub rules: Vec<String>,
+    /// Whether nothing smaller was left to try.
+    #[serde(default)]
+    pub shrunk: bool,
+}
+
+impl Find {
+    /// A find of one program.
+    pub fn of(number: u64, scenario: Scenario, difference: Difference) -> Self {
+        let Difference { divergence, signature } = difference;
+        let shape = source(&scenario, &divergence).map(shape).unwrap_or_default();
+        let divergence = divergence.to_string();
+        Self {
+            number,
+            signature,
+            shape,
+            count: 1,
+            scenario,
+            divergence,
+            rules: Vec::new(),
+            shrunk: false,
+        }
+    }
+
+    fn size(&self) -> (usize, u64) {
+        let program = &self.scenario.program;
+        (program.main.len() + program.files.values().map(String::len).sum::<usize>(), self.number)
+    }
+}
+
+/// The line of the program at which two runs differ.
+pub fn source<'a>(scenario: &'a Scenario, divergence: &Divergence) -> Option<&'a str> {
+    let block = divergence.block.as_ref()?;
+    let line = usize::try_from(block.line).ok()?.checked_sub(1)?;
+    let text = if block.file == Program::MAIN {
+        &scenario.program.main
+    } else {
+        scenario.program.files.get(&block.file)?
+    };
+    text.lines().nth(line)
+}
+
+type Key = (Signature, String);
+
+/// Finds by signature and kind of block, each with its smallest program.
+#[derive(Clone, Debug, Default)]
+pub struct Groups(BTreeMap<Key, Find>);
+
+impl Groups {
+    /// Adds a find to its group.
+    pub fn add(&mut self, find: Find) {
+        let key = (find.signature.clone(), find.shape.clone());
+        match self.0.get_mut(&key) {
+            None => {
+                self.0.insert(key, find);
+            }
+            Some(known) => {
+                let count = known.count + find.count;
+                if find.size() < known.size() {
+                    *known = find;
+                }
+                known.count = count;
+            }
+        }
+    }
+
+    /// The smallest find of each group.
+    pub fn finds(self) -> Vec<Find> {
+        self.0.into_values().collect()
+    }
+
+    /// How many groups there are.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether nothing was found.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+/// Shrinks a find to the smallest program that still differs in the same way, and names the rules of its block.
+pub fn shrunk(plan: &Plan<'_>, find: &Find, attempts: u32) -> Find {
+    let mut unused = Statistics::default();
+    let mut differs = |scenario: &Scenario| {
+        let Came::Differs(difference) = plan.judge(scenario, &mut unused) else { return None };
+        (difference.signature == find.signature).then_some(*difference)
+    };
+    let mut holds = |scenario: &Scenario| differs(scenario).is_some();
+    let smallest = shrink(&find.scenario, &plan.options, attempts, &mut holds);
+    let Some(difference) = differs(&smallest.scenario) else { return find.clone() };
+    let rules = rules(&smallest.scenario, &difference.divergence);
+    let found = Find::of(find.number, smallest.scenario, difference);
+    Find { count: find.count, rules, shrunk: smallest.finished, ..found }
+}
+
+/// Groups that turn out to have one cause: the same signature and rules, or the same program.
+pub fn merged(finds: Vec<Find>) -> Vec<Find> {
+    let mut merged: Vec<Find> = Vec::new();
+    for find in finds {
+        let same = |known: &&mut Find| {
+            known.signature == find.signature
+                && (known.rules == find.rules || known.scenario.program == find.scenario.program)
+        };
+        match merged.iter_mut().find(same) {
+            Some(known) => {
+                let count = known.count + find.count;
+                if find.size() < known.size() {
+                    *known = find;
+                }
+                known.count = count;
+            }
+            None => merged.push(find),
+        }
+    }
+    merged.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.number.cmp(&b.number)));
+    merged
+}

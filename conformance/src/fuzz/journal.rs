@@ -1,0 +1,161 @@
+//! The journal of a run: a header, then a line for each chunk that is done. A kill at any moment loses at most the chunks in work.
+
+use std::fs::{File, OpenOptions};
+use std::io::Write as _;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::groups::Find;
+use super::statistics::Statistics;
+
+/// Name of the journal in its folder.
+pub const FILE: &str = "journal.jsonl";
+
+/// What a journal is of; a run can be resumed only as what it was begun.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Header {
+    /// Form of the journal.
+    pub journal: u32,
+    /// Version of gaugeblock, whose generator the numbers are of.
+    pub version: String,
+    /// The controller under test and its version.
+    pub iut: String,
+    /// The controller that it is compared with and its version.
+    pub against: String,
+    /// Edition and how options are chosen.
+    pub options: String,
+    /// What is generated, in one line.
+    pub recipe: String,
+    /// The seed.
+    pub seed: u64,
+    /// The shard, `1/1` for the whole.
+    pub shard: String,
+}
+
+/// A chunk that is done.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Chunk {
+    /// Its number.
+    pub chunk: u64,
+    /// What its programs came to.
+    pub statistics: Statistics,
+    /// What was found, smallest programs only.
+    pub found: Vec<Find>,
+}
+
+/// An open journal.
+#[derive(Debug)]
+pub struct Journal {
+    file: File,
+}
+
+impl Journal {
+    /// Begins a journal in a folder, or goes on with the one there; gives the chunks that are done.
+    ///
+    /// # Errors
+    /// The folder cannot be written, a journal is there although nothing is to be resumed, or it is of something else.
+    pub fn open(
+        folder: &Path,
+        header: &Header,
+        resume: bool,
+    ) -> Result<(Self, Vec<Chunk>), String> {
+        let path = folder.join(FILE);
+        let name = path.display();
+        let failed = |error: std::io::Error| format!("{name}: {error}");
+        let mut done = Vec::new();
+        let mut kept = 0;
+        if path.exists() {
+            if !resume {
+                return Err(format!("{name}: there is a journal already"));
+            }
+            let text = std::fs::read_to_string(&path).map_err(failed)?;
+            // A line without its end was being written when the run was killed.
+            let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
+            let mut lines = whole.lines();
+            if let Some(first) = lines.next() {
+                let found: Header =
+                    serde_json::from_str(first).map_err(|e| format!("{name}:1: {e}"))?;
+                if found != *header {
+                    return Err(format!("{name}: it is of another run: {first}"));
+                }
+            }
+            for (at, line) in lines.enumerate() {
+                let chunk =
+                    serde_json::from_str(line).map_err(|e| format!("{name}:{}: {e}", at + 2))?;
+                done.push(chunk);
+            }
+            kept = whole.len();
+        }
+        let file = OpenOptions::new().create(true).append(true).open(&path).map_err(failed)?;
+        file.set_len(u64::try_from(kept).unwrap_or_default()).map_err(failed)?;
+        let mut journal = Self { file };
+        if kept == 0 {
+            journal.line(header).map_err(|error| format!("{name}: {error}"))?;
+        }
+        Ok((journal, done))
+    }
+
+    /// Writes down that a chunk is done.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn done(&mut self, chunk: &Chunk) -> Result<(), String> {
+        self.line(chunk)
+    }
+
+    fn line(&mut self, value: &impl Serialize) -> Result<(), String> {
+        let mut line = serde_json::to_string(value).map_err(|error| error.to_string())?;
+        line.push('\n');
+        // One call for one line: a kill cuts the last line at worst.
+        self.file.write_all(line.as_bytes()).map_err(|error| error.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn header() -> Header {
+        let of = |text: &str| text.to_owned();
+        Header {
+            journal: 0,
+            version: of("1"),
+            iut: of("a"),
+            against: of("b"),
+            options: of("edition"),
+            recipe: of("any"),
+            seed: 1,
+            shard: of("1/1"),
+        }
+    }
+
+    #[test]
+    fn a_cut_line_is_done_again() {
+        let folder =
+            std::env::temp_dir().join(format!("gaugeblock-journal-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let path = folder.join(FILE);
+        let _absent = std::fs::remove_file(&path);
+        let chunk = |chunk| Chunk { chunk, statistics: Statistics::default(), found: Vec::new() };
+        let (mut journal, done) = Journal::open(&folder, &header(), false).unwrap();
+        assert!(done.is_empty());
+        journal.done(&chunk(0)).unwrap();
+        journal.done(&chunk(1)).unwrap();
+        drop(journal);
+        let text = std::fs::read_to_string(&path).unwrap();
+        std::fs::write(&path, &text[..text.len() - 5]).unwrap();
+        assert!(Journal::open(&folder, &header(), false).is_err(), "nothing is overwritten");
+        let other = Header { seed: 2, ..header() };
+        assert!(Journal::open(&folder, &other, true).is_err(), "another run is not gone on with");
+        let (mut journal, done) = Journal::open(&folder, &header(), true).unwrap();
+        assert_eq!(done, [chunk(0)]);
+        journal.done(&chunk(2)).unwrap();
+        drop(journal);
+        let (_, done) = Journal::open(&folder, &header(), true).unwrap();
+        assert_eq!(done, [chunk(0), chunk(2)]);
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+}

@@ -1,0 +1,184 @@
+//! One scenario on both controllers.
+
+use gaugeblock_fuzz::generate::nudged;
+use gaugeblock_reference::Evidence;
+use gaugeblock_trace::{End, Outcome, Scenario};
+
+use super::signature::Signature;
+use super::statistics::{Statistics, count};
+use super::{Plan, comparable};
+use crate::adapters::{Adapter, Capabilities, HarnessError};
+use crate::compare::{Divergence, compare, surely_same};
+use crate::observe::Observed;
+
+/// A difference between two controllers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// Where it shows first.
+    pub divergence: Divergence,
+    /// What it is by.
+    pub signature: Signature,
+}
+
+/// What came of a scenario.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Came {
+    /// No difference.
+    Same,
+    /// A difference, or a controller that crashed, hung or flooded.
+    Differs(Box<Difference>),
+    /// The last bit of a transcendental function decides: nothing can be said.
+    Fragile,
+    /// One of the two does not do this.
+    Unsupported,
+    /// The documents leave it open.
+    Unspecified,
+    /// Nothing can be said: not run, not understood.
+    NotJudged,
+}
+
+impl Plan<'_> {
+    /// Runs a scenario on both and compares.
+    pub fn judge(&self, scenario: &Scenario, statistics: &mut Statistics) -> Came {
+        statistics.programs += 1;
+        for side in [self.iut, self.against] {
+            if let Err(why) = side.supports(scenario) {
+                count(&mut statistics.unsupported, &format!("{}: {why}", name(side)));
+                return Came::Unsupported;
+            }
+        }
+        let (expected, mut evidence) = outcome(self.against, scenario);
+        let expected = match expected {
+            Ok(expected) => expected,
+            Err(error) => return self.broken(self.against, &error, statistics),
+        };
+        statistics.blocks += u64::try_from(expected.steps.len()).unwrap_or_default();
+        if let Some(came) = open(self.against, &expected, statistics) {
+            return came;
+        }
+        let (found, other) = outcome(self.iut, scenario);
+        let found = match found {
+            Ok(found) => found,
+            Err(error) => return self.broken(self.iut, &error, statistics),
+        };
+        if let Some(came) = open(self.iut, &found, statistics) {
+            return came;
+        }
+        evidence = evidence.or(other);
+        statistics.count(scenario, &expected);
+        if let Some(evidence) = &evidence {
+            statistics.reached(evidence);
+        }
+        match self.divergence(scenario, &expected, &found) {
+            None => Came::Same,
+            Some(_) if evidence.is_some() && self.is_fragile(scenario) => {
+                statistics.fragile += 1;
+                Came::Fragile
+            }
+            Some(divergence) => differs(divergence, statistics),
+        }
+    }
+
+    fn divergence(
+        &self,
+        scenario: &Scenario,
+        expected: &Outcome,
+        found: &Outcome,
+    ) -> Option<Divergence> {
+        let show_pins = |side: &dyn Adapter| !side.capabilities().pins.is_empty();
+        if surely_same(expected, found, show_pins(self.iut) && show_pins(self.against)) {
+            return None;
+        }
+        let (expected, found) = comparable::comparable(expected, found);
+        let shows = self.iut.shows(scenario).and(&self.against.shows(scenario));
+        let comparison = compare(&Observed::of(&expected), &Observed::of(&found), &shows);
+        comparison.divergence.map(|divergence| comparable::named(divergence, &expected, &found))
+    }
+
+    /// Whether the model's own answer changes when every transcendental result moves by its last bit.
+    fn is_fragile(&self, scenario: &Scenario) -> bool {
+        let plain = Observed::of(&gaugeblock_reference::run(scenario).0);
+        let shows = Capabilities::everything("reference", "");
+        let differs = |other: Scenario| {
+            let other = Observed::of(&gaugeblock_reference::run(&other).0);
+            compare(&plain, &other, &shows).divergence.is_some()
+        };
+        [true, false].into_iter().filter_map(|up| nudged(scenario, up)).any(differs)
+    }
+
+    /// A controller that crashed, hung or flooded is a find; one that was not understood is not judged.
+    fn broken(
+        &self,
+        side: &dyn Adapter,
+        error: &HarnessError,
+        statistics: &mut Statistics,
+    ) -> Came {
+        let what = match error {
+            HarnessError::Crashed { .. } => "crash",
+            HarnessError::TimedOut { .. } => "time-out",
+            HarnessError::Flooded { .. } => "flood",
+            HarnessError::NotRun(_)
+            | HarnessError::Unreadable { .. }
+            | HarnessError::UnknownMessage(_)
+            | HarnessError::ObservationDisturbs { .. } => {
+                let line = error.to_string();
+                let short: String =
+                    line.lines().next().unwrap_or_default().chars().take(100).collect();
+                count(&mut statistics.not_judged, &format!("{}: {short}", name(side)));
+                return Came::NotJudged;
+            }
+        };
+        let of = |other: bool| if other { error.to_string() } else { "an end".to_owned() };
+        let is_iut = name(side) == name(self.iut);
+        let divergence = Divergence {
+            block: None,
+            field: what.to_owned(),
+            expected: of(!is_iut),
+            found: of(is_iut),
+        };
+        differs(divergence, statistics)
+    }
+}
+
+fn differs(divergence: Divergence, statistics: &mut Statistics) -> Came {
+    statistics.diverging += 1;
+    let signature = Signature::of(&divergence);
+    Came::Differs(Box::new(Difference { divergence, signature }))
+}
+
+fn name(side: &dyn Adapter) -> &str {
+    &side.capabilities().name
+}
+
+/// The outcome of a scenario, and of the model its evidence too.
+fn outcome(
+    side: &dyn Adapter,
+    scenario: &Scenario,
+) -> (Result<Outcome, HarnessError>, Option<Evidence>) {
+    if name(side) == "reference" {
+        let (outcome, evidence) = gaugeblock_reference::run(scenario);
+        return (Ok(outcome), Some(evidence));
+    }
+    (side.run(scenario), None)
+}
+
+/// Whether a run says nothing of the scenario: it is not supported, or the documents leave it open.
+fn open(side: &dyn Adapter, outcome: &Outcome, statistics: &mut Statistics) -> Option<Came> {
+    match &outcome.end {
+        End::Unsupported { what, .. } => {
+            count(&mut statistics.unsupported, &format!("{}: {what}", name(side)));
+            Some(Came::Unsupported)
+        }
+        End::Unspecified { why, .. } => {
+            count(&mut statistics.unspecified, why);
+            Some(Came::Unspecified)
+        }
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::Endless
+        | End::Paused
+        | End::Aborted
+        | End::Fault(_)
+        | End::BudgetExhausted { .. } => None,
+    }
+}

@@ -1,0 +1,157 @@
+//! Two controllers on generated programs: what differs, by signature, with the smallest program of each.
+//!
+//! Programs are numbered; a number under a seed is one scenario ([`Plan::scenario`]). Chunks of numbers run in any order and on any
+//! machine, each is [journaled](journal) when it is done, and what they found is put together in the order of numbers, so that the same
+//! plan gives the same report however often it was interrupted.
+
+mod comparable;
+pub mod groups;
+pub mod journal;
+mod judge;
+pub mod signature;
+pub mod statistics;
+
+use std::collections::BTreeSet;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc;
+
+use gaugeblock_fuzz::generate::{self, Dice, Recipe, splice};
+use gaugeblock_trace::scenario::Bench;
+use gaugeblock_trace::{Options, Scenario};
+
+use crate::adapters::Adapter;
+use crate::suite::{Choice, ChoiceKind};
+use groups::{Find, Groups};
+use journal::Chunk;
+pub use judge::{Came, Difference};
+use statistics::Statistics;
+
+/// How many programs are run and journaled together.
+pub const CHUNK: u64 = 64;
+
+/// A part of all chunks: each `of`-th, from the `index`-th; every chunk is in exactly one shard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// From 1 to `of`.
+    pub index: u64,
+    /// How many shards there are.
+    pub of: u64,
+}
+
+impl Shard {
+    /// The number of this shard's n-th chunk, from 0.
+    pub fn chunk(self, n: u64) -> u64 {
+        n * self.of + self.index - 1
+    }
+}
+
+/// What is run on what.
+#[derive(Debug)]
+pub struct Plan<'a> {
+    /// The controller under test.
+    pub iut: &'a dyn Adapter,
+    /// The controller that it is compared with.
+    pub against: &'a dyn Adapter,
+    /// What is generated.
+    pub recipe: Recipe,
+    /// What all choices follow from.
+    pub seed: u64,
+    /// How many of a hundred programs are parts of other ones.
+    pub spliced: u32,
+    /// Those other ones: the suite's cases.
+    pub seeds: Vec<Scenario>,
+    /// The options of the edition that applies.
+    pub options: Options,
+    /// Choices of which each program takes some at random; none where the edition's options stand.
+    pub random: Vec<&'a Choice>,
+    /// The bench that answers where a scenario has none.
+    pub bench: Option<String>,
+}
+
+impl Plan<'_> {
+    /// The scenario of a number.
+    pub fn scenario(&self, number: u64) -> Scenario {
+        let mut dice = Dice::of_seed(self.seed, number);
+        let splices = !self.seeds.is_empty() && dice.chance(self.spliced);
+        let mut scenario = if splices {
+            splice::spliced(&mut dice, &self.seeds)
+        } else {
+            generate::scenario(&mut dice, &self.recipe)
+        };
+        scenario.options.clone_from(&self.options);
+        for choice in self.random.iter().filter(|choice| choice.kind == ChoiceKind::Choice) {
+            if dice.chance(25) {
+                let option = dice.pick(&choice.options).name.clone();
+                scenario.options.0.insert(choice.id.clone(), option);
+            }
+        }
+        if scenario.bench == Bench::default() {
+            scenario.bench.name.clone_from(&self.bench);
+        }
+        scenario
+    }
+
+    fn chunk(&self, chunk: u64, programs: u64, stop: &AtomicBool) -> Option<Chunk> {
+        let mut statistics = Statistics::default();
+        let mut groups = Groups::default();
+        let first = chunk * CHUNK;
+        for number in first..(first + CHUNK).min(programs) {
+            if stop.load(Ordering::Relaxed) {
+                return None;
+            }
+            let scenario = self.scenario(number);
+            if let Came::Differs(difference) = self.judge(&scenario, &mut statistics) {
+                groups.add(Find::of(number, scenario, *difference));
+            }
+        }
+        Some(Chunk { chunk, statistics, found: groups.finds() })
+    }
+}
+
+/// How much is run.
+#[derive(Debug)]
+pub struct Extent<'a> {
+    /// The part of all chunks.
+    pub shard: Shard,
+    /// Programs of all shards together; `u64::MAX` for no end.
+    pub programs: u64,
+    /// How many run at once.
+    pub jobs: NonZero<usize>,
+    /// Chunks that were done before.
+    pub done: &'a BTreeSet<u64>,
+    /// Set from outside when it is time to stop; a chunk that is not finished is not counted.
+    pub stop: &'a AtomicBool,
+}
+
+/// Runs chunk after chunk; `each` is told of every one when it is done, on the caller's thread, and says whether to go on.
+pub fn run(plan: &Plan<'_>, extent: &Extent<'_>, each: &mut dyn FnMut(Chunk) -> bool) {
+    let next = AtomicU64::new(0);
+    let (sender, receiver) = mpsc::sync_channel::<Chunk>(64);
+    std::thread::scope(|scope| {
+        for _ in 0..extent.jobs.get() {
+            let (sender, next) = (sender.clone(), &next);
+            scope.spawn(move || {
+                loop {
+                    let chunk = extent.shard.chunk(next.fetch_add(1, Ordering::Relaxed));
+                    if chunk.saturating_mul(CHUNK) >= extent.programs {
+                        break;
+                    }
+                    if extent.done.contains(&chunk) {
+                        continue;
+                    }
+                    let Some(done) = plan.chunk(chunk, extent.programs, extent.stop) else { break };
+                    if sender.send(done).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        for chunk in &receiver {
+            if !each(chunk) {
+                extent.stop.store(true, Ordering::Relaxed);
+            }
+        }
+    });
+}

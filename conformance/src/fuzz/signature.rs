@@ -1,0 +1,127 @@
+//! What a divergence is by, so that thousands of programs with one cause are one group.
+
+use gaugeblock_trace::{Program, Scenario};
+use serde::{Deserialize, Serialize};
+
+use crate::compare::Divergence;
+
+/// What differs, without what is accidental: lines, numbers, indexes. Kept while a program is shrunk.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct Signature {
+    /// `effect`, `end`, `run` or a field's name.
+    pub field: String,
+    /// The kind of what one side has.
+    pub expected: String,
+    /// The kind of what the other side has.
+    pub found: String,
+}
+
+impl Signature {
+    /// The signature of a divergence.
+    pub fn of(divergence: &Divergence) -> Self {
+        let field = without_index(&divergence.field);
+        let (expected, found) = if field == "run" {
+            Default::default()
+        } else {
+            (kind_of(&divergence.expected), kind_of(&divergence.found))
+        };
+        Self { field, expected, found }
+    }
+}
+
+impl std::fmt::Display for Signature {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.field)?;
+        if !self.expected.is_empty() || !self.found.is_empty() {
+            write!(f, ": {} against {}", self.found, self.expected)?;
+        }
+        Ok(())
+    }
+}
+
+/// `spindle[0]` is `spindle`; parameters that programs use are alike, those that tell the state are not.
+fn without_index(field: &str) -> String {
+    let number = field.strip_prefix('#').and_then(|rest| rest.strip_suffix(" at the end"));
+    if let Some(number) = number.and_then(|number| number.parse::<u32>().ok()) {
+        return if number <= 5000 { "#n at the end".to_owned() } else { field.to_owned() };
+    }
+    let name = field.split('[').next().unwrap_or_default();
+    if name == "parameter" && !field.contains("[_") {
+        "parameter".to_owned()
+    } else {
+        name.to_owned()
+    }
+}
+
+/// Words stay, numbers do not, and an effect is its name; a fault keeps its kind.
+fn kind_of(value: &str) -> String {
+    if let Some(rest) = value.strip_prefix("refused") {
+        let kind = rest.find('(').map_or("", |at| &rest[at..]);
+        return format!("refused {kind}").trim_end().to_owned();
+    }
+    if value == "no further effect" || value.starts_with("budget exhausted") {
+        return value.to_owned();
+    }
+    let word = value.split([' ', ':']).next().unwrap_or_default();
+    let is_word = word.chars().all(|c| c.is_ascii_alphabetic() || c == '_');
+    if is_word && !word.is_empty() {
+        if value.contains('=') { word.to_owned() } else { value.to_owned() }
+    } else {
+        "a value".to_owned()
+    }
+}
+
+/// The rules that the block at which two runs differ adds to what the model reaches; of a small program few are left.
+pub fn rules(scenario: &Scenario, divergence: &Divergence) -> Vec<String> {
+    let reached = |scenario: &Scenario| -> Vec<String> {
+        let evidence = gaugeblock_reference::run(scenario).1;
+        evidence
+            .iter()
+            .map(|(rule, outcome)| format!("{rule} ({outcome:?})").to_lowercase())
+            .collect()
+    };
+    let all = reached(scenario);
+    let block = divergence.block.as_ref().filter(|block| block.file == Program::MAIN);
+    let line = block.and_then(|block| usize::try_from(block.line).ok());
+    let without = line.map(|line| {
+        let lines = scenario.program.main.lines().enumerate();
+        let kept = lines.map(|(at, text)| if at + 1 == line { "" } else { text });
+        let main = kept.flat_map(|text| [text, "\n"]).collect();
+        let program = Program { main, ..scenario.program.clone() };
+        reached(&Scenario { program, ..scenario.clone() })
+    });
+    let without = without.unwrap_or_default();
+    let added: Vec<String> = all.iter().filter(|rule| !without.contains(rule)).cloned().collect();
+    if added.is_empty() { all } else { added }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn signature(field: &str, expected: &str, found: &str) -> String {
+        let of = |text: &str| text.to_owned();
+        let divergence =
+            Divergence { block: None, field: of(field), expected: of(expected), found: of(found) };
+        Signature::of(&divergence).to_string()
+    }
+
+    #[test]
+    fn what_is_accidental_goes() {
+        assert_eq!(
+            signature("end", "refused at main.ngc:3 (zero_feed)", "program end"),
+            "end: program end against refused (zero_feed)"
+        );
+        assert_eq!(
+            signature("spindle_speed[2]", "100", "0"),
+            "spindle_speed: a value against a value"
+        );
+        assert_eq!(signature("motion", "traverse", "none"), "motion: none against traverse");
+        assert_eq!(
+            signature("effect", "straight_feed end=(x1)", "no further effect"),
+            "effect: no further effect against straight_feed"
+        );
+        assert_eq!(signature("run", "main.ngc:4", "main.ngc:7"), "run");
+        assert_eq!(signature("#31 at the end", "1", "2"), "#n at the end: a value against a value");
+    }
+}

@@ -1,0 +1,127 @@
+//! What a run of generated programs came to: whether it tested anything is told besides what it found.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_reference::{Evidence, RuleOutcome};
+use gaugeblock_trace::{End, Outcome, Scenario};
+use serde::{Deserialize, Serialize};
+
+/// Counts by name.
+pub type Counts = BTreeMap<String, u64>;
+
+/// What generated programs came to.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Statistics {
+    /// Programs that were generated.
+    pub programs: u64,
+    /// Those that both controllers ran, so that they were compared.
+    pub compared: u64,
+    /// Of the compared ones, those that ended without a fault.
+    pub accepted: u64,
+    /// Those that differ.
+    pub diverging: u64,
+    /// Those that differ, where the specification's own answer changes with the last bit of a transcendental function.
+    pub fragile: u64,
+    /// Those that a controller does not support, by reason.
+    pub unsupported: Counts,
+    /// Those that the documents leave open, by reason.
+    pub unspecified: Counts,
+    /// Those that could not be judged: crash, time-out, unreadable output, by reason.
+    pub not_judged: Counts,
+    /// Blocks that were executed on the side that is compared with.
+    pub blocks: u64,
+    /// Those of them in programs that were compared.
+    pub blocks_compared: u64,
+    /// Ends of compared programs.
+    pub ends: Counts,
+    /// Kinds of faults of compared programs.
+    pub faults: Counts,
+    /// Compared programs in which the model reached each outcome of a rule; where the model is one of the two.
+    pub rules: Counts,
+    /// Compared programs in which each code stands.
+    pub codes: Counts,
+}
+
+impl Statistics {
+    /// Adds what others came to.
+    pub fn add(&mut self, other: &Self) {
+        self.programs += other.programs;
+        self.compared += other.compared;
+        self.accepted += other.accepted;
+        self.diverging += other.diverging;
+        self.fragile += other.fragile;
+        self.blocks += other.blocks;
+        self.blocks_compared += other.blocks_compared;
+        for (mine, its) in [
+            (&mut self.unsupported, &other.unsupported),
+            (&mut self.unspecified, &other.unspecified),
+            (&mut self.not_judged, &other.not_judged),
+            (&mut self.ends, &other.ends),
+            (&mut self.faults, &other.faults),
+            (&mut self.rules, &other.rules),
+            (&mut self.codes, &other.codes),
+        ] {
+            for (name, count) in its {
+                *mine.entry(name.clone()).or_default() += count;
+            }
+        }
+    }
+
+    /// Counts a program that was compared.
+    pub fn count(&mut self, scenario: &Scenario, outcome: &Outcome) {
+        self.compared += 1;
+        self.blocks_compared += u64::try_from(outcome.steps.len()).unwrap_or_default();
+        count(&mut self.ends, outcome.end.name());
+        if let End::Fault(fault) = &outcome.end {
+            if let Some(kind) = fault.kind {
+                count(&mut self.faults, &kind.to_string());
+            }
+        } else {
+            self.accepted += 1;
+        }
+        let mut codes = Vec::new();
+        codes_of(&scenario.program.main, &mut codes);
+        scenario.program.files.values().for_each(|text| codes_of(text, &mut codes));
+        codes.sort_unstable();
+        codes.dedup();
+        codes.iter().for_each(|code| count(&mut self.codes, code));
+    }
+
+    /// Counts the rules that the model reached.
+    pub fn reached(&mut self, evidence: &Evidence) {
+        for (rule, outcome) in evidence.iter() {
+            match outcome {
+                RuleOutcome::Accepted => count(&mut self.rules, rule),
+                RuleOutcome::Refused => count(&mut self.rules, &format!("{rule} refused")),
+            }
+        }
+    }
+}
+
+/// Counts one of a name.
+pub fn count(counts: &mut Counts, name: &str) {
+    match counts.get_mut(name) {
+        Some(count) => *count += 1,
+        None => {
+            counts.insert(name.to_owned(), 1);
+        }
+    }
+}
+
+/// Plain G and M codes of a text.
+fn codes_of(text: &str, codes: &mut Vec<String>) {
+    let bytes = text.as_bytes();
+    for (at, byte) in bytes.iter().enumerate() {
+        let letter = byte.to_ascii_lowercase();
+        let in_word = at > 0 && (bytes[at - 1].is_ascii_alphabetic() || bytes[at - 1] == b'_');
+        if (letter != b'g' && letter != b'm') || in_word {
+            continue;
+        }
+        let digits = bytes.iter().skip(at + 1).take_while(|b| b.is_ascii_digit() || **b == b'.');
+        let end = at + 1 + digits.count();
+        if end > at + 1 {
+            codes.push(format!("{}{}", char::from(letter), &text[at + 1..end]));
+        }
+    }
+}

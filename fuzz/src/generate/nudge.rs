@@ -1,0 +1,79 @@
+//! Programs in which every transcendental result is moved by its last bit.
+
+use gaugeblock_trace::Scenario;
+
+/// Functions whose results differ in the last bit from one library to the next.
+const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "asin", "acos", "atan", "exp", "ln"];
+
+/// One and its neighbours, as they are written.
+const UP: &str = "1.0000000000000002";
+const DOWN: &str = "0.9999999999999999";
+
+/// The scenario with the result of each function moved up or down by about one unit in its last place; none where no function
+/// stands. If its outcome is another one, nothing can be said of the program.
+pub fn nudged(scenario: &Scenario, up: bool) -> Option<Scenario> {
+    let factor = if up { UP } else { DOWN };
+    let mut other = scenario.clone();
+    other.program.main = text(&scenario.program.main, factor);
+    for (name, file) in &scenario.program.files {
+        other.program.files.insert(name.clone(), text(file, factor));
+    }
+    (other.program != scenario.program).then_some(other)
+}
+
+fn text(text: &str, factor: &str) -> String {
+    text.split_inclusive('\n').map(|piece| line(piece, factor)).collect()
+}
+
+/// Inner functions stand to the right of outer ones, so that they are wrapped first.
+fn line(line: &str, factor: &str) -> String {
+    let mut line = line.to_owned();
+    let lower = line.to_ascii_lowercase();
+    let speech = lower.find(['(', ';']).unwrap_or(lower.len());
+    for at in (0..speech).rev() {
+        let Some(rest) = lower.get(at..) else { continue };
+        let begins =
+            |name: &&&str| rest.strip_prefix(**name).is_some_and(|rest| rest.starts_with('['));
+        let in_word = at > 0 && lower.as_bytes()[at - 1].is_ascii_alphabetic();
+        let named = FUNCTIONS.iter().find(begins).filter(|_| !in_word);
+        if let Some(end) = named.and_then(|name| end_of(&line, at + name.len())) {
+            let wrapped = format!("[{} * {factor}]", &line[at..end]);
+            line.replace_range(at..end, &wrapped);
+        }
+    }
+    line
+}
+
+/// Where the brackets that open here end, with those that divide them (`atan[1]/[2]`).
+fn end_of(line: &str, open: usize) -> Option<usize> {
+    let mut depth = 0_u32;
+    for (at, byte) in line.bytes().enumerate().skip(open) {
+        match byte {
+            b'[' => depth += 1,
+            b']' => depth = depth.checked_sub(1)?,
+            _ => {}
+        }
+        if depth == 0 {
+            let after = &line[at + 1..];
+            return if after.starts_with("/[") { end_of(line, at + 2) } else { Some(at + 1) };
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_function_is_moved() {
+        let up = |text| nudged(&Scenario::of(text), true).map(|other| other.program.main);
+        assert_eq!(up("g1 x[1 + 2] (sin[1])\n"), None);
+        assert_eq!(up("x sin[30]\n").unwrap(), format!("x [sin[30] * {UP}]\n"));
+        assert_eq!(
+            up("#1 = atan[1]/[cos[2]]\n").unwrap(),
+            format!("#1 = [atan[1]/[[cos[2] * {UP}]] * {UP}]\n")
+        );
+        assert_eq!(up("#1 = ASIN[.5]\n").unwrap(), format!("#1 = [ASIN[.5] * {UP}]\n"));
+    }
+}

@@ -1,0 +1,219 @@
+//! Pairs of scenarios that must do the same: an oracle that needs no second engine.
+
+use gaugeblock_trace::Scenario;
+
+use super::{Dice, Recipe, Setups};
+
+/// What must be equal in a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Same {
+    /// Effects and end; the lines at which they are do not count.
+    Effects,
+    /// The path in machine coordinates: where each straight move ends, moves along one line taken together.
+    Path,
+}
+
+/// Two scenarios that must do the same.
+#[derive(Clone, Debug)]
+pub struct Pair {
+    /// What was changed.
+    pub name: &'static str,
+    /// As it was.
+    pub one: Scenario,
+    /// With the change.
+    pub other: Scenario,
+    /// What must be equal.
+    pub same: Same,
+}
+
+/// A change of the text that means nothing.
+struct Change {
+    name: &'static str,
+    /// Whether line numbers move, so that `#<_line>` tells another one.
+    moves_lines: bool,
+    line: fn(&str) -> String,
+}
+
+/// Modal codes that change nothing when they are repeated in the next block.
+const REPEATABLE: &[&str] = &[
+    "g17", "g18", "g19", "g20", "g21", "g90", "g91", "g90.1", "g91.1", "g98", "g99", "g61",
+    "g61.1", "g54", "g55", "g56", "g57", "g58", "g59", "g59.1", "g59.2", "g59.3", "g7", "g8", "m7",
+    "m8", "m9", "m48", "m49",
+];
+
+const CHANGES: &[Change] = &[
+    Change {
+        name: "comments",
+        moves_lines: false,
+        line: |line| if is_plain(line) { format!("{line} (so)") } else { line.to_owned() },
+    },
+    Change {
+        name: "upper case",
+        moves_lines: false,
+        line: |line| if is_plain(line) { line.to_ascii_uppercase() } else { line.to_owned() },
+    },
+    Change {
+        name: "blanks",
+        moves_lines: false,
+        line: |line| if is_plain(line) { line.replace(' ', " \t ") } else { line.to_owned() },
+    },
+    Change {
+        name: "CRLF",
+        moves_lines: false,
+        line: |line| format!("{}\r", line.trim_end_matches('\r')),
+    },
+    Change {
+        name: "line numbers",
+        moves_lines: false,
+        line: |line| {
+            if is_plain(line) && line.starts_with(['g', 'm', 'x', 'f', 's', 't', '#']) {
+                format!("n7 {line}")
+            } else {
+                line.to_owned()
+            }
+        },
+    },
+    Change {
+        name: "blank lines",
+        moves_lines: true,
+        line: |line| if is_plain(line) { format!("\n{line}\n") } else { line.to_owned() },
+    },
+    Change {
+        name: "repeated modal words",
+        moves_lines: true,
+        line: |line| {
+            if REPEATABLE.contains(&line) { format!("{line}\n{line}") } else { line.to_owned() }
+        },
+    },
+];
+
+/// Whether a line is neither a comment nor about the file.
+fn is_plain(line: &str) -> bool {
+    !line.trim().is_empty() && !line.contains(['(', ';', '%', '\r'])
+}
+
+/// A generated scenario and one with a change that means nothing.
+pub fn pair(dice: &mut Dice<'_>) -> Pair {
+    match dice.below(9) {
+        0 => inlined_call(dice),
+        1 => unrolled_loop(dice),
+        2 => deleted_blocks(dice),
+        3 => path(dice, "inch and millimetre", |points| {
+            (moves(points, "g21", 1.0), moves(points, "g20", 25.4))
+        }),
+        4 => path(dice, "absolute and incremental", |points| {
+            (moves(points, "g21 g90", 1.0), steps(points))
+        }),
+        5 => path(dice, "shifted work offset", shifted),
+        6 => path(dice, "split moves", |points| (moves(points, "g21", 1.0), halves(points))),
+        _ => changed(dice),
+    }
+}
+
+fn changed(dice: &mut Dice<'_>) -> Pair {
+    let recipe =
+        Recipe { setups: Setups::Plain, wrong_programs: 5, later_programs: 0, ..Recipe::default() };
+    let one = super::scenario(dice, &recipe);
+    let change = dice.pick(CHANGES);
+    let mut other = one.clone();
+    if !change.moves_lines || !one.program.main.contains("_line") {
+        let lines = one.program.main.lines().map(change.line);
+        other.program.main = lines.map(|line| line + "\n").collect();
+    }
+    Pair { name: change.name, one, other, same: Same::Effects }
+}
+
+/// Simple blocks that do the same at every call level and on every line.
+fn blocks(dice: &mut Dice<'_>) -> String {
+    let names = [
+        "motion.traverse",
+        "mode.",
+        "offset.select",
+        "coolant",
+        "spindle.turn",
+        "spindle.speed",
+        "dwell",
+    ];
+    let only = names.map(str::to_owned).to_vec();
+    let recipe = Recipe {
+        blocks: (2, 8),
+        wrong_programs: 0,
+        only,
+        setups: Setups::Plain,
+        ..Recipe::default()
+    };
+    let text = super::scenario(dice, &recipe).program.main.to_lowercase();
+    // What a call changes: its own #1 to #30, the level, the line.
+    let differs = |line: &str| line.contains('#') || line.contains('%');
+    text.lines()
+        .filter(|line| !differs(line) && line.trim() != "m2" && line.trim() != "m30")
+        .fold(String::new(), |text, line| text + line + "\n")
+}
+
+fn inlined_call(dice: &mut Dice<'_>) -> Pair {
+    let body = blocks(dice);
+    let called = format!("o1 sub\n{body}o1 endsub\nf100\no1 call\no1 call\nm2\n");
+    let inlined = format!("f100\n{body}{body}m2\n");
+    both("inlined call", &called, &inlined, Same::Effects)
+}
+
+fn unrolled_loop(dice: &mut Dice<'_>) -> Pair {
+    let body = blocks(dice);
+    let times = usize::try_from(dice.range(0, 3)).unwrap_or_default();
+    let looped = format!("f100\no1 repeat [{times}]\n{body}o1 endrepeat\nm2\n");
+    both("unrolled loop", &looped, &format!("f100\n{}m2\n", body.repeat(times)), Same::Effects)
+}
+
+fn deleted_blocks(dice: &mut Dice<'_>) -> Pair {
+    let body = blocks(dice);
+    let with: String = body.lines().map(|line| format!("{line}\n/g0 x99\n/ #31 = 5\n")).collect();
+    let mut pair =
+        both("block delete", &format!("{body}m2\n"), &format!("{with}m2\n"), Same::Effects);
+    pair.other.program.block_delete = true;
+    pair
+}
+
+type Point = (i32, i32, i32);
+
+fn path(dice: &mut Dice<'_>, name: &'static str, write: fn(&[Point]) -> (String, String)) -> Pair {
+    let mut coordinate = || i32::try_from(dice.below(80)).unwrap_or_default() - 40;
+    let points: Vec<Point> = (0..8).map(|_| (coordinate(), coordinate(), coordinate())).collect();
+    let (one, other) = write(&points);
+    both(name, &one, &other, Same::Path)
+}
+
+fn both(name: &'static str, one: &str, other: &str, same: Same) -> Pair {
+    let of = |text: &str| Scenario { budget: super::BUDGET, ..Scenario::of(text) };
+    Pair { name, one: of(one), other: of(other), same }
+}
+
+fn moves(points: &[Point], modes: &str, unit: f64) -> String {
+    let point = |(x, y, z): &Point| format!("g1 x[{x} / {unit}] y[{y} / {unit}] z[{z} / {unit}]\n");
+    format!("{modes} f100\n{}m2\n", points.iter().map(point).collect::<String>())
+}
+
+fn steps(points: &[Point]) -> String {
+    let (mut text, mut at) = ("g21 g91 f100\n".to_owned(), (0, 0, 0));
+    for (x, y, z) in points {
+        text.push_str(&format!("g1 x{} y{} z{}\n", x - at.0, y - at.1, z - at.2));
+        at = (*x, *y, *z);
+    }
+    text + "m2\n"
+}
+
+fn shifted(points: &[Point]) -> (String, String) {
+    let back = |(x, y, z): &Point| (x - 7, y + 3, z - 2);
+    let there: Vec<Point> = points.iter().map(back).collect();
+    let (one, other) = (moves(points, "g21", 1.0), moves(&there, "g21", 1.0));
+    (one, format!("g21 g10 l2 p2 x7 y-3 z2\ng55\n{other}"))
+}
+
+fn halves(points: &[Point]) -> String {
+    let (mut text, mut at) = ("g21 f100\n".to_owned(), (0, 0, 0));
+    for (x, y, z) in points {
+        let middle = format!("x[{} / 2] y[{} / 2] z[{} / 2]", at.0 + x, at.1 + y, at.2 + z);
+        text.push_str(&format!("g1 {middle}\nx{x} y{y} z{z}\n"));
+        at = (*x, *y, *z);
+    }
+    text + "m2\n"
+}

@@ -1,0 +1,187 @@
+//! Branches, loops, subs, numbered programs.
+
+use super::super::state::Sub;
+use super::super::table::{Kind, Row};
+use super::super::writer::Writer;
+
+/// Parameters that loops count in begin here; nothing else sets them.
+const COUNTERS: u32 = 200;
+
+pub(in super::super) const ROWS: &[Row] = &[
+    Row::any("control.if", Kind::Control, 12, |w| {
+        let (label, condition) = (w.new_label(), w.condition());
+        w.structure(&format!("o{label} if [{condition}]"));
+        w.body(3);
+        if w.dice.chance(25) {
+            let condition = w.condition();
+            w.structure(&format!("o{label} elseif [{condition}]"));
+            w.body(2);
+        }
+        if w.dice.chance(40) {
+            w.structure(&format!("o{label} else"));
+            w.body(2);
+        }
+        w.structure(&format!("o{label} endif"));
+    }),
+    Row::any("control.while", Kind::Control, 8, |w| {
+        let label = w.new_label();
+        let (counter, times) = (COUNTERS + label, w.dice.range(1, 3));
+        w.structure(&format!("#{counter} = 0"));
+        w.structure(&format!("o{label} while [#{counter} lt {times}]"));
+        w.structure(&format!("#{counter} = [#{counter} + 1]"));
+        w.loop_body(label, 3);
+        w.structure(&format!("o{label} endwhile"));
+    }),
+    Row::any("control.do", Kind::Control, 5, |w| {
+        let label = w.new_label();
+        let (counter, times) = (COUNTERS + label, w.dice.range(0, 2));
+        w.structure(&format!("#{counter} = 0"));
+        w.structure(&format!("o{label} do"));
+        w.structure(&format!("#{counter} = [#{counter} + 1]"));
+        w.loop_body(label, 3);
+        w.structure(&format!("o{label} while [#{counter} lt {times}]"));
+    }),
+    Row::any("control.repeat", Kind::Control, 7, |w| {
+        let label = w.new_label();
+        let times = match w.dice.below(8) {
+            0 => "0".to_owned(),
+            1 => "2.4".to_owned(),
+            2 => format!("{} mod 3", w.value(1)),
+            _ => w.dice.range(1, 3).to_string(),
+        };
+        w.structure(&format!("o{label} repeat [{times}]"));
+        w.body(3);
+        w.structure(&format!("o{label} endrepeat"));
+    }),
+    Row::when(
+        "control.break",
+        Kind::Control,
+        3,
+        |s| !s.loops.is_empty(),
+        |w| {
+            let loops = w.state.loops.clone();
+            let (label, outer) = (w.new_label(), *w.dice.pick(&loops));
+            let how = *w.dice.pick(&["break", "continue"]);
+            let condition = w.condition();
+            w.structure(&format!("o{label} if [{condition}]"));
+            w.structure(&format!("o{outer} {how}"));
+            w.structure(&format!("o{label} endif"));
+        },
+    ),
+    Row::when(
+        "sub.define-and-call",
+        Kind::Sub,
+        14,
+        |s| !s.nested,
+        |w| {
+            let label = if w.dice.chance(30) {
+                format!("<{}{}>", w.dice.pick(&["bore", "Face", "a_b"]), w.new_label())
+            } else {
+                w.new_label().to_string()
+            };
+            w.structure(&format!("o{label} sub"));
+            if w.dice.chance(25) {
+                w.structure("m73");
+            }
+            w.sub_body(5);
+            if w.dice.chance(20) {
+                let (branch, condition) = (w.new_label(), w.condition());
+                let value = w.returned();
+                w.structure(&format!("o{branch} if [{condition}]"));
+                w.structure(&format!("o{label} return{value}"));
+                w.structure(&format!("o{branch} endif"));
+            }
+            let value = w.returned();
+            w.structure(&format!("o{label} endsub{value}"));
+            w.call(&label);
+            w.state.subs.push(Sub { label, numbered: false });
+        },
+    ),
+    Row::when(
+        "sub.recursive",
+        Kind::Sub,
+        3,
+        |s| !s.nested,
+        |w| {
+            let (label, branch) = (w.new_label(), w.new_label());
+            w.structure(&format!("o{label} sub"));
+            w.sub_body(2);
+            w.structure(&format!("o{branch} if [#1 gt 0]"));
+            w.structure(&format!("o{label} call [#1 - 1]"));
+            w.structure(&format!("o{branch} endif"));
+            w.structure(&format!("o{label} endsub"));
+            let depth = w.dice.range(1, 9);
+            w.structure(&format!("o{label} call [{depth}]"));
+            w.state.forget_modes();
+        },
+    ),
+    Row::when(
+        "sub.call-again",
+        Kind::Sub,
+        10,
+        |s| s.subs.iter().any(|sub| !sub.numbered),
+        |w| {
+            let subs: Vec<_> = w.state.subs.iter().filter(|sub| !sub.numbered).cloned().collect();
+            let sub = w.dice.pick(&subs).clone();
+            w.call(&sub.label);
+        },
+    ),
+    Row::when(
+        "numbered.call",
+        Kind::Numbered,
+        10,
+        |s| s.fanuc && !s.in_sub && !s.nested,
+        |w| {
+            let known: Vec<_> = w.state.subs.iter().filter(|sub| sub.numbered).cloned().collect();
+            let label = if known.is_empty() || w.dice.chance(40) {
+                w.numbered_program()
+            } else {
+                w.dice.pick(&known).label.clone()
+            };
+            let times = *w.dice.pick(&["", "", " l1", " l2", " l3"]);
+            w.structure(&format!("m98 p{label}{times}"));
+            w.state.forget_modes();
+            w.state.per_minute = false;
+            w.state.names.clear();
+        },
+    ),
+];
+
+impl Writer<'_, '_> {
+    fn loop_body(&mut self, label: u32, few: u32) {
+        let before = self.state.clone();
+        self.state.loops.push(label);
+        // What holds before the first turn need not hold before the second.
+        self.state.forget_modes();
+        if self.dice.chance(50) {
+            let feed = self.within(1, 900);
+            self.block(&format!("g94 f{feed}"));
+            self.state.feed = true;
+            self.state.per_minute = true;
+        } else {
+            self.state.per_minute = false;
+        }
+        self.body(few);
+        self.state.join(&before);
+    }
+
+    fn returned(&mut self) -> String {
+        if !self.dice.chance(35) {
+            return String::new();
+        }
+        format!(" [{}]", self.expression(1))
+    }
+
+    fn call(&mut self, label: &str) {
+        let mut arguments = String::new();
+        for _ in 0..self.dice.below(4) {
+            arguments.push_str(&format!(" [{}]", self.expression(1)));
+        }
+        self.structure(&format!("o{label} call{arguments}"));
+        self.state.forget_modes();
+        self.state.per_minute = false;
+        if self.dice.chance(30) {
+            self.structure("#31 = #<_value>");
+        }
+    }
+}

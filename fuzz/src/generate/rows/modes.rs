@@ -1,0 +1,145 @@
+//! Units, planes, distance modes, feed, work coordinate systems, saved modes.
+
+use super::super::table::{Kind, Row};
+
+pub(in super::super) const ROWS: &[Row] = &[
+    Row::any("mode.units", Kind::Mode, 14, |w| {
+        let code = *w.dice.pick(&["g20", "g21"]);
+        w.block(code);
+    }),
+    Row::when(
+        "mode.plane",
+        Kind::Mode,
+        10,
+        |s| !s.compensated,
+        |w| {
+            let code = *w.dice.pick(&["g17", "g18", "g19", "g17.1", "g18.1", "g19.1"]);
+            w.block(code);
+            w.state.xy_plane = code == "g17";
+        },
+    ),
+    Row::any("mode.distance", Kind::Mode, 14, |w| {
+        let code = *w.dice.pick(&["g90", "g91", "g90.1", "g91.1"]);
+        w.block(code);
+    }),
+    Row::any("mode.retract", Kind::Mode, 4, |w| {
+        let code = *w.dice.pick(&["g98", "g99"]);
+        w.block(code);
+    }),
+    Row::any("mode.lathe", Kind::Mode, 5, |w| {
+        let code = *w.dice.pick(&["g7", "g8"]);
+        w.block(code);
+    }),
+    Row::any("mode.compensation-off", Kind::Mode, 3, |w| {
+        w.block("g40");
+        w.state.compensated = false;
+    }),
+    Row::any("feed.set", Kind::Feed, 20, |w| {
+        let feed = w.within(1, 3000);
+        w.block(&format!("f{feed}"));
+        w.state.feed = true;
+    }),
+    Row::any("feed.mode", Kind::Feed, 8, |w| {
+        let code = *w.dice.pick(&["g93", "g94", "g94", "g94", "g95", "g94"]);
+        w.block(code);
+        w.state.feed &= code == "g94" && w.state.per_minute;
+        w.state.per_minute = code == "g94";
+    }),
+    Row::any("offset.select", Kind::Offset, 14, |w| {
+        let code =
+            *w.dice.pick(&["g54", "g55", "g56", "g57", "g58", "g59", "g59.1", "g59.2", "g59.3"]);
+        w.block(code);
+    }),
+    Row::any("offset.set", Kind::Offset, 14, |w| {
+        let (system, axes) = (w.whole(0, 9), w.axes(3));
+        let rotation =
+            if w.dice.chance(15) { format!(" r{}", w.within(0, 90)) } else { String::new() };
+        w.block(&format!("g10 l2 p{system}{axes}{rotation}"));
+    }),
+    Row::any("offset.parameter", Kind::Offset, 3, |w| {
+        let place = 5221 + 20 * w.dice.below(9) + w.dice.below(6);
+        let number = w.number();
+        w.block(&format!("#{place} = {number}"));
+    }),
+    Row::any("saved.save", Kind::Saved, 14, |w| {
+        w.block("m70");
+        w.state.saved = true;
+    }),
+    Row::when(
+        "saved.restore",
+        Kind::Saved,
+        14,
+        |s| s.saved,
+        |w| {
+            w.block("m72");
+            w.state.forget_modes();
+            w.state.per_minute = false;
+        },
+    ),
+    Row::when(
+        "saved.invalidate",
+        Kind::Saved,
+        3,
+        |s| s.saved,
+        |w| {
+            w.block("m71");
+            w.state.saved = false;
+        },
+    ),
+    Row::any("saved.around", Kind::Saved, 8, |w| {
+        w.block("m70");
+        w.body(3);
+        w.block("m72");
+        w.state.forget_modes();
+        w.state.per_minute = false;
+        w.state.saved = true;
+    }),
+    Row::when(
+        "saved.autorestore",
+        Kind::Saved,
+        6,
+        |s| s.in_sub,
+        |w| {
+            w.block("m73");
+            w.state.saved = true;
+        },
+    ),
+    Row::any("crowded.modes", Kind::Crowded, 25, |w| {
+        let mut words = Vec::new();
+        for group in [
+            &["g17", "g18", "g19"][..],
+            &["g20", "g21"],
+            &["g90", "g91"],
+            &["g90.1", "g91.1"],
+            &["g61", "g61.1", "g64"],
+            &["g54", "g55", "g59.3"],
+            &["g98", "g99"],
+            &["m3", "m4", "m5"],
+            &["m7", "m8", "m9"],
+            &["m48", "m49"],
+            &["s1000", "s[100 + 50]"],
+            &["#31 = 2", "#32 = #31"],
+        ] {
+            if w.dice.chance(25) {
+                words.push((*w.dice.pick(group)).to_owned());
+            }
+        }
+        if w.dice.chance(40) {
+            let axes = w.axes(2);
+            words.push(format!("g0{axes}"));
+            w.moves(true);
+        }
+        if w.dice.chance(20) {
+            let feed = w.within(1, 500);
+            words.push(format!("f{feed}"));
+            w.state.feed = w.state.feed || w.state.per_minute;
+        }
+        // The order of words means nothing.
+        for place in 1..words.len() {
+            let other = usize::try_from(w.dice.below(u32::try_from(place + 1).unwrap_or(1)));
+            words.swap(place, other.unwrap_or_default());
+        }
+        w.state.xy_plane = false;
+        w.block(&words.join(" "));
+    }),
+];

@@ -1,0 +1,128 @@
+//! Straight moves, dwells, path control.
+
+use super::super::table::{Kind, Row};
+use super::super::writer::Writer;
+
+pub(in super::super) const ROWS: &[Row] = &[
+    Row::any("motion.traverse", Kind::Motion, 30, |w| {
+        let axes = w.axes(3);
+        w.block(&format!("g0{axes}"));
+        w.moves(true);
+    }),
+    Row::when(
+        "motion.feed",
+        Kind::Motion,
+        40,
+        |s| s.feed && s.per_minute,
+        |w| {
+            let axes = w.axes(3);
+            w.block(&format!("g1{axes}"));
+            w.moves(false);
+        },
+    ),
+    Row::when(
+        "motion.feed-with-f",
+        Kind::Motion,
+        25,
+        |s| s.per_minute,
+        |w| {
+            let (axes, feed) = (w.axes(3), w.within(1, 2000));
+            w.block(&format!("g1{axes} f{feed}"));
+            w.state.feed = true;
+            w.moves(false);
+        },
+    ),
+    Row::when(
+        "motion.inverse-time",
+        Kind::Feed,
+        10,
+        |s| !s.compensated,
+        |w| {
+            w.block("g93");
+            for _ in 0..w.dice.range(1, 3) {
+                let (axes, feed) = (w.axes(2), w.within(1, 60));
+                w.block(&format!("g1{axes} f{feed}"));
+            }
+            let feed = w.within(1, 500);
+            w.block(&format!("g94 f{feed}"));
+            w.state.feed = true;
+            w.state.per_minute = true;
+            w.moves(false);
+        },
+    ),
+    Row::any("motion.axes-alone", Kind::Motion, 20, |w| {
+        let can = w.state.moving && (w.state.rapid || (w.state.feed && w.state.per_minute));
+        let axes = w.axes(3);
+        if can {
+            w.block(axes.trim_start());
+        } else {
+            w.block(&format!("g0{axes}"));
+            w.moves(true);
+        }
+    }),
+    Row::any("motion.code-alone", Kind::Motion, 3, |w| {
+        let code = *w.dice.pick(&["g0", "g80"]);
+        w.block(code);
+        w.state.moving = code == "g0";
+        w.state.rapid = code == "g0";
+    }),
+    Row::any("motion.machine", Kind::Motion, 5, |w| {
+        let axes = w.axes(2);
+        w.block(&format!("g53 g0{axes}"));
+        w.moves(true);
+    }),
+    Row::when(
+        "motion.machine-feed",
+        Kind::Motion,
+        3,
+        |s| s.feed && s.per_minute,
+        |w| {
+            let axes = w.axes(2);
+            w.block(&format!("g53 g1{axes}"));
+            w.moves(false);
+        },
+    ),
+    Row::any("dwell", Kind::Path, 10, |w| {
+        let seconds = *w.dice.pick(&["0", "0.1", "1", "2.5", "[1/4]", "#500"]);
+        let seconds = if seconds == "#500" { "[abs[#500] mod 5]" } else { seconds };
+        w.block(&format!("g4 p{seconds}"));
+    }),
+    Row::any("path", Kind::Path, 12, |w| {
+        let code = *w.dice.pick(&["g61", "g61.1", "g64", "g64"]);
+        let words = match (code, w.dice.below(4)) {
+            ("g64", 1 | 2) => format!(" p{}", w.dice.pick(&["0.1", "0.01", "1", "0", "[1/8]"])),
+            ("g64", 3) => {
+                format!(" p{} q{}", w.dice.pick(&["0.1", "0.5"]), w.dice.pick(&["0.05", "0.2"]))
+            }
+            _ => String::new(),
+        };
+        w.block(&format!("{code}{words}"));
+    }),
+];
+
+impl Writer<'_, '_> {
+    /// One to `most` axis words, each preceded by a blank.
+    pub(in super::super) fn axes(&mut self, most: u32) -> String {
+        let all = self.state.axes.clone();
+        let (mut text, mut used) = (String::new(), Vec::new());
+        for _ in 0..self.dice.range(1, most) {
+            let main = all.len().min(3);
+            let few = if self.dice.chance(75) { &all[..main] } else { &all[..] };
+            if few.is_empty() {
+                break;
+            }
+            let axis = *self.dice.pick(few);
+            if !used.contains(&axis) {
+                used.push(axis);
+                text.push_str(&format!(" {axis}{}", self.coordinate()));
+            }
+        }
+        text
+    }
+
+    /// Tells the state that a straight move was written.
+    pub(in super::super) fn moves(&mut self, rapid: bool) {
+        self.state.moving = true;
+        self.state.rapid = rapid;
+    }
+}

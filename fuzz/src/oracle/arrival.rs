@@ -1,0 +1,126 @@
+//! How a program arrives at the production interpreter: whole or in pieces of any size, block by block or at one go.
+
+use std::fmt::Write as _;
+
+use gaugeblock_impl::{
+    BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable,
+};
+use gaugeblock_trace::{Effect, Scenario, Settings};
+
+use crate::generate::Dice;
+
+/// Runs a program as a whole, in pieces, and at one go, and compares all that a sink is told.
+///
+/// # Errors
+/// What differs, or a panic's message where the caller catches it.
+pub fn arrives(scenario: &Scenario, dice: &mut Dice<'_>) -> Result<(), String> {
+    let program = &scenario.program;
+    let memory = || {
+        let main = Memory::new(&program.main);
+        program.files.iter().fold(main, |source, (name, text)| source.with_file(name, text))
+    };
+    let whole = told(scenario, &mut memory(), 1);
+    let most = usize::try_from(dice.range(1, 40)).unwrap_or(1);
+    let sizes: Vec<usize> =
+        (0..7).map(|_| 1 + usize::try_from(dice.below(40)).unwrap_or_default() % most).collect();
+    let mut pieces = Pieces { inner: memory(), sizes, turn: 0 };
+    for (how, other) in [
+        ("in pieces", told(scenario, &mut pieces, 1)),
+        ("many blocks at a time", told(scenario, &mut memory(), 7)),
+    ] {
+        if other != whole {
+            let same = whole.lines().zip(other.lines()).take_while(|(a, b)| a == b).count();
+            let at = |text: &str| text.lines().nth(same).unwrap_or("nothing more").to_owned();
+            return Err(format!(
+                "{how}:\n{}\n{}\nagainst\n{}",
+                program.main,
+                at(&other),
+                at(&whole)
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// All that a sink is told of a run, in lines.
+fn told(scenario: &Scenario, source: &mut impl Source, at_a_time: u64) -> String {
+    let (machine, options) = (scenario.machine.clone(), scenario.options.clone());
+    let mut interpreter = match Interpreter::new(machine, options, Limits::default()) {
+        Ok(interpreter) => interpreter,
+        Err(error) => return error.to_string(),
+    };
+    interpreter.set_block_delete(scenario.program.block_delete);
+    let mut log = Log { text: String::new(), blocks: 0, most: scenario.budget.steps };
+    let end = loop {
+        match interpreter.run(source, &mut log, at_a_time) {
+            Ok(Progress::More) if log.blocks < log.most => {}
+            Ok(Progress::More | Progress::Stopped) => return log.text,
+            Ok(Progress::Ended(end)) => break format!("{end:?}"),
+            Err(error) => break format!("{error:?}"),
+        }
+    };
+    log.text + &end
+}
+
+/// Writes down what it is told, up to so many blocks.
+struct Log {
+    text: String,
+    blocks: u32,
+    most: u32,
+}
+
+impl Sink for Log {
+    fn set(&mut self, line: u32, changed: &Settings) {
+        if self.blocks < self.most {
+            let _infallible = writeln!(self.text, "{line} {changed:?}");
+        }
+    }
+
+    fn perform(&mut self, line: u32, effect: &Effect) -> Reply {
+        if self.blocks < self.most {
+            let _infallible = writeln!(self.text, "{line} {effect:?}");
+        }
+        if matches!(effect, Effect::WaitInput { .. }) { Reply::Input(1.0) } else { Reply::Done }
+    }
+
+    fn block_done(&mut self, done: &mut BlockDone<'_>) {
+        self.blocks = self.blocks.saturating_add(1);
+        if self.blocks <= self.most {
+            let state = done.state();
+            let _infallible = writeln!(self.text, "{}:{} {state:?}", done.file(), done.line());
+        }
+    }
+}
+
+/// A source that has few bytes ready at a time.
+struct Pieces<'a> {
+    inner: Memory<'a>,
+    sizes: Vec<usize>,
+    turn: usize,
+}
+
+impl Source for Pieces<'_> {
+    fn text(&mut self) -> Result<&[u8], Unreadable> {
+        let size = self.sizes.get(self.turn % self.sizes.len().max(1)).copied().unwrap_or(1);
+        let text = self.inner.text()?;
+        Ok(text.get(..size).unwrap_or(text))
+    }
+
+    fn consume(&mut self, bytes: usize) {
+        self.turn += 1;
+        self.inner.consume(bytes);
+    }
+
+    fn rewind(&mut self, offset: u64) -> Result<bool, Unreadable> {
+        self.turn += 1;
+        self.inner.rewind(offset)
+    }
+
+    fn open(&mut self, name: &str) -> Result<bool, Unreadable> {
+        self.inner.open(name)
+    }
+
+    fn close(&mut self) {
+        self.inner.close();
+    }
+}

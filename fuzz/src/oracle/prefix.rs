@@ -1,0 +1,32 @@
+//! A run whose budget ran out is the beginning of a longer one.
+
+use gaugeblock_trace::{End, Outcome, Scenario};
+
+/// Runs a scenario with its budget and with less, and compares the blocks that both executed.
+///
+/// # Errors
+/// A shorter run is not the beginning of the longer one, or it did not tell that its budget ran out.
+pub fn goes_on(
+    scenario: &Scenario,
+    run: &mut dyn FnMut(&Scenario) -> Option<Outcome>,
+) -> Result<(), String> {
+    let Some(whole) = run(scenario) else { return Ok(()) };
+    for steps in [1, 5, 17] {
+        let mut less = scenario.clone();
+        less.budget.steps = steps;
+        let Some(part) = run(&less) else { continue };
+        // The block at which the budget ran out may have begun.
+        let sure = part.steps.len().saturating_sub(1).min(whole.steps.len());
+        if part.steps[..sure] != whole.steps[..sure] {
+            return Err(format!(
+                "with a budget of {steps} blocks another run begins:\n{}",
+                part.to_text()
+            ));
+        }
+        let ended = matches!(part.end, End::BudgetExhausted { .. });
+        if !ended && part.steps.len() < whole.steps.len() {
+            return Err(format!("a budget of {steps} blocks ended it as {}", part.end.name()));
+        }
+    }
+    Ok(())
+}

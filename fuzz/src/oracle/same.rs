@@ -1,0 +1,118 @@
+//! Whether a pair of scenarios does the same.
+
+use gaugeblock_trace::{Effect, End, Event, LengthUnit, Outcome, Position, Settings};
+
+use crate::generate::pairs::{Pair, Same};
+
+/// Millimetres by which points may differ.
+const TOLERANCE: f64 = 1e-6;
+
+/// Runs both scenarios of a pair and compares what must be equal. A run that says nothing (`None`), is not supported, left open or
+/// exhausted is no trouble.
+///
+/// # Errors
+/// What differs, with both programs.
+pub fn same(
+    pair: &Pair,
+    run: &mut dyn FnMut(&gaugeblock_trace::Scenario) -> Option<Outcome>,
+) -> Result<(), String> {
+    let (Some(one), Some(other)) = (run(&pair.one), run(&pair.other)) else { return Ok(()) };
+    let silent = |outcome: &Outcome| {
+        matches!(
+            outcome.end,
+            End::Unsupported { .. } | End::Unspecified { .. } | End::BudgetExhausted { .. }
+        )
+    };
+    if silent(&one) || silent(&other) {
+        return Ok(());
+    }
+    let equal = match pair.same {
+        Same::Effects => effects(&one) == effects(&other) && settings(&one) == settings(&other),
+        Same::Path => close(&path(&one), &path(&other)),
+    };
+    if equal && one.end.name() == other.end.name() && kind(&one) == kind(&other) {
+        return Ok(());
+    }
+    Err(format!(
+        "{}:\n{}\n--- does\n{}\n--- and\n{}\n--- does\n{}",
+        pair.name,
+        pair.one.program.main,
+        one.to_text(),
+        pair.other.program.main,
+        other.to_text()
+    ))
+}
+
+fn kind(outcome: &Outcome) -> Option<gaugeblock_trace::FaultKind> {
+    if let End::Fault(fault) = &outcome.end { fault.kind } else { None }
+}
+
+/// Effects of all blocks but a refused one.
+fn effects(outcome: &Outcome) -> Vec<&Effect> {
+    let refused = |line: &gaugeblock_trace::Block| matches!(&outcome.end, End::Fault(fault) if fault.block.as_ref() == Some(line));
+    let last = outcome.steps.len().saturating_sub(1);
+    let steps = outcome.steps.iter().enumerate();
+    let counted =
+        steps.filter(|(at, step)| !(*at == last && step.state.is_none() && refused(&step.block)));
+    let events = counted.flat_map(|(_, step)| &step.events);
+    events
+        .filter_map(|event| if let Event::Do(effect) = event { Some(effect) } else { None })
+        .collect()
+}
+
+/// Settings at the end of a run that was not refused.
+fn settings(outcome: &Outcome) -> Option<Settings> {
+    let mut settings = outcome.start.clone();
+    for event in outcome.steps.iter().flat_map(|step| &step.events) {
+        if let Event::Set(change) = event {
+            settings.overlay(change);
+        }
+    }
+    (!matches!(outcome.end, End::Fault(_))).then_some(settings)
+}
+
+type Point = [f64; 3];
+
+/// Where straight moves end, machine coordinates in millimetres, without points on the way.
+fn path(outcome: &Outcome) -> Vec<Point> {
+    let mut settings = outcome.start.clone();
+    let mut points: Vec<Point> = vec![[0.0; 3]];
+    for event in outcome.steps.iter().flat_map(|step| &step.events) {
+        match event {
+            Event::Set(change) => settings.overlay(change),
+            Event::Do(Effect::StraightFeed { end } | Effect::StraightTraverse { end }) => {
+                let point = machine(end, &settings);
+                if let [.., before, last] = points.as_slice()
+                    && on_the_way(before, last, &point)
+                {
+                    points.pop();
+                }
+                points.push(point);
+            }
+            Event::Do(_) => {}
+        }
+    }
+    points
+}
+
+fn machine(end: &Position, settings: &Settings) -> Point {
+    let unit = if settings.units == Some(LengthUnit::Inch) { 25.4 } else { 1.0 };
+    let offsets = [settings.g5x_offset, settings.g92_offset, settings.tool_offset];
+    let of = |coordinate: fn(&Position) -> f64| {
+        let all = offsets.iter().flatten().map(coordinate).sum::<f64>();
+        (coordinate(end) + all) * unit
+    };
+    [of(|p| p.x), of(|p| p.y), of(|p| p.z)]
+}
+
+/// Whether a point lies on the straight line between two others.
+fn on_the_way(from: &Point, point: &Point, to: &Point) -> bool {
+    let length =
+        |a: &Point, b: &Point| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
+    (length(from, point) + length(point, to) - length(from, to)).abs() < TOLERANCE * 1e-3
+}
+
+fn close(a: &[Point], b: &[Point]) -> bool {
+    let near = |(a, b): (&Point, &Point)| a.iter().zip(b).all(|(a, b)| (a - b).abs() < TOLERANCE);
+    a.len() == b.len() && a.iter().zip(b).all(near)
+}

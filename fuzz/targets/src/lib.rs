@@ -1,0 +1,147 @@
+//! What each fuzzing target does with the bytes that it is given: a generator of `gaugeblock-fuzz`, then an oracle.
+//!
+//! The binaries in `fuzz_targets` are glue for libFuzzer. The corpus is replayed on stable Rust by a test, so that what was found once
+//! is held for ever.
+
+use gaugeblock::adapters::production::Production;
+use gaugeblock::adapters::reference::Reference;
+use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
+use gaugeblock::compare::compare;
+use gaugeblock::observe::Observed;
+use gaugeblock_fuzz::generate::{self, Dice, nudged, odd, pairs};
+use gaugeblock_fuzz::oracle;
+use gaugeblock_trace::{End, Outcome, Scenario};
+
+/// A target by name.
+pub type Target = (&'static str, fn(&[u8]));
+
+/// Every target.
+pub const TARGETS: &[Target] = &[
+    ("any_bytes", any_bytes),
+    ("odd_program", odd_program),
+    ("program", program),
+    ("streaming", streaming),
+    ("budget", budget),
+    ("pairs", pairs),
+    ("text_forms", text_forms),
+    ("production", production),
+];
+
+/// Any bytes as a program: model and production end, do the same, and neither panics.
+///
+/// # Panics
+/// A promise is broken.
+pub fn any_bytes(bytes: &[u8]) {
+    agree(&generate::raw(bytes));
+}
+
+/// An odd program keeps the model's promises.
+///
+/// # Panics
+/// A promise is broken.
+pub fn odd_program(bytes: &[u8]) {
+    kept(oracle::model_keeps_its_promises(&odd::scenario(bytes)).map(drop));
+}
+
+/// A generated program does the same in model and production.
+///
+/// # Panics
+/// It does not.
+pub fn program(bytes: &[u8]) {
+    agree(&generate::from_bytes(bytes));
+}
+
+/// How a program arrives at production changes nothing.
+///
+/// # Panics
+/// It does.
+pub fn streaming(bytes: &[u8]) {
+    let mut dice = Dice::of_bytes(bytes);
+    let scenario = generate::scenario(&mut dice, &generate::Recipe::default());
+    kept(oracle::arrives(&scenario, &mut dice));
+}
+
+/// A run whose budget ran out is the beginning of a longer one, in model and production.
+///
+/// # Panics
+/// It is not.
+pub fn budget(bytes: &[u8]) {
+    let scenario = generate::from_bytes(bytes);
+    kept(oracle::goes_on(&scenario, &mut |scenario| of(&Reference::default(), scenario)));
+    kept(oracle::goes_on(&scenario, &mut |scenario| of(&Production::default(), scenario)));
+}
+
+/// Pairs of programs do the same, in model and production.
+///
+/// # Panics
+/// They do not.
+pub fn pairs(bytes: &[u8]) {
+    let pair = pairs::pair(&mut Dice::of_bytes(bytes));
+    kept(oracle::same(&pair, &mut |scenario| of(&Reference::default(), scenario)));
+    kept(oracle::same(&pair, &mut |scenario| of(&Production::default(), scenario)));
+}
+
+/// Bytes as the text form of a scenario or an outcome: what is read is written so that it is read again.
+///
+/// # Panics
+/// It is not.
+pub fn text_forms(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    if let Ok(scenario) = Scenario::from_text(text) {
+        let again = scenario.to_text().and_then(|text| Scenario::from_text(&text));
+        assert_eq!(again, Ok(scenario), "a scenario that is written is read equal");
+    }
+    if let Ok(outcome) = Outcome::from_text(text) {
+        assert_eq!(Outcome::from_text(&outcome.to_text()), Ok(outcome), "so is an outcome");
+    }
+}
+
+/// Bytes as a program of production alone, which ends without a panic.
+///
+/// # Panics
+/// It panics.
+pub fn production(bytes: &[u8]) {
+    let _outcome = of(&Production::default(), &generate::raw(bytes));
+}
+
+#[track_caller]
+fn kept(promise: Result<(), String>) {
+    if let Err(broken) = promise {
+        panic!("{broken}");
+    }
+}
+
+/// What a controller does, where it says anything of the scenario.
+fn of(controller: &dyn Adapter, scenario: &Scenario) -> Option<Outcome> {
+    controller.supports(scenario).ok()?;
+    match controller.run(scenario) {
+        Ok(outcome) => Some(outcome),
+        Err(HarnessError::Crashed { status, stderr }) => panic!("{status}: {stderr}"),
+        Err(_) => None,
+    }
+}
+
+#[track_caller]
+fn agree(scenario: &Scenario) {
+    let (reference, production) = (Reference::default(), Production::default());
+    let sides = (of(&reference, scenario), of(&production, scenario));
+    let (Some(expected), Some(found)) = sides else { return };
+    let silent = |outcome: &Outcome| {
+        matches!(outcome.end, End::Unsupported { .. } | End::Unspecified { .. })
+    };
+    if silent(&expected) || silent(&found) {
+        return;
+    }
+    let shows = reference.shows(scenario).and(&production.shows(scenario));
+    let differ = |expected: &Outcome, found: &Outcome, shows: &Capabilities| {
+        compare(&Observed::of(expected), &Observed::of(found), shows).divergence
+    };
+    if let Some(divergence) = differ(&expected, &found, &shows) {
+        // Where the last bit of a transcendental function decides, nothing can be said.
+        let moved = [true, false].into_iter().filter_map(|up| nudged(scenario, up));
+        let mut others = moved.filter_map(|other| of(&reference, &other));
+        if others.all(|other| differ(&expected, &other, &shows).is_none()) {
+            panic!("{divergence}\n{}", scenario.to_text().unwrap_or_default());
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! The oracles on generated programs, and on runs in which a promise is broken.
+
+use gaugeblock_fuzz::generate::pairs::pair;
+use gaugeblock_fuzz::generate::{Dice, Recipe, from_seed};
+use gaugeblock_fuzz::oracle;
+use gaugeblock_trace::{Effect, End, Event, Outcome, Scenario};
+
+fn reference(scenario: &Scenario) -> Option<Outcome> {
+    Some(gaugeblock_reference::run(scenario).0)
+}
+
+#[test]
+fn pairs_do_the_same() {
+    for number in 0..400 {
+        let pair = pair(&mut Dice::of_seed(3, number));
+        oracle::same(&pair, &mut reference).unwrap_or_else(|broken| panic!("{number}: {broken}"));
+    }
+}
+
+#[test]
+fn a_pair_that_differs_is_told() {
+    let mut broken = 0;
+    for number in 0..100 {
+        let pair = pair(&mut Dice::of_seed(3, number));
+        let mut turn = 0;
+        let mut one_dwell_less = |scenario: &Scenario| {
+            turn += 1;
+            let mut outcome = reference(scenario)?;
+            for step in outcome.steps.iter_mut().filter(|_| turn == 2) {
+                step.events.retain(|event| {
+                    !matches!(event, Event::Do(Effect::Dwell { .. } | Effect::StraightFeed { .. }))
+                });
+            }
+            Some(outcome)
+        };
+        broken += u32::from(oracle::same(&pair, &mut one_dwell_less).is_err());
+    }
+    assert!(broken > 30, "{broken} of 100");
+}
+
+#[test]
+fn a_longer_budget_goes_on() {
+    for number in 0..200 {
+        let scenario = from_seed(4, number, &Recipe::default());
+        oracle::goes_on(&scenario, &mut reference).unwrap();
+    }
+    let mut ends = |scenario: &Scenario| {
+        let mut outcome = reference(scenario)?;
+        outcome.end = End::ProgramEnd;
+        Some(outcome)
+    };
+    assert!(oracle::goes_on(&Scenario::of("g0\ng0\ng0\nm2\n"), &mut ends).is_err());
+}
+
+#[test]
+fn arrival_changes_nothing() {
+    for number in 0..300 {
+        let mut dice = Dice::of_seed(5, number);
+        let scenario = from_seed(5, number, &Recipe::default());
+        oracle::arrives(&scenario, &mut dice).unwrap_or_else(|broken| panic!("{number}: {broken}"));
+    }
+}
