@@ -249,6 +249,7 @@ impl Interpreter {
         self.parameters.value_returned = false;
         self.logs = Logs::default();
         self.modal.begin();
+        self.parameters.numbered.end_notes();
         self.unfinished = None;
         self.ended = None;
     }

@@ -3,7 +3,7 @@
 //! An arc lies in the selected plane, of which the axes are called first and second so that counterclockwise is from the first to the second
 //! one: X Y, Z X, Y Z. Whatever else moves, moves along.
 
-use gaugeblock_trace::{Distance, Effect, FaultKind, LengthUnit, Motion, Plane};
+use gaugeblock_trace::{Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane};
 
 use crate::canon::Sink;
 use crate::math;
@@ -57,8 +57,8 @@ struct Tolerances {
     coarse: f64,
     /// Radii that differ by no more always are.
     fine: f64,
-    /// A chord that is longer than the diameter by no more than twice this is a diameter (11.4.24).
-    chord: f64,
+    /// By how much R may be too small for half a circle: what is lost when numbers are written.
+    radius: f64,
 }
 
 impl Tolerances {
@@ -67,8 +67,8 @@ impl Tolerances {
 
     fn of(units: LengthUnit) -> Self {
         match units {
-            LengthUnit::Inch => Self { coarse: 0.05, fine: 0.0005, chord: 0.0001 },
-            LengthUnit::Millimetre => Self { coarse: 0.5, fine: 0.005, chord: 0.001 },
+            LengthUnit::Inch => Self { coarse: 0.05, fine: 0.0005, radius: 0.000_05 },
+            LengthUnit::Millimetre => Self { coarse: 0.5, fine: 0.005, radius: 0.001_27 },
         }
     }
 
@@ -128,11 +128,17 @@ impl Modal {
         let counterclockwise = motion == Motion::ArcCounterclockwise;
         let tolerances = Tolerances::of(self.in_force.now().units);
         let centre = if words.present & R != 0 {
-            radius_centre(words, &plane, counterclockwise, &tolerances)?
+            let half_circle = self.choices.arc_half_circle;
+            let slack = if half_circle { tolerances.radius } else { 0.0 };
+            radius_centre(words, &plane, counterclockwise, slack)?
         } else {
             self.offset_centre(words, &plane, &tolerances)?
         };
-        let turns = words.get(b'P').map_or(Ok(1), |p| integer_in(p, 1, i32::MAX, "P of an arc"))?;
+        let least = if self.choices.arc_turns_one { i32::MIN } else { 1 };
+        let turns = words
+            .get(b'P')
+            .map_or(Ok(1), |p| integer_in(p, least, i32::MAX, "P of an arc"))?
+            .max(1);
         Ok(Effect::ArcFeed {
             end: self.position.position(),
             first_centre: centre.first,
@@ -189,7 +195,12 @@ impl Modal {
         if given == 0 {
             return refuse(FaultKind::MissingWord, "an arc without offsets and without R");
         }
-        let [first, second] = plane.offsets.map(|letter| words.get(letter).unwrap_or(0.0));
+        let diameter =
+            self.choices.arc_centre_diameter && self.in_force.now().lathe == Lathe::Diameter;
+        let [first, second] = plane.offsets.map(|letter| {
+            let offset = words.get(letter).unwrap_or(0.0);
+            if diameter && letter == b'I' { offset / 2.0 } else { offset }
+        });
         let centre = match self.in_force.now().arc_distance {
             Distance::Absolute if given != plane.offset_words => {
                 return refuse(FaultKind::MissingWord, "G90.1 needs both offsets");
@@ -203,7 +214,7 @@ impl Modal {
         if !tolerances.agree(radius, plane.end.minus(centre).length()) {
             return refuse(FaultKind::BadArc, "the radius to the end of the arc is another one");
         }
-        if radius <= SAME_POINT {
+        if radius <= SAME_POINT && !self.choices.arc_zero_radius {
             return refuse(FaultKind::BadArc, "an arc without a radius");
         }
         Ok(centre)
@@ -215,7 +226,7 @@ fn radius_centre(
     words: &Words,
     plane: &ArcPlane,
     counterclockwise: bool,
-    tolerances: &Tolerances,
+    slack: f64,
 ) -> Result<InPlane, Refusal> {
     if words.present & (I | J | K) != 0 {
         return refuse(FaultKind::UnusedWord, "offsets of an arc with R");
@@ -232,7 +243,7 @@ fn radius_centre(
     }
     let half = length / 2.0;
     // Not a number is no radius either.
-    if !(half <= radius + tolerances.chord && radius > 0.0) {
+    if !(half <= radius + slack && radius > 0.0) {
         return refuse(FaultKind::BadArc, "R is too small to reach the end");
     }
     let height = math::sqrt(((radius - half) * (radius + half)).max(0.0));

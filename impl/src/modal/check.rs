@@ -83,30 +83,18 @@ impl Modal {
         };
         let mut taken = Taken::default();
         take_g_codes(&mut block, &mut taken)?;
-        self.take_motion_in_force(&block, &mut taken);
         self.take_m_codes(&mut block, &mut taken)?;
         if let Some(tenths) = taken.later {
             return Err(Refusal::Unsupported(format!("G{}", code_text(tenths))));
         }
         let implied = self.implied_motion(&block, &taken);
         if let Some(code) = implied.and_then(g_code) {
-            taken.uses |= code.uses;
+            taken.add(&code);
         }
         check_words(words, &taken)?;
         check_polar(&block, &taken)?;
         self.check_axes(&mut block, &taken, implied)?;
         Ok(block)
-    }
-
-    /// The words of the motion mode that a block without a motion code repeats (11.4.11).
-    fn take_motion_in_force(&self, block: &Block<'_>, taken: &mut Taken) {
-        if block.g(MOTION).is_none()
-            && taken.axis_codes == 0
-            && block.words.has_axes()
-            && let Some(code) = self.motion_code().and_then(g_code)
-        {
-            taken.add(&code);
-        }
     }
 
     fn take_m_codes(&self, block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal> {

@@ -33,6 +33,14 @@ macro_rules! choices {
 choices! {
     /// An abort leaves spindles and coolant as they are.
     abort_leaves_running: "abort.spindle-and-coolant", "switched-off", "left-alone";
+    /// I of an arc is a diameter under G7.
+    arc_centre_diameter: "arcs.diameter-centre", "radius", "diameter";
+    /// R of an arc that is a little too small makes half a circle.
+    arc_half_circle: "arcs.radius-just-too-small", "refused", "half-circle";
+    /// Fewer turns than one are one.
+    arc_turns_one: "arcs.turns-below-one", "refused", "one";
+    /// An arc may go round the point where it begins.
+    arc_zero_radius: "arcs.zero-radius", "refused", "accepted";
     /// M7 and M8 may stand in one block.
     both_coolants: "coolant.both-in-one-block", "refused", "accepted";
     /// M66 is refused under cutter compensation.
@@ -47,6 +55,8 @@ choices! {
     one_override_group: "modal-groups.override-members", "listed", "all";
     /// A motion code without axis words moves in place.
     move_in_place: "motion.without-axis-words", "nothing", "move-in-place";
+    /// Offsets in force do not change under cutter compensation.
+    offset_uncompensated: "offsets.change-under-compensation", "accepted", "refused";
     /// M19 without $ orients all spindles.
     orient_all: "orient.without-dollar", "first", "all";
     /// Q0 of M19 is allowed.
@@ -69,6 +79,8 @@ choices! {
     spindle_on_turning: "parameters.spindle-on-at-zero", "commanded", "turning";
     /// M60 ends the program and M30 pauses it.
     pallet_table: "pause.pallet-codes", "sections", "table";
+    /// G28 and G30 with axis words go to the stored position along axes of the program.
+    position_program_axes: "positions.rotated-axes", "machine", "program";
     /// F stays when the program end changes the feed mode.
     feed_kept_at_end: "program-end.feed-after-mode-change", "zero", "kept";
     /// The program end stops spindle 0 only.
@@ -95,6 +107,8 @@ choices! {
     change_unselected: "tool.change-without-selection", "refused", "accepted";
     /// A T that names no tool is refused.
     tool_must_exist: "tool.empty-slot", "accepted", "refused";
+    /// G10 L1, L10 and L11 need something to set.
+    entry_needs_words: "tool.entry-without-words", "accepted", "refused";
     /// The old tool goes to the slot of the new one.
     old_tool_to_new_slot: "tool.old-tool-place", "its-own-slot", "slot-of-the-new";
     /// T is the number of a slot.

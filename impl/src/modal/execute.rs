@@ -158,11 +158,7 @@ impl Modal {
         let block = self.check(words)?;
         let before = self.before_block(numbered);
         let flow = self.phases(&block, numbered, sink);
-        if flow.is_err() {
-            self.take_back(&before, numbered);
-        }
-        numbered.end_notes();
-        flow
+        self.end_step(before, flow, numbered)
     }
 
     /// The phases of a block that passed the checks.
@@ -263,7 +259,7 @@ impl Modal {
             match code {
                 100 => self.set_data(block.words, numbered, sink)?,
                 280 | 281 | 300 | 301 => self.predefined_position(block, code, numbered, sink)?,
-                _ => self.local_offset(block.words, code, numbered),
+                _ => self.local_offset(block.words, code, numbered)?,
             }
         }
         self.motion(block, numbered, sink)?;

@@ -101,6 +101,8 @@ pub(crate) struct Modal {
     stop_asked: bool,
     /// Letters of the axes that the machine has.
     axes: u32,
+    /// Highest velocity of each axis, machine unit per second; infinite where none is given.
+    velocities: Coordinates,
     /// Number of spindles.
     spindles: u32,
     /// Number of digital inputs and outputs each.
@@ -159,6 +161,7 @@ impl Modal {
             saved: SavedStates::default(),
             stop_asked: false,
             axes: axis_letters(&machine.axes),
+            velocities: threads::velocities(machine),
             spindles: u32::from(machine.spindles),
             digital_io: i32::from(machine.digital_io),
             analog_io: i32::from(machine.analog_io),

@@ -11,6 +11,7 @@ use super::Modal;
 use super::check::Block;
 use super::codes::{MOTION, NON_MODAL};
 use super::coordinates::Coordinates;
+use super::motions::mode_of;
 use super::refusal::{Refusal, refuse};
 use super::values::not_negative;
 
@@ -96,16 +97,5 @@ impl Modal {
     ) -> Result<(), Refusal> {
         self.position = end;
         self.perform(line, &Effect::StraightTraverse { end: end.position() }, sink)
-    }
-}
-
-/// The motion mode of a code in tenths.
-const fn mode_of(code: u16) -> Motion {
-    match code {
-        0 => Motion::Traverse,
-        10 => Motion::Feed,
-        20 => Motion::ArcClockwise,
-        30 => Motion::ArcCounterclockwise,
-        _ => Motion::None,
     }
 }

@@ -1,4 +1,4 @@
-//! Motion codes other than G0, G1 and G80, each handed to where it is done.
+//! Motion codes other than G0 to G3 and G80, each handed to where it is done.
 
 use gaugeblock_trace::{Distance, Effect, Lathe, Motion};
 
@@ -15,7 +15,7 @@ use super::spindle::Spindles;
 use super::target::with_radius;
 
 impl Modal {
-    /// The block's motion. One that is refused has not been, also where the outside refuses it.
+    /// The block's motion.
     pub(super) fn other_motion<K: Sink>(
         &mut self,
         block: &Block<'_>,
@@ -23,24 +23,19 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        if block.words.at.is_some() || block.words.caret.is_some() {
-            return Err(Refusal::Unsupported("polar words of another move than G0 and G1".into()));
+        if block.words.is_polar() {
+            return Err(Refusal::Unsupported("polar words of another move than G0 to G3".into()));
         }
-        let before = self.before();
-        let done = match code {
+        match code {
             330 => self.synchronised_move(block, sink),
             331 => self.tap_rigidly(block, sink),
             382..=385 => self.probe(block.words, code, numbered, sink),
             50 | 51 => self.spline(block.words, code, sink),
             52 => self.add_control_point(block.words),
             53 => self.close_curve(block.words.line, sink),
-            760 => self.thread(block, before),
-            _ => self.canned_cycle(block, code, before),
-        };
-        if done.is_err() {
-            self.restore_motion(&before);
+            760 => self.thread(block),
+            _ => self.canned_cycle(block, code),
         }
-        done
     }
 
     /// Where the axis words of a move lead.
@@ -84,9 +79,13 @@ impl Modal {
     }
 }
 
-/// The motion mode that a code other than G0, G1 and G80 sets.
+/// The motion mode that a code in tenths sets.
 pub(super) const fn mode_of(code: u16) -> Motion {
     match code {
+        0 => Motion::Traverse,
+        10 => Motion::Feed,
+        20 => Motion::ArcClockwise,
+        30 => Motion::ArcCounterclockwise,
         50 => Motion::CubicSpline,
         51 => Motion::QuadraticSpline,
         52 => Motion::Nurbs,

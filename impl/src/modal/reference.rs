@@ -33,7 +33,11 @@ impl Modal {
             self.traverse_to(block.words.line, intermediate, sink)?;
         }
         let stored = offsets::row(numbered, first).converted(self.stored_to_active());
-        let end = self.with_machine(self.position, letters, stored);
+        let end = if self.choices.position_program_axes {
+            self.position.taking(letters, self.in_force.now().program_of(stored))
+        } else {
+            self.with_machine(self.position, letters, stored)
+        };
         self.traverse_to(block.words.line, end, sink)
     }
 }

@@ -1,11 +1,13 @@
 //! Moves in step with a spindle: G33 and G33.1 (11.5.22, 11.5.23).
 
-use gaugeblock_trace::{Effect, FaultKind};
+use gaugeblock_trace::{Axis, Effect, FaultKind, Machine, SpindleMode};
 
 use crate::canon::Sink;
+use crate::math;
 
 use super::Modal;
 use super::check::Block;
+use super::coordinates::Coordinates;
 use super::motions::mode_of;
 use super::refusal::{Refusal, refuse};
 use super::spindle::FIRST;
@@ -19,8 +21,10 @@ impl Modal {
     ) -> Result<(), Refusal> {
         let spindle = self.turning_spindle(block)?;
         let (line, end) = (block.words.line, self.end_point(block.words));
+        let pitch = block.words.get(b'K').unwrap_or(0.0);
+        self.check_velocity(end, pitch, spindle)?;
         self.motion = mode_of(330);
-        self.synchronise(line, spindle, block.words.get(b'K').unwrap_or(0.0), sink)?;
+        self.synchronise(line, spindle, pitch, sink)?;
         self.feed_to(line, end, sink)?;
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
     }
@@ -32,10 +36,12 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         let spindle = self.turning_spindle(block)?;
-        let (line, end) = (block.words.line, self.end_point(block.words).position());
+        let (line, end) = (block.words.line, self.end_point(block.words));
+        let pitch = block.words.get(b'K').unwrap_or(0.0);
+        self.check_velocity(end, pitch, spindle)?;
         self.motion = mode_of(331);
-        self.synchronise(line, spindle, block.words.get(b'K').unwrap_or(0.0), sink)?;
-        self.perform(line, &Effect::RigidTap { end }, sink)?;
+        self.synchronise(line, spindle, pitch, sink)?;
+        self.perform(line, &Effect::RigidTap { end: end.position() }, sink)?;
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
     }
 
@@ -59,4 +65,35 @@ impl Modal {
         }
         Ok(spindle.trailing_zeros())
     }
+
+    /// The move must not be faster than an axis is, by the speed that S says (11.5.22, 11.5.23). Under constant surface speed that is not known.
+    fn check_velocity(&self, end: Coordinates, pitch: f64, spindle: u32) -> Result<(), Refusal> {
+        let now = self.in_force.now();
+        let Some(spindle) = usize::try_from(spindle).ok().and_then(|at| now.spindles.get(at))
+        else {
+            return Ok(());
+        };
+        let way = now.machine_of(end).minus(now.machine_of(self.position));
+        let [x, y, z, ..] = way.0;
+        let length = math::sqrt(x * x + y * y + z * z);
+        if spindle.mode != SpindleMode::Rpm || length <= 0.0 {
+            return Ok(());
+        }
+        // K is a distance in X, Y and Z.
+        let seconds = length / (pitch.abs() * spindle.speed / 60.0);
+        let way = way.converted(self.active_to_stored());
+        let too_fast = |(way, limit): (f64, f64)| way.abs() / seconds > limit * (1.0 + 1e-9);
+        if way.0.into_iter().zip(self.velocities.0).any(too_fast) {
+            return refuse(FaultKind::BeyondLimit, "the spindle is too fast for an axis");
+        }
+        Ok(())
+    }
+}
+
+/// The highest velocity of each axis, machine unit per second.
+pub(super) fn velocities(machine: &Machine) -> Coordinates {
+    Axis::ALL.iter().fold(Coordinates([f64::INFINITY; 9]), |velocities, axis| {
+        let limit = machine.limits.get(axis.word()).and_then(|limits| limits.velocity);
+        limit.map_or(velocities, |limit| velocities.with_axis(*axis, limit))
+    })
 }

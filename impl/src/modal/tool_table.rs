@@ -8,7 +8,7 @@ use crate::words::Words;
 
 use super::Modal;
 use super::coordinates::Coordinates;
-use super::letters::AXES;
+use super::letters::{AXES, I, J, Q, R};
 use super::modes::Modes;
 use super::offsets;
 use super::refusal::{Refusal, refuse};
@@ -44,6 +44,9 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         self.refuse_under_compensation("setting the tool table")?;
+        if self.choices.entry_needs_words && words.present & (AXES | R | I | J | Q) == 0 {
+            return refuse(FaultKind::MissingWord, "nothing to set in the tool table");
+        }
         let number = integer(words.get(b'P').unwrap_or(0.0), "P of G10")?;
         if number == 0 {
             return refuse(FaultKind::WordOutOfRange, "P of G10 L1, L10 and L11 is not 0");

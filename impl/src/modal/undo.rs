@@ -15,13 +15,13 @@ use super::cycles::Series;
 pub(super) struct Before {
     motion: Motion,
     position: Coordinates,
+    series: Series,
     compensation_radius: f64,
     surface_speed: bool,
     feed_spindle: u32,
     tool: i32,
     prepared: Option<i32>,
     controller_mode: ControllerMode,
-    series: Series,
 }
 
 impl Modal {
@@ -34,13 +34,13 @@ impl Modal {
         Before {
             motion: self.motion,
             position: self.position,
+            series: self.series,
             compensation_radius: self.compensation_radius,
             surface_speed: self.surface_speed,
             feed_spindle: self.feed_spindle,
             tool: self.tool,
             prepared: self.prepared,
             controller_mode: self.controller_mode,
-            series: self.series,
         }
     }
 
@@ -65,12 +65,12 @@ impl Modal {
         self.in_force.take_back();
         self.motion = before.motion;
         self.position = before.position;
+        self.series = before.series;
         self.compensation_radius = before.compensation_radius;
         self.surface_speed = before.surface_speed;
         self.feed_spindle = before.feed_spindle;
         self.tool = before.tool;
         self.prepared = before.prepared;
         self.controller_mode = before.controller_mode;
-        self.series = before.series;
     }
 }

@@ -74,7 +74,15 @@ impl Modal {
     }
 
     /// G52 and G92 to G92.3.
-    pub(super) fn local_offset(&mut self, words: &Words, code: u16, numbered: &mut Numbered) {
+    pub(super) fn local_offset(
+        &mut self,
+        words: &Words,
+        code: u16,
+        numbered: &mut Numbered,
+    ) -> Result<(), Refusal> {
+        if matches!(code, 520 | 920) {
+            self.check_offset_change()?;
+        }
         match code {
             520 => {
                 let offset = self.in_force.now().g92_offset.replaced(&self.offset_words(words));
@@ -95,6 +103,15 @@ impl Modal {
             }
             _ => {}
         }
+        Ok(())
+    }
+
+    /// Whether an offset in force may change.
+    fn check_offset_change(&self) -> Result<(), Refusal> {
+        if self.choices.offset_uncompensated {
+            self.refuse_under_compensation("changing an offset in force")?;
+        }
+        Ok(())
     }
 
     /// The offset of G92: the point gets the coordinates of the words; an axis without a word gets no offset.
@@ -140,6 +157,9 @@ impl Modal {
             0 => active,
             system => u32::try_from(system).unwrap_or(active),
         };
+        if system == active {
+            self.check_offset_change()?;
+        }
         let origin = offsets::origin(numbered, system).converted(self.stored_to_active());
         let rotation = offsets::rotation(numbered, system);
         let (origin, rotation) = if kind == 2 {

@@ -15,7 +15,7 @@ pub(super) mod threading;
 mod unfinished;
 
 pub(super) use series::Series;
-pub(super) use unfinished::{Before, Unfinished};
+pub(super) use unfinished::Unfinished;
 
 use gaugeblock_trace::{Axis, Compensation, FaultKind, FeedMode, Lathe, Motion, Plane, Retract};
 
@@ -85,12 +85,7 @@ pub(super) const fn is_cycle(motion: Motion) -> bool {
 
 impl Modal {
     /// Checks a canned cycle and makes it the unfinished work of its block.
-    pub(super) fn canned_cycle(
-        &mut self,
-        block: &Block<'_>,
-        code: u16,
-        before: Before,
-    ) -> Result<(), Refusal> {
+    pub(super) fn canned_cycle(&mut self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
         if matches!(code, 870 | 880) {
             // 11.5.51, 11.5.52.
             return Err(Refusal::Unspecified("G87 and G88 are accepted, and undefined".into()));
@@ -131,7 +126,7 @@ impl Modal {
             overrides: (self.in_force.now().feed_override, turning.speed_override),
         };
         let job = Job::Drilling(Drilling::new(code, cycle, numbers.repeats));
-        self.begin_job(block.words.line, job, before);
+        self.begin_job(block.words.line, job);
         Ok(())
     }
 

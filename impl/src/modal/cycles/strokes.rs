@@ -266,9 +266,14 @@ impl Modal {
             Stroke::OverridesOff => {
                 self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));
             }
-            Stroke::OverridesBack => self.set_overrides(cycle.spindle, cycle.overrides),
+            Stroke::OverridesBack => self.restore_overrides(drilling),
         }
         Ok(drilling.advance())
+    }
+
+    /// Overrides as they were before the cycle.
+    pub(super) fn restore_overrides(&mut self, drilling: &Drilling) {
+        self.set_overrides(drilling.cycle.spindle, drilling.cycle.overrides);
     }
 
     /// .010 inch or 0.254 mm (11.5.40, 11.5.47), active length unit.

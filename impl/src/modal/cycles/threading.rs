@@ -16,7 +16,7 @@ use super::super::motions::mode_of;
 use super::super::refusal::{Refusal, refuse};
 use super::super::spindle::FIRST;
 use super::super::values::{integer, integer_in, not_negative};
-use super::unfinished::{Before, Job};
+use super::unfinished::Job;
 
 /// A thread under way. Lengths along Z that have a sign point from the start to the end.
 #[derive(Clone, Copy, Debug)]
@@ -80,11 +80,7 @@ enum Part {
 
 impl Modal {
     /// Checks a thread and makes it the unfinished work of its block.
-    pub(in super::super) fn thread(
-        &mut self,
-        block: &Block<'_>,
-        before: Before,
-    ) -> Result<(), Refusal> {
+    pub(in super::super) fn thread(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
         let words = block.words;
         if self.in_force.now().plane != Plane::Zx {
             return refuse(FaultKind::ModalConflict, "G76 outside of the ZX plane");
@@ -97,7 +93,7 @@ impl Modal {
         let threading = self.threading(words, spindle)?;
         self.series = self.series.with_cycle(self.motion, self.position);
         self.motion = mode_of(760);
-        self.begin_job(words.line, Job::Threading(threading), before);
+        self.begin_job(words.line, Job::Threading(threading));
         Ok(())
     }
 

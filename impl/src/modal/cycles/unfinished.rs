@@ -1,15 +1,11 @@
 //! Work of a block that may be more than a step does: it is done a bounded number of strokes at a time.
 
-use gaugeblock_trace::Motion;
-
 use crate::canon::Sink;
 use crate::parameters::Numbered;
 
 use super::super::Modal;
-use super::super::coordinates::Coordinates;
-use super::super::modes::Modes;
 use super::super::refusal::{Flow, Refusal};
-use super::series::Series;
+use super::super::undo::Before;
 use super::strokes::Drilling;
 use super::threading::Threading;
 
@@ -32,51 +28,20 @@ pub(in super::super) struct Unfinished {
     job: Job,
     /// The code of group 4 that comes after the motion.
     stop: Option<u16>,
-    /// For a refusal by the outside.
-    before: Before,
-}
-
-/// What a block's motion changes, as it was before.
-#[derive(Clone, Copy, Debug)]
-pub(in super::super) struct Before {
-    modes: Modes,
-    motion: Motion,
-    position: Coordinates,
-    series: Series,
+    /// The state before the block, once a step has passed.
+    before: Option<Before>,
 }
 
 impl Modal {
-    /// What the block's motion may change, as it is now.
-    pub(in super::super) fn before(&self) -> Before {
-        Before {
-            modes: *self.in_force.now(),
-            motion: self.motion,
-            position: self.position,
-            series: self.series,
-        }
-    }
-
-    /// The block's motion has not been.
-    #[cold]
-    pub(in super::super) fn restore_motion(&mut self, before: &Before) {
-        *self.in_force.set() = before.modes;
-        self.motion = before.motion;
-        self.position = before.position;
-        self.series = before.series;
-    }
-
     /// The block has work that is done in steps.
-    pub(super) fn begin_job(&mut self, line: u32, job: Job, before: Before) {
-        self.unfinished = Some(Unfinished { line, job, stop: None, before });
+    pub(super) fn begin_job(&mut self, line: u32, job: Job) {
+        self.unfinished = Some(Unfinished { line, job, stop: None, before: None });
     }
 
-    /// Gives up a block that is not finished: the point stays where it is, and overrides are as they were before the block.
+    /// Gives up a block that is not finished: the point stays where it is, and overrides are as they were before the cycle.
     pub(in super::super) fn abandon(&mut self) {
-        let Some(unfinished) = self.unfinished.take() else { return };
-        let before = unfinished.before.modes;
-        self.in_force.put(|modes| &mut modes.feed_override, before.feed_override);
-        for (now, before) in self.in_force.set().spindles.iter_mut().zip(before.spindles) {
-            now.speed_override = before.speed_override;
+        if let Some(Unfinished { job: Job::Drilling(drilling), .. }) = self.unfinished.take() {
+            self.restore_overrides(&drilling);
         }
     }
 
@@ -90,7 +55,7 @@ impl Modal {
     ) -> Result<Flow, Refusal> {
         if let Some(unfinished) = &mut self.unfinished {
             unfinished.stop = stop;
-            return self.go_on(numbered, sink);
+            return self.strokes(numbered, sink);
         }
         self.finish(line, stop, numbered, sink)
     }
@@ -102,6 +67,40 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
+        let Some(before) = self.unfinished.as_ref().and_then(|unfinished| unfinished.before) else {
+            return Ok(Flow::More);
+        };
+        let flow = self.strokes(numbered, sink);
+        self.end_step(before, flow, numbered)
+    }
+
+    /// Behind a step of a block that can be refused: it is taken back, or done, or can still be refused in a later step.
+    #[inline]
+    pub(in super::super) fn end_step(
+        &mut self,
+        before: Before,
+        flow: Result<Flow, Refusal>,
+        numbered: &mut Numbered,
+    ) -> Result<Flow, Refusal> {
+        match &flow {
+            Err(_) => {
+                self.unfinished = None;
+                self.take_back(&before, numbered);
+            }
+            Ok(Flow::Within { .. }) => {
+                if let Some(unfinished) = &mut self.unfinished {
+                    unfinished.before = Some(before);
+                }
+                return flow;
+            }
+            Ok(Flow::More | Flow::Stopped | Flow::Ended) => {}
+        }
+        numbered.end_notes();
+        flow
+    }
+
+    /// Performs so many strokes as are a step.
+    fn strokes<K: Sink>(&mut self, numbered: &mut Numbered, sink: &mut K) -> Result<Flow, Refusal> {
         let Some(mut unfinished) = self.unfinished.take() else { return Ok(Flow::More) };
         for _ in 0..STROKES {
             if self.stop_asked {
@@ -112,13 +111,8 @@ impl Modal {
                 Job::Drilling(drilling) => self.stroke(drilling, line, sink),
                 Job::Threading(threading) => self.pass(threading, line, sink),
             };
-            match over {
-                Ok(false) => {}
-                Ok(true) => return self.finish(line, unfinished.stop, numbered, sink),
-                Err(refusal) => {
-                    self.restore_motion(&unfinished.before);
-                    return Err(refusal);
-                }
+            if over? {
+                return self.finish(line, unfinished.stop, numbered, sink);
             }
         }
         let stopped = self.stop_asked;

@@ -73,7 +73,7 @@ fn codes_are_counted_and_known() {
     for program in ["m10", "m54", "m69", "m200", "m1000", "g1.1", "g12", "g85.5", "g99.9"] {
         check(program, Refused(UnknownCode));
     }
-    for program in ["g70 q1", "g71.2 q1", "g72"] {
+    for program in ["g70", "g71", "g70 q1", "g71.2 q1", "g72"] {
         check(program, Unsupported);
     }
 }

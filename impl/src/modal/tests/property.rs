@@ -107,12 +107,13 @@ proptest! {
 fn state(modal: &Modal, numbered: &Numbered) -> alloc::string::String {
     let parameters: alloc::vec::Vec<_> = numbered.not_zero().collect();
     let text = alloc::format!(
-        "{:?} {:?} {:?} {:?} {:?} {:?}",
+        "{:?} {:?} {:?} {:?} {:?} {:?} {:?}",
         modal.settings(),
         modal.state(),
         modal.tools(),
         parameters,
         (modal.compensation_radius, modal.feed_spindle, modal.surface_speed),
+        modal.series,
         modal.saved,
     );
     // Notes of a block are no state.
@@ -152,7 +153,11 @@ proptest! {
         }
         for words in blocks {
             let before = state(&modal, &numbered);
-            if modal.execute(&words, &mut numbered, &mut sink).is_err() {
+            let mut flow = modal.execute(&words, &mut numbered, &mut sink);
+            while let Ok(Flow::Within { .. }) = flow {
+                flow = modal.go_on(&mut numbered, &mut sink);
+            }
+            if flow.is_err() {
                 prop_assert_eq!(before, state(&modal, &numbered));
             }
         }

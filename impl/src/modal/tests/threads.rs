@@ -1,9 +1,12 @@
 //! G33, G33.1 and G76.
 
 use gaugeblock_trace::FaultKind::{
-    AxisWords, MissingWord, ModalConflict, NotAnInteger, SpindleOutOfRange, UnusedWord,
-    WordOutOfRange, ZeroSpeed,
+    AxisWords, BeyondLimit, MissingWord, ModalConflict, NotAnInteger, SpindleOutOfRange,
+    UnusedWord, WordOutOfRange, ZeroSpeed,
 };
+
+use gaugeblock_trace::Machine;
+use gaugeblock_trace::scenario::AxisLimits;
 
 use super::Expect::{After, Effects, Refused, Unsupported};
 use super::cycles::shows;
@@ -50,6 +53,24 @@ fn rigid_tapping() {
     check("m3; g33.1 k1", Refused(MissingWord));
     check("m3; g33.1 z1", Refused(MissingWord));
     check("m3; m5; g33.1 z1 k1", Refused(ZeroSpeed));
+}
+
+#[test]
+fn faster_than_an_axis() {
+    let limit = |velocity| AxisLimits { velocity: Some(velocity), ..AxisLimits::default() };
+    let limits = [("x".into(), limit(1.0)), ("z".into(), limit(2.0))].into();
+    let machine = Machine { limits, ..machine() };
+    let check = |program: &str, expect| super::check_on(&machine, &[], program, expect);
+    // 60 revolutions a minute at 2 a revolution are 2 a second.
+    check("s60 m3; g33 z-5 k2", After("position = (z-5)"));
+    check("s60 m3; g33 z-5 k2.1", Refused(BeyondLimit));
+    check("s61 m3; g33.1 z-5 k2", Refused(BeyondLimit));
+    check("s60 m3; g33 z-5 k-2.1", Refused(BeyondLimit));
+    check("s60 m3; g33 x3 z-4 k1.7", Refused(BeyondLimit));
+    check("s60 m3; g33 x3 z-4 k1.6", After("position = (x3 z-4)"));
+    check("s60 m3; g33 y9 k100", After("position = (y9)"));
+    check("g20; s60 m3; g33 z-5 k0.08", Refused(BeyondLimit));
+    check("g96 s600 m3; g33 z-5 k2", After("position = (z-5)"));
 }
 
 const SYNC: &str = "start_spindle_synchronisation spindle=0 pitch=0.5";
