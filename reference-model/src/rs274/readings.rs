@@ -18,6 +18,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
     ("active-comments.same-block-setting", &["new", "old"]),
     ("arcs.diameter-centre", &["radius", "diameter"]),
     ("arcs.radius-just-too-small", &["refused", "half-circle"]),
+    ("arcs.small-tolerance", &["coarse", "fine"]),
     ("arcs.turns-below-one", &["refused", "one"]),
     ("arcs.zero-radius", &["refused", "accepted"]),
     ("control.comment-after-o-word", &["ignored", "refused"]),

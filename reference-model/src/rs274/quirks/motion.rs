@@ -8,10 +8,13 @@ use crate::rs274::refusal::{Halt, refuse};
 /// Quirk rs274.arc-radius-tolerance. How far the radii at start and end of an arc may be apart: about five times as far as
 /// documented. The larger holds always, the smaller for arcs of which it is more than a thousandth.
 pub(crate) fn radius_tolerances(state: &State) -> Option<(f64, f64)> {
-    let half_square = std::f64::consts::SQRT_2;
-    state.readings.quirk("rs274.arc-radius-tolerance").then(|| match state.modes.units {
-        LengthUnit::Inch => (0.2 * half_square, 0.002 * half_square),
-        LengthUnit::Millimetre => (2.0 * half_square, 0.02 * half_square),
+    if !state.readings.quirk("rs274.arc-radius-tolerance") {
+        return None;
+    }
+    let diagonal = std::f64::consts::SQRT_2;
+    Some(match state.modes.units {
+        LengthUnit::Inch => (0.2 * diagonal, 0.002 * diagonal),
+        LengthUnit::Millimetre => (2.0 * diagonal, 0.02 * diagonal),
     })
 }
 

@@ -112,7 +112,7 @@ fn offset_letter(axis: Axis) -> char {
     match axis {
         Axis::Y => 'j',
         Axis::Z => 'k',
-        _ => 'i',
+        Axis::X | Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => 'i',
     }
 }
 
@@ -183,6 +183,19 @@ fn distance(from: InPlane, to: InPlane) -> f64 {
     math::hypotenuse(to.0 - from.0, to.1 - from.1)
 }
 
+/// How far the radii of an arc may be apart: always, and where it is more than a thousandth of them. Active length unit.
+///
+/// Choice arcs.small-tolerance: the manual has two numbers for the smaller one.
+fn tolerances(state: &State) -> (f64, f64) {
+    let fine = state.readings.is("arcs.small-tolerance", "fine");
+    quirks::radius_tolerances(state).unwrap_or(match (state.modes.units, fine) {
+        (LengthUnit::Inch, false) => (0.05, 0.000_5),
+        (LengthUnit::Inch, true) => (0.05, 0.000_1),
+        (LengthUnit::Millimetre, false) => (0.5, 0.005),
+        (LengthUnit::Millimetre, true) => (0.5, 0.001),
+    })
+}
+
 /// Rule arcs.unequal-radii. The centre is as far from the end as from the start, but for a tolerance.
 /// Rule arcs.zero-radius. Whether there is an arc about the point itself is a choice.
 fn same_radius(
@@ -192,10 +205,7 @@ fn same_radius(
     state: &mut State,
 ) -> Result<(), Halt> {
     let (to_start, to_end) = (distance(centre, start), distance(centre, end));
-    let (large, small) = quirks::radius_tolerances(state).unwrap_or(match state.modes.units {
-        LengthUnit::Inch => (0.05, 0.0005),
-        LengthUnit::Millimetre => (0.5, 0.005),
-    });
+    let (large, small) = tolerances(state);
     let apart = (to_start - to_end).abs();
     if apart > large || apart > small && apart > 0.001 * to_start.max(to_end) {
         let message = format!("the radius is {to_start} at the start and {to_end} at the end");

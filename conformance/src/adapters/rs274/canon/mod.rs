@@ -194,13 +194,14 @@ impl Canon {
             Some(Plane::Yz) => (y, z, x),
             Some(Plane::Xy | Plane::Uv | Plane::Wu | Plane::Vw) | None => (x, y, z),
         };
-        let angle = |first: f64, second: f64| (second - second_centre).atan2(first - first_centre);
+        let angle =
+            |first: f64, second: f64| libm::atan2(second - second_centre, first - first_centre);
         let swept = (angle(first, second) - angle(from_first, from_second)) * turns.signum();
         let part = swept.rem_euclid(TAU);
         let part = if part < 1e-9 { TAU } else { part };
-        let radius = (from_first - first_centre).hypot(from_second - second_centre);
+        let radius = libm::hypot(from_first - first_centre, from_second - second_centre);
         let length = radius * (part + (turns.abs() - 1.0) * TAU);
-        let change = speed / length.hypot(along - from_along);
+        let change = speed / libm::hypot(length, along - from_along);
         let change = self.lengths.feed(change, Some(FeedMode::InverseTime));
         self.set(change);
     }
