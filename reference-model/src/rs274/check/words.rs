@@ -3,9 +3,9 @@
 use gaugeblock_trace::{Axis, FaultKind};
 
 use crate::rs274::machine::State;
-use crate::rs274::modes::{Code, g_code, m_code};
-use crate::rs274::order::AXIS_LETTERS;
-use crate::rs274::quirks::settings as quirks;
+use crate::rs274::modes::{Code, g_code, m_code, motion_code};
+use crate::rs274::order::{AXIS_LETTERS, moves_by_axis_words};
+use crate::rs274::quirks::{cycles, settings as quirks};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::letter;
@@ -62,14 +62,18 @@ fn axes(words: &Words, state: &mut State) -> Result<(), Halt> {
     Err(refuse(rule, FaultKind::NoSuchAxis, message))
 }
 
-/// Rule modal-groups.unused-word. A word needs a code of its block that uses it; $ serves S too.
+/// Rule modal-groups.unused-word. A word needs a code of its block that uses it, or the motion mode where axis words alone
+/// repeat it; $ serves S too.
 fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let serves_speed = letter == '$' && words.letters.contains_key(&'s');
     let not_by_feed_mode = letter == '$' && !quirks::uses_dollar_of_feed_mode(state);
     let uses = |code: &Code| code.words.contains(letter);
     let by_g = words.g.iter().filter(|code| !(not_by_feed_mode && **code == 950));
     let mut codes = by_g
-        .filter_map(|code| g_code(*code))
+        .copied()
+        .chain(moves_by_axis_words(words).then(|| motion_code(state.modes.motion)))
+        .filter(|code| !cycles::is_unused(letter, *code, state))
+        .filter_map(g_code)
         .chain(words.m.iter().filter_map(|code| m_code(*code)));
     serves_speed || codes.any(uses)
 }

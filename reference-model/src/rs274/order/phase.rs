@@ -138,7 +138,7 @@ fn has_group(words: &Words, groups: &[ModalGroup]) -> bool {
 /// Whether axis words, polar ones too, stand in the block for no code that uses them: then the motion mode does.
 ///
 /// Rule modal-groups.motion-suspended. A code of group 0 that uses axis words suspends the motion mode for its block.
-fn moves_by_axis_words(words: &Words) -> bool {
+pub fn moves_by_axis_words(words: &Words) -> bool {
     let used = words.g.iter().filter_map(|number| g_code(*number)).any(|code| code.axis_words);
     has_axis_words(words) && !used
 }

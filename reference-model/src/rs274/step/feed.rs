@@ -3,6 +3,7 @@
 use gaugeblock_trace::{FaultKind, FeedMode, Motion, Switch};
 
 use super::motion::motion_of;
+use super::probe::is_probing;
 use super::spindle::number;
 use super::word;
 use crate::rs274::machine::State;
@@ -60,7 +61,13 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
         return Err(refuse("feed.negative-rate", FaultKind::WordOutOfRange, message));
     }
     let motion = motion_of(words, state);
-    if state.modes.feed_mode == FeedMode::InverseTime && motion != Some(Motion::Feed) {
+    let feeds = motion.is_some_and(|motion| {
+        let probes = is_probing(motion) && !state.readings.quirk("rs274.probe-inverse-time");
+        probes
+            || matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline | Motion::Nurbs)
+            || motion == Motion::Feed
+    });
+    if state.modes.feed_mode == FeedMode::InverseTime && !feeds {
         state.evidence.accepted("feed.inverse-time-stray-rate");
         return Ok(());
     }

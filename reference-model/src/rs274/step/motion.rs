@@ -5,9 +5,9 @@ use gaugeblock_trace::{
 };
 
 use super::target::{end_point, machine_end_point};
-use super::{outputs, word};
+use super::{cycles, outputs, probe, splines, threading, word};
 use crate::rs274::machine::State;
-use crate::rs274::modes::g_code;
+use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
@@ -19,11 +19,11 @@ use crate::rs274::task::Record;
 /// Rule motion.mode-change. A motion code replaces the motion mode.
 /// Rule motion.mode-holds. Axis words alone repeat the motion mode, unless a code of the block uses them.
 pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
-    let programmed = words.g.iter().find_map(|code| match code {
-        0 => Some(Motion::Traverse),
-        10 => Some(Motion::Feed),
-        _ => None,
-    });
+    let programmed =
+        words.g.iter().filter(|code| **code != 800).find_map(|code| motion_mode(*code));
+    if words.g.contains(&53) {
+        return Some(Motion::Nurbs);
+    }
     let cancelled = words.g.contains(&800);
     let used = words.g.iter().filter_map(|code| g_code(*code)).any(|code| code.axis_words);
     programmed.or(cancelled.then_some(Motion::None)).or_else(|| {
@@ -34,22 +34,48 @@ pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
 
 /// Moves, or sets the motion mode.
 ///
+/// Rule cycles.cancelled-by-motion. Any other motion ends a row of canned cycles.
+///
 /// # Errors
 /// A move that the modes in force do not allow.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    if !cycles::is_cycle(state.modes.motion) {
+        state.series = None;
+    }
     let Some(motion) = motion_of(words, state) else { return Ok(()) };
-    let programmed = words.g.iter().any(|code| [0, 10, 800].contains(code));
+    let programmed = words.g.iter().any(|code| motion_mode(*code).is_some());
     state.evidence.accepted(if programmed { "motion.mode-change" } else { "motion.mode-holds" });
     if words.g.contains(&530) {
         machine_coordinates_possible(motion, words, state)?;
     }
+    if cycles::is_cycle(motion) {
+        state.curve = splines::Curve::default();
+        return cycles::perform(motion, words, state, record);
+    }
+    if state.series.take().is_some() {
+        state.evidence.accepted("cycles.cancelled-by-motion");
+    }
+    if words.g.contains(&53) || motion == Motion::Nurbs {
+        return splines::nurbs(words, state, record);
+    }
+    state.curve.open = None;
+    let continues = std::mem::take(&mut state.curve.continues);
     if motion == Motion::None {
-        return cancel(words, programmed, state);
+        cancel(words, programmed, state)
+    } else if matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline) {
+        state.curve.continues = continues;
+        splines::perform(motion, words, state, record)
+    } else if matches!(motion, Motion::SpindleSynchronised | Motion::RigidTap) {
+        threading::perform(motion, words, state, record)
+    } else if motion == Motion::Thread76 {
+        threading::thread(words, state, record)
+    } else if probe::is_probing(motion) {
+        probe::perform(motion, words, state, record)
+    } else if has_axis_words(words) {
+        move_to(motion, words, state, record)
+    } else {
+        without_axis_words(motion, words, state, record)
     }
-    if !has_axis_words(words) {
-        return without_axis_words(motion, words, state, record);
-    }
-    move_to(motion, words, state, record)
 }
 
 /// Rule motion.cancel. G80 cancels the motion mode.
@@ -74,7 +100,7 @@ fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), Halt
 /// Whether the axis words of a block are the motion's.
 fn moves_by(words: &Words) -> bool {
     let others = words.g.iter().filter_map(|code| g_code(*code));
-    !others.filter(|code| ![0, 10].contains(&code.number)).any(|code| code.axis_words)
+    !others.filter(|code| code.group != Some(ModalGroup::Motion)).any(|code| code.axis_words)
 }
 
 /// Rule motion.without-axis-words. Whether a motion code alone makes a move of no length is a choice.
@@ -132,7 +158,7 @@ fn machine_coordinates_possible(
     words: &Words,
     state: &mut State,
 ) -> Result<(), Halt> {
-    if motion == Motion::None {
+    if !matches!(motion, Motion::Traverse | Motion::Feed) {
         let rule = "offsets.machine-needs-motion";
         return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
     }
@@ -156,7 +182,7 @@ fn machine_coordinates_possible(
 /// Rule feed.move-without-rate. Otherwise a feed rate must have been set, and again after a switch of the feed mode
 /// (feed.rate-after-mode-change).
 /// Rule spindle.surface-speed-while-stopped. Under constant surface speed the spindle must turn.
-fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt> {
     if state.modes.feed_mode == FeedMode::InverseTime {
         if word(words, 'f').is_none() {
             state.evidence.refused("feed.inverse-time-stray-rate");
