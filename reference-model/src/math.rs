@@ -31,6 +31,11 @@ pub(crate) fn degrees_of(opposite: f64, adjacent: f64) -> f64 {
     libm::atan2(opposite + 0.0, adjacent + 0.0).to_degrees()
 }
 
+/// The square root of a number that is not negative.
+pub(crate) fn square_root(number: f64) -> f64 {
+    libm::sqrt(number)
+}
+
 /// The length of a line with these components.
 pub(crate) fn hypotenuse(first: f64, second: f64) -> f64 {
     libm::hypot(first, second)

@@ -207,7 +207,8 @@ impl Printed<'_> {
             None => None,
         };
         if let Some(mode) = mode {
-            let spindle = if mode == FeedMode::PerRevolution { self.spindles(0..1).start } else { 0 };
+            let spindle =
+                if mode == FeedMode::PerRevolution { self.spindles(0..1).start } else { 0 };
             self.out.feed_mode(mode, spindle);
         }
         if mode.unwrap_or(self.before.feed_mode) != FeedMode::InverseTime
@@ -293,12 +294,14 @@ impl Printed<'_> {
                 self.out.call_to("STRAIGHT_TRAVERSE", &end);
             }
         }
-        let changed =
-            |effect: &Effect| matches!(effect, Effect::ChangeTool { .. } | Effect::SetToolNumber { .. });
+        let changed = |effect: &Effect| {
+            matches!(effect, Effect::ChangeTool { .. } | Effect::SetToolNumber { .. })
+        };
         match self.next(changed) {
             Some(Effect::ChangeTool { .. }) => {
                 // A change that leaves the spindle on tells no stop.
-                let stopped = self.spindle_after(0).turn == SpindleTurn::Stopped || self.words.m.len() > 1;
+                let stopped =
+                    self.spindle_after(0).turn == SpindleTurn::Stopped || self.words.m.len() > 1;
                 for number in self.all().filter(|_| stopped) {
                     self.out.call_of("STOP_SPINDLE_TURNING", number);
                 }
@@ -337,7 +340,9 @@ impl Printed<'_> {
         while let Some(effect) = self.next(oriented) {
             match effect {
                 Effect::OrientSpindle { spindle, angle, direction } => {
-                    use gaugeblock_trace::OrientDirection::{Clockwise, Counterclockwise, Shortest};
+                    use gaugeblock_trace::OrientDirection::{
+                        Clockwise, Counterclockwise, Shortest,
+                    };
                     let mode = match direction {
                         Shortest => 0,
                         Clockwise => 1,
@@ -430,7 +435,9 @@ impl Printed<'_> {
                 Effect::Stop { optional } => {
                     self.out.call(if optional { "OPTIONAL_PROGRAM_STOP" } else { "PROGRAM_STOP" });
                 }
-                Effect::PalletShuttle {} if !self.words.has_m(30) => self.out.call("PALLET_SHUTTLE"),
+                Effect::PalletShuttle {} if !self.words.has_m(30) => {
+                    self.out.call("PALLET_SHUTTLE")
+                }
                 Effect::ProgramEnd {} => self.program_end(),
                 _ => {}
             }

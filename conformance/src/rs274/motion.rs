@@ -1,8 +1,6 @@
 //! The motion of a block: moves, probing, threads, and canned cycles, around which the path mode is switched.
 
-use gaugeblock_trace::{
-    Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn,
-};
+use gaugeblock_trace::{Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn};
 
 use super::block::Printed;
 use super::modes::Modes;
@@ -21,7 +19,8 @@ impl Printed<'_> {
         }
         let exact = self.after.path == Path::ExactPath;
         let mut stage = self.before;
-        let mut moved = self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
+        let mut moved =
+            self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
         let mut switched = moved || self.cycle.is_none() || exact;
         while let Some(event) = self.events.get(self.at) {
             match event {
@@ -89,7 +88,9 @@ impl Printed<'_> {
 
     /// G85 ends each hole with a traverse, though it has come out by a feed already.
     fn bored_out(&mut self) {
-        let Some(Event::Do(Effect::StraightFeed { end })) = self.events.get(self.at) else { return };
+        let Some(Event::Do(Effect::StraightFeed { end })) = self.events.get(self.at) else {
+            return;
+        };
         let next = self.events.get(self.at + 1);
         let goes_on = matches!(next, Some(Event::Do(Effect::StraightFeed { .. })));
         let rises = matches!(next, Some(Event::Do(Effect::StraightTraverse { end: next }))
@@ -201,8 +202,9 @@ impl Printed<'_> {
 
     /// G10 L1, L10 and L11 write into the tool table, whose lengths are inches.
     pub(super) fn tool_entry(&mut self) {
-        let Some(Effect::SetToolEntry { tool, offset, front_angle, back_angle, orientation, .. }) =
-            self.next(|effect| matches!(effect, Effect::SetToolEntry { .. }))
+        let Some(Effect::SetToolEntry {
+            tool, offset, front_angle, back_angle, orientation, ..
+        }) = self.next(|effect| matches!(effect, Effect::SetToolEntry { .. }))
         else {
             return;
         };
@@ -261,7 +263,9 @@ fn distance(from: &Position, to: &Position) -> f64 {
 fn is_after_motion(effect: &Effect, cycle: bool) -> bool {
     match effect {
         Effect::Stop { .. } => !cycle,
-        Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. } => true,
+        Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. } => {
+            true
+        }
         _ => false,
     }
 }

@@ -75,7 +75,10 @@ impl Refused<'_> {
             FaultKind::NoSuchParameter => return self.absent(),
             FaultKind::ReadOnlyParameter => {
                 let name = self.line.split_once("#<")?.1.split('>').next()?;
-                return Some(format!("Cannot assign to read-only parameter #<{}>", name.to_lowercase()));
+                return Some(format!(
+                    "Cannot assign to read-only parameter #<{}>",
+                    name.to_lowercase()
+                ));
             }
             FaultKind::FanucDisabled => {
                 let found = if self.has("m98") { "m98" } else { "m99" };
@@ -133,7 +136,8 @@ impl Refused<'_> {
             if let Some(at) = line.to_lowercase().find("call") {
                 return line.get(..at).unwrap_or(line).trim_end().to_owned();
             }
-            let label: String = line.chars().skip_while(|letter| !matches!(letter, 'P' | 'p')).skip(1).collect();
+            let label: String =
+                line.chars().skip_while(|letter| !matches!(letter, 'P' | 'p')).skip(1).collect();
             if self.has("m98") {
                 return format!("O{} sub", label.trim());
             }
@@ -229,7 +233,9 @@ mod tests {
 
     #[test]
     fn errors_have_four_digits() {
-        for (value, text) in [(0.285_71, "0.2857"), (3.0, "3"), (0.002_857, "0.002857"), (2.857, "2.857")] {
+        for (value, text) in
+            [(0.285_71, "0.2857"), (3.0, "3"), (0.002_857, "0.002857"), (2.857, "2.857")]
+        {
             assert_eq!(four_digits(value), text);
         }
     }

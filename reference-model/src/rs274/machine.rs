@@ -9,6 +9,8 @@ use super::modes::Modes;
 use super::outside::Outside;
 use super::parameters::Parameters;
 use super::readings::Readings;
+use super::step::cycles::Series;
+use super::step::splines::Curve;
 use crate::Evidence;
 
 /// The whole state of a controller.
@@ -38,6 +40,10 @@ pub struct State {
     pub frames: Vec<Frame>,
     /// Line of the current block within its file, from 1.
     pub line: u32,
+    /// The row of canned cycles that the last motion belongs to, with the numbers that the next one may leave out.
+    pub series: Option<Series>,
+    /// What the next spline may need of the one before.
+    pub curve: Curve,
     /// Whether a log file is open.
     pub log_open: bool,
     /// What the operator has set at the panel.
@@ -156,6 +162,8 @@ impl State {
             frames: vec![Frame::default()],
             line: 1,
             log_open: false,
+            series: None,
+            curve: Curve::default(),
             panel: Panel::new(&Machine::default()),
             outside: Outside::new(&gaugeblock_trace::scenario::Bench::default(), 1, &readings),
             evidence: Evidence::default(),

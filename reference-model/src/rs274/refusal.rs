@@ -26,6 +26,8 @@ pub enum Halt {
     Unspecified(String),
     /// The run ends here otherwise: the operator has ended it or does not let it go on, or the budget is used up.
     Ended(End),
+    /// It does more than the budget of effects allows in a single block.
+    TooManyEffects,
     /// It waits for something that never comes, so that the budget of time runs out.
     WaitsForEver,
 }

@@ -181,6 +181,7 @@ const FRAGMENTS: &[(&str, Kind)] = &[
     ("F word used with", Kind::UnusedWord),
     ("rotary axes with G76", Kind::AxisWords),
     ("In G76, I must not", Kind::WordOutOfRange),
+    ("Invalid D-number in G76", Kind::SpindleOutOfRange),
     ("Invalid D-number", Kind::WordOutOfRange),
     ("Invalid E-number", Kind::WordOutOfRange),
     ("Spindle state unknown", Kind::ZeroSpeed),

@@ -177,7 +177,8 @@ fn motion(probe: &Probe) -> Result<Motion, HarnessError> {
         730 => Motion::Cycle73,
         740 => Motion::Cycle74,
         760 => Motion::Thread76,
-        800 => Motion::None,
+        // After G5.3 no code is active.
+        800 | -1 => Motion::None,
         810 => Motion::Cycle81,
         820 => Motion::Cycle82,
         830 => Motion::Cycle83,

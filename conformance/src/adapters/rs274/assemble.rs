@@ -112,6 +112,7 @@ impl Assembly<'_> {
             self.steps.begin(probe)?;
         } else {
             self.canon.settle(probe)?;
+            self.canon.arrived(state::position(probe));
             let events = self.canon.take_events();
             self.steps.passed(probe, events, self.canon.tool)?;
         }

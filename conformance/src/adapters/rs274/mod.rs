@@ -45,10 +45,6 @@ const HIDDEN_FIELDS: &[&str] = &["tool_length", "controller_mode"];
 
 /// Effects that the output does not show, or not all of.
 const HIDDEN_EFFECTS: &[&str] = &[
-    "nurbs_feed",
-    "straight_probe",
-    "start_spindle_synchronisation",
-    "stop_spindle_synchronisation",
     "set_tool_entry",
     "prompt_tool",
     "wait_input",
@@ -169,12 +165,12 @@ impl Adapter for Rs274 {
     }
 }
 
-/// Parameters at the end, without those that only repeat position and tool, and without stored lengths on a machine
+/// Parameters at the end, without those of probing, which are not stored, those that only repeat position and tool, and without stored lengths on a machine
 /// whose unit is not the one in which this controller stores them.
 fn shown_parameters(scenario: &Scenario, parameters: &BTreeMap<u32, f64>) -> BTreeMap<u32, f64> {
     let inch = scenario.machine.length_unit == LengthUnit::Inch;
     let shown = |number: &u32| match *number {
-        5400..=5428 => false,
+        5061..=5070 | 5400..=5428 => false,
         5220 => true,
         5161..=5390 => inch,
         _ => true,
@@ -201,7 +197,7 @@ fn capabilities(version: String) -> Capabilities {
         faults_have_kinds: true,
         final_parameters: true,
         fields_at_effects: owned(Settings::FIELDS, HIDDEN_FIELDS),
-        hidden_parameters: vec![5400..=5428],
+        hidden_parameters: vec![5061..=5070, 5400..=5428],
         pins: BTreeSet::new(),
         pin_period: 0.0,
     }

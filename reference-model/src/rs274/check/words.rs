@@ -3,9 +3,9 @@
 use gaugeblock_trace::{Axis, FaultKind};
 
 use crate::rs274::machine::State;
-use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code};
-use crate::rs274::order::AXIS_LETTERS;
-use crate::rs274::quirks::settings as quirks;
+use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code, motion_code};
+use crate::rs274::order::{AXIS_LETTERS, moves_by_axis_words};
+use crate::rs274::quirks::{cycles, settings as quirks};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::motion::{is_arc, motion_of};
@@ -66,7 +66,8 @@ fn axes(words: &Words, state: &mut State) -> Result<(), Halt> {
     Err(refuse(rule, FaultKind::NoSuchAxis, message))
 }
 
-/// Rule modal-groups.unused-word. A word needs a code of its block that uses it; $ serves S too.
+/// Rule modal-groups.unused-word. A word needs a code of its block that uses it, or the motion mode where axis words alone
+/// repeat it; $ serves S too.
 fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let serves_speed = letter == '$' && words.letters.contains_key(&'s');
     let not_by_feed_mode = letter == '$' && !quirks::uses_dollar_of_feed_mode(state);
@@ -74,7 +75,10 @@ fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let by_g = words.g.iter().filter(|code| !(not_by_feed_mode && **code == 950));
     let by_g = by_g.filter(|code| **code != 100 || used_by_offset_data(letter, words));
     let mut codes = by_g
-        .filter_map(|code| g_code(*code))
+        .copied()
+        .chain(moves_by_axis_words(words).then(|| motion_code(state.modes.motion)))
+        .filter(|code| !cycles::is_unused(letter, *code, state))
+        .filter_map(g_code)
         .chain(words.m.iter().filter_map(|code| m_code(*code)));
     serves_speed || codes.any(uses) || by_arc(letter, words, state)
 }
@@ -106,7 +110,7 @@ fn polar(words: &Words) -> Result<(), Halt> {
     Err(refuse("motion.polar-moves-only", FaultKind::AxisWords, message))
 }
 
-/// Rule arcs.mode-holds. While G2 or G3 is in force, a block with axis words or offsets of a centre is an arc without a code.
+/// Rule arcs.mode-holds. While G2 or G3 is in force, a block with axis words is an arc without a code.
 fn by_arc(letter: char, words: &Words, state: &State) -> bool {
     ARC.contains(letter) && motion_of(words, state).is_some_and(is_arc)
 }

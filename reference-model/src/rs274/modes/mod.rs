@@ -3,6 +3,7 @@
 mod codes;
 mod coordinates;
 mod groups;
+mod motions;
 mod saved_state;
 mod settings;
 
@@ -10,6 +11,7 @@ pub use codes::{ARC, Code, G_CODES, M_CODES, g_code, g_text, m_code};
 pub use coordinates::{converted, unit_size};
 pub(crate) use coordinates::{each, first_parameter};
 pub use groups::ModalGroup;
+pub use motions::{motion_code, motion_mode};
 pub use saved_state::SavedState;
 
 use gaugeblock_trace::{

@@ -3,7 +3,7 @@
 mod phase;
 mod rules;
 
-pub use phase::{AXIS_LETTERS, Phase, has_axis_words, moves_without_code};
+pub use phase::{AXIS_LETTERS, Phase, has_axis_words, moves_by_axis_words, moves_without_code};
 pub use rules::{ORDER_RULES, OrderRule};
 
 use super::machine::State;

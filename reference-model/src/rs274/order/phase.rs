@@ -145,8 +145,14 @@ pub fn moves_without_code(words: &Words) -> bool {
     let offset = |letter: &&char| "ijk".contains(**letter);
     let offsets = words.letters.keys().find(offset);
     let uses_offsets = |offset: &char| codes().any(|code| code.words.contains(*offset));
-    !codes().any(|code| code.axis_words)
-        && (has_axis_words(words) || offsets.is_some_and(|offset| !uses_offsets(offset)))
+    let by_offsets = offsets.is_some_and(|offset| !uses_offsets(offset));
+    moves_by_axis_words(words) || by_offsets && !codes().any(|code| code.axis_words)
+}
+
+/// Whether axis words, polar ones too, stand in the block for no code that uses them.
+pub fn moves_by_axis_words(words: &Words) -> bool {
+    let used = words.g.iter().filter_map(|number| g_code(*number)).any(|code| code.axis_words);
+    has_axis_words(words) && !used
 }
 
 /// The letters of the axes, and the polar words that stand for X and Y.

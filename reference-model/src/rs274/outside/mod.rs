@@ -6,6 +6,7 @@ mod feed;
 mod hal;
 mod inputs;
 mod orientation;
+mod probe;
 mod programs;
 
 use std::collections::BTreeMap;
@@ -18,6 +19,8 @@ pub(crate) use hal::Item;
 use hal::Synchronised;
 pub(crate) use inputs::{Awaited, Input};
 pub(crate) use orientation::Orientation;
+use probe::Probed;
+pub(crate) use probe::Wanted;
 pub(crate) use programs::Missing;
 
 /// The named bench that answers as the stand-alone interpreter's stubs do.
@@ -38,6 +41,8 @@ pub struct Outside {
     awaiting_motion: BTreeMap<Pin, f64>,
     /// Orientations that have begun and not ended, by spindle.
     orienting: BTreeMap<usize, Orientation>,
+    /// What the last probing move left behind.
+    probed: Option<Probed>,
     /// What a program sees of HAL.
     synchronised: Synchronised,
 }
@@ -57,6 +62,7 @@ impl Outside {
             changes: Vec::new(),
             awaiting_motion: BTreeMap::new(),
             orienting: BTreeMap::new(),
+            probed: None,
             synchronised: Synchronised::default(),
         };
         outside.synchronise();

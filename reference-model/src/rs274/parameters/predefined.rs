@@ -6,7 +6,7 @@ use gaugeblock_trace::{
 };
 
 use super::State;
-use crate::rs274::modes::Spindle;
+use crate::rs274::modes::{Spindle, motion_code};
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::Halt;
 
@@ -166,34 +166,7 @@ fn spindle_on(state: &State) -> f64 {
 
 /// Rule parameters.motion-mode. `_motion_mode` is ten times the number of the active motion code; 800 for G80.
 fn motion(motion: Motion) -> f64 {
-    f64::from(match motion {
-        Motion::Traverse => 0,
-        Motion::Feed => 10,
-        Motion::ArcClockwise => 20,
-        Motion::ArcCounterclockwise => 30,
-        Motion::CubicSpline => 50,
-        Motion::QuadraticSpline => 51,
-        Motion::Nurbs => 52,
-        Motion::SpindleSynchronised => 330,
-        Motion::RigidTap => 331,
-        Motion::ProbeTowardError => 382,
-        Motion::ProbeToward => 383,
-        Motion::ProbeAwayError => 384,
-        Motion::ProbeAway => 385,
-        Motion::Cycle73 => 730,
-        Motion::Cycle74 => 740,
-        Motion::Thread76 => 760,
-        Motion::None => 800,
-        Motion::Cycle81 => 810,
-        Motion::Cycle82 => 820,
-        Motion::Cycle83 => 830,
-        Motion::Cycle84 => 840,
-        Motion::Cycle85 => 850,
-        Motion::Cycle86 => 860,
-        Motion::Cycle87 => 870,
-        Motion::Cycle88 => 880,
-        Motion::Cycle89 => 890,
-    })
+    f64::from(motion_code(motion))
 }
 
 /// Rule parameters.plane. `_plane` is ten times the number of the active plane code.

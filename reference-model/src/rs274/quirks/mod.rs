@@ -4,9 +4,13 @@
 //! that shows it. The main path calls a section by one line, `if state.readings.quirk("rs274.…")`.
 
 pub mod control;
+pub mod cycles;
 pub mod motion;
 pub mod outputs;
+pub mod probe;
 pub mod saved_state;
 pub mod settings;
+pub mod splines;
 pub mod task;
 pub mod text;
+pub mod threading;

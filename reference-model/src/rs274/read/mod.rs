@@ -95,12 +95,12 @@ fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), Hal
     Ok((name, value))
 }
 
-/// Rule text.word-letters. E is no letter of the table: only M66 to M68 have it.
+/// Rule text.word-letters. E is no letter of the table: only G76 and M66 to M68 have it.
 fn extra_letter(block: &Block, words: &Words) -> Result<(), Halt> {
-    let of_codes = words.m.iter().any(|code| (66..=68).contains(code));
+    let of_codes = words.m.iter().any(|code| (66..=68).contains(code)) || words.g.contains(&760);
     match block.words.iter().find(|word| word.letter == 'e') {
         Some(word) if !of_codes => {
-            let message = "the letter E begins no word without M66, M67 or M68";
+            let message = "the letter E begins no word without G76, M66, M67 or M68";
             Err(refuse_at("text.word-letters", FaultKind::BadCharacter, word.span, message))
         }
         _ => Ok(()),

@@ -4,6 +4,7 @@ use gaugeblock_trace::{FaultKind, FeedMode, Motion, Switch};
 
 use super::motion::{is_feed, motion_of};
 use super::positions;
+use super::probe::is_probing;
 use super::spindle::number;
 use super::word;
 use crate::rs274::machine::State;
@@ -61,7 +62,13 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
         return Err(refuse("feed.negative-rate", FaultKind::WordOutOfRange, message));
     }
     let motion = motion_of(words, state);
-    if state.modes.feed_mode == FeedMode::InverseTime && !motion.is_some_and(is_feed) {
+    let feeds = motion.is_some_and(|motion| {
+        let probes = is_probing(motion) && !state.readings.quirk("rs274.probe-inverse-time");
+        probes
+            || matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline | Motion::Nurbs)
+            || is_feed(motion)
+    });
+    if state.modes.feed_mode == FeedMode::InverseTime && !feeds {
         state.evidence.accepted("feed.inverse-time-stray-rate");
         return Ok(());
     }

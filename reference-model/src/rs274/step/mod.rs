@@ -3,6 +3,7 @@
 mod arc;
 pub mod compensation;
 pub mod coolant;
+pub mod cycles;
 pub mod dwell;
 pub mod feed;
 pub mod inputs;
@@ -15,12 +16,15 @@ pub mod outputs;
 pub mod overrides;
 pub mod path;
 pub(crate) mod positions;
+pub mod probe;
 pub mod program_end;
 pub(crate) mod restore;
 pub mod saved_state;
 pub mod spindle;
+pub mod splines;
 pub mod stop;
 mod target;
+mod threading;
 pub mod tool;
 pub mod tool_change;
 pub mod tool_length;
@@ -29,7 +33,7 @@ pub mod units_planes;
 pub mod user_codes;
 mod word;
 
-pub(crate) use target::letter;
+pub(crate) use target::{end_point, letter};
 pub(crate) use word::{whole, word};
 
 use gaugeblock_trace::{Compensation, FaultKind};

@@ -6,10 +6,10 @@ use gaugeblock_trace::{
 
 use super::arc;
 use super::target::{end_point, machine_end_point};
-use super::{outputs, word};
+use super::{cycles, outputs, probe, splines, threading, word};
 use crate::rs274::machine::State;
-use crate::rs274::modes::g_code;
-use crate::rs274::order::{has_axis_words, moves_without_code};
+use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
+use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
@@ -20,22 +20,28 @@ use crate::rs274::task::Record;
 /// Rule motion.mode-change. A motion code replaces the motion mode.
 /// Rule motion.mode-holds. Axis words alone repeat the motion mode, unless a code of the block uses them.
 pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
-    let programmed = words.g.iter().find_map(|code| match code {
-        0 => Some(Motion::Traverse),
-        10 => Some(Motion::Feed),
-        20 => Some(Motion::ArcClockwise),
-        30 => Some(Motion::ArcCounterclockwise),
-        _ => None,
-    });
+    let programmed =
+        words.g.iter().filter(|code| **code != 800).find_map(|code| motion_mode(*code));
+    if words.g.contains(&53) {
+        return Some(Motion::Nurbs);
+    }
     let cancelled = words.g.contains(&800);
     programmed.or(cancelled.then_some(Motion::None)).or_else(|| {
-        let implied = moves_without_code(words) || words.g.contains(&530);
+        let implied =
+            moves_by_axis_words(words) || by_offsets_alone(words, state) || words.g.contains(&530);
         implied.then_some(state.modes.motion)
     })
 }
 
-/// G codes of moves.
-const MOVES: [u32; 4] = [0, 10, 20, 30];
+/// Whether offsets of a centre alone repeat the arc that is in force.
+///
+/// Rule arcs.offsets-alone. The motion in force is executed again where there are axis words; a full circle has none, so that this is
+/// a choice.
+fn by_offsets_alone(words: &Words, state: &State) -> bool {
+    is_arc(state.modes.motion)
+        && moves_without_code(words)
+        && state.readings.is("arcs.offsets-alone", "arc")
+}
 
 /// Whether a motion is an arc.
 pub(crate) fn is_arc(motion: Motion) -> bool {
@@ -49,11 +55,16 @@ pub(super) fn is_feed(motion: Motion) -> bool {
 
 /// Moves, or sets the motion mode.
 ///
+/// Rule cycles.cancelled-by-motion. Any other motion ends a row of canned cycles.
+///
 /// # Errors
 /// A move that the modes in force do not allow.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+    if !cycles::is_cycle(state.modes.motion) {
+        state.series = None;
+    }
     let Some(motion) = motion_of(words, state) else { return Ok(()) };
-    let programmed = words.g.iter().any(|code| MOVES.contains(code) || *code == 800);
+    let programmed = words.g.iter().any(|code| motion_mode(*code).is_some());
     state.evidence.accepted(if programmed { "motion.mode-change" } else { "motion.mode-holds" });
     if !programmed && is_arc(motion) {
         state.evidence.accepted("arcs.mode-holds");
@@ -61,13 +72,34 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     if words.g.contains(&530) {
         machine_coordinates_possible(motion, words, state)?;
     }
+    if cycles::is_cycle(motion) {
+        state.curve = splines::Curve::default();
+        return cycles::perform(motion, words, state, record);
+    }
+    if state.series.take().is_some() {
+        state.evidence.accepted("cycles.cancelled-by-motion");
+    }
+    if words.g.contains(&53) || motion == Motion::Nurbs {
+        return splines::nurbs(words, state, record);
+    }
+    state.curve.open = None;
+    let continues = std::mem::take(&mut state.curve.continues);
     if motion == Motion::None {
-        return cancel(words, programmed, state);
+        cancel(words, programmed, state)
+    } else if matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline) {
+        state.curve.continues = continues;
+        splines::perform(motion, words, state, record)
+    } else if matches!(motion, Motion::SpindleSynchronised | Motion::RigidTap) {
+        threading::perform(motion, words, state, record)
+    } else if motion == Motion::Thread76 {
+        threading::thread(words, state, record)
+    } else if probe::is_probing(motion) {
+        probe::perform(motion, words, state, record)
+    } else if has_axis_words(words) || is_arc(motion) {
+        move_to(motion, words, state, record)
+    } else {
+        without_axis_words(motion, words, state, record)
     }
-    if !has_axis_words(words) && !is_arc(motion) {
-        return without_axis_words(motion, words, state, record);
-    }
-    move_to(motion, words, state, record)
 }
 
 /// Rule motion.cancel. G80 cancels the motion mode.
@@ -92,7 +124,7 @@ fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), Halt
 /// Whether the axis words of a block are the motion's.
 fn moves_by(words: &Words) -> bool {
     let others = words.g.iter().filter_map(|code| g_code(*code));
-    !others.filter(|code| !MOVES.contains(&code.number)).any(|code| code.axis_words)
+    !others.filter(|code| code.group != Some(ModalGroup::Motion)).any(|code| code.axis_words)
 }
 
 /// Rule motion.without-axis-words. Whether a motion code alone makes a move of no length is a choice.
@@ -122,7 +154,7 @@ fn move_to(
         return Err(Halt::Unsupported("a move under cutter compensation".to_owned()));
     }
     if is_feed(motion) {
-        feed_possible(motion, words, state)?;
+        feed_possible(words, state)?;
     }
     if is_arc(motion) {
         return arc::perform(motion, words, state, record);
@@ -153,7 +185,7 @@ fn machine_coordinates_possible(
     words: &Words,
     state: &mut State,
 ) -> Result<(), Halt> {
-    if ![Motion::Traverse, Motion::Feed].contains(&motion) {
+    if !matches!(motion, Motion::Traverse | Motion::Feed) {
         let rule = "offsets.machine-needs-motion";
         return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
     }
@@ -178,7 +210,7 @@ fn machine_coordinates_possible(
 /// (feed.rate-after-mode-change).
 /// Rule spindle.surface-speed-while-stopped. Under constant surface speed the spindle must turn.
 /// Rule arcs.needs-feed-rate. All this holds for arcs too.
-fn feed_possible(motion: Motion, words: &Words, state: &mut State) -> Result<(), Halt> {
+pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt> {
     if state.modes.feed_mode == FeedMode::InverseTime {
         if word(words, 'f').is_none() {
             state.evidence.refused("feed.inverse-time-stray-rate");
@@ -191,7 +223,7 @@ fn feed_possible(motion: Motion, words: &Words, state: &mut State) -> Result<(),
         if state.modes.feed_awaited {
             state.evidence.refused("feed.rate-after-mode-change");
         }
-        if is_arc(motion) {
+        if motion_of(words, state).is_some_and(is_arc) {
             state.evidence.refused("arcs.needs-feed-rate");
         }
         let message = "a feed move, and no feed rate";

@@ -48,7 +48,7 @@ pub(crate) fn letter(axis: Axis) -> char {
 ///
 /// Rule units-planes.diameter. In diameter mode an X word is a diameter, and X moves half of it; no other axis is
 /// concerned (units-planes.diameter-x-only).
-fn moved(words: &Words, state: &State) -> Vec<(Axis, f64)> {
+pub(super) fn moved(words: &Words, state: &State) -> Vec<(Axis, f64)> {
     let mut values = axis_words(words);
     if state.modes.lathe == Lathe::Diameter {
         for (axis, value) in &mut values {
@@ -105,7 +105,7 @@ pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
 /// Rule motion.polar-incremental. In incremental mode both are added to those of the current point.
 /// Rule motion.polar-from-origin. Which has no angle at the origin.
 /// Rule motion.polar-mixed. X and Y have no place beside them.
-fn polar(words: &Words, state: &mut State) -> Result<Option<Position>, Halt> {
+pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>, Halt> {
     let (distance, angle) = (word(words, '@'), word(words, '^'));
     if distance.is_none() && angle.is_none() {
         return Ok(None);

@@ -50,7 +50,8 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     let mut state = start(scenario, readings);
     state.evidence.accepted("modal-groups.initial-modes");
     state.evidence.accepted("offsets.start-system");
-    let record = Record::new(&state);
+    let mut record = Record::new(&state);
+    record.allow(&scenario.budget);
     let mut run = Run::new(scenario, state, record);
     let end = run.whole();
     run.leave_calls();
@@ -83,6 +84,8 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         frames: vec![Frame::default()],
         line: 1,
         log_open: false,
+        series: None,
+        curve: step::splines::Curve::default(),
         evidence: Evidence::default(),
     }
 }
@@ -247,6 +250,7 @@ impl<'a> Run<'a> {
             }
             Halt::Unsupported(what) => End::Unsupported { block, what },
             Halt::Unspecified(why) => End::Unspecified { block, why },
+            Halt::TooManyEffects => End::BudgetExhausted { bound: Bound::Effects },
             Halt::WaitsForEver => End::BudgetExhausted { bound: Bound::Time },
             Halt::Ended(end) => {
                 if end == End::Aborted {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_trace::scenario::Budget;
 use gaugeblock_trace::{
     Block, Effect, End, Event, Indexed, Language, Outcome, PinChange, Rs274State, Settings, Step,
 };
@@ -29,6 +30,8 @@ pub struct Record {
     elsewhere: bool,
     /// Effects so far.
     effects: u32,
+    /// As many effects as the budget allows.
+    most_effects: u32,
     /// Whether a block is being executed.
     in_block: bool,
 }
@@ -47,8 +50,19 @@ impl Record {
             events: Vec::new(),
             state: Rs274State::default(),
             effects: 0,
+            most_effects: Budget::default().effects,
             in_block: false,
         }
+    }
+
+    /// Sets as many effects as the budget allows.
+    pub fn allow(&mut self, budget: &Budget) {
+        self.most_effects = budget.effects;
+    }
+
+    /// Whether there are as many effects as the budget allows: a block that would go on and on stops here.
+    pub fn is_full(&self) -> bool {
+        self.effects >= self.most_effects
     }
 
     /// An effect, under the settings now in force.

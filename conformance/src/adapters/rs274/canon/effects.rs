@@ -37,9 +37,21 @@ impl Canon {
             ("SET_FEED_REFERENCE" | "ON_RESET" | "START_CHANGE" | "RELOAD_TOOLDATA", _) => {
                 Ok(Mark::None)
             }
-            ("STOP_SPEED_FEED_SYNCH" | "TURN_PROBE_ON" | "TURN_PROBE_OFF", _) => Ok(Mark::None),
+            ("TURN_PROBE_ON" | "TURN_PROBE_OFF", _) => Ok(Mark::None),
+            ("START_SPEED_FEED_SYNC", &[pitch, _]) => {
+                let spindle = self.spindle_of_block(call)?;
+                self.effect(Effect::StartSpindleSynchronisation { spindle, pitch })
+            }
+            ("STOP_SPEED_FEED_SYNCH", _) => self.effect(Effect::StopSpindleSynchronisation {}),
             _ => self.signal(call, &numbers),
         }
+    }
+
+    /// The calls do not show which spindle a move follows; the block does, where it says so in a plain number.
+    fn spindle_of_block(&self, call: &Call) -> Result<u32, HarnessError> {
+        let Some((_, behind)) = self.block.split_once('$') else { return Ok(0) };
+        let digits: String = behind.trim_start().chars().take_while(char::is_ascii_digit).collect();
+        digits.parse().map_err(|_| call.unreadable("spindle of a synchronised move"))
     }
 
     fn signal(&mut self, call: &Call, numbers: &[f64]) -> Done {

@@ -79,6 +79,16 @@ impl Canon {
         std::mem::take(&mut self.events)
     }
 
+    /// Where the controlled point is after the block. No call shows where a spline ends.
+    pub(super) fn arrived(&mut self, position: Position) {
+        for event in &mut self.events {
+            if let Event::Do(Effect::NurbsFeed { end, .. }) = event {
+                *end = position;
+            }
+        }
+        self.position = position;
+    }
+
     /// Takes over a setting; an event only where it changes something.
     pub(super) fn set(&mut self, change: Settings) {
         state::set(&mut self.now, &mut self.events, &change);
@@ -149,8 +159,18 @@ impl Canon {
                 self.feed_rate(rate);
                 Ok(Mark::None)
             }
+            ("STRAIGHT_PROBE", &[x, y, z, a, b, c]) => {
+                // The probe of the stand-alone program touches at the end of every move.
+                let end = self.move_to([x, y, z, a, b, c]);
+                self.effect(Effect::StraightProbe { end, contact: Some(end) })
+            }
+            ("NURBS_FEED", &[points, ..]) => {
+                let points = u32::try_from(whole(call, points)?);
+                let points = points.map_err(|_| call.unreadable("number of control points"))?;
+                self.effect(Effect::NurbsFeed { points, end: self.position })
+            }
             ("SET_TOOL_TABLE_ENTRY", _) => self.tool_entry(call, &numbers),
-            ("STRAIGHT_PROBE" | "NURBS_FEED" | "START_SPEED_FEED_SYNC", _) => {
+            ("START_SPEED_FEED_SYNC", _) => {
                 Ok(Mark::Unsupported(format!("{} does not show what the effect needs", call.name)))
             }
             _ => self.setting(call, &numbers),

@@ -1,0 +1,38 @@
+//! Quirks of canned cycles.
+
+use gaugeblock_trace::Axis;
+
+use crate::rs274::machine::State;
+use crate::rs274::step::whole;
+
+/// Quirk rs274.cycle-rise. Whether there is a rise before the first move in the plane goes by the level at which the row of
+/// cycles began, not by the current one.
+pub(crate) fn rises(below: bool, began_below: bool, state: &State) -> bool {
+    if state.readings.quirk("rs274.cycle-rise") { began_below } else { below }
+}
+
+/// Quirk rs274.cycle-rise. In a row that began above R the first move in the plane rises to the clear height on its way, when
+/// it begins at R or below.
+pub(crate) fn rise_on_the_way(normal: Axis, [retract, clear]: [f64; 2], state: &mut State) {
+    let at_retract = state.position.get(normal) <= retract;
+    if at_retract && state.readings.quirk("rs274.cycle-rise") {
+        *state.position.get_mut(normal) = clear;
+    }
+}
+
+/// Quirk rs274.cycle-retract-from-initial. In incremental distance mode R counts from where the row of cycles began.
+pub(crate) fn retract_from(position: f64, initial: f64, state: &State) -> f64 {
+    if state.readings.quirk("rs274.cycle-retract-from-initial") { initial } else { position }
+}
+
+/// Quirk rs274.cycle-negative-dwell. A negative dwell is accepted, unless it is -1.
+pub(crate) fn negative_dwell(seconds: f64, state: &State) -> bool {
+    whole(seconds) != Some(-1) && state.readings.quirk("rs274.cycle-negative-dwell")
+}
+
+/// Quirk rs274.cycle-dollar. No cycle uses $. Quirk rs274.left-tap-repeat. G74 does not use L.
+pub(crate) fn is_unused(letter: char, code: u32, state: &State) -> bool {
+    let cycle = matches!(code, 730 | 740 | 810..=890);
+    let dollar = letter == '$' && cycle && state.readings.quirk("rs274.cycle-dollar");
+    dollar || letter == 'l' && code == 740 && state.readings.quirk("rs274.left-tap-repeat")
+}

@@ -1,0 +1,46 @@
+//! Quirks of splines.
+
+use gaugeblock_trace::FaultKind;
+
+use crate::rs274::machine::State;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+
+/// Quirk rs274.spline-not-modal. G5 and G5.1 leave the motion mode as it was.
+pub(crate) fn is_not_modal(state: &State) -> bool {
+    state.readings.quirk("rs274.spline-not-modal")
+}
+
+/// Quirk rs274.cubic-without-direction. The first G5 of a row needs no I and J.
+pub(crate) fn begins_without_direction(state: &State) -> bool {
+    state.readings.quirk("rs274.cubic-without-direction")
+}
+
+/// Quirk rs274.quadratic-needs-both. G5.1 needs both I and J.
+pub(crate) fn quadratic_needs_both(words: &Words, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.quadratic-needs-both";
+    let both = ['i', 'j'].iter().all(|letter| words.letters.contains_key(letter));
+    if !both && state.readings.quirk(rule) {
+        return Err(refuse(rule, FaultKind::MissingWord, "G5.1 with only one of I and J"));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.quadratic-of-zero. Both may be zero.
+pub(crate) fn quadratic_of_zero(state: &State) -> bool {
+    state.readings.quirk("rs274.quadratic-of-zero")
+}
+
+/// Quirk rs274.nurbs-weight. Each control point needs P.
+pub(crate) fn needs_weight(words: &Words, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.nurbs-weight";
+    if !words.letters.contains_key(&'p') && state.readings.quirk(rule) {
+        return Err(refuse(rule, FaultKind::WordOutOfRange, "a control point without its weight"));
+    }
+    Ok(())
+}
+
+/// A spline without X and Y: no document says where it would lead.
+pub(crate) fn without_axis_words(_state: &State) -> Halt {
+    Halt::Unspecified("a spline without X and Y".to_owned())
+}

@@ -1,0 +1,35 @@
+//! Quirks of motion with the spindle.
+
+use gaugeblock_trace::{FaultKind, Position};
+
+use crate::rs274::machine::State;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::step::end_point;
+
+/// Quirk rs274.synchronised-feed-word. G33 and G33.1 do not stand in a block with F.
+pub(crate) fn feed_word(words: &Words, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.synchronised-feed-word";
+    if words.letters.contains_key(&'f') && state.readings.quirk(rule) {
+        return Err(refuse(rule, FaultKind::UnusedWord, "F with a synchronised move"));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.thread-clearance. Each pass of G76 begins and ends as much further out than the drive line as it is less deep
+/// than the last one.
+pub(crate) fn clearance(less_deep: f64, state: &State) -> f64 {
+    if state.readings.quirk("rs274.thread-clearance") { less_deep } else { 0.0 }
+}
+
+/// Quirk rs274.thread-clearance. A last traverse leads to the end of the drive line, even from there.
+/// Quirk rs274.thread-other-axes. It leads to where X and Y of the block say.
+pub(crate) fn after_thread(
+    words: &Words,
+    start: Position,
+    end: f64,
+    state: &mut State,
+) -> Result<Position, Halt> {
+    state.position = start;
+    Ok(Position { z: end, ..end_point(words, state)? })
+}

@@ -1,0 +1,52 @@
+//! G74 and G84: tapping with a floating chuck.
+
+use gaugeblock_trace::{FaultKind, SpindleTurn, Switch};
+
+use super::strokes::dwells;
+use super::{Cycle, Kind, feed_along};
+use crate::rs274::machine::State;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::step::spindle;
+use crate::rs274::task::Record;
+
+/// Choice cycles.tap-direction: whether the spindle must turn as the thread is cut.
+pub(super) fn possible(cycle: &Cycle, cutting: SpindleTurn, state: &State) -> Result<(), Halt> {
+    let rule = "cycles.tap-direction";
+    if state.readings.is(rule, "any") {
+        return Ok(());
+    }
+    let kind = match state.modes.spindles[cycle.spindle].turn {
+        turn if turn == cutting => return Ok(()),
+        SpindleTurn::Stopped | SpindleTurn::Oriented => FaultKind::ZeroSpeed,
+        SpindleTurn::Clockwise | SpindleTurn::Counterclockwise => FaultKind::ModalConflict,
+    };
+    Err(refuse(rule, kind, "tapping, and the spindle does not turn as the thread is cut"))
+}
+
+/// Rules cycles.tap-right and cycles.tap-left. It feeds to the bottom, stops the spindle, starts it the other way, dwells,
+/// and feeds out to the clear height.
+/// Rule cycles.tap-overrides. The feed override and the spindle's speed override are disabled meanwhile.
+/// Choice cycles.tap-return: whether the spindle turns as before afterwards.
+pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
+    let [_, _, normal] = cycle.axes;
+    let place = cycle.spindle;
+    let before = state.modes.spindles[place];
+    let feed_override = state.modes.feed_override;
+    state.modes.feed_override = Switch::Off;
+    state.modes.spindles[place].speed_override = Switch::Off;
+    feed_along(normal, cycle.bottom, state, record);
+    let out = if cycle.kind == Kind::TapRight {
+        SpindleTurn::Counterclockwise
+    } else {
+        SpindleTurn::Clockwise
+    };
+    spindle::set_turn(out, place, state);
+    dwells(cycle.dwell, state, record);
+    feed_along(normal, cycle.clear, state, record);
+    if state.readings.is("cycles.tap-return", "as-before") {
+        spindle::set_turn(before.turn, place, state);
+    }
+    state.modes.feed_override = feed_override;
+    state.modes.spindles[place].speed_override = before.speed_override;
+    state.evidence.accepted("cycles.tap-overrides");
+}

@@ -1,0 +1,163 @@
+//! G38.2 to G38.5: straight probing.
+
+use gaugeblock_trace::{
+    Axis, Compensation, Effect, FaultKind, FeedMode, LengthUnit, Motion, Position,
+};
+
+use super::outputs;
+use super::target::end_point;
+use crate::math;
+use crate::rs274::machine::State;
+use crate::rs274::modes::converted;
+use crate::rs274::order::has_axis_words;
+use crate::rs274::outside::Wanted;
+use crate::rs274::quirks::probe as quirks;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::task::Record;
+
+/// The parameters that hold where the probe changed, X to W.
+const POINT: u32 = 5061;
+
+/// The parameter that tells whether it did.
+const SUCCEEDED: u32 = 5070;
+
+/// Whether a motion mode is probing.
+pub(crate) fn is_probing(motion: Motion) -> bool {
+    use Motion as M;
+    matches!(motion, M::ProbeTowardError | M::ProbeToward | M::ProbeAwayError | M::ProbeAway)
+}
+
+/// Moves toward a point until the probe changes.
+///
+/// Rule probe.toward. G38.2 and G38.3 stop where the probe begins to touch; rule probe.away: G38.4 and G38.5 where it ceases.
+/// Rule probe.at-feed. It is a feed move.
+/// Rule probe.point. #5061 to #5069 are where the probe changed, and #5070 is 1.
+/// Rule probe.point-without-contact. Where it did not change they are the programmed point, and #5070 is 0.
+///
+/// # Errors
+/// Those of `allowed`, and rule probe.failure: under G38.2 and G38.4 it must change.
+pub(super) fn perform(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), Halt> {
+    let toward = matches!(motion, Motion::ProbeTowardError | Motion::ProbeToward);
+    let wanted = if toward { Wanted::Touching } else { Wanted::Free };
+    let end = allowed(motion, wanted, words, state)?;
+    let on_machine = |point: Position, state: &State| {
+        converted(state.modes.machine_point(point), state.modes.units, state.machine.length_unit)
+    };
+    let (from, to) = (on_machine(state.position, state), on_machine(end, state));
+    let changed = state.outside.probe(wanted, from, to);
+    let contact = changed.map(|point| {
+        let point = converted(point, state.machine.length_unit, state.modes.units);
+        if changed == Some(to) { end } else { state.modes.program_point(point) }
+    });
+    state.modes.motion = motion;
+    outputs::motion_begins(state);
+    record.effect(state, Effect::StraightProbe { end, contact });
+    let stops_at = contact.unwrap_or(end);
+    for (number, value) in (POINT..).zip(stops_at.to_array()) {
+        state.parameters.store(number, value);
+    }
+    let stand_alone = state.outside.is_stand_alone();
+    let succeeded = contact.is_some() && !stand_alone;
+    state.parameters.store(SUCCEEDED, if succeeded { 1.0 } else { 0.0 });
+    state.position = if stand_alone { backed_off(end, state) } else { stops_at };
+    state.outside.synchronise();
+    tell(motion, contact.is_some(), state)
+}
+
+/// The rules that a probing move has followed; without a change some are refused.
+fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), Halt> {
+    let toward = matches!(motion, Motion::ProbeTowardError | Motion::ProbeToward);
+    let must_change = matches!(motion, Motion::ProbeTowardError | Motion::ProbeAwayError);
+    if !changed && must_change {
+        let message = "the probe did not change on its way";
+        return Err(refuse("probe.failure", FaultKind::Probe, message));
+    }
+    let rules = if changed {
+        [if toward { "probe.toward" } else { "probe.away" }, "probe.point", "probe.at-feed"]
+    } else {
+        ["probe.without-failure", "probe.point-without-contact", "probe.at-feed"]
+    };
+    for rule in rules {
+        state.evidence.accepted(rule);
+    }
+    Ok(())
+}
+
+/// The end point of a probing move that is allowed.
+///
+/// Rule probe.axis-words-missing. It needs an axis word. Rule probe.under-compensation. It is refused while cutter
+/// compensation is on. Rule probe.zero-feed. It needs a feed rate, under inverse time in its block.
+/// Rule probe.same-point. The programmed point is another than the current one.
+/// Rule probe.already-there. The probe is not yet as the move wants it.
+fn allowed(
+    motion: Motion,
+    wanted: Wanted,
+    words: &Words,
+    state: &mut State,
+) -> Result<Position, Halt> {
+    if !has_axis_words(words) {
+        let message = "probing without an axis word";
+        return Err(refuse("probe.axis-words-missing", FaultKind::MissingWord, message));
+    }
+    if state.modes.compensation != Compensation::Off {
+        let message = "probing while cutter compensation is on";
+        return Err(refuse("probe.under-compensation", FaultKind::CompensationActive, message));
+    }
+    quirks::feed_mode(state)?;
+    let inverse = state.modes.feed_mode == FeedMode::InverseTime;
+    let without_rate = inverse && super::word(words, 'f').is_none() && !quirks::keeps_rate(state);
+    if without_rate || state.modes.feed_rate == 0.0 {
+        let message = "probing without a feed rate";
+        return Err(refuse("probe.zero-feed", FaultKind::ZeroFeed, message));
+    }
+    let end = end_point(words, state)?;
+    if end == state.position && !quirks::goes_nowhere(motion, state) {
+        let message = "probing to where the controlled point is";
+        return Err(refuse("probe.same-point", FaultKind::Probe, message));
+    }
+    let here = state.modes.machine_point(state.position);
+    let here = converted(here, state.modes.units, state.machine.length_unit);
+    if state.outside.probe_is(wanted, here) {
+        let message = "the probe is as the move wants it before it moves";
+        return Err(refuse("probe.already-there", FaultKind::Probe, message));
+    }
+    for rule in [
+        "probe.axis-words-missing",
+        "probe.under-compensation",
+        "probe.zero-feed",
+        "probe.same-point",
+        "probe.already-there",
+    ] {
+        state.evidence.accepted(rule);
+    }
+    if inverse {
+        state.evidence.accepted("probe.inverse-time");
+    }
+    Ok(end)
+}
+
+/// Where the stand-alone interpreter's stub stands after probing: a hundredth of an inch back on its way, as far as linear axes
+/// have moved.
+fn backed_off(end: Position, state: &State) -> Position {
+    let linear = [Axis::X, Axis::Y, Axis::Z];
+    let from = state.position;
+    let back = match state.modes.units {
+        LengthUnit::Inch => 0.01,
+        LengthUnit::Millimetre => 0.254,
+    };
+    let way = linear.map(|axis| end.get(axis) - from.get(axis));
+    let length = math::hypotenuse(math::hypotenuse(way[0], way[1]), way[2]);
+    let mut stops_at = end;
+    if length > 0.0 {
+        for (axis, way) in linear.into_iter().zip(way) {
+            *stops_at.get_mut(axis) -= back * way / length;
+        }
+    }
+    stops_at
+}

@@ -1,0 +1,217 @@
+//! G76: a thread in several passes, each deeper than the one before.
+
+use gaugeblock_trace::{
+    Axis, Compensation, Distance, Effect, FaultKind, Lathe, Plane, Position, Switch,
+};
+
+use super::{number, turning_spindle};
+use crate::rs274::machine::State;
+use crate::rs274::quirks::threading as quirks;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::step::{letter, outputs, whole, word};
+use crate::rs274::task::Record;
+
+/// A thread, all its numbers found; lengths are radii, active length unit.
+#[derive(Clone, Copy, Debug)]
+struct Thread {
+    /// The controlled point before it: X is the drive line, Z where the thread begins.
+    start: Position,
+    /// Where the thread ends along Z.
+    end: f64,
+    /// Length unit per revolution.
+    pitch: f64,
+    /// From the drive line to the thread's crest.
+    peak: f64,
+    /// Depth of the first pass.
+    first: f64,
+    /// Full depth.
+    full: f64,
+    /// 1 for passes of constant depth, 2 for those of constant area.
+    degression: f64,
+    /// Passes at full depth after the last.
+    springs: i32,
+    /// The spindle.
+    spindle: usize,
+}
+
+/// Cuts a thread.
+///
+/// Rule threading.thread. Each pass traverses to its depth, feeds along Z synchronised with the spindle, traverses out to
+/// the drive line and back; the last one stays at the end of the drive line.
+/// Rule threading.degression. The first pass is J beyond the crest, the last one K; those between are of constant depth
+/// under R1 and of constant area under R2.
+/// Rule threading.spring-passes. H passes more are at full depth.
+///
+/// # Errors
+/// Those of `find`.
+pub(in crate::rs274::step) fn perform(
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), Halt> {
+    let thread = find(words, state)?;
+    state.modes.motion = gaugeblock_trace::Motion::Thread76;
+    outputs::motion_begins(state);
+    let mut count = 1.0;
+    let mut left = thread.springs;
+    while left >= 0 || thread.springs < 0 {
+        if record.is_full() {
+            return Err(Halt::TooManyEffects);
+        }
+        let depth = thread.depth(count);
+        count += 1.0;
+        if depth >= thread.full {
+            left -= 1;
+        }
+        if depth >= thread.full && thread.springs < 0 {
+            // Quirk rs274.thread-negative-springs: the last pass is left out.
+            break;
+        }
+        pass(&thread, depth, state, record);
+    }
+    if thread.springs > 0 {
+        state.evidence.accepted("threading.spring-passes");
+    }
+    if state.readings.quirk("rs274.thread-clearance") {
+        let end = quirks::after_thread(words, thread.start, thread.end, state)?;
+        traverse(end, state, record);
+    }
+    state.evidence.accepted("threading.thread");
+    state.evidence.accepted("threading.degression");
+    Ok(())
+}
+
+impl Thread {
+    /// How far beyond the crest a pass is, counted from 1.
+    fn depth(&self, pass: f64) -> f64 {
+        let deeper = if self.degression > 1.0 { crate::math::square_root(pass) } else { pass };
+        (self.first * deeper).min(self.full)
+    }
+}
+
+fn pass(thread: &Thread, depth: f64, state: &mut State, record: &mut Record) {
+    let inward = thread.peak.signum();
+    let clearance = quirks::clearance(thread.full - depth, state);
+    let line = Position { x: thread.start.x - inward * clearance, ..thread.start };
+    let cut = Position { x: thread.start.x + thread.peak + inward * depth, ..thread.start };
+    if state.position != line || state.readings.quirk("rs274.thread-clearance") {
+        traverse(line, state, record);
+    }
+    traverse(cut, state, record);
+    let feed_override = state.modes.feed_override;
+    if state.readings.quirk("rs274.thread-feed-override") {
+        state.modes.feed_override = Switch::Off;
+    }
+    let spindle = number(thread.spindle);
+    let pitch = thread.pitch;
+    record.effect(state, Effect::StartSpindleSynchronisation { spindle, pitch });
+    state.position.z = thread.end;
+    record.effect(state, Effect::StraightFeed { end: state.position });
+    record.effect(state, Effect::StopSpindleSynchronisation {});
+    traverse(Position { z: thread.end, ..line }, state, record);
+    state.modes.feed_override = feed_override;
+}
+
+fn traverse(end: Position, state: &mut State, record: &mut Record) {
+    state.position = end;
+    record.effect(state, Effect::StraightTraverse { end });
+}
+
+/// The numbers of a thread.
+///
+/// Rule threading.thread-plane. G76 is in the ZX plane. Rule threading.thread-axis-words. Z is its only axis word.
+/// Rule threading.thread-words. P, Z, I, J and K must be there. Rule threading.thread-negative. P, J, K and H are not
+/// negative. Rule threading.thread-degression. R is not less than 1.
+/// Rule threading.thread-taper. E is not more than half the drive line.
+/// Rule threading.thread-diameter. In diameter mode I, J and K are diameters.
+fn find(words: &Words, state: &mut State) -> Result<Thread, Halt> {
+    refused_words(words, state)?;
+    let spindle = turning_spindle(words, state)?;
+    let value = |letter| word(words, letter).unwrap_or(0.0);
+    let diameter = state.modes.lathe == Lathe::Diameter;
+    let radius = |letter| if diameter { value(letter) / 2.0 } else { value(letter) };
+    let start = state.position;
+    let incremental = state.modes.distance == Distance::Incremental;
+    let end = if incremental { start.z + value('z') } else { value('z') };
+    let any_taper = state.readings.quirk("rs274.thread-long-taper");
+    if value('e') > (end - start.z).abs() / 2.0 && !any_taper {
+        let message = "a taper of more than half the thread";
+        return Err(refuse("threading.thread-taper", FaultKind::WordOutOfRange, message));
+    }
+    if diameter {
+        state.evidence.accepted("threading.thread-diameter");
+    }
+    let degression = word(words, 'r').unwrap_or_else(|| {
+        let areas = state.readings.is("threading.without-degression", "constant-area");
+        if areas { 2.0 } else { 1.0 }
+    });
+    let springs = word(words, 'h').map_or(Some(0), whole);
+    let thread = Thread {
+        start,
+        end,
+        pitch: value('p'),
+        peak: radius('i'),
+        first: radius('j'),
+        full: radius('k'),
+        degression: degression.max(1.0),
+        springs: springs.unwrap_or(-2),
+        spindle,
+    };
+    open(&thread, words, state)?;
+    Ok(thread)
+}
+
+fn refused_words(words: &Words, state: &mut State) -> Result<(), Halt> {
+    if state.modes.plane != Plane::Zx && !state.readings.quirk("rs274.thread-any-plane") {
+        let message = "G76 in another plane than ZX";
+        return Err(refuse("threading.thread-plane", FaultKind::ModalConflict, message));
+    }
+    let x_and_y = state.readings.quirk("rs274.thread-other-axes");
+    let other = |axis: &Axis| {
+        let allowed = *axis == Axis::Z || x_and_y && matches!(axis, Axis::X | Axis::Y);
+        !allowed && word(words, letter(*axis)).is_some()
+    };
+    if Axis::ALL.iter().any(other) || ['@', '^'].iter().any(|polar| word(words, *polar).is_some()) {
+        let message = "G76 with another axis word than Z";
+        return Err(refuse("threading.thread-axis-words", FaultKind::AxisWords, message));
+    }
+    if let Some(missing) = "pzijk".chars().find(|letter| word(words, *letter).is_none()) {
+        let message = format!("G76 needs {}", missing.to_ascii_uppercase());
+        return Err(refuse("threading.thread-words", FaultKind::MissingWord, message));
+    }
+    let below = |letter: char, least: f64| word(words, letter).is_some_and(|value| value < least);
+    let any_springs = state.readings.quirk("rs274.thread-negative-springs");
+    let not_negative = if any_springs { "pjk" } else { "pjkh" };
+    if let Some(negative) = not_negative.chars().find(|letter| below(*letter, 0.0)) {
+        let message = format!("a negative {} of G76", negative.to_ascii_uppercase());
+        return Err(refuse("threading.thread-negative", FaultKind::WordOutOfRange, message));
+    }
+    if below('r', 1.0) && !state.readings.quirk("rs274.thread-low-degression") {
+        let message = "a degression of less than 1";
+        return Err(refuse("threading.thread-degression", FaultKind::WordOutOfRange, message));
+    }
+    Ok(())
+}
+
+/// What the manual leaves open: how far a slide angle and a taper shift a pass, how deep passes are under another
+/// degression than 1 and 2, and what numbers mean that make no thread.
+fn open(thread: &Thread, words: &Words, state: &State) -> Result<(), Halt> {
+    let shifted =
+        ['q', 'l'].iter().any(|letter| word(words, *letter).is_some_and(|value| value != 0.0));
+    let is_degression = |value: f64| (thread.degression - value).abs() == 0.0;
+    let other_degression = !is_degression(1.0) && !is_degression(2.0);
+    let no_thread = thread.peak == 0.0
+        || thread.pitch == 0.0
+        || thread.first == 0.0
+        || thread.first >= thread.full
+        || thread.springs < -1;
+    if shifted || other_degression || no_thread {
+        let what = "a thread with a slide angle or a taper, or of another degression than 1 and 2, or without a depth";
+        return Err(Halt::Unspecified(what.to_owned()));
+    }
+    if state.modes.compensation != Compensation::Off {
+        return Err(Halt::Unsupported("a thread under cutter compensation".to_owned()));
+    }
+    Ok(())
+}

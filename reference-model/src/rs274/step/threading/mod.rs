@@ -1,0 +1,87 @@
+//! Motion with the spindle: G33, G33.1 and the threading cycle G76.
+
+mod cycle;
+
+use gaugeblock_trace::{Compensation, Effect, FaultKind, Motion, SpindleTurn};
+
+use super::target::end_point;
+use super::{outputs, spindle, word};
+use crate::rs274::machine::State;
+use crate::rs274::order::has_axis_words;
+use crate::rs274::quirks::threading as quirks;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::task::Record;
+pub(super) use cycle::perform as thread;
+
+/// Moves synchronised with a spindle.
+///
+/// Rule threading.synchronised. G33 moves to its end point, K per revolution of the spindle, and ends there.
+/// Rule threading.rigid-tap. G33.1 moves there and back, and ends where it began.
+///
+/// # Errors
+/// Rules threading.axis-words-missing, threading.needs-pitch, threading.needs-spindle, threading.spindle.
+pub(super) fn perform(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), Halt> {
+    if !has_axis_words(words) {
+        let message = "a synchronised move without an axis word";
+        return Err(refuse("threading.axis-words-missing", FaultKind::MissingWord, message));
+    }
+    quirks::feed_word(words, state)?;
+    let place = turning_spindle(words, state)?;
+    let Some(pitch) = word(words, 'k') else {
+        let message = "a synchronised move without K, its way per revolution";
+        return Err(refuse("threading.needs-pitch", FaultKind::MissingWord, message));
+    };
+    if pitch <= 0.0 || word(words, 'i').is_some_and(|factor| factor <= 0.0) {
+        let what = "a way per revolution, or a factor of the way back, that is not positive";
+        return Err(Halt::Unspecified(what.to_owned()));
+    }
+    if state.modes.compensation != Compensation::Off {
+        return Err(Halt::Unsupported("a synchronised move under cutter compensation".to_owned()));
+    }
+    let end = end_point(words, state)?;
+    state.modes.motion = motion;
+    outputs::motion_begins(state);
+    record.effect(state, Effect::StartSpindleSynchronisation { spindle: number(place), pitch });
+    if motion == Motion::SpindleSynchronised {
+        state.position = end;
+        record.effect(state, Effect::StraightFeed { end });
+        state.evidence.accepted("threading.synchronised");
+    } else {
+        record.effect(state, Effect::RigidTap { end });
+        state.evidence.accepted("threading.rigid-tap");
+    }
+    record.effect(state, Effect::StopSpindleSynchronisation {});
+    state.evidence.accepted("threading.axis-words-missing");
+    Ok(())
+}
+
+/// The spindle that $ names, which must turn; without $ it is spindle 0.
+///
+/// Rule threading.spindle. It is one that the machine has. Rule threading.needs-spindle. It turns.
+fn turning_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
+    let place = match word(words, '$') {
+        Some(number) => {
+            let place = spindle::number(number, state, "threading.spindle")?;
+            state.evidence.accepted("threading.spindle");
+            place
+        }
+        None => 0,
+    };
+    if matches!(state.modes.spindles[place].turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
+        let message = "a synchronised move while the spindle does not turn";
+        return Err(refuse("threading.needs-spindle", FaultKind::ZeroSpeed, message));
+    }
+    state.evidence.accepted("threading.needs-spindle");
+    Ok(place)
+}
+
+/// A spindle's number as effects tell it.
+fn number(place: usize) -> u32 {
+    u32::try_from(place).expect("machine: spindles are few")
+}
