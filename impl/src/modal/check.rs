@@ -12,7 +12,7 @@ use super::codes::{
     COOLANT, FREE, G_GROUPS, GCode, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES,
     SINGLE_OVERRIDES, STOP_RANK, TOOL_LENGTH, g_code, m_code, set_data,
 };
-use super::letters::{AXES, F, H, S, T, X, Y, first_letter};
+use super::letters::{AXES, F, H, I, J, K, S, T, X, Y, first_letter};
 use super::named::code_of;
 use super::refusal::{Refusal, refuse};
 
@@ -160,9 +160,9 @@ impl Modal {
             if arc && taken.axis_codes != 0 {
                 return refuse(FaultKind::AxisWords, "an arc beside a code that uses axis words");
             }
-            block.motion = explicit;
+            block.motion = explicit.or(implied);
             // A full circle has no axis words.
-            block.axes_move = arc;
+            block.axes_move = arc || implied.is_some();
             return self.check_length_alone(block);
         }
         let foreign = words.axes() & !self.axes;
@@ -223,7 +223,12 @@ impl Modal {
 
     /// The move that is made again because there are axis words and no code that uses them (11.4.11).
     fn implied_motion(&self, block: &Block<'_>, taken: &Taken) -> Option<u16> {
-        let again = block.g(MOTION).is_none() && taken.axis_codes == 0 && block.words.axes() != 0;
+        let words = block.words;
+        let offsets_alone = self.choices.arc_offsets_alone
+            && matches!(self.motion, Motion::ArcClockwise | Motion::ArcCounterclockwise)
+            && words.present & (I | J | K) & !taken.uses != 0;
+        let moves = words.axes() != 0 || offsets_alone;
+        let again = block.g(MOTION).is_none() && taken.axis_codes == 0 && moves;
         if again { self.motion_code() } else { None }
     }
 }

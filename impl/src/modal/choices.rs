@@ -35,6 +35,8 @@ choices! {
     abort_leaves_running: "abort.spindle-and-coolant", "switched-off", "left-alone";
     /// I of an arc is a diameter under G7.
     arc_centre_diameter: "arcs.diameter-centre", "radius", "diameter";
+    /// Offsets of a centre alone repeat an arc.
+    arc_offsets_alone: "arcs.offsets-alone", "unused", "arc";
     /// R of an arc that is a little too small makes half a circle.
     arc_half_circle: "arcs.radius-just-too-small", "refused", "half-circle";
     /// Fewer turns than one are one.

@@ -9,6 +9,7 @@ mod loops;
 mod numbered;
 mod parameters;
 mod property;
+mod refused;
 mod text;
 
 use alloc::collections::BTreeMap;
@@ -16,7 +17,7 @@ use alloc::format;
 use alloc::string::{String, ToString as _};
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Effect, End, Machine, Options, Settings};
+use gaugeblock_trace::{Effect, End, Machine, Options, Rs274State, Settings};
 
 use crate::{BlockDone, Error, Interpreter, Limits, Memory, Progress, Reply, Sink};
 
@@ -67,6 +68,8 @@ struct Case<'a> {
 struct Outcome {
     recorder: Recorder,
     parameters: BTreeMap<u32, f64>,
+    settings: Settings,
+    state: Rs274State,
     end: Result<End, Error>,
 }
 
@@ -93,7 +96,13 @@ impl Case<'_> {
                 Err(error) => break Err(error),
             }
         };
-        Outcome { recorder, parameters: interpreter.parameters().into_iter().collect(), end }
+        Outcome {
+            recorder,
+            parameters: interpreter.parameters().into_iter().collect(),
+            settings: interpreter.settings(),
+            state: interpreter.state(),
+            end,
+        }
     }
 
     #[track_caller]
