@@ -170,8 +170,7 @@ impl Run {
             _ => self.texts.last_line(),
         };
         let line = String::from_utf8_lossy(&line);
-        let called = fault.kind == Some(FaultKind::UnknownSub) && line.to_lowercase().contains("m98");
-        if called && self.texts.last_line().trim_ascii() == b"%" {
+        if fault.kind == Some(FaultKind::UnknownSub) && self.texts.last_line().trim_ascii() == b"%" {
             // The search has come by the second percent line.
             self.printer.out.call("FINISH");
         }
