@@ -83,6 +83,8 @@ pub(super) struct Printed<'a> {
     pub(super) machine: &'a Fixed,
     /// The place in the table of the tool that T selected last.
     pub(super) selected: i64,
+    /// The tool that is taken to be in the spindle: at the beginning the first one of the table.
+    pub(super) loaded: i32,
     /// F as it was programmed last: `rs274` does not convert it with the unit.
     pub(super) feed: f64,
     /// F as it was programmed when the state was saved that the block restores.
@@ -298,7 +300,8 @@ impl Printed<'_> {
             matches!(effect, Effect::ChangeTool { .. } | Effect::SetToolNumber { .. })
         };
         match self.next(changed) {
-            Some(Effect::ChangeTool { .. }) => {
+            Some(Effect::ChangeTool { tool }) => {
+                self.loaded = tool;
                 // A change that leaves the spindle on tells no stop.
                 let stopped =
                     self.spindle_after(0).turn == SpindleTurn::Stopped || self.words.m.len() > 1;
@@ -308,6 +311,7 @@ impl Printed<'_> {
                 self.out.call_of("CHANGE_TOOL", self.selected);
             }
             Some(Effect::SetToolNumber { tool }) => {
+                self.loaded = tool;
                 let place = self.machine.place(tool);
                 self.out.call_of("CHANGE_TOOL_NUMBER", place);
             }

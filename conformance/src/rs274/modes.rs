@@ -5,6 +5,8 @@ use gaugeblock_trace::{
     SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
+use super::block::Words;
+
 /// Most spindles that a machine has.
 pub(super) const SPINDLES: usize = 8;
 
@@ -52,6 +54,37 @@ macro_rules! modes {
             }
         }
     };
+}
+
+impl Modes {
+    /// Takes over what the words of a block set that was refused, and of which nothing is told: modes without lengths.
+    pub(super) fn assume(&mut self, words: &Words) {
+        for code in &words.g {
+            match code {
+                170 => self.plane = Plane::Xy,
+                180 => self.plane = Plane::Zx,
+                190 => self.plane = Plane::Yz,
+                200 => self.units = LengthUnit::Inch,
+                210 => self.units = LengthUnit::Millimetre,
+                70 => self.lathe = Lathe::Diameter,
+                80 => self.lathe = Lathe::Radius,
+                900 => self.distance = Distance::Absolute,
+                910 => self.distance = Distance::Incremental,
+                901 => self.arc_distance = Distance::Absolute,
+                911 => self.arc_distance = Distance::Incremental,
+                980 => self.retract = Retract::OldZ,
+                990 => self.retract = Retract::RPlane,
+                610 => self.path = Path::ExactPath,
+                611 => self.path = Path::ExactStop,
+                640 => {
+                    self.path = Path::Continuous;
+                    self.blend_tolerance = words.get(b'P').unwrap_or(0.0);
+                    self.naive_cam_tolerance = words.get(b'Q').unwrap_or(self.blend_tolerance);
+                }
+                _ => {}
+            }
+        }
+    }
 }
 
 modes! {

@@ -1,6 +1,9 @@
 //! The motion of a block: moves, probing, threads, and canned cycles, around which the path mode is switched.
 
-use gaugeblock_trace::{Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn};
+use gaugeblock_trace::{
+    Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn,
+    Switch,
+};
 
 use super::block::Printed;
 use super::modes::Modes;
@@ -17,10 +20,10 @@ impl Printed<'_> {
         if self.words.g_of(&[800]).is_some() {
             self.out.note("motion mode set to none");
         }
+        self.by_way_of();
         let exact = self.after.path == Path::ExactPath;
         let mut stage = self.before;
-        let mut moved =
-            self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
+        let mut moved = self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
         let mut switched = moved || self.cycle.is_none() || exact;
         while let Some(event) = self.events.get(self.at) {
             match event {
@@ -86,11 +89,18 @@ impl Printed<'_> {
         true
     }
 
+    /// G28 and G30 without axis words go by way of where they are.
+    fn by_way_of(&mut self) {
+        let axes = b"XYZABCUVW".iter().any(|axis| self.words.get(*axis).is_some());
+        if self.words.g_of(&[280, 300]).is_some() && !axes {
+            let here = self.position;
+            self.out.call_to("STRAIGHT_TRAVERSE", &here);
+        }
+    }
+
     /// G85 ends each hole with a traverse, though it has come out by a feed already.
     fn bored_out(&mut self) {
-        let Some(Event::Do(Effect::StraightFeed { end })) = self.events.get(self.at) else {
-            return;
-        };
+        let Some(Event::Do(Effect::StraightFeed { end })) = self.events.get(self.at) else { return };
         let next = self.events.get(self.at + 1);
         let goes_on = matches!(next, Some(Event::Do(Effect::StraightFeed { .. })));
         let rises = matches!(next, Some(Event::Do(Effect::StraightTraverse { end: next }))
@@ -115,12 +125,28 @@ impl Printed<'_> {
             }
         }
         if before.feed_override != stage.feed_override {
+            if stage.feed_override == Switch::On && matches!(self.cycle, Some(740 | 840)) {
+                self.turned_back(stage);
+            }
             self.out.feed_override(stage.feed_override);
         }
         let pairs = before.spindles.iter().zip(&stage.spindles);
         for (number, (before, now)) in self.all().zip(pairs) {
             if before.speed_override != now.speed_override {
                 self.out.speed_override(number, now.speed_override);
+            }
+        }
+    }
+
+    /// A tap turns the spindle as before when it is out, though the manual does not say so.
+    fn turned_back(&mut self, stage: &Modes) {
+        let pairs = self.before.spindles.iter().zip(&stage.spindles).zip(&mut self.after.spindles);
+        for (number, ((before, now), after)) in (0..i64::from(self.machine.spindles)).zip(pairs) {
+            let turn = after_m3(before.turn, now.turn);
+            if now.turn != turn {
+                self.out.turn(number, SpindleTurn::Stopped);
+                self.out.turn(number, turn);
+                after.turn = turn;
             }
         }
     }
@@ -157,15 +183,8 @@ impl Printed<'_> {
                 self.position = *end;
             }
             Effect::RigidTap { end } => {
-                let pitch = self.words.get(b'K');
-                if let Some(pitch) = pitch {
-                    self.out.synchronised(pitch);
-                }
                 let Position { x, y, z, .. } = *end;
                 self.out.begin("RIGID_TAP(").numbers(&[x, y, z], ", ").text(")").end();
-                if pitch.is_some() {
-                    self.out.call("STOP_SPEED_FEED_SYNCH");
-                }
             }
             Effect::StartSpindleSynchronisation { pitch, .. } => self.out.synchronised(*pitch),
             Effect::StopSpindleSynchronisation {} => self.out.call("STOP_SPEED_FEED_SYNCH"),
@@ -202,9 +221,8 @@ impl Printed<'_> {
 
     /// G10 L1, L10 and L11 write into the tool table, whose lengths are inches.
     pub(super) fn tool_entry(&mut self) {
-        let Some(Effect::SetToolEntry {
-            tool, offset, front_angle, back_angle, orientation, ..
-        }) = self.next(|effect| matches!(effect, Effect::SetToolEntry { .. }))
+        let Some(Effect::SetToolEntry { tool, offset, front_angle, back_angle, orientation, .. }) =
+            self.next(|effect| matches!(effect, Effect::SetToolEntry { .. }))
         else {
             return;
         };
@@ -215,11 +233,23 @@ impl Printed<'_> {
                 *value /= scale;
             }
         }
-        let place = self.machine.place(tool);
-        let begun = self.out.begin("SET_TOOL_TABLE_ENTRY(").integer(place).text(", ");
-        begun.integer(tool.into()).text(", ").numbers(&offsets, " ").text(", ");
-        begun.number(front_angle).text(", ").number(back_angle).text(", ");
-        begun.integer(orientation.into()).text(")").end();
+        // The tool in the spindle stands in place 0 too.
+        let spindle = Some(0).filter(|_| self.loaded == tool);
+        for place in [Some(self.machine.place(tool)), spindle].into_iter().flatten() {
+            let begun = self.out.begin("SET_TOOL_TABLE_ENTRY(").integer(place).text(", ");
+            begun.integer(tool.into()).text(", ").numbers(&offsets, " ").text(", ");
+            begun.number(front_angle).text(", ").number(back_angle).text(", ");
+            begun.integer(orientation.into()).text(")").end();
+        }
+    }
+}
+
+/// How a spindle turned before a tap, which turns it the other way.
+fn after_m3(before: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
+    match (before, now) {
+        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Clockwise) => SpindleTurn::Counterclockwise,
+        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Counterclockwise) => SpindleTurn::Clockwise,
+        _ => before,
     }
 }
 
@@ -263,9 +293,7 @@ fn distance(from: &Position, to: &Position) -> f64 {
 fn is_after_motion(effect: &Effect, cycle: bool) -> bool {
     match effect {
         Effect::Stop { .. } => !cycle,
-        Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. } => {
-            true
-        }
+        Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. } => true,
         _ => false,
     }
 }

@@ -21,6 +21,8 @@ pub(super) struct Printer {
     position: Position,
     /// The place in the table of the tool that T selected last.
     selected: i64,
+    /// The tool that is taken to be in the spindle.
+    loaded: i32,
     /// F as it was programmed last.
     feed: f64,
     /// The same where M70 and M73 saved it, by call level.
@@ -48,6 +50,7 @@ impl Printer {
             modes,
             position: Position::default(),
             selected: 0,
+            loaded: fixed.tools.first().copied().unwrap_or(0),
             feed: 0.0,
             saved_feeds: vec![None],
             old_level: None,
@@ -71,9 +74,13 @@ impl Printer {
         &self.words
     }
 
-    /// Where the controlled point was before the block, and the plane.
+    /// Where the controlled point was before the block, and the plane that is in force for it.
     pub(super) fn place(&self) -> (Position, Plane) {
-        (self.position, self.modes.plane)
+        let mut modes = self.modes;
+        if self.begun {
+            modes.assume(&self.words);
+        }
+        (self.position, modes.plane)
     }
 
     /// Prints what a refused block did before the phase at which it was refused.
@@ -88,6 +95,7 @@ impl Printer {
             self.forget_words();
             let mut after = self.modes;
             after.apply(settings);
+            after.assume(&self.words);
             self.print(file, line, &events, after, reached);
         }
         self.begun = false;
@@ -120,6 +128,7 @@ impl Printer {
             at: 0,
             machine: &self.fixed,
             selected: self.selected,
+            loaded: self.loaded,
             feed: self.feed,
             saved_feed: self.saved_feeds.last().copied().flatten(),
             cycle: Some(self.motion).filter(|code| CYCLES.contains(code)),
@@ -149,10 +158,10 @@ impl Printer {
         }
         let mut printed = self.printed(events, after, comment);
         printed.print(end);
-        let (position, feed, selected) = (printed.position, printed.feed, printed.selected);
-        let (after, old_level) = (printed.after, printed.old_level);
-        (self.modes, self.old_level) = (after, old_level);
-        (self.position, self.feed, self.selected) = (position, feed, selected);
+        let Printed { after, position, feed, selected, loaded, old_level, .. } = printed;
+        self.modes = after;
+        (self.position, self.feed, self.old_level) = (position, feed, old_level);
+        (self.selected, self.loaded) = (selected, loaded);
         if (self.words.has_m(70) || self.words.has_m(73))
             && let Some(saved) = self.saved_feeds.last_mut()
         {
