@@ -21,7 +21,9 @@ fn same_end(a: &End, b: &End) -> bool {
 }
 
 fn same_steps(a: &Outcome, b: &Outcome) -> bool {
-    let (mut a, mut b) = (compared(a).iter(), compared(b).iter());
+    // An o-word that did nothing has no state, and whether it stands in a trace is each interpreter's own.
+    let tells = |step: &&Step| step.state.is_some() || !step.events.is_empty();
+    let (mut a, mut b) = (compared(a).iter().filter(tells), compared(b).iter().filter(tells));
     loop {
         match (a.next(), b.next()) {
             (None, None) => return true,
