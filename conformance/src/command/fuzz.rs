@@ -228,11 +228,12 @@ fn now() -> Instant {
 /// Divergences beyond this number stay as they were generated.
 const SHRUNK_AT_MOST: usize = 150;
 
-fn shrink_all(plan: &Plan<'_>, finds: Vec<Find>, attempts: u32) -> Vec<Find> {
-    let mut finds = merged(finds);
+fn shrink_all(plan: &Plan<'_>, mut finds: Vec<Find>, attempts: u32) -> Vec<Find> {
     if attempts == 0 {
-        return finds;
+        return merged(finds);
     }
+    // What was met most often first: it has the best chance to be seen whole.
+    finds.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.number.cmp(&b.number)));
     let bar = indicatif::ProgressBar::new(
         u64::try_from(finds.len().min(SHRUNK_AT_MOST)).unwrap_or_default(),
     );

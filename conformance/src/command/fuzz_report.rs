@@ -37,7 +37,7 @@ impl Report<'_> {
     pub(super) fn json(&self) -> serde_json::Value {
         let finds: Vec<_> = self.finds.iter().map(|find| {
             json!({
-                "signature": find.signature, "rules": find.rules, "count": find.count, "number": find.number,
+                "signature": find.signature, "rules": find.rules, "options": find.options, "count": find.count, "number": find.number,
                 "divergence": find.divergence, "shrunk": find.shrunk, "scenario": find.scenario,
             })
         }).collect();
@@ -158,7 +158,7 @@ pub(super) fn describe(place: usize, find: &Find) -> String {
             let _infallible = writeln!(text, "  {:>4} | {line}", at + 1);
         }
     }
-    for difference in unusual(find) {
+    for difference in unusual(find).iter().chain(&find.options) {
         let _infallible = writeln!(text, "  with {difference}");
     }
     let _infallible = writeln!(text, "  {}", find.divergence);

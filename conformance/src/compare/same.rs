@@ -2,13 +2,14 @@
 
 use gaugeblock_trace::{End, Event, Outcome, Settings, Step};
 
-/// Whether two outcomes are surely equal in all that is ever compared; pins where `pins` says so. A `false` says nothing.
+/// Whether two outcomes are surely equal; pins where `pins` says so, and parameters where no block was refused, for what a refused
+/// block did is unspecified. A `false` says nothing.
 ///
 /// Most runs of two interpreters in this process are, and finding that out costs a fraction of a comparison.
 pub fn surely_same(expected: &Outcome, found: &Outcome, pins: bool) -> bool {
     same_end(&expected.end, &found.end)
         && expected.start == found.start
-        && expected.parameters == found.parameters
+        && (matches!(expected.end, End::Fault(_)) || expected.parameters == found.parameters)
         && (!pins || expected.pins == found.pins)
         && same_steps(expected, found)
 }
@@ -21,7 +22,9 @@ fn same_end(a: &End, b: &End) -> bool {
 }
 
 fn same_steps(a: &Outcome, b: &Outcome) -> bool {
-    let (mut a, mut b) = (compared(a).iter(), compared(b).iter());
+    // An o-word that did nothing has no state, and whether it stands in a trace is each interpreter's own.
+    let tells = |step: &&Step| step.state.is_some() || !step.events.is_empty();
+    let (mut a, mut b) = (compared(a).iter().filter(tells), compared(b).iter().filter(tells));
     loop {
         match (a.next(), b.next()) {
             (None, None) => return true,

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use gaugeblock_trace::{Bound, End, Fault, Outcome};
+use gaugeblock_trace::{Bound, End, Event, Fault, Outcome};
 
 use crate::compare::{Divergence, end_text};
 
@@ -55,7 +55,11 @@ pub(super) fn named(divergence: Divergence, expected: &Outcome, found: &Outcome)
                 .iter()
                 .any(|text| *text == "no further effect"));
     if !goes_on {
-        return divergence;
+        return if divergence.field == "effect" {
+            missing(divergence, expected, found)
+        } else {
+            divergence
+        };
     }
     let fault = |outcome: &Outcome| -> Option<Fault> {
         if let End::Fault(fault) = &outcome.end { Some(fault.clone()) } else { None }
@@ -75,6 +79,28 @@ pub(super) fn named(divergence: Divergence, expected: &Outcome, found: &Outcome)
             expected: accepted(),
             found: end_text(&found.end),
         },
+        _ if divergence.field == "effect" => missing(divergence, expected, found),
         _ => divergence,
+    }
+}
+
+/// An effect that one side lacks is compared with the one that happens to come next: that one does not differ.
+fn missing(divergence: Divergence, expected: &Outcome, found: &Outcome) -> Divergence {
+    let name = |text: &str| text.split(' ').next().unwrap_or_default().to_owned();
+    let (left, right) = (name(&divergence.expected), name(&divergence.found));
+    if left == right {
+        return divergence;
+    }
+    let count = |outcome: &Outcome, name: &str| {
+        let events = outcome.steps.iter().flat_map(|step| &step.events);
+        events.filter(|event| matches!(event, Event::Do(effect) if effect.name() == name)).count()
+    };
+    let nothing = || "no such effect".to_owned();
+    if count(expected, &left) > count(found, &left) {
+        Divergence { found: nothing(), ..divergence }
+    } else if count(found, &right) > count(expected, &right) {
+        Divergence { expected: nothing(), ..divergence }
+    } else {
+        divergence
     }
 }

@@ -29,6 +29,9 @@ pub struct Find {
     /// The rules that the block reaches, once the program is shrunk; in a report, before that none.
     #[serde(default)]
     pub rules: Vec<String>,
+    /// Options that are not those of the edition, once the program is shrunk.
+    #[serde(default)]
+    pub options: Vec<String>,
     /// Whether nothing smaller was left to try.
     #[serde(default)]
     pub shrunk: bool,
@@ -48,6 +51,7 @@ impl Find {
             scenario,
             divergence,
             rules: Vec::new(),
+            options: Vec::new(),
             shrunk: false,
         }
     }
@@ -121,8 +125,11 @@ pub fn shrunk(plan: &Plan<'_>, find: &Find, attempts: u32) -> Find {
     let smallest = shrink(&find.scenario, &plan.options, attempts, &mut holds);
     let Some(difference) = differs(&smallest.scenario) else { return find.clone() };
     let rules = rules(&smallest.scenario, &difference.divergence);
+    let chosen = smallest.scenario.options.0.iter();
+    let chosen = chosen.filter(|(id, option)| !plan.options.is(id, option));
+    let options = chosen.map(|(id, option)| format!("{id} = {option}")).collect();
     let found = Find::of(find.number, smallest.scenario, difference);
-    Find { count: find.count, rules, shrunk: smallest.finished, ..found }
+    Find { count: find.count, rules, options, shrunk: smallest.finished, ..found }
 }
 
 /// Groups that turn out to have one cause: the same signature and rules, or the same program.
@@ -130,8 +137,10 @@ pub fn merged(finds: Vec<Find>) -> Vec<Find> {
     let mut merged: Vec<Find> = Vec::new();
     for find in finds {
         let same = |known: &&mut Find| {
+            let same_rules = !find.rules.is_empty() && known.rules == find.rules;
+            let same_shape = find.rules.is_empty() && known.shape == find.shape;
             known.signature == find.signature
-                && (known.rules == find.rules || known.scenario.program == find.scenario.program)
+                && (same_rules || same_shape || known.scenario.program == find.scenario.program)
         };
         match merged.iter_mut().find(same) {
             Some(known) => {

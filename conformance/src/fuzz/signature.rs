@@ -59,7 +59,7 @@ fn kind_of(value: &str) -> String {
         let kind = rest.find('(').map_or("", |at| &rest[at..]);
         return format!("refused {kind}").trim_end().to_owned();
     }
-    if value == "no further effect" || value.starts_with("budget exhausted") {
+    if value == "no such effect" || value.starts_with("budget exhausted") {
         return value.to_owned();
     }
     let word = value.split([' ', ':']).next().unwrap_or_default();
@@ -118,8 +118,8 @@ mod tests {
         );
         assert_eq!(signature("motion", "traverse", "none"), "motion: none against traverse");
         assert_eq!(
-            signature("effect", "straight_feed end=(x1)", "no further effect"),
-            "effect: no further effect against straight_feed"
+            signature("effect", "straight_feed end=(x1)", "no such effect"),
+            "effect: no such effect against straight_feed"
         );
         assert_eq!(signature("run", "main.ngc:4", "main.ngc:7"), "run");
         assert_eq!(signature("#31 at the end", "1", "2"), "#n at the end: a value against a value");

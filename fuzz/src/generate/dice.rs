@@ -34,7 +34,7 @@ impl<'a> Dice<'a> {
         }
     }
 
-    /// 64 bits of a seed (SplitMix64); zero from bytes, which are taken in ranges.
+    /// 64 bits of a seed (`SplitMix64`); zero from bytes, which are taken in ranges.
     fn bits(&mut self) -> u64 {
         let Origin::Seed(state) = &mut self.0 else { return 0 };
         *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -52,7 +52,7 @@ fn machine(search: &mut Search<'_>) {
     attempt(search, |scenario| scenario.machine.orient_offset = default().orient_offset);
     attempt(search, |scenario| scenario.machine.tool_change = default().tool_change);
     attempt(search, |scenario| {
-        scenario.machine.random_tool_changer = default().random_tool_changer
+        scenario.machine.random_tool_changer = default().random_tool_changer;
     });
     attempt(search, |scenario| scenario.machine.fanuc_subs = default().fanuc_subs);
     attempt(search, |scenario| scenario.machine.ini.clear());
