@@ -4,6 +4,7 @@ use gaugeblock_trace::{Effect, FaultKind, Position, Settings};
 
 use crate::begun::BlockBegun;
 use crate::done::BlockDone;
+use crate::probing::Probing;
 
 /// What receives the commands of a program, in order.
 ///
@@ -17,6 +18,13 @@ pub trait Sink {
 
     /// Performs an effect, or queues it, under the settings in force.
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply;
+
+    /// Performs a straight probe. Whoever knows a probe answers where it changed; this answers what [`Self::perform`] does.
+    #[inline]
+    fn probe(&mut self, line: u32, effect: &Effect, probing: &Probing) -> Reply {
+        let _nothing = probing;
+        self.perform(line, effect)
+    }
 
     /// The words of a block are about to be checked and executed; for those who show what a program says, besides what it does.
     #[inline]

@@ -73,6 +73,7 @@ mod math;
 mod modal;
 mod parameters;
 pub mod plan;
+mod probing;
 mod source;
 mod syntax;
 #[cfg(test)]
@@ -86,4 +87,5 @@ pub use error::Error;
 pub use interpret::{Interpreter, Progress};
 pub use limits::{Limit, Limits};
 pub use plan::Planner;
+pub use probing::Probing;
 pub use source::{Memory, Source, Unreadable};

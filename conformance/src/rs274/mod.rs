@@ -77,9 +77,10 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     let table = arguments.tools.as_ref().and_then(|path| read_text(path).ok()).unwrap_or_default();
     let stored = arguments.parameters.as_ref().and_then(|path| read_text(path).ok());
     let stored = parameters::read(stored.as_deref().unwrap_or_default())?;
-    let program = arguments.program.as_ref().map(|path| {
-        std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))
-    });
+    let program = arguments
+        .program
+        .as_ref()
+        .map(|path| std::fs::read(path).map_err(|error| format!("{}: {error}", path.display())));
     let program = program.transpose()?;
 
     let mut machine = machine::machine(&ini, machine::tools(&table));
@@ -145,7 +146,9 @@ impl Run {
                 }
                 Ok(Progress::Ended(end)) => unsupported(&end),
                 Err(Error::Fault(fault)) => *fault,
-                Err(error) => Fault { kind: None, block: None, span: None, message: error.to_string() },
+                Err(error) => {
+                    Fault { kind: None, block: None, span: None, message: error.to_string() }
+                }
             };
             let last = fault.kind == Some(FaultKind::MissingEnd) || fault.block.is_none();
             self.refused(&fault);
@@ -170,7 +173,8 @@ impl Run {
             _ => self.texts.last_line(),
         };
         let line = String::from_utf8_lossy(&line);
-        if fault.kind == Some(FaultKind::UnknownSub) && self.texts.last_line().trim_ascii() == b"%" {
+        if fault.kind == Some(FaultKind::UnknownSub) && self.texts.last_line().trim_ascii() == b"%"
+        {
             // The search has come by the second percent line.
             self.printer.out.call("FINISH");
         }

@@ -1,8 +1,7 @@
 //! The motion of a block: moves, probing, threads, and canned cycles, around which the path mode is switched.
 
 use gaugeblock_trace::{
-    Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn,
-    Switch,
+    Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn, Switch,
 };
 
 use super::block::Printed;
@@ -23,7 +22,8 @@ impl Printed<'_> {
         self.by_way_of();
         let exact = self.after.path == Path::ExactPath;
         let mut stage = self.before;
-        let mut moved = self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
+        let mut moved =
+            self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
         let mut switched = moved || self.cycle.is_none() || exact;
         while let Some(event) = self.events.get(self.at) {
             match event {
@@ -100,7 +100,9 @@ impl Printed<'_> {
 
     /// G85 ends each hole with a traverse, though it has come out by a feed already.
     fn bored_out(&mut self) {
-        let Some(Event::Do(Effect::StraightFeed { end })) = self.events.get(self.at) else { return };
+        let Some(Event::Do(Effect::StraightFeed { end })) = self.events.get(self.at) else {
+            return;
+        };
         let next = self.events.get(self.at + 1);
         let goes_on = matches!(next, Some(Event::Do(Effect::StraightFeed { .. })));
         let rises = matches!(next, Some(Event::Do(Effect::StraightTraverse { end: next }))
@@ -221,8 +223,9 @@ impl Printed<'_> {
 
     /// G10 L1, L10 and L11 write into the tool table, whose lengths are inches.
     pub(super) fn tool_entry(&mut self) {
-        let Some(Effect::SetToolEntry { tool, offset, front_angle, back_angle, orientation, .. }) =
-            self.next(|effect| matches!(effect, Effect::SetToolEntry { .. }))
+        let Some(Effect::SetToolEntry {
+            tool, offset, front_angle, back_angle, orientation, ..
+        }) = self.next(|effect| matches!(effect, Effect::SetToolEntry { .. }))
         else {
             return;
         };
@@ -247,8 +250,12 @@ impl Printed<'_> {
 /// How a spindle turned before a tap, which turns it the other way.
 fn after_m3(before: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
     match (before, now) {
-        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Clockwise) => SpindleTurn::Counterclockwise,
-        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Counterclockwise) => SpindleTurn::Clockwise,
+        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Clockwise) => {
+            SpindleTurn::Counterclockwise
+        }
+        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Counterclockwise) => {
+            SpindleTurn::Clockwise
+        }
         _ => before,
     }
 }
@@ -293,7 +300,9 @@ fn distance(from: &Position, to: &Position) -> f64 {
 fn is_after_motion(effect: &Effect, cycle: bool) -> bool {
     match effect {
         Effect::Stop { .. } => !cycle,
-        Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. } => true,
+        Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. } => {
+            true
+        }
         _ => false,
     }
 }

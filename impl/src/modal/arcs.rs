@@ -126,7 +126,13 @@ impl Modal {
     ) -> Result<Effect, Refusal> {
         let plane = self.arc_plane(start)?;
         let counterclockwise = motion == Motion::ArcCounterclockwise;
-        let tolerances = Tolerances::of(self.in_force.now().units);
+        let mut tolerances = Tolerances::of(self.in_force.now().units);
+        if self.choices.arc_fine_tolerance {
+            tolerances.fine = match self.in_force.now().units {
+                LengthUnit::Inch => 0.0001,
+                LengthUnit::Millimetre => 0.001,
+            };
+        }
         let centre = if words.present & R != 0 {
             let half_circle = self.choices.arc_half_circle;
             let slack = if half_circle { tolerances.radius } else { 0.0 };

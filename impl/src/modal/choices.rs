@@ -39,12 +39,24 @@ choices! {
     arc_offsets_alone: "arcs.offsets-alone", "unused", "arc";
     /// R of an arc that is a little too small makes half a circle.
     arc_half_circle: "arcs.radius-just-too-small", "refused", "half-circle";
+    /// Radii of an arc differ by less than the section on arcs says.
+    arc_fine_tolerance: "arcs.small-tolerance", "coarse", "fine";
     /// Fewer turns than one are one.
     arc_turns_one: "arcs.turns-below-one", "refused", "one";
     /// An arc may go round the point where it begins.
     arc_zero_radius: "arcs.zero-radius", "refused", "accepted";
     /// M7 and M8 may stand in one block.
     both_coolants: "coolant.both-in-one-block", "refused", "accepted";
+    /// G73 ends where the return mode says.
+    break_returns: "cycles.chip-break-return", "retract", "return-level";
+    /// P and Q of a cycle are needed in each block.
+    arguments_each_block: "cycles.sticky-arguments", "sticky", "each-block";
+    /// G84 and G74 need a spindle that turns as the thread is cut.
+    tap_as_cut: "cycles.tap-direction", "any", "as-cut";
+    /// The spindle turns as before after G84 and G74.
+    tap_turns_back: "cycles.tap-return", "reversed", "as-before";
+    /// G84 and G74 without P dwell for zero seconds.
+    tap_without_dwell: "cycles.tap-without-dwell", "refused", "zero";
     /// M66 is refused under cutter compensation.
     input_uncompensated: "inputs.under-compensation", "accepted", "refused";
     /// M66 without Q waits for ever.
@@ -103,6 +115,10 @@ choices! {
     rpm_needs_speed: "spindle.rpm-mode-speed", "optional", "required";
     /// M3, M4 and M5 without $ act on spindle 0.
     turn_first: "spindle.without-dollar", "all", "first";
+    /// G5.2 is refused without a feed rate, and not G5.3.
+    nurbs_feed_at_opening: "splines.nurbs-feed", "at-closing", "at-opening";
+    /// G76 needs a spindle that turns.
+    thread_needs_spindle: "threading.cycle-spindle", "any", "turning";
     /// M6 is refused under cutter compensation.
     change_uncompensated: "tool.change-under-compensation", "accepted", "refused";
     /// M6 without a T since the last change is allowed.
@@ -113,6 +129,8 @@ choices! {
     entry_needs_words: "tool.entry-without-words", "accepted", "refused";
     /// The old tool goes to the slot of the new one.
     old_tool_to_new_slot: "tool.old-tool-place", "its-own-slot", "slot-of-the-new";
+    /// G76 without R cuts passes of the same area.
+    thread_constant_area: "threading.without-degression", "constant-depth", "constant-area";
     /// T is the number of a slot.
     tool_by_slot: "tool.selected-by", "number", "slot";
     /// M61 may not stand in a program.

@@ -57,9 +57,10 @@ use crate::error::Error;
 use crate::parameters::Numbered;
 
 use choices::{Choices, InitialMotion};
-use coordinates::{Conversion, Coordinates};
+pub(crate) use coordinates::{Conversion, Coordinates};
 use cycles::{Series, Unfinished};
-use modes::{InForce, Modes, SPINDLES};
+pub(crate) use modes::Modes;
+use modes::{InForce, SPINDLES};
 use saved::SavedStates;
 use tool::NO_TOOL;
 
@@ -99,6 +100,8 @@ pub(crate) struct Modal {
     saved: SavedStates,
     /// The sink asked to stop within this block.
     stop_asked: bool,
+    /// Where a straight probe of this block came to that had to change and did not.
+    missed: Option<Coordinates>,
     /// Letters of the axes that the machine has.
     axes: u32,
     /// Highest velocity of each axis, machine unit per second; infinite where none is given.
@@ -160,6 +163,7 @@ impl Modal {
             controller_mode: ControllerMode::Auto,
             saved: SavedStates::default(),
             stop_asked: false,
+            missed: None,
             axes: axis_letters(&machine.axes),
             velocities: threads::velocities(machine),
             spindles: u32::from(machine.spindles),

@@ -4,6 +4,7 @@ use gaugeblock_trace::{Compensation, Effect, FaultKind};
 
 use crate::canon::{Reply, Sink};
 use crate::parameters::Numbered;
+use crate::probing::Probing;
 use crate::words::Words;
 
 use super::Modal;
@@ -30,10 +31,26 @@ impl Modal {
         }
         self.motion = mode_of(code);
         let effect = Effect::StraightProbe { end: end.position(), contact: None };
+        let now = *self.in_force.now();
+        let to_stored = self.active_to_stored();
+        let probing = Probing {
+            toward: matches!(code, 382 | 383),
+            from: now.machine_of(self.position).converted(to_stored),
+            to: now.machine_of(end).converted(to_stored),
+            modes: now,
+            stored_to_active: self.stored_to_active(),
+        };
         // That the probe is in the target state already only the outside can tell; it refuses then.
-        let reply = self.ask(words.line, &effect, sink)?;
+        self.in_force.tell(words.line, sink);
+        let reply = sink.probe(words.line, &effect, &probing);
+        match reply {
+            Reply::Stop => self.stop_asked = true,
+            Reply::Failed(kind) => return refuse(kind, "refused from outside"),
+            Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
+        }
         let contact = if let Reply::Contact(Some(contact)) = reply { Some(contact) } else { None };
         if contact.is_none() && matches!(code, 382 | 384) && reply != Reply::Stop {
+            self.missed = Some(end);
             return refuse(FaultKind::Probe, "the probe did not change");
         }
         self.position = contact.map_or(end, Into::into);

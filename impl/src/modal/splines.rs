@@ -74,6 +74,9 @@ impl Modal {
     pub(super) fn add_control_point(&mut self, words: &Words) -> Result<(), Refusal> {
         self.check_spline(words)?;
         let open = self.series.curve.filter(|_| self.motion == Motion::Nurbs);
+        if open.is_none() && self.choices.nurbs_feed_at_opening {
+            self.check_feed_move()?;
+        }
         let mut curve = open.unwrap_or(Curve { points: 1, order: 3, last: self.position });
         if let Some(order) = words.get(b'L') {
             curve.order = integer(order, "L")?;

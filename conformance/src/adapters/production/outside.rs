@@ -2,12 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_impl::Reply;
-use gaugeblock_trace::scenario::{Bench, Folder, OrientAnswer, UserProgram};
-use gaugeblock_trace::{Effect, FaultKind, OutputTiming, Scenario, WaitMode};
+use gaugeblock_impl::{Probing, Reply};
+use gaugeblock_trace::scenario::{Bench, Folder, OrientAnswer, ProbeContact, UserProgram};
+use gaugeblock_trace::{Effect, FaultKind, OutputTiming, Position, Scenario, WaitMode};
 
 /// What M66 reads when nothing came in time.
 const TIMED_OUT: f64 = -1.0;
+
+/// Points that are nearer than this in each axis are one, machine unit.
+const SAME: f64 = 1e-6;
 
 /// The outside: clock, outputs that are wired to inputs, and spindles that turn to an angle.
 #[derive(Clone, Debug)]
@@ -25,6 +28,8 @@ pub(super) struct Outside<'a> {
     with_motion: BTreeMap<i32, bool>,
     /// When each spindle began to turn to its angle.
     orienting: BTreeMap<u32, f64>,
+    /// Where the last probing move ended, and whether the probe touches there.
+    probed: Option<(Position, bool)>,
 }
 
 /// What came of an effect outside.
@@ -47,6 +52,7 @@ impl<'a> Outside<'a> {
             outputs: BTreeMap::new(),
             with_motion: BTreeMap::new(),
             orienting: BTreeMap::new(),
+            probed: None,
         }
     }
 
@@ -82,6 +88,30 @@ impl<'a> Outside<'a> {
             Reply::Done
         };
         Answer::Reply(reply)
+    }
+
+    /// Where the probe changes on its way, machine coordinates.
+    ///
+    /// # Errors
+    /// It is as it is to become before it moves.
+    pub(super) fn probe(&mut self, probing: &Probing) -> Result<Option<Position>, FaultKind> {
+        let (from, to) = (probing.from(), probing.to());
+        let touches_here = match self.probed {
+            Some((place, touches)) if is_same(place, from) => touches,
+            _ => matches!(self.bench.probe, Some(ProbeContact::At(point)) if is_same(point, from)),
+        };
+        if touches_here == probing.toward() {
+            return Err(FaultKind::Probe);
+        }
+        self.outputs.append(&mut self.with_motion);
+        let contact = match self.bench.probe {
+            Some(ProbeContact::AtTarget) => Some(to),
+            Some(ProbeContact::At(point)) if lies_between(point, from, to) => Some(point),
+            Some(ProbeContact::At(_) | ProbeContact::Never) | None => None,
+        };
+        let touches = contact.is_some() == probing.toward();
+        self.probed = Some((contact.unwrap_or(to), touches));
+        Ok(contact)
     }
 
     fn pass(&mut self, seconds: f64) {
@@ -216,4 +246,20 @@ fn moves(effect: &Effect) -> bool {
             | Effect::StraightProbe { .. }
             | Effect::RigidTap { .. }
     )
+}
+
+fn is_same(a: Position, b: Position) -> bool {
+    a.to_array().into_iter().zip(b.to_array()).all(|(a, b)| (a - b).abs() < SAME)
+}
+
+/// Whether a point is on the straight way between two others.
+fn lies_between(point: Position, from: Position, to: Position) -> bool {
+    let way = from.to_array().into_iter().zip(to.to_array()).map(|(from, to)| to - from);
+    let way: Vec<f64> = way.collect();
+    let gone = from.to_array().into_iter().zip(point.to_array()).map(|(from, at)| at - from);
+    let gone: Vec<f64> = gone.collect();
+    let length: f64 = way.iter().map(|part| part * part).sum();
+    let share = way.iter().zip(&gone).map(|(way, gone)| way * gone).sum::<f64>() / length;
+    let is_on_line = way.iter().zip(&gone).all(|(way, gone)| (gone - share * way).abs() < SAME);
+    (-SAME..=1.0 + SAME).contains(&share) && is_on_line
 }

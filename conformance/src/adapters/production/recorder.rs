@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_impl::{BlockDone, Executed, Interpreter, Reply, Sink};
+use gaugeblock_impl::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
 use gaugeblock_trace::{
     Block, Effect, End, Event, Indexed, Language, Outcome, Rs274State, Settings, State, Step,
 };
@@ -144,6 +144,29 @@ impl Sink for Recorder<'_> {
             return Reply::Stop;
         }
         reply
+    }
+
+    fn probe(&mut self, _line: u32, effect: &Effect, probing: &Probing) -> Reply {
+        if self.halt.is_some() {
+            return Reply::Stop;
+        }
+        let found = match self.outside.probe(probing) {
+            Ok(found) => found,
+            Err(kind) => return Reply::Failed(kind),
+        };
+        let mut effect = effect.clone();
+        let mut touched = None;
+        if let Effect::StraightProbe { end, contact } = &mut effect {
+            touched = found.map(
+                |point| {
+                    if point == probing.to() { *end } else { probing.program(point) }
+                },
+            );
+            *contact = touched;
+        }
+        self.events.push(Event::Do(effect));
+        self.effects = self.effects.saturating_add(1);
+        Reply::Contact(touched)
     }
 
     fn block_done(&mut self, done: &mut BlockDone<'_>) {

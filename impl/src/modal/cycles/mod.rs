@@ -17,7 +17,9 @@ mod unfinished;
 pub(super) use series::Series;
 pub(super) use unfinished::Unfinished;
 
-use gaugeblock_trace::{Axis, Compensation, FaultKind, FeedMode, Lathe, Motion, Plane, Retract};
+use gaugeblock_trace::{
+    Axis, Compensation, FaultKind, FeedMode, Lathe, Motion, Plane, Retract, SpindleTurn,
+};
 
 use crate::words::Words;
 
@@ -83,6 +85,24 @@ pub(super) const fn is_cycle(motion: Motion) -> bool {
     )
 }
 
+/// Whether the spindle turns as a thread is cut: clockwise under G84, counterclockwise under G74.
+fn check_tapping(code: u16, turn: SpindleTurn) -> Result<(), Refusal> {
+    let cuts = match code {
+        740 => SpindleTurn::Counterclockwise,
+        840 => SpindleTurn::Clockwise,
+        _ => return Ok(()),
+    };
+    match turn {
+        turn if turn == cuts => Ok(()),
+        SpindleTurn::Stopped | SpindleTurn::Oriented => {
+            refuse(FaultKind::ZeroSpeed, "tapping while the spindle stands")
+        }
+        SpindleTurn::Clockwise | SpindleTurn::Counterclockwise => {
+            refuse(FaultKind::ModalConflict, "tapping while the spindle turns the other way")
+        }
+    }
+}
+
 impl Modal {
     /// Checks a canned cycle and makes it the unfinished work of its block.
     pub(super) fn canned_cycle(&mut self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
@@ -100,8 +120,12 @@ impl Modal {
         };
         let axes = PlaneAxes::of(self.in_force.now().plane);
         let series = self.series.of_cycles(self.motion, self.position);
-        let numbers = Numbers::read(words, code, axes.normal, series.sticky(code))?;
-        let levels = self.levels(&numbers, axes.normal, series.start());
+        let sticky = series.sticky(code);
+        let numbers = Numbers::read(words, code, axes.normal, sticky, &self.choices)?;
+        let mut levels = self.levels(&numbers, axes.normal, series.start());
+        if code == 730 && !self.choices.break_returns {
+            levels.clear = levels.retract;
+        }
         if levels.retract < levels.bottom {
             return refuse(FaultKind::WordOutOfRange, "R is below the bottom of the hole");
         }
@@ -110,6 +134,9 @@ impl Modal {
         let turning = self.spindle_of(spindle);
         if code == 860 && !turning.turns() {
             return refuse(FaultKind::ZeroSpeed, "G86 while the spindle stands");
+        }
+        if self.choices.tap_as_cut {
+            check_tapping(code, turning.turn)?;
         }
         let (hole, step) = self.holes(words, axes);
         self.series = series.with_sticky(code, numbers);

@@ -5,6 +5,7 @@ use gaugeblock_trace::{Axis, FaultKind};
 use crate::math;
 use crate::words::Words;
 
+use super::super::choices::Choices;
 use super::super::refusal::{Refusal, refuse};
 use super::super::values::not_negative;
 
@@ -45,6 +46,7 @@ impl Numbers {
         code: u16,
         normal: Axis,
         sticky: Option<Self>,
+        choices: &Choices,
     ) -> Result<Self, Refusal> {
         let word = |here: Option<f64>, kept: Option<f64>, missing: &str| match here.or(kept) {
             Some(number) => Ok(number),
@@ -60,11 +62,12 @@ impl Numbers {
             sticky.map(|kept| kept.bottom),
             "a cycle without its depth, and none to keep",
         )?;
-        let kept = sticky.filter(|_| keeps_dwell_and_increment());
+        let kept = sticky.filter(|_| !choices.arguments_each_block);
+        let taps_at_once = matches!(code, 740 | 840) && choices.tap_without_dwell;
         let dwell = if dwells(code) {
             let seconds = word(
                 words.get(b'P'),
-                kept.map(|kept| kept.dwell),
+                kept.map(|kept| kept.dwell).or(taps_at_once.then_some(0.0)),
                 "a cycle that dwells without P",
             )?;
             not_negative(seconds, "P")?
@@ -84,11 +87,6 @@ impl Numbers {
         let repeats = words.get(b'L').map_or(Ok(1), repeats)?;
         Ok(Self { retract, bottom, dwell, increment, repeats })
     }
-}
-
-/// Whether P and Q are sticky as R and Z are. The documents say so of R and Z, and the contrary of L only (11.5.43.2).
-const fn keeps_dwell_and_increment() -> bool {
-    true
 }
 
 /// Whether a cycle has a P.

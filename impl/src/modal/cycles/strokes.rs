@@ -266,7 +266,13 @@ impl Modal {
             Stroke::OverridesOff => {
                 self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));
             }
-            Stroke::OverridesBack => self.restore_overrides(drilling),
+            Stroke::OverridesBack => {
+                self.restore_overrides(drilling);
+                if self.choices.tap_turns_back {
+                    let turn = cycle.turn;
+                    self.for_spindles(cycle.spindle, |spindle| spindle.turn = turn);
+                }
+            }
         }
         Ok(drilling.advance())
     }

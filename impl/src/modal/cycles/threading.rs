@@ -89,7 +89,11 @@ impl Modal {
             return refuse(FaultKind::AxisWords, "G76 takes a Z word and no other axis");
         }
         self.check_compensated_move(false)?;
-        let spindle = self.selected(block, FIRST)?.trailing_zeros();
+        let spindles = self.selected(block, FIRST)?;
+        if self.choices.thread_needs_spindle && !self.spindle_of(spindles).turns() {
+            return refuse(FaultKind::ZeroSpeed, "G76 while the spindle stands");
+        }
+        let spindle = spindles.trailing_zeros();
         let threading = self.threading(words, spindle)?;
         self.series = self.series.with_cycle(self.motion, self.position);
         self.motion = mode_of(760);
@@ -107,7 +111,8 @@ impl Modal {
         if first_depth <= 0.0 || full_depth <= 0.0 {
             return refuse(FaultKind::WordOutOfRange, "J or K of G76 is not positive");
         }
-        let degression = words.get(b'R').unwrap_or(1.0);
+        let without = if self.choices.thread_constant_area { 2.0 } else { 1.0 };
+        let degression = words.get(b'R').unwrap_or(without);
         if degression < 1.0 {
             return refuse(FaultKind::WordOutOfRange, "R of G76 is less than 1");
         }

@@ -137,6 +137,7 @@ fn quadratic(words: &Words, state: &mut State) -> Result<(), Halt> {
 ///
 /// Rule splines.nurbs. G5.2 opens a data block; each X and Y is a control point, and G5.3 executes the curve through all of
 /// them, the current point first.
+/// Choice splines.nurbs-feed: where a missing feed rate is refused.
 /// Rule splines.nurbs-first-weight. G5.2 without X and Y names no point.
 pub(super) fn nurbs(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
     let closes = words.g.contains(&53);
@@ -150,7 +151,8 @@ pub(super) fn nurbs(words: &Words, state: &mut State, record: &mut Record) -> Re
     {
         return Err(open("a G5.2 in an open data block, or a G5.3 without one or with a point"));
     }
-    if opens {
+    let at_opening = state.readings.is("splines.nurbs-feed", "at-opening");
+    if if at_opening { opens } else { closes } {
         super::motion::feed_possible(words, state)?;
     }
     let mut nurbs = match state.curve.open.take() {

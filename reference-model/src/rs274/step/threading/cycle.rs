@@ -4,7 +4,7 @@ use gaugeblock_trace::{
     Axis, Compensation, Distance, Effect, FaultKind, Lathe, Plane, Position, Switch,
 };
 
-use super::{number, turning_spindle};
+use super::{number, selected_spindle, turning_spindle};
 use crate::rs274::machine::State;
 use crate::rs274::quirks::threading as quirks;
 use crate::rs274::read::Words;
@@ -127,7 +127,11 @@ fn traverse(end: Position, state: &mut State, record: &mut Record) {
 /// Rule threading.thread-diameter. In diameter mode I, J and K are diameters.
 fn find(words: &Words, state: &mut State) -> Result<Thread, Halt> {
     refused_words(words, state)?;
-    let spindle = turning_spindle(words, state)?;
+    let spindle = if state.readings.is("threading.cycle-spindle", "turning") {
+        turning_spindle(words, state)?
+    } else {
+        selected_spindle(words, state)?
+    };
     let value = |letter| word(words, letter).unwrap_or(0.0);
     let diameter = state.modes.lathe == Lathe::Diameter;
     let radius = |letter| if diameter { value(letter) / 2.0 } else { value(letter) };

@@ -61,18 +61,21 @@ pub(super) fn perform(
     Ok(())
 }
 
-/// The spindle that $ names, which must turn; without $ it is spindle 0.
+/// The spindle that $ names; without $ it is spindle 0.
 ///
-/// Rule threading.spindle. It is one that the machine has. Rule threading.needs-spindle. It turns.
+/// Rule threading.spindle. It is one that the machine has.
+fn selected_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
+    let Some(number) = word(words, '$') else { return Ok(0) };
+    let place = spindle::number(number, state, "threading.spindle")?;
+    state.evidence.accepted("threading.spindle");
+    Ok(place)
+}
+
+/// The same, which must turn.
+///
+/// Rule threading.needs-spindle. It turns; whether G76 too needs that is choice threading.cycle-spindle.
 fn turning_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
-    let place = match word(words, '$') {
-        Some(number) => {
-            let place = spindle::number(number, state, "threading.spindle")?;
-            state.evidence.accepted("threading.spindle");
-            place
-        }
-        None => 0,
-    };
+    let place = selected_spindle(words, state)?;
     if matches!(state.modes.spindles[place].turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
         let message = "a synchronised move while the spindle does not turn";
         return Err(refuse("threading.needs-spindle", FaultKind::ZeroSpeed, message));
