@@ -164,6 +164,7 @@ impl Canon {
                 self.tool = issued.whole(0)?;
                 Effect::SetToolNumber { tool: self.tool }
             }
+            "TOOL_SET_OFFSET" => self.tool_entry(issued)?,
             "SPINDLE_ORIENT" => {
                 if self.spindles == 1 {
                     self.turn(SpindleTurn::Oriented);
@@ -190,6 +191,18 @@ impl Canon {
         };
         self.push(effect);
         Ok(())
+    }
+
+    /// An entry of the tool table was written.
+    fn tool_entry(&self, issued: &Issued) -> Result<Effect, HarnessError> {
+        Ok(Effect::SetToolEntry {
+            tool: issued.whole(1)?,
+            offset: self.in_program_unit(machine_position(issued, 2)?),
+            diameter: self.length(issued.number(11)?),
+            front_angle: issued.number(12)?,
+            back_angle: issued.number(13)?,
+            orientation: issued.whole(14)?,
+        })
     }
 
     fn setting(&mut self, issued: &Issued) -> Result<Settings, HarnessError> {

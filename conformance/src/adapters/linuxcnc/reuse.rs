@@ -33,9 +33,9 @@ pub(super) fn leaves_traces(source: &Source, items: &[Item]) -> bool {
     refuses_all || words_leave_traces(source)
 }
 
-/// Whether a program has words that may leave something behind.
+/// Whether a program has words that may leave something behind: a changed tool table is one such thing.
 pub(super) fn words_leave_traces(source: &Source) -> bool {
-    ["continue", "break", "m98"].into_iter().any(|word| has(source, word))
+    ["continue", "break", "m98", "g10l1"].into_iter().any(|word| has(source, word))
 }
 
 /// Whether this stands in the code of a program.
