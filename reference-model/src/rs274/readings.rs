@@ -90,6 +90,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
     ("text.percent-alone", &["refused", "ends", "ignored"]),
     ("text.percent-unclosed-ended", &["accepted", "refused"]),
     ("threading.cycle-spindle", &["any", "turning"]),
+    ("threading.slide-end", &["fixed", "with-depth"]),
     ("threading.without-degression", &["constant-depth", "constant-area"]),
     ("tool.change-under-compensation", &["accepted", "refused"]),
     ("tool.change-without-selection", &["refused", "accepted"]),

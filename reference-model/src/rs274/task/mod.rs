@@ -26,6 +26,7 @@ use gaugeblock_trace::{
     Scenario, Settings,
 };
 
+pub(crate) use pins::show;
 pub use record::Record;
 
 use self::operator::Operator;

@@ -10,45 +10,51 @@ use crate::rs274::step;
 
 impl Run<'_> {
     /// Brings the pins up to date after a phase of a block, or after something that the operator did.
-    ///
-    /// Rules coolant.mist-pin and coolant.flood-pin. Each coolant has a pin.
     pub(super) fn show(&mut self, after: Option<Phase>) {
-        for rule in (0..).zip(&self.state.modes.spindles).flat_map(|(number, spindle)| {
-            of_override(spindle, self.state.panel.spindle_override(number))
-        }) {
-            self.state.evidence.accepted(rule);
-        }
-        step::pass(0.0, &mut self.state);
-        for (pin, value) in pins(&self.state) {
-            if (self.state.outside.level(pin) - value).abs() > 0.0 {
-                self.state.outside.set(pin, value);
-                self.changed_pin(pin, value, after);
-            }
+        show(&mut self.state, after);
+    }
+}
+
+/// Brings the pins up to date, also within a phase that goes on.
+///
+/// Rules coolant.mist-pin and coolant.flood-pin. Each coolant has a pin.
+pub(crate) fn show(state: &mut State, after: Option<Phase>) {
+    for rule in (0..)
+        .zip(&state.modes.spindles)
+        .flat_map(|(number, spindle)| of_override(spindle, state.panel.spindle_override(number)))
+    {
+        state.evidence.accepted(rule);
+    }
+    step::pass(0.0, state);
+    for (pin, value) in pins(state) {
+        if (state.outside.level(pin) - value).abs() > 0.0 {
+            state.outside.set(pin, value);
+            changed_pin(pin, value, after, state);
         }
     }
+}
 
-    /// Rule spindle.turns-at-speed. What the pins of a spindle show is how it turns; each spindle has its own
-    /// (spindle.each-turns).
-    ///
-    /// Rule spindle.turns-later. A speed above zero lets a spindle turn that was started before.
-    /// Rule spindle.override-turned-up. So does its override.
-    fn changed_pin(&mut self, pin: Pin, value: f64, after: Option<Phase>) {
-        let evidence = &mut self.state.evidence;
-        if pin == Pin::CoolantMist {
-            evidence.accepted("coolant.mist-pin");
-        } else if pin == Pin::CoolantFlood {
-            evidence.accepted("coolant.flood-pin");
-        } else if let Pin::SpindleOn(number) = pin {
-            evidence.accepted("spindle.turns-at-speed");
-            if number > 0 {
-                evidence.accepted("spindle.each-turns");
-            }
-            let starts = value > 0.0;
-            if starts && after == Some(Phase::SpindleSpeed) {
-                evidence.accepted("spindle.turns-later");
-            } else if starts && after.is_none() {
-                evidence.accepted("spindle.override-turned-up");
-            }
+/// Rule spindle.turns-at-speed. What the pins of a spindle show is how it turns; each spindle has its own
+/// (spindle.each-turns).
+///
+/// Rule spindle.turns-later. A speed above zero lets a spindle turn that was started before.
+/// Rule spindle.override-turned-up. So does its override.
+fn changed_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
+    let evidence = &mut state.evidence;
+    if pin == Pin::CoolantMist {
+        evidence.accepted("coolant.mist-pin");
+    } else if pin == Pin::CoolantFlood {
+        evidence.accepted("coolant.flood-pin");
+    } else if let Pin::SpindleOn(number) = pin {
+        evidence.accepted("spindle.turns-at-speed");
+        if number > 0 {
+            evidence.accepted("spindle.each-turns");
+        }
+        let starts = value > 0.0;
+        if starts && after == Some(Phase::SpindleSpeed) {
+            evidence.accepted("spindle.turns-later");
+        } else if starts && after.is_none() {
+            evidence.accepted("spindle.override-turned-up");
         }
     }
 }

@@ -4,6 +4,7 @@ use gaugeblock_trace::{End, FaultKind};
 
 use super::{MAIN, Run};
 use crate::rs274::control::{self, Control, Next};
+use crate::rs274::machine::State;
 use crate::rs274::order::{Phase, Rest};
 use crate::rs274::read::{self, Words};
 use crate::rs274::refusal::{Halt, refuse};
@@ -124,7 +125,7 @@ impl Run<'_> {
             if phase == Phase::Motion || to_position {
                 self.may_move(phase, words)?;
             }
-            self.waits_for_machine = waits_for_machine(phase, words);
+            self.waits_for_machine = waits_for_machine(phase, words, &self.state);
             if self.waits_for_machine && self.ahead {
                 return Err(Halt::Ended(End::Paused));
             }
@@ -197,7 +198,9 @@ impl Run<'_> {
 }
 
 /// Whether a phase waits for what the machine answers, so that nothing behind it can be read before.
-fn waits_for_machine(phase: Phase, words: &Words) -> bool {
+fn waits_for_machine(phase: Phase, words: &Words, state: &State) -> bool {
     let reads_input = phase == Phase::InputsOutputs && words.m.contains(&66);
-    reads_input || matches!(phase, Phase::ChangeTool | Phase::UserCode)
+    let probes = phase == Phase::Motion
+        && step::motion::motion_of(words, state).is_some_and(step::probe::is_probing);
+    reads_input || probes || matches!(phase, Phase::ChangeTool | Phase::UserCode)
 }

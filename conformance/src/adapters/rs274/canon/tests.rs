@@ -1,6 +1,6 @@
 //! Calls as the program prints them, and what they come to.
 
-use gaugeblock_trace::{Event, Machine, Tool};
+use gaugeblock_trace::{Effect, Event, Machine, Position, Tool};
 
 use super::super::output::Call;
 use super::{Canon, Mark};
@@ -135,5 +135,15 @@ fn what_is_unknown_is_an_error() {
     assert!(call("CHANGE_TOOL", "3").is_err());
     assert!(call("ARC_FEED", "1, 2").is_err());
     assert_eq!(call("PROGRAM_END", ""), Ok(Mark::ProgramEnd));
-    assert!(matches!(call("NURBS_FEED", "4, ..."), Ok(Mark::Unsupported(_))));
+    assert!(matches!(call("SET_TOOL_TABLE_ENTRY", "1, 1"), Ok(Mark::Unsupported(_))));
+}
+
+#[test]
+fn a_spline_ends_where_its_block_does() {
+    let mut canon = Canon::new(&Machine::default());
+    let call = Call { name: "NURBS_FEED".to_owned(), arguments: "4, ...".to_owned() };
+    assert_eq!(canon.call(&call).unwrap(), Mark::None);
+    let end = Position { x: 1.0, y: 2.0, ..Position::default() };
+    canon.arrived(end);
+    assert_eq!(canon.take_events(), [Event::Do(Effect::NurbsFeed { points: 4, end })]);
 }

@@ -4,11 +4,12 @@ use gaugeblock_trace::{Effect, FaultKind, LengthUnit, SpindleTurn};
 
 use super::{Cycle, Kind, feed_along, tapping, traverse_along};
 use crate::rs274::machine::State;
+use crate::rs274::order::Phase;
 use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::{pass, spindle, word};
-use crate::rs274::task::Record;
+use crate::rs274::task::{Record, show};
 
 /// A bottom that is this close is reached: what is left is rounding of the increments.
 const REACHED: f64 = 1e-9;
@@ -128,13 +129,19 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) -> 
     }
     let turn = state.modes.spindles[cycle.spindle].turn;
     if cycle.kind == Kind::BoreSpindleStop {
-        spindle::set_turn(SpindleTurn::Stopped, cycle.spindle, state);
+        turns(SpindleTurn::Stopped, cycle, state);
     }
     traverse_along(normal, cycle.clear, state, record);
     if cycle.kind == Kind::BoreSpindleStop {
-        spindle::set_turn(turn, cycle.spindle, state);
+        turns(turn, cycle, state);
     }
     Ok(())
+}
+
+/// The cycle starts or stops its spindle, which the pins show at once.
+pub(super) fn turns(turn: SpindleTurn, cycle: &Cycle, state: &mut State) {
+    spindle::set_turn(turn, cycle.spindle, state);
+    show(state, Some(Phase::Motion));
 }
 
 pub(super) fn dwells(seconds: f64, state: &mut State, record: &mut Record) {

@@ -2,11 +2,10 @@
 
 use gaugeblock_trace::{FaultKind, SpindleTurn, Switch};
 
-use super::strokes::dwells;
+use super::strokes::{dwells, turns};
 use super::{Cycle, Kind, feed_along};
 use crate::rs274::machine::State;
 use crate::rs274::refusal::{Halt, refuse};
-use crate::rs274::step::spindle;
 use crate::rs274::task::Record;
 
 /// Choice cycles.tap-direction: whether the spindle must turn as the thread is cut.
@@ -40,11 +39,11 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     } else {
         SpindleTurn::Clockwise
     };
-    spindle::set_turn(out, place, state);
+    turns(out, cycle, state);
     dwells(cycle.dwell, state, record);
     feed_along(normal, cycle.clear, state, record);
     if state.readings.is("cycles.tap-return", "as-before") {
-        spindle::set_turn(before.turn, place, state);
+        turns(before.turn, cycle, state);
     }
     state.modes.feed_override = feed_override;
     state.modes.spindles[place].speed_override = before.speed_override;

@@ -29,6 +29,14 @@ struct Thread {
     full: f64,
     /// 1 for passes of constant depth, 2 for those of constant area.
     degression: f64,
+    /// Degrees by which a pass moves along the drive line with its depth.
+    slide: f64,
+    /// Length of a taper along the drive line.
+    taper: f64,
+    /// Whether a pass begins with a taper.
+    tapers_in: bool,
+    /// Whether it ends with one.
+    tapers_out: bool,
     /// Passes at full depth after the last.
     springs: i32,
     /// The spindle.
@@ -90,27 +98,66 @@ impl Thread {
     }
 }
 
+/// Rule threading.thread-slide. The slide angle Q moves a pass along the drive line, the deeper the further; how it moves the
+/// pass's end is a choice.
+fn ends(thread: &Thread, depth: f64, state: &State) -> [f64; 2] {
+    let along =
+        (thread.end - thread.start.z).signum() * crate::math::tangent_of_degrees(thread.slide);
+    let both = state.readings.is("threading.slide-end", "with-depth");
+    let behind = if both { (thread.full - depth) * along } else { 0.0 };
+    [thread.start.z + depth * along, thread.end - behind]
+}
+
+/// One pass.
+///
+/// Rule threading.thread-tapers. Along E, at the ends that L names, it feeds aslant between its depth and K further out; at
+/// such an entry it feeds from the drive line, at others it traverses. Along Z it moves P for each revolution everywhere.
 fn pass(thread: &Thread, depth: f64, state: &mut State, record: &mut Record) {
     let inward = thread.peak.signum();
     let clearance = quirks::clearance(thread.full - depth, state);
-    let line = Position { x: thread.start.x - inward * clearance, ..thread.start };
-    let cut = Position { x: thread.start.x + thread.peak + inward * depth, ..thread.start };
+    let [from, to] = ends(thread, depth, state);
+    let taper = thread.taper * (to - from).signum();
+    let line = Position { x: thread.start.x - inward * clearance, z: from, ..thread.start };
+    let cut = thread.start.x + thread.peak + inward * depth;
+    let out = cut - inward * thread.full;
+    let at = |x: f64, z: f64| Position { x, z, ..line };
     if state.position != line || state.readings.quirk("rs274.thread-clearance") {
         traverse(line, state, record);
     }
-    traverse(cut, state, record);
+    if !thread.tapers_in {
+        traverse(at(cut, from), state, record);
+    }
     let feed_override = state.modes.feed_override;
     if state.readings.quirk("rs274.thread-feed-override") {
         state.modes.feed_override = Switch::Off;
     }
-    let spindle = number(thread.spindle);
-    let pitch = thread.pitch;
-    record.effect(state, Effect::StartSpindleSynchronisation { spindle, pitch });
-    state.position.z = thread.end;
-    record.effect(state, Effect::StraightFeed { end: state.position });
+    let aslant = thread.pitch * crate::math::hypotenuse(thread.full, thread.taper) / thread.taper;
+    if thread.tapers_in {
+        synchronise(thread, aslant, state, record);
+        feed(at(out, from), state, record);
+        feed(at(cut, from + taper), state, record);
+    }
+    synchronise(thread, thread.pitch, state, record);
+    if thread.tapers_out {
+        feed(at(cut, to - taper), state, record);
+        synchronise(thread, aslant, state, record);
+        feed(at(out, to), state, record);
+    } else {
+        feed(at(cut, to), state, record);
+    }
     record.effect(state, Effect::StopSpindleSynchronisation {});
-    traverse(Position { z: thread.end, ..line }, state, record);
+    traverse(at(line.x, to), state, record);
     state.modes.feed_override = feed_override;
+}
+
+fn synchronise(thread: &Thread, pitch: f64, state: &mut State, record: &mut Record) {
+    let spindle = number(thread.spindle);
+    record.effect(state, Effect::StartSpindleSynchronisation { spindle, pitch });
+}
+
+fn feed(end: Position, state: &mut State, record: &mut Record) {
+    state.position = end;
+    record.effect(state, Effect::StraightFeed { end });
 }
 
 fn traverse(end: Position, state: &mut State, record: &mut Record) {
@@ -151,6 +198,10 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, Halt> {
         if areas { 2.0 } else { 1.0 }
     });
     let springs = word(words, 'h').map_or(Some(0), whole);
+    let tapers = word(words, 'l').map_or(Some(0), whole).filter(|ends| (0..=3).contains(ends));
+    let Some(_) = tapers else {
+        return Err(Halt::Unspecified("an L of G76 that is none of 0 to 3".to_owned()));
+    };
     let thread = Thread {
         start,
         end,
@@ -159,10 +210,14 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, Halt> {
         first: radius('j'),
         full: radius('k'),
         degression: degression.max(1.0),
+        slide: value('q'),
+        taper: value('e'),
+        tapers_in: matches!(tapers, Some(1 | 3)),
+        tapers_out: matches!(tapers, Some(2 | 3)),
         springs: springs.unwrap_or(-2),
         spindle,
     };
-    open(&thread, words, state)?;
+    open(&thread, state)?;
     Ok(thread)
 }
 
@@ -198,24 +253,32 @@ fn refused_words(words: &Words, state: &mut State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// What the manual leaves open: how far a slide angle and a taper shift a pass, how deep passes are under another
-/// degression than 1 and 2, and what numbers mean that make no thread.
-fn open(thread: &Thread, words: &Words, state: &State) -> Result<(), Halt> {
-    let shifted =
-        ['q', 'l'].iter().any(|letter| word(words, *letter).is_some_and(|value| value != 0.0));
+/// What the manual leaves open: how deep passes are under another degression than 1 and 2, and what numbers mean that make no
+/// thread.
+fn open(thread: &Thread, state: &mut State) -> Result<(), Halt> {
     let is_degression = |value: f64| (thread.degression - value).abs() == 0.0;
     let other_degression = !is_degression(1.0) && !is_degression(2.0);
+    let tapers = thread.tapers_in || thread.tapers_out;
     let no_thread = thread.peak == 0.0
         || thread.pitch == 0.0
         || thread.first == 0.0
         || thread.first >= thread.full
+        || thread.slide.abs() >= 90.0
+        || tapers && thread.taper <= 0.0
         || thread.springs < -1;
-    if shifted || other_degression || no_thread {
-        let what = "a thread with a slide angle or a taper, or of another degression than 1 and 2, or without a depth";
+    if other_degression || no_thread {
+        let what = "a thread of another degression than 1 and 2, or one without a depth or a taper";
         return Err(Halt::Unspecified(what.to_owned()));
     }
     if state.modes.compensation != Compensation::Off {
         return Err(Halt::Unsupported("a thread under cutter compensation".to_owned()));
+    }
+    if thread.slide.abs() > 0.0 {
+        state.evidence.accepted("threading.thread-slide");
+    }
+    if tapers {
+        state.evidence.accepted("threading.thread-tapers");
+        state.evidence.accepted("threading.thread-taper");
     }
     Ok(())
 }
