@@ -58,6 +58,8 @@ pub(super) enum Phase {
     Coolant,
     Overrides,
     Dwell,
+    Plane,
+    Compensation,
     Modes,
     Offsets,
     Motion,
@@ -103,6 +105,8 @@ pub(super) struct Fixed {
     /// Tool numbers in the order of the tool table.
     pub(super) tools: Vec<i32>,
     pub(super) spindles: u8,
+    /// Whether the program begins with a percent line and has no second one.
+    pub(super) unclosed: bool,
 }
 
 impl Fixed {
@@ -116,7 +120,7 @@ impl Fixed {
 impl Printed<'_> {
     /// Prints all phases before one.
     pub(super) fn print(&mut self, end: Phase) {
-        let phases: [(Phase, fn(&mut Self)); 15] = [
+        let phases: [(Phase, fn(&mut Self)); 17] = [
             (Phase::Comment, Self::comment),
             (Phase::FeedMode, Self::feed),
             (Phase::Speed, Self::speed),
@@ -128,6 +132,8 @@ impl Printed<'_> {
             (Phase::Coolant, Self::coolant),
             (Phase::Overrides, Self::overrides),
             (Phase::Dwell, Self::dwell),
+            (Phase::Plane, Self::plane_and_units),
+            (Phase::Compensation, Self::compensation),
             (Phase::Modes, Self::modes),
             (Phase::Offsets, Self::offsets),
             (Phase::Motion, Self::motion),
@@ -416,9 +422,10 @@ impl Printed<'_> {
     }
 
     /// Plane and units.
-    pub(super) fn plane_and_units(&mut self) {
+    fn plane_and_units(&mut self) {
         if self.words.g_of(&[170, 180, 190, 171, 181, 191]).is_some() {
-            self.out.plane(self.after.plane);
+            let plane = self.set().plane;
+            self.out.plane(plane);
         }
         match self.words.g_of(&[200, 210]) {
             Some(200) => self.out.units(LengthUnit::Inch),
@@ -443,10 +450,11 @@ impl Printed<'_> {
 
     /// What the end of a program resets is printed whether it changes or not, but for plane, override and coolant.
     pub(super) fn program_end(&mut self) {
-        let (before, after) = (self.before, self.after);
+        let (mut before, after) = (self.before, self.after);
+        before.assume(self.words);
         self.out.g5x_offset(&after);
         self.out.rotation(&after);
-        if before.plane != Plane::Xy && self.words.g_of(&[170]).is_none() {
+        if before.plane != Plane::Xy {
             self.out.plane(Plane::Xy);
         }
         self.out.begin("SET_FEED_MODE(0, 0)").end();
@@ -470,6 +478,9 @@ impl Printed<'_> {
         }
         self.out.call("PROGRAM_END");
         self.out.label(None);
+        if self.machine.unclosed {
+            self.out.note("percent sign missing from end of file");
+        }
         self.out.call("ON_RESET");
     }
 }

@@ -89,6 +89,7 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     let fixed = Fixed {
         tools: machine.tools.iter().filter_map(|tool| i32::try_from(tool.number).ok()).collect(),
         spindles: machine.spindles,
+        unclosed: program.as_deref().is_some_and(source::is_unclosed),
     };
     let mut interpreter = Interpreter::new(machine, machine::options(), Limits::default())
         .map_err(|error| error.to_string())?;

@@ -27,6 +27,10 @@ pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
     let motion = words.g_of(&MOTIONS);
     let arc_or_cycle = motion.is_some_and(|code| code > 10 && code != 800);
     match fault.kind {
+        Some(FaultKind::MissingWord) if fault.message.starts_with("inverse time") => Phase::Motion,
+        Some(FaultKind::CompensationActive) if words.has_m(6) => Phase::Change,
+        Some(FaultKind::CompensationActive) if words.g_of(&COMPENSATIONS).is_some() => Phase::Modes,
+        Some(_) if fault_of_compensation(fault, words) => Phase::Compensation,
         Some(
             FaultKind::BadArc
             | FaultKind::ZeroFeed
@@ -43,6 +47,15 @@ pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
         Some(FaultKind::NothingSaved) => Phase::Saved,
         _ => Phase::Comment,
     }
+}
+
+/// Codes that turn compensation on.
+const COMPENSATIONS: [u16; 4] = [410, 420, 411, 421];
+
+/// Whether compensation cannot be turned on: for the plane, or for a word of its code.
+fn fault_of_compensation(fault: &Fault, words: &Words) -> bool {
+    let of_plane = fault.kind == Some(FaultKind::ModalConflict) && fault.message.contains("plane");
+    words.g_of(&COMPENSATIONS).is_some() && of_plane
 }
 
 impl Refused<'_> {

@@ -101,6 +101,12 @@ impl Files {
     }
 }
 
+/// Whether a program begins with a percent line and has no second one.
+pub(super) fn is_unclosed(main: &[u8]) -> bool {
+    let lines = main.split(|byte| matches!(byte, b'\n' | b'\r')).map(<[u8]>::trim_ascii);
+    main.trim_ascii_start().starts_with(b"%") && lines.filter(|line| *line == b"%").count() == 1
+}
+
 /// The text of a sub that the main program defines, with empty lines before it so that its lines keep their numbers; none where there is none.
 ///
 /// `rs274` finds a sub that is defined behind its call. The interpreter does not, but looks for a file of its name.
