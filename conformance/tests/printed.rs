@@ -104,6 +104,41 @@ fn difference(theirs: &Printed, ours: &Printed) -> String {
     }
 }
 
+/// Here without the other program, so that it is seen everywhere.
+#[test]
+fn a_program_is_printed_from_start_to_end() {
+    let folder = folder("own");
+    fs::write(folder.join("main.ngc"), "(drill)\nn10 g20 f12.5 g1 x.5 (in)\nm30\n")
+        .expect("a file");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gaugeblock"));
+    command.args(["rs274", "-g", "main.ngc"]);
+    let expected = "    1 N..... USE_LENGTH_UNITS(CANON_UNITS_MM)
+    2 N..... SET_G5X_OFFSET(1, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)
+    3 N..... SET_G92_OFFSET(0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)
+    4 N..... SET_XY_ROTATION(0.0000)
+    5 N..... SET_FEED_REFERENCE(CANON_XYZ)
+    6 N..... ON_RESET()
+    7 N..... COMMENT(\"drill\")
+    8 N10    COMMENT(\"in\")
+    9 N10    SET_FEED_RATE(12.5000)
+   10 N10    USE_LENGTH_UNITS(CANON_UNITS_INCHES)
+   11 N10    STRAIGHT_FEED(0.5000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)
+   12 N..... SET_G5X_OFFSET(1, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)
+   13 N..... SET_XY_ROTATION(0.0000)
+   14 N..... SET_FEED_MODE(0, 0)
+   15 N..... SET_FEED_RATE(0.0000)
+   16 N..... STOP_SPINDLE_TURNING(0)
+   17 N..... SET_SPINDLE_MODE(0 0.0000)
+   18 N..... PALLET_SHUTTLE()
+   19 N..... PROGRAM_END()
+   20 N..... ON_RESET()
+   21 N..... ON_RESET()
+";
+    let printed = run(command, &folder);
+    assert_eq!(printed, Printed { status: Some(0), text: expected.to_owned() });
+    fs::remove_dir_all(folder).expect("the folder can be removed");
+}
+
 #[test]
 fn programs_are_printed_as_by_rs274() {
     if installed("printing of programs").is_none() {
@@ -125,7 +160,8 @@ fn programs_are_printed_as_by_rs274() {
         let (theirs, ours) = both("program", &files, &options);
         count += 1;
         if theirs != ours {
-            writeln!(wrong, "{name}: {text:?}\n  expected {}", difference(&theirs, &ours)).expect("text");
+            writeln!(wrong, "{name}: {text:?}\n  expected {}", difference(&theirs, &ours))
+                .expect("text");
         }
     }
     assert!(wrong.is_empty(), "of {count} programs these are printed otherwise:\n{wrong}");
@@ -156,11 +192,17 @@ fn machine_files(machine: &Machine) -> Option<[(&'static str, String); 3]> {
     for tool in &machine.tools {
         let pocket = tool.pocket.unwrap_or(tool.number);
         write!(table, "T{} P{pocket}", tool.number).expect("text");
-        for (letter, value) in ["X", "Y", "Z", "A", "B", "C", "U", "V", "W"].iter().zip(tool.offset.to_array()) {
+        for (letter, value) in
+            ["X", "Y", "Z", "A", "B", "C", "U", "V", "W"].iter().zip(tool.offset.to_array())
+        {
             write!(table, " {letter}{value}").expect("text");
         }
-        writeln!(table, " D{} I{} J{} Q{}", tool.diameter, tool.front_angle, tool.back_angle, tool.orientation)
-            .expect("text");
+        writeln!(
+            table,
+            " D{} I{} J{} Q{}",
+            tool.diameter, tool.front_angle, tool.back_angle, tool.orientation
+        )
+        .expect("text");
     }
     let mut parameters = String::new();
     for (number, value) in &machine.parameters.0 {
@@ -228,7 +270,10 @@ fn cases_of_the_suite_are_printed_as_by_rs274() {
     }
     let Sweep { agree, explained, otherwise } = &sweep;
     let shown = otherwise.join("\n");
-    let counts = format!("{agree} agree, {explained} differ by quirks, {} otherwise\n{shown}", otherwise.len());
+    let counts = format!(
+        "{agree} agree, {explained} differ by quirks, {} otherwise\n{shown}",
+        otherwise.len()
+    );
     assert!(*agree >= AGREE && otherwise.len() <= OTHERWISE, "{counts}");
 }
 
@@ -250,7 +295,9 @@ impl Sweep {
         let mut files: Vec<(&str, &str)> =
             machine.iter().map(|(name, text)| (*name, text.as_str())).collect();
         files.push(("main.ngc", &scenario.program.main));
-        files.extend(scenario.program.files.iter().map(|(name, text)| (name.as_str(), text.as_str())));
+        files.extend(
+            scenario.program.files.iter().map(|(name, text)| (name.as_str(), text.as_str())),
+        );
         let mut options = vec!["-i", "mill.ini", "-t", "tools.tbl", "-v", "mill.var"];
         if scenario.program.block_delete {
             options.push("-b");

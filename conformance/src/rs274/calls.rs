@@ -83,7 +83,9 @@ impl Output {
         self.note(match compensation {
             Compensation::Off => "cutter radius compensation off",
             Compensation::Left | Compensation::DynamicLeft => "cutter radius compensation on left",
-            Compensation::Right | Compensation::DynamicRight => "cutter radius compensation on right",
+            Compensation::Right | Compensation::DynamicRight => {
+                "cutter radius compensation on right"
+            }
         });
     }
 

@@ -73,7 +73,8 @@ pub(super) fn options() -> Options {
     let editions = editions.get("edition").and_then(toml::Value::as_array);
     let mut wanted = Some(EDITION);
     while let Some(id) = wanted {
-        let named = |edition: &&toml::Value| edition.get("id").and_then(toml::Value::as_str) == Some(id);
+        let named =
+            |edition: &&toml::Value| edition.get("id").and_then(toml::Value::as_str) == Some(id);
         let edition = editions.and_then(|editions| editions.iter().find(named));
         let chosen = edition.and_then(|edition| edition.get("options")?.as_table());
         for (choice, option) in chosen.into_iter().flatten() {
@@ -97,7 +98,11 @@ fn tool(line: &str) -> Option<Tool> {
     for word in line.split(';').next()?.split_whitespace() {
         let letter = word.get(..1)?.to_ascii_uppercase();
         let value: f64 = word.get(1..)?.parse().ok()?;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a saturating cast will do")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a saturating cast will do"
+        )]
         let whole = value as u32;
         match letter.as_str() {
             "T" => {
@@ -110,7 +115,8 @@ fn tool(line: &str) -> Option<Tool> {
             "J" => tool.back_angle = value,
             "Q" => tool.orientation = u8::try_from(whole).unwrap_or(0),
             _ => {
-                let axis = Axis::ALL.iter().find(|axis| axis.to_string().eq_ignore_ascii_case(&letter))?;
+                let axis =
+                    Axis::ALL.iter().find(|axis| axis.to_string().eq_ignore_ascii_case(&letter))?;
                 *tool.offset.get_mut(*axis) = value;
             }
         }
@@ -127,7 +133,10 @@ mod tests {
         let tools = tools("T1 P2 Z0.5 D.125 ; end mill\n\nT20 P1 X-1 I10 J20 Q3\n; T3\n");
         assert_eq!(tools.len(), 2);
         assert_eq!((tools[0].number, tools[0].pocket, tools[0].offset.z), (1, Some(2), 0.5));
-        assert_eq!((tools[1].front_angle, tools[1].back_angle, tools[1].orientation), (10.0, 20.0, 3));
+        assert_eq!(
+            (tools[1].front_angle, tools[1].back_angle, tools[1].orientation),
+            (10.0, 20.0, 3)
+        );
     }
 
     #[test]

@@ -1,16 +1,19 @@
 //! `gaugeblock rs274`: the production interpreter behind the command line and the printed text of LinuxCNC's `rs274`.
 //!
 //! ```text
-//! Arguments ─► ini, machine, parameters ─► Interpreter ─► printer ─► block, settled, motion ─► calls ─► output
+//! Arguments ─► ini, machine, parameters ─► Interpreter ─► printer ─► block (switched, settled, motion) ─► calls ─► output
 //!              source (program, subroutine files)            └ text (number and comment of a line)
 //! ```
 //!
 //! The interpreter tells its sink the words of a block, what changed and what was done; the printer puts that into the order in which
 //! `rs274` prints a block, and prints what was programmed again though it did not change. What is printed was learned by running the program.
 //!
-//! **Not imitated:** the menu that is shown without `-g`, and its prompts; plug-in interpreters, Python and remapped codes; what the quirks of
-//! `rs274` (`conformance/suite/quirks`) make it do otherwise than its manual: those of saved state, of the unit of F and of the position after
-//! probing show in what is printed. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever.
+//! **Not imitated:** the menu that is shown without `-g`, and its prompts; plug-in interpreters, Python and remapped codes; programs that are
+//! named by a word. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever. Two codes of one block that change the
+//! same offset show its last value twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line
+//! of its own is printed as there: rounded F and S of saved state, switches that do not come back, subs that are defined behind their call,
+//! the way of cycles to the R plane. What leads elsewhere is not: arguments of a call that are not passed, tool offsets of saved state, the
+//! position after probing, the passes of G76, a kept R under G91.
 //!
 //! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders. User-defined codes run nothing.
 
@@ -27,6 +30,7 @@ mod printer;
 mod refusals;
 mod settled;
 mod source;
+mod switched;
 mod text;
 
 use std::collections::BTreeMap;
@@ -77,9 +81,10 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     let table = arguments.tools.as_ref().and_then(|path| read_text(path).ok()).unwrap_or_default();
     let stored = arguments.parameters.as_ref().and_then(|path| read_text(path).ok());
     let stored = parameters::read(stored.as_deref().unwrap_or_default())?;
-    let program = arguments.program.as_ref().map(|path| {
-        std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))
-    });
+    let program = arguments
+        .program
+        .as_ref()
+        .map(|path| std::fs::read(path).map_err(|error| format!("{}: {error}", path.display())));
     let program = program.transpose()?;
 
     let mut machine = machine::machine(&ini, machine::tools(&table));
@@ -146,7 +151,9 @@ impl Run {
                 }
                 Ok(Progress::Ended(end)) => unsupported(&end),
                 Err(Error::Fault(fault)) => *fault,
-                Err(error) => Fault { kind: None, block: None, span: None, message: error.to_string() },
+                Err(error) => {
+                    Fault { kind: None, block: None, span: None, message: error.to_string() }
+                }
             };
             let last = fault.kind == Some(FaultKind::MissingEnd) || fault.block.is_none();
             self.refused(&fault);
@@ -171,7 +178,8 @@ impl Run {
             _ => self.texts.last_line(),
         };
         let line = String::from_utf8_lossy(&line);
-        if fault.kind == Some(FaultKind::UnknownSub) && self.texts.last_line().trim_ascii() == b"%" {
+        if fault.kind == Some(FaultKind::UnknownSub) && self.texts.last_line().trim_ascii() == b"%"
+        {
             // The search has come by the second percent line.
             self.printer.out.call("FINISH");
         }

@@ -1,8 +1,7 @@
 //! The motion of a block: moves, probing, threads, and canned cycles, around which the path mode is switched.
 
 use gaugeblock_trace::{
-    Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn,
-    Switch,
+    Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn, Switch,
 };
 
 use super::block::Printed;
@@ -23,7 +22,8 @@ impl Printed<'_> {
         self.by_way_of();
         let exact = self.after.path == Path::ExactPath;
         let mut stage = self.before;
-        let mut moved = self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
+        let mut moved =
+            self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
         let mut switched = moved || self.cycle.is_none() || exact;
         while let Some(event) = self.events.get(self.at) {
             match event {
@@ -35,13 +35,12 @@ impl Printed<'_> {
                     }
                 }
                 Event::Do(effect) if is_after_motion(effect, self.cycle.is_some()) => break,
-                Event::Do(effect) => {
+                Event::Do(_) => {
                     if !std::mem::replace(&mut switched, true) {
                         self.out.begin(EXACT_PATH).end();
                     }
                     moved = true;
-                    let effect = effect.clone();
-                    self.effect(&effect);
+                    self.moved(event);
                     self.bored_out();
                 }
             }
@@ -100,11 +99,14 @@ impl Printed<'_> {
 
     /// G85 ends each hole with a traverse, though it has come out by a feed already.
     fn bored_out(&mut self) {
-        let Some(Event::Do(Effect::StraightFeed { end })) = self.events.get(self.at) else { return };
+        let Some(Event::Do(Effect::StraightFeed { end })) = self.events.get(self.at) else {
+            return;
+        };
         let next = self.events.get(self.at + 1);
         let goes_on = matches!(next, Some(Event::Do(Effect::StraightFeed { .. })));
+        let place = |at: &Position| in_plane(self.after.plane, at).0.map(f64::to_bits);
         let rises = matches!(next, Some(Event::Do(Effect::StraightTraverse { end: next }))
-            if in_plane(self.after.plane, next).0 == in_plane(self.after.plane, end).0);
+            if place(next) == place(end));
         if self.cycle == Some(850) && !goes_on && !rises {
             self.out.call_to("STRAIGHT_TRAVERSE", end);
         }
@@ -151,18 +153,19 @@ impl Printed<'_> {
         }
     }
 
-    fn effect(&mut self, effect: &Effect) {
-        match effect {
-            Effect::StraightTraverse { end } => {
+    /// Prints an effect of the motion.
+    fn moved(&mut self, event: &Event) {
+        match event {
+            Event::Do(Effect::StraightTraverse { end }) => {
                 self.out.call_to("STRAIGHT_TRAVERSE", end);
                 self.position = *end;
             }
-            Effect::StraightFeed { end } => {
+            Event::Do(Effect::StraightFeed { end }) => {
                 self.speed_of(distance(&self.position, end));
                 self.out.call_to("STRAIGHT_FEED", end);
                 self.position = *end;
             }
-            Effect::ArcFeed { end, first_centre, second_centre, turns } => {
+            Event::Do(Effect::ArcFeed { end, first_centre, second_centre, turns }) => {
                 let length = self.arc_length(end, [*first_centre, *second_centre], *turns);
                 self.speed_of(length);
                 let ([first, second], axis) = in_plane(self.after.plane, end);
@@ -172,26 +175,30 @@ impl Printed<'_> {
                 begun.numbers(&[axis, end.a, end.b, end.c], ", ").text(")").end();
                 self.position = *end;
             }
-            Effect::NurbsFeed { points, end } => {
+            Event::Do(Effect::NurbsFeed { points, end }) => {
                 self.out.begin("NURBS_FEED(").integer((*points).into()).text(", ...)").end();
                 self.position = *end;
             }
-            Effect::StraightProbe { end, .. } => {
+            Event::Do(Effect::StraightProbe { end, .. }) => {
                 self.out.call("TURN_PROBE_ON");
                 self.out.call_to("STRAIGHT_PROBE", end);
                 self.out.call("TURN_PROBE_OFF");
                 self.position = *end;
             }
-            Effect::RigidTap { end } => {
+            Event::Do(Effect::RigidTap { end }) => {
                 let Position { x, y, z, .. } = *end;
                 self.out.begin("RIGID_TAP(").numbers(&[x, y, z], ", ").text(")").end();
             }
-            Effect::StartSpindleSynchronisation { pitch, .. } => self.out.synchronised(*pitch),
-            Effect::StopSpindleSynchronisation {} => self.out.call("STOP_SPEED_FEED_SYNCH"),
-            Effect::Dwell { seconds } => self.out.call_with("DWELL", *seconds),
-            Effect::OrientSpindle { .. } | Effect::WaitOrient { .. } => self.orient(),
-            Effect::Stop { .. } => self.out.call("PROGRAM_STOP"),
-            _ => {}
+            Event::Do(Effect::StartSpindleSynchronisation { pitch, .. }) => {
+                self.out.synchronised(*pitch)
+            }
+            Event::Do(Effect::StopSpindleSynchronisation {}) => {
+                self.out.call("STOP_SPEED_FEED_SYNCH")
+            }
+            Event::Do(Effect::Dwell { seconds }) => self.out.call_with("DWELL", *seconds),
+            Event::Do(Effect::OrientSpindle { .. } | Effect::WaitOrient { .. }) => self.orient(),
+            Event::Do(Effect::Stop { .. }) => self.out.call("PROGRAM_STOP"),
+            Event::Do(_) | Event::Set(_) => {}
         }
     }
 
@@ -221,8 +228,9 @@ impl Printed<'_> {
 
     /// G10 L1, L10 and L11 write into the tool table, whose lengths are inches.
     pub(super) fn tool_entry(&mut self) {
-        let Some(Effect::SetToolEntry { tool, offset, front_angle, back_angle, orientation, .. }) =
-            self.next(|effect| matches!(effect, Effect::SetToolEntry { .. }))
+        let Some(Effect::SetToolEntry {
+            tool, offset, front_angle, back_angle, orientation, ..
+        }) = self.next(|effect| matches!(effect, Effect::SetToolEntry { .. }))
         else {
             return;
         };
@@ -247,8 +255,12 @@ impl Printed<'_> {
 /// How a spindle turned before a tap, which turns it the other way.
 fn after_m3(before: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
     match (before, now) {
-        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Clockwise) => SpindleTurn::Counterclockwise,
-        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Counterclockwise) => SpindleTurn::Clockwise,
+        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Clockwise) => {
+            SpindleTurn::Counterclockwise
+        }
+        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Counterclockwise) => {
+            SpindleTurn::Clockwise
+        }
         _ => before,
     }
 }
@@ -291,9 +303,10 @@ fn distance(from: &Position, to: &Position) -> f64 {
 
 /// Whether an effect belongs to what follows the motion. A cycle may stop for a person.
 fn is_after_motion(effect: &Effect, cycle: bool) -> bool {
-    match effect {
-        Effect::Stop { .. } => !cycle,
-        Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. } => true,
-        _ => false,
-    }
+    let stops = matches!(effect, Effect::Stop { .. });
+    stops && !cycle
+        || matches!(
+            effect,
+            Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. }
+        )
 }

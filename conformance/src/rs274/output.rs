@@ -24,7 +24,8 @@ impl std::fmt::Debug for Output {
 impl Output {
     /// Nothing is written yet.
     pub(super) fn new(sink: Box<dyn Write>) -> Self {
-        let mut output = Self { sink, buffer: Vec::with_capacity(2 * PIECE), line: 0, label: Vec::new() };
+        let mut output =
+            Self { sink, buffer: Vec::with_capacity(2 * PIECE), line: 0, label: Vec::new() };
         output.label(None);
         output
     }
@@ -123,11 +124,14 @@ impl Output {
 /// Writes a number with four decimals where that is simple: it is not large, and does not lie near the middle between two.
 fn fixed(buffer: &mut Vec<u8>, value: f64) -> bool {
     let scaled = value.abs() * 10_000.0;
-    // Not a number fails here too.
-    if !(scaled < 1.0e12) {
+    if scaled.is_nan() || scaled >= 1.0e12 {
         return false;
     }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "below 1e12 and not negative")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "below 1e12 and not negative"
+    )]
     let mut whole = scaled as u64;
     #[expect(clippy::cast_precision_loss, reason = "below 1e12")]
     let rest = scaled - whole as f64;
@@ -168,7 +172,9 @@ mod tests {
     fn the_short_way_writes_what_the_long_one_does() {
         let mut seed = 1_u64;
         for step in 0..200_000_u32 {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             #[expect(clippy::cast_precision_loss, reason = "any number will do")]
             let value = (seed >> 33) as f64 / f64::from(1 << (step % 31)) - 1000.0;
             let mut short = Vec::new();

@@ -6,7 +6,8 @@ use std::io;
 use std::path::Path;
 
 /// Parameters that are always written: probing, G28, G30, G92, the work coordinate systems.
-const REQUIRED: [(u32, u32); 5] = [(5161, 5169), (5181, 5189), (5210, 5219), (5220, 5220), (5221, 5390)];
+const REQUIRED: [(u32, u32); 5] =
+    [(5161, 5169), (5181, 5189), (5210, 5219), (5220, 5220), (5221, 5390)];
 /// Each work coordinate system has ten of twenty numbers.
 const SYSTEM: u32 = 20;
 
@@ -52,7 +53,11 @@ fn text(before: &BTreeMap<u32, f64>, now: &BTreeMap<u32, f64>) -> String {
 ///
 /// # Errors
 /// It cannot be written.
-pub(super) fn write(path: &Path, before: &BTreeMap<u32, f64>, now: &BTreeMap<u32, f64>) -> io::Result<()> {
+pub(super) fn write(
+    path: &Path,
+    before: &BTreeMap<u32, f64>,
+    now: &BTreeMap<u32, f64>,
+) -> io::Result<()> {
     let beside = |ending: &str| {
         let mut name = path.as_os_str().to_owned();
         name.push(ending);

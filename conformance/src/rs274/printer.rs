@@ -84,7 +84,12 @@ impl Printer {
     }
 
     /// Prints what a refused block did before the phase at which it was refused.
-    pub(super) fn refused(&mut self, place: Option<(&str, u32)>, reached: Phase, settings: &Settings) {
+    pub(super) fn refused(
+        &mut self,
+        place: Option<(&str, u32)>,
+        reached: Phase,
+        settings: &Settings,
+    ) {
         let events = std::mem::take(&mut self.events);
         if let Some((file, line)) = place.filter(|_| reached > Phase::Comment) {
             self.forget_words();
@@ -107,7 +112,12 @@ impl Printer {
         self.printed(&events, after, None).program_end();
     }
 
-    fn printed<'a>(&'a mut self, events: &'a [Event], after: Modes, comment: Option<Vec<u8>>) -> Printed<'a> {
+    fn printed<'a>(
+        &'a mut self,
+        events: &'a [Event],
+        after: Modes,
+        comment: Option<Vec<u8>>,
+    ) -> Printed<'a> {
         Printed {
             out: &mut self.out,
             words: &self.words,
@@ -169,7 +179,8 @@ impl Printer {
             }
         }
         self.print(done.file(), done.line(), &events, after, Phase::End);
-        let moves_only = self.words.m.is_empty() && self.words.g.iter().all(|code| MOTIONS.contains(code));
+        let moves_only =
+            self.words.m.is_empty() && self.words.g.iter().all(|code| MOTIONS.contains(code));
         if !moves_only && let Some(position) = done.state().position {
             self.position = position;
         }
@@ -214,11 +225,14 @@ impl Sink for Printer {
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
         self.events.push(Event::Do(effect.clone()));
-        match effect {
-            Effect::StraightProbe { end, .. } => Reply::Contact(Some(*end)),
-            Effect::WaitInput { .. } => Reply::Input(0.0),
-            Effect::UserCode { .. } => Reply::Failed(FaultKind::UnknownCode),
-            _ => Reply::Done,
+        if let Effect::StraightProbe { end, .. } = effect {
+            Reply::Contact(Some(*end))
+        } else if let Effect::WaitInput { .. } = effect {
+            Reply::Input(0.0)
+        } else if let Effect::UserCode { .. } = effect {
+            Reply::Failed(FaultKind::UnknownCode)
+        } else {
+            Reply::Done
         }
     }
 

@@ -54,7 +54,8 @@ const COMPENSATIONS: [u16; 4] = [410, 420, 411, 421];
 
 /// Whether compensation cannot be turned on: for the plane, or for a word of its code.
 fn fault_of_compensation(fault: &Fault, words: &Words) -> bool {
-    let of_plane = fault.kind == Some(FaultKind::ModalConflict) && fault.message.contains("plane");
+    let of_plane =
+        fault.kind == Some(FaultKind::ModalConflict) && fault.message.contains("outside of");
     words.g_of(&COMPENSATIONS).is_some() && of_plane
 }
 
@@ -66,40 +67,43 @@ impl Refused<'_> {
 
     fn observed(&self) -> Option<String> {
         let motion = self.words.g_of(&MOTIONS);
-        let text = match self.fault.kind? {
-            FaultKind::ZeroFeed => match motion {
+        let text = match self.fault.kind {
+            Some(FaultKind::ZeroFeed) => match motion {
                 Some(20 | 30) => "Cannot make arc with zero feed rate",
                 Some(code) if CYCLES.contains(&code) => "Cannot feed with zero feed rate",
                 _ => "Cannot do g1 with zero feed rate",
             },
-            FaultKind::NothingSaved => {
+            Some(FaultKind::NothingSaved) => {
                 "Cannot restore context from invalid stack frame - missing M70/M73?"
             }
-            FaultKind::DivideByZero => "Attempt to divide by zero",
-            FaultKind::NestedSub => "Nested subroutine definition",
-            FaultKind::MissingEnd if self.percent => "File ended with no percent sign",
-            FaultKind::MissingEnd => "File ended with no percent sign or program end",
-            FaultKind::BadArc if matches!(motion, Some(20 | 30)) => return self.arc(),
-            FaultKind::MissingWord => return self.missing_word(motion),
-            FaultKind::AxisWords if motion.is_some_and(|code| CYCLES.contains(&code)) => {
+            Some(FaultKind::DivideByZero) => "Attempt to divide by zero",
+            Some(FaultKind::NestedSub) => "Nested subroutine definition",
+            Some(FaultKind::MissingEnd) if self.percent => "File ended with no percent sign",
+            Some(FaultKind::MissingEnd) => "File ended with no percent sign or program end",
+            Some(FaultKind::BadArc) if matches!(motion, Some(20 | 30)) => return self.arc(),
+            Some(FaultKind::MissingWord) => return self.missing_word(motion),
+            Some(FaultKind::AxisWords) if motion.is_some_and(|code| CYCLES.contains(&code)) => {
                 let turned = ["a", "b", "c"].into_iter().find(|axis| self.has(axis))?;
                 return Some(format!("Cannot put an {turned} in canned cycle"));
             }
-            FaultKind::NoSuchParameter => return self.absent(),
-            FaultKind::ReadOnlyParameter => {
+            Some(FaultKind::NoSuchParameter) => return self.absent(),
+            Some(FaultKind::ReadOnlyParameter) => {
                 let name = self.line.split_once("#<")?.1.split('>').next()?;
-                return Some(format!("Cannot assign to read-only parameter #<{}>", name.to_lowercase()));
+                return Some(format!(
+                    "Cannot assign to read-only parameter #<{}>",
+                    name.to_lowercase()
+                ));
             }
-            FaultKind::FanucDisabled => {
+            Some(FaultKind::FanucDisabled) => {
                 let found = if self.has("m98") { "m98" } else { "m99" };
                 return Some(format!("DISABLE_FANUC_STYLE_SUB set in INI file, but found {found}"));
             }
-            FaultKind::MixedStyles => return self.mixed(),
-            FaultKind::ToolNotFound => {
+            Some(FaultKind::MixedStyles) => return self.mixed(),
+            Some(FaultKind::ToolNotFound) => {
                 let tool = self.words.get(b'T')?;
                 return Some(format!("Requested tool {tool:.0} not found in the tool table"));
             }
-            FaultKind::BadExpression | FaultKind::BadNumber | FaultKind::BadBlock
+            Some(FaultKind::BadExpression | FaultKind::BadNumber | FaultKind::BadBlock)
                 if self.has("exists[") =>
             {
                 return self.exists();
@@ -146,7 +150,8 @@ impl Refused<'_> {
             if let Some(at) = line.to_lowercase().find("call") {
                 return line.get(..at).unwrap_or(line).trim_end().to_owned();
             }
-            let label: String = line.chars().skip_while(|letter| !matches!(letter, 'P' | 'p')).skip(1).collect();
+            let label: String =
+                line.chars().skip_while(|letter| !matches!(letter, 'P' | 'p')).skip(1).collect();
             if self.has("m98") {
                 return format!("O{} sub", label.trim());
             }
@@ -242,7 +247,9 @@ mod tests {
 
     #[test]
     fn errors_have_four_digits() {
-        for (value, text) in [(0.285_71, "0.2857"), (3.0, "3"), (0.002_857, "0.002857"), (2.857, "2.857")] {
+        for (value, text) in
+            [(0.285_71, "0.2857"), (3.0, "3"), (0.002_857, "0.002857"), (2.857, "2.857")]
+        {
             assert_eq!(four_digits(value), text);
         }
     }

@@ -1,6 +1,8 @@
 //! Modes and offsets of a block, and what M72 and the end of a sub with M73 bring back.
 
-use gaugeblock_trace::{Compensation, FeedMode, LengthUnit, Path, SpindleLimit, SpindleMode, Switch};
+use gaugeblock_trace::{
+    Compensation, FeedMode, LengthUnit, Path, SpindleLimit, SpindleMode, Switch,
+};
 
 use super::block::Printed;
 use super::modes::{Modes, Spindle};
@@ -65,7 +67,8 @@ impl Printed<'_> {
     }
 
     fn work_offset(&mut self, code: u16) {
-        let system = WORK_OFFSETS.iter().position(|other| *other == code).map_or(0, |place| place + 1);
+        let system =
+            WORK_OFFSETS.iter().position(|other| *other == code).map_or(0, |place| place + 1);
         if usize::try_from(self.before.work_offset) == Ok(system) {
             self.out.note("continuing to use same coordinate system");
             return;
@@ -215,7 +218,9 @@ fn scale(from: LengthUnit, to: LengthUnit) -> f64 {
     match (from, to) {
         (LengthUnit::Inch, LengthUnit::Millimetre) => INCH,
         (LengthUnit::Millimetre, LengthUnit::Inch) => INCH.recip(),
-        (LengthUnit::Inch, LengthUnit::Inch) | (LengthUnit::Millimetre, LengthUnit::Millimetre) => 1.0,
+        (LengthUnit::Inch, LengthUnit::Inch) | (LengthUnit::Millimetre, LengthUnit::Millimetre) => {
+            1.0
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Program text: the main program, and subroutine files from the folders that may be looked into.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::rc::Rc;
 
@@ -45,18 +45,14 @@ pub(super) struct Texts(Rc<RefCell<Loaded>>);
 #[derive(Debug, Default)]
 struct Loaded {
     main: Text,
-    others: HashMap<String, Text>,
+    others: BTreeMap<String, Text>,
 }
 
 impl Texts {
     /// Hands the text of a line, without its end, to `see`.
     pub(super) fn line<T>(&self, file: &str, line: u32, see: impl FnOnce(&[u8]) -> T) -> T {
         let loaded = self.0.borrow();
-        let text = if file == Program::MAIN {
-            Some(&loaded.main)
-        } else {
-            loaded.others.get(file)
-        };
+        let text = if file == Program::MAIN { Some(&loaded.main) } else { loaded.others.get(file) };
         see(text.map_or(&[], |text| text.line(line)))
     }
 
@@ -142,10 +138,14 @@ fn defined_later(main: &[u8], name: &str) -> Option<Vec<u8>> {
 
 /// The keyword of a line that begins with this label, `sub` or `endsub`.
 fn keyword(line: &[u8], label: &[u8]) -> Option<&'static [u8]> {
-    let mut bare: Vec<u8> =
-        line.iter().filter(|byte| !byte.is_ascii_whitespace()).map(u8::to_ascii_lowercase).collect();
+    let mut bare: Vec<u8> = line
+        .iter()
+        .filter(|byte| !byte.is_ascii_whitespace())
+        .map(u8::to_ascii_lowercase)
+        .collect();
     if bare.first() == Some(&b'n') {
-        let digits = bare.iter().skip(1).take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
+        let digits =
+            bare.iter().skip(1).take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
         bare.drain(..=digits);
     }
     let rest = bare.strip_prefix(b"o")?;

@@ -34,7 +34,8 @@ pub(super) fn acts(comment: &[u8]) -> bool {
     let text = comment.iter().filter(|byte| !byte.is_ascii_whitespace());
     ACTS.iter().any(|act| {
         let mut text = text.clone();
-        act.iter().all(|wanted| text.next().is_some_and(|byte| byte.to_ascii_lowercase() == *wanted))
+        act.iter()
+            .all(|wanted| text.next().is_some_and(|byte| byte.to_ascii_lowercase() == *wanted))
     })
 }
 
