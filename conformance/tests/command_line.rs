@@ -149,11 +149,36 @@ fn a_run_is_the_same_each_time_in_both_forms() {
 
 #[test]
 fn each_command_has_help_with_examples() {
-    for command in ["certify", "run", "compare", "fingerprint", "rules", "schema"] {
+    for command in ["certify", "run", "rs274", "compare", "fingerprint", "rules", "schema"] {
         let output = gaugeblock(&[command, "--help"]);
         assert_eq!(output.status.code(), Some(0));
         assert!(String::from_utf8_lossy(&output.stdout).contains("Example"), "{command}");
     }
+}
+
+#[test]
+fn a_parameter_file_is_written_back_and_kept() {
+    let here = folder("parameter-file");
+    let program = file(&here, "program.ngc", b"g20\n#31=[#31+1]\ng10 l2 p1 x2\nm2\n");
+    let parameters = file(&here, "mill.var", b"31 4\n5220 1\n");
+    let output = gaugeblock(&["rs274", "-g", "-v", &parameters, &program]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = |name: &str| std::fs::read_to_string(here.join(name)).expect("written");
+    let written = read("mill.var");
+    assert!(written.starts_with("31\t5.000000\n5161\t0.000000\n"), "{written}");
+    assert!(written.contains("\n5221\t2.000000\n"), "{written}");
+    assert_eq!(read("mill.var.bak"), "31 4\n5220 1\n");
+}
+
+#[test]
+fn what_rs274_would_load_is_refused() {
+    let here = folder("rs274-refused");
+    let program = file(&here, "program.ngc", b"m2\n");
+    refused(&["rs274", "-p", "other.so", &program], 1, &["-p", "hint:"]);
+    refused(&["rs274", "-g", "no-such-file.ngc"], 1, &["no-such-file.ngc", "hint:"]);
+    refused(&["rs274", "-g", "-i", "no-such-file.ini", &program], 1, &["no-such-file.ini"]);
+    let parameters = file(&here, "odd.var", b"5220 1\n31 4\n");
+    refused(&["rs274", "-g", "-v", &parameters, &program], 1, &["31 is out of order"]);
 }
 
 #[test]

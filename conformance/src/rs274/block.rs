@@ -1,7 +1,7 @@
 //! The calls of a block, in the order in which `rs274` prints them: phase by phase, what the words say and what they did.
 
 use gaugeblock_impl::BlockBegun;
-use gaugeblock_trace::{Effect, Event, FeedMode, LengthUnit, Plane, Position, SpindleTurn, Switch};
+use gaugeblock_trace::{Effect, Event, FeedMode, LengthUnit, Plane, Position, Switch};
 
 use super::modes::Modes;
 use super::output::Output;
@@ -58,6 +58,8 @@ pub(super) enum Phase {
     Coolant,
     Overrides,
     Dwell,
+    Plane,
+    Compensation,
     Modes,
     Offsets,
     Motion,
@@ -103,6 +105,8 @@ pub(super) struct Fixed {
     /// Tool numbers in the order of the tool table.
     pub(super) tools: Vec<i32>,
     pub(super) spindles: u8,
+    /// Whether the program begins with a percent line and has no second one.
+    pub(super) unclosed: bool,
 }
 
 impl Fixed {
@@ -113,10 +117,13 @@ impl Fixed {
     }
 }
 
+/// A phase and what prints it.
+type Step<T> = (Phase, fn(&mut T));
+
 impl Printed<'_> {
     /// Prints all phases before one.
     pub(super) fn print(&mut self, end: Phase) {
-        let phases: [(Phase, fn(&mut Self)); 15] = [
+        let phases: [Step<Self>; 17] = [
             (Phase::Comment, Self::comment),
             (Phase::FeedMode, Self::feed),
             (Phase::Speed, Self::speed),
@@ -128,6 +135,8 @@ impl Printed<'_> {
             (Phase::Coolant, Self::coolant),
             (Phase::Overrides, Self::overrides),
             (Phase::Dwell, Self::dwell),
+            (Phase::Plane, Self::plane_and_units),
+            (Phase::Compensation, Self::compensation),
             (Phase::Modes, Self::modes),
             (Phase::Offsets, Self::offsets),
             (Phase::Motion, Self::motion),
@@ -184,16 +193,14 @@ impl Printed<'_> {
                     | Effect::ProbeLogClose {}
             )
         };
-        if let Some(effect) = self.next(message) {
-            match effect {
-                Effect::Message { channel, text } => self.out.message(channel, &text),
-                Effect::LogOpen { file, append } => {
-                    let name = if append { "LOGAPPEND(\"" } else { "LOGOPEN(\"" };
-                    self.out.begin(name).text(&file).text("\")").end();
-                }
-                Effect::LogClose {} => self.out.call("LOGCLOSE"),
-                _ => {}
+        match self.next(message) {
+            Some(Effect::Message { channel, text }) => self.out.message(channel, &text),
+            Some(Effect::LogOpen { file, append }) => {
+                let name = if append { "LOGAPPEND(\"" } else { "LOGOPEN(\"" };
+                self.out.begin(name).text(&file).text("\")").end();
             }
+            Some(Effect::LogClose {}) => self.out.call("LOGCLOSE"),
+            Some(_) | None => {}
         }
         if let Some(comment) = &self.comment {
             self.out.comment(comment);
@@ -242,170 +249,10 @@ impl Printed<'_> {
         self.after.spindles.get(place).copied().unwrap_or(self.after.spindles[0])
     }
 
-    fn tool(&mut self) {
-        if let Some(Effect::PrepareTool { tool }) =
-            self.next(|effect| matches!(effect, Effect::PrepareTool { .. }))
-        {
-            self.out.call_of("SELECT_TOOL", tool);
-            self.selected = self.machine.place(tool);
-        }
-    }
-
-    fn outputs(&mut self) {
-        use gaugeblock_trace::OutputTiming::WithMotion;
-        let output = |effect: &Effect| {
-            matches!(
-                effect,
-                Effect::SetDigitalOutput { .. }
-                    | Effect::SetAnalogOutput { .. }
-                    | Effect::WaitInput { .. }
-            )
-        };
-        while let Some(effect) = self.next(output) {
-            match effect {
-                Effect::SetDigitalOutput { output, on, timing } => {
-                    let name = match (timing == WithMotion, on) {
-                        (true, true) => "SET_MOTION_OUTPUT_BIT",
-                        (true, false) => "CLEAR_MOTION_OUTPUT_BIT",
-                        (false, true) => "SET_AUX_OUTPUT_BIT",
-                        (false, false) => "CLEAR_AUX_OUTPUT_BIT",
-                    };
-                    self.out.call_of(name, output);
-                }
-                Effect::SetAnalogOutput { output, to, timing } => {
-                    let name = if timing == WithMotion {
-                        "SET_MOTION_OUTPUT_VALUE("
-                    } else {
-                        "SET_AUX_OUTPUT_VALUE("
-                    };
-                    let begun = self.out.begin(name).integer(output.into()).text(",");
-                    begun.six(to).text(")").end();
-                }
-                _ => {}
-            }
-        }
-    }
-
-    /// M6 and M61.
-    fn change(&mut self) {
-        if self.words.has_m(6) {
-            self.out.call("START_CHANGE");
-            while let Some(Effect::StraightTraverse { end }) =
-                self.next(|effect| matches!(effect, Effect::StraightTraverse { .. }))
-            {
-                self.out.call_to("STRAIGHT_TRAVERSE", &end);
-            }
-        }
-        let changed = |effect: &Effect| {
-            matches!(effect, Effect::ChangeTool { .. } | Effect::SetToolNumber { .. })
-        };
-        match self.next(changed) {
-            Some(Effect::ChangeTool { tool }) => {
-                self.loaded = tool;
-                // A change that leaves the spindle on tells no stop.
-                let stopped =
-                    self.spindle_after(0).turn == SpindleTurn::Stopped || self.words.m.len() > 1;
-                for number in self.all().filter(|_| stopped) {
-                    self.out.call_of("STOP_SPINDLE_TURNING", number);
-                }
-                self.out.call_of("CHANGE_TOOL", self.selected);
-            }
-            Some(Effect::SetToolNumber { tool }) => {
-                self.loaded = tool;
-                let place = self.machine.place(tool);
-                self.out.call_of("CHANGE_TOOL_NUMBER", place);
-            }
-            _ => {}
-        }
-    }
-
-    /// M3, M4, M5, M19.
-    fn spindle(&mut self) {
-        for code in [3, 4, 5] {
-            if self.words.has_m(code) {
-                let turn = match code {
-                    3 => SpindleTurn::Clockwise,
-                    4 => SpindleTurn::Counterclockwise,
-                    _ => SpindleTurn::Stopped,
-                };
-                for number in self.spindles(0..1) {
-                    self.out.turn(number, turn);
-                }
-            }
-        }
-        self.orient();
-    }
-
-    /// An orientation and its wait.
-    pub(super) fn orient(&mut self) {
-        let oriented = |effect: &Effect| {
-            matches!(effect, Effect::OrientSpindle { .. } | Effect::WaitOrient { .. })
-        };
-        while let Some(effect) = self.next(oriented) {
-            match effect {
-                Effect::OrientSpindle { spindle, angle, direction } => {
-                    use gaugeblock_trace::OrientDirection::{
-                        Clockwise, Counterclockwise, Shortest,
-                    };
-                    let mode = match direction {
-                        Shortest => 0,
-                        Clockwise => 1,
-                        Counterclockwise => 2,
-                    };
-                    let begun = self.out.begin("ORIENT_SPINDLE(").integer(spindle.into());
-                    begun.text(", ").number(angle).text(", ").integer(mode).text(")").end();
-                }
-                Effect::WaitOrient { spindle, timeout } => {
-                    let begun = self.out.begin("SPINDLE.").integer(spindle.into());
-                    begun.text(".WAIT_ORIENT_COMPLETE(").number(timeout).text(")").end();
-                }
-                _ => {}
-            }
-        }
-    }
-
     /// M72; the others print nothing.
     fn saved(&mut self) {
         if self.words.has_m(72) {
             self.restored();
-        }
-    }
-
-    fn coolant(&mut self) {
-        if self.words.has_m(7) {
-            self.out.mist(Switch::On);
-        }
-        if self.words.has_m(8) {
-            self.out.flood(Switch::On);
-        }
-        if self.words.has_m(9) {
-            self.out.mist(Switch::Off);
-            self.out.flood(Switch::Off);
-        }
-    }
-
-    fn overrides(&mut self) {
-        let given = |zero: bool| if zero { Switch::Off } else { Switch::On };
-        let switch = given(self.words.get(b'P').is_some_and(|p| p.abs() <= 0.0));
-        for code in self.words.m.clone() {
-            match code {
-                48 | 49 => {
-                    let switch = given(code == 49);
-                    self.out.feed_override(switch);
-                    for number in self.all() {
-                        self.out.speed_override(number, switch);
-                    }
-                }
-                50 => self.out.feed_override(switch),
-                51 => {
-                    for number in self.spindles(self.all()) {
-                        self.out.speed_override(number, switch);
-                    }
-                }
-                52 => self.out.adaptive_feed(switch),
-                53 => self.out.feed_stop(switch),
-                _ => {}
-            }
         }
     }
 
@@ -421,9 +268,10 @@ impl Printed<'_> {
     }
 
     /// Plane and units.
-    pub(super) fn plane_and_units(&mut self) {
+    fn plane_and_units(&mut self) {
         if self.words.g_of(&[170, 180, 190, 171, 181, 191]).is_some() {
-            self.out.plane(self.after.plane);
+            let plane = self.set().plane;
+            self.out.plane(plane);
         }
         match self.words.g_of(&[200, 210]) {
             Some(200) => self.out.units(LengthUnit::Inch),
@@ -434,26 +282,27 @@ impl Printed<'_> {
 
     /// M0, M1, M60, and the end.
     fn stop(&mut self) {
-        while let Some(effect) = self.next(|_| true) {
-            match effect {
-                Effect::Stop { optional } => {
-                    self.out.call(if optional { "OPTIONAL_PROGRAM_STOP" } else { "PROGRAM_STOP" });
+        loop {
+            match self.next(|_| true) {
+                Some(Effect::Stop { optional: true }) => self.out.call("OPTIONAL_PROGRAM_STOP"),
+                Some(Effect::Stop { optional: false }) => self.out.call("PROGRAM_STOP"),
+                Some(Effect::PalletShuttle {}) if !self.words.has_m(30) => {
+                    self.out.call("PALLET_SHUTTLE");
                 }
-                Effect::PalletShuttle {} if !self.words.has_m(30) => {
-                    self.out.call("PALLET_SHUTTLE")
-                }
-                Effect::ProgramEnd {} => self.program_end(),
-                _ => {}
+                Some(Effect::ProgramEnd {}) => self.program_end(),
+                Some(_) => {}
+                None => return,
             }
         }
     }
 
     /// What the end of a program resets is printed whether it changes or not, but for plane, override and coolant.
     pub(super) fn program_end(&mut self) {
-        let (before, after) = (self.before, self.after);
+        let (mut before, after) = (self.before, self.after);
+        before.assume(self.words);
         self.out.g5x_offset(&after);
         self.out.rotation(&after);
-        if before.plane != Plane::Xy && self.words.g_of(&[170]).is_none() {
+        if before.plane != Plane::Xy {
             self.out.plane(Plane::Xy);
         }
         self.out.begin("SET_FEED_MODE(0, 0)").end();
@@ -477,6 +326,9 @@ impl Printed<'_> {
         }
         self.out.call("PROGRAM_END");
         self.out.label(None);
+        if self.machine.unclosed {
+            self.out.note("percent sign missing from end of file");
+        }
         self.out.call("ON_RESET");
     }
 }

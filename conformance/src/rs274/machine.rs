@@ -23,7 +23,6 @@ pub(super) fn machine(ini: &Ini, tools: Vec<Tool>) -> Machine {
     let spindles = spindles.map_or(1, |count| count as u8);
     Machine {
         length_unit: LengthUnit::Inch,
-        axes: Axis::ALL.to_vec(),
         spindles,
         // Which there are is known to the motion controller only.
         digital_io: u16::from(u8::MAX),

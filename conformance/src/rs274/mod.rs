@@ -1,16 +1,19 @@
 //! `gaugeblock rs274`: the production interpreter behind the command line and the printed text of LinuxCNC's `rs274`.
 //!
 //! ```text
-//! Arguments ─► ini, machine, parameters ─► Interpreter ─► printer ─► block, settled, motion ─► calls ─► output
+//! Arguments ─► ini, machine, parameters ─► Interpreter ─► printer ─► block (switched, settled, motion) ─► calls ─► output
 //!              source (program, subroutine files)            └ text (number and comment of a line)
 //! ```
 //!
 //! The interpreter tells its sink the words of a block, what changed and what was done; the printer puts that into the order in which
 //! `rs274` prints a block, and prints what was programmed again though it did not change. What is printed was learned by running the program.
 //!
-//! **Not imitated:** the menu that is shown without `-g`, and its prompts; plug-in interpreters, Python and remapped codes; what the quirks of
-//! `rs274` (`conformance/suite/quirks`) make it do otherwise than its manual: those of saved state, of the unit of F and of the position after
-//! probing show in what is printed. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever.
+//! **Not imitated:** the menu that is shown without `-g`, and its prompts; plug-in interpreters, Python and remapped codes; programs that are
+//! named by a word. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever. Two codes of one block that change the
+//! same offset show its last value twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line
+//! of its own is printed as there: rounded F and S of saved state, switches that do not come back, subs that are defined behind their call,
+//! the way of cycles to the R plane. What leads elsewhere is not: arguments of a call that are not passed, tool offsets of saved state, the
+//! position after probing, the passes of G76, a kept R under G91.
 //!
 //! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders. User-defined codes run nothing.
 
@@ -27,6 +30,7 @@ mod printer;
 mod refusals;
 mod settled;
 mod source;
+mod switched;
 mod text;
 
 use std::collections::BTreeMap;
@@ -90,6 +94,7 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     let fixed = Fixed {
         tools: machine.tools.iter().filter_map(|tool| i32::try_from(tool.number).ok()).collect(),
         spindles: machine.spindles,
+        unclosed: program.as_deref().is_some_and(source::is_unclosed),
     };
     let mut interpreter = Interpreter::new(machine, machine::options(), Limits::default())
         .map_err(|error| error.to_string())?;

@@ -59,11 +59,24 @@ macro_rules! modes {
 impl Modes {
     /// Takes over what the words of a block set that was refused, and of which nothing is told: modes without lengths.
     pub(super) fn assume(&mut self, words: &Words) {
+        for code in &words.m {
+            match code {
+                7 => self.mist = Switch::On,
+                8 => self.flood = Switch::On,
+                9 => (self.mist, self.flood) = (Switch::Off, Switch::Off),
+                48 => self.feed_override = Switch::On,
+                49 => self.feed_override = Switch::Off,
+                _ => {}
+            }
+        }
         for code in &words.g {
             match code {
                 170 => self.plane = Plane::Xy,
                 180 => self.plane = Plane::Zx,
                 190 => self.plane = Plane::Yz,
+                171 => self.plane = Plane::Uv,
+                181 => self.plane = Plane::Wu,
+                191 => self.plane = Plane::Vw,
                 200 => self.units = LengthUnit::Inch,
                 210 => self.units = LengthUnit::Millimetre,
                 70 => self.lathe = Lathe::Diameter,

@@ -35,13 +35,12 @@ impl Printed<'_> {
                     }
                 }
                 Event::Do(effect) if is_after_motion(effect, self.cycle.is_some()) => break,
-                Event::Do(effect) => {
+                Event::Do(_) => {
                     if !std::mem::replace(&mut switched, true) {
                         self.out.begin(EXACT_PATH).end();
                     }
                     moved = true;
-                    let effect = effect.clone();
-                    self.effect(&effect);
+                    self.moved(event);
                     self.bored_out();
                 }
             }
@@ -105,8 +104,9 @@ impl Printed<'_> {
         };
         let next = self.events.get(self.at + 1);
         let goes_on = matches!(next, Some(Event::Do(Effect::StraightFeed { .. })));
+        let place = |at: &Position| in_plane(self.after.plane, at).0.map(f64::to_bits);
         let rises = matches!(next, Some(Event::Do(Effect::StraightTraverse { end: next }))
-            if in_plane(self.after.plane, next).0 == in_plane(self.after.plane, end).0);
+            if place(next) == place(end));
         if self.cycle == Some(850) && !goes_on && !rises {
             self.out.call_to("STRAIGHT_TRAVERSE", end);
         }
@@ -153,18 +153,19 @@ impl Printed<'_> {
         }
     }
 
-    fn effect(&mut self, effect: &Effect) {
-        match effect {
-            Effect::StraightTraverse { end } => {
+    /// Prints an effect of the motion.
+    fn moved(&mut self, event: &Event) {
+        match event {
+            Event::Do(Effect::StraightTraverse { end }) => {
                 self.out.call_to("STRAIGHT_TRAVERSE", end);
                 self.position = *end;
             }
-            Effect::StraightFeed { end } => {
+            Event::Do(Effect::StraightFeed { end }) => {
                 self.speed_of(distance(&self.position, end));
                 self.out.call_to("STRAIGHT_FEED", end);
                 self.position = *end;
             }
-            Effect::ArcFeed { end, first_centre, second_centre, turns } => {
+            Event::Do(Effect::ArcFeed { end, first_centre, second_centre, turns }) => {
                 let length = self.arc_length(end, [*first_centre, *second_centre], *turns);
                 self.speed_of(length);
                 let ([first, second], axis) = in_plane(self.after.plane, end);
@@ -174,26 +175,30 @@ impl Printed<'_> {
                 begun.numbers(&[axis, end.a, end.b, end.c], ", ").text(")").end();
                 self.position = *end;
             }
-            Effect::NurbsFeed { points, end } => {
+            Event::Do(Effect::NurbsFeed { points, end }) => {
                 self.out.begin("NURBS_FEED(").integer((*points).into()).text(", ...)").end();
                 self.position = *end;
             }
-            Effect::StraightProbe { end, .. } => {
+            Event::Do(Effect::StraightProbe { end, .. }) => {
                 self.out.call("TURN_PROBE_ON");
                 self.out.call_to("STRAIGHT_PROBE", end);
                 self.out.call("TURN_PROBE_OFF");
                 self.position = *end;
             }
-            Effect::RigidTap { end } => {
+            Event::Do(Effect::RigidTap { end }) => {
                 let Position { x, y, z, .. } = *end;
                 self.out.begin("RIGID_TAP(").numbers(&[x, y, z], ", ").text(")").end();
             }
-            Effect::StartSpindleSynchronisation { pitch, .. } => self.out.synchronised(*pitch),
-            Effect::StopSpindleSynchronisation {} => self.out.call("STOP_SPEED_FEED_SYNCH"),
-            Effect::Dwell { seconds } => self.out.call_with("DWELL", *seconds),
-            Effect::OrientSpindle { .. } | Effect::WaitOrient { .. } => self.orient(),
-            Effect::Stop { .. } => self.out.call("PROGRAM_STOP"),
-            _ => {}
+            Event::Do(Effect::StartSpindleSynchronisation { pitch, .. }) => {
+                self.out.synchronised(*pitch)
+            }
+            Event::Do(Effect::StopSpindleSynchronisation {}) => {
+                self.out.call("STOP_SPEED_FEED_SYNCH")
+            }
+            Event::Do(Effect::Dwell { seconds }) => self.out.call_with("DWELL", *seconds),
+            Event::Do(Effect::OrientSpindle { .. } | Effect::WaitOrient { .. }) => self.orient(),
+            Event::Do(Effect::Stop { .. }) => self.out.call("PROGRAM_STOP"),
+            Event::Do(_) | Event::Set(_) => {}
         }
     }
 
@@ -298,11 +303,10 @@ fn distance(from: &Position, to: &Position) -> f64 {
 
 /// Whether an effect belongs to what follows the motion. A cycle may stop for a person.
 fn is_after_motion(effect: &Effect, cycle: bool) -> bool {
-    match effect {
-        Effect::Stop { .. } => !cycle,
-        Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. } => {
-            true
-        }
-        _ => false,
-    }
+    let stops = matches!(effect, Effect::Stop { .. });
+    stops && !cycle
+        || matches!(
+            effect,
+            Effect::PalletShuttle {} | Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. }
+        )
 }

@@ -124,8 +124,7 @@ impl Output {
 /// Writes a number with four decimals where that is simple: it is not large, and does not lie near the middle between two.
 fn fixed(buffer: &mut Vec<u8>, value: f64) -> bool {
     let scaled = value.abs() * 10_000.0;
-    // Not a number fails here too.
-    if !(scaled < 1.0e12) {
+    if scaled.is_nan() || scaled >= 1.0e12 {
         return false;
     }
     #[expect(

@@ -225,11 +225,14 @@ impl Sink for Printer {
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
         self.events.push(Event::Do(effect.clone()));
-        match effect {
-            Effect::StraightProbe { end, .. } => Reply::Contact(Some(*end)),
-            Effect::WaitInput { .. } => Reply::Input(0.0),
-            Effect::UserCode { .. } => Reply::Failed(FaultKind::UnknownCode),
-            _ => Reply::Done,
+        if let Effect::StraightProbe { end, .. } = effect {
+            Reply::Contact(Some(*end))
+        } else if let Effect::WaitInput { .. } = effect {
+            Reply::Input(0.0)
+        } else if let Effect::UserCode { .. } = effect {
+            Reply::Failed(FaultKind::UnknownCode)
+        } else {
+            Reply::Done
         }
     }
 

@@ -27,6 +27,10 @@ pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
     let motion = words.g_of(&MOTIONS);
     let arc_or_cycle = motion.is_some_and(|code| code > 10 && code != 800);
     match fault.kind {
+        Some(FaultKind::MissingWord) if fault.message.starts_with("inverse time") => Phase::Motion,
+        Some(FaultKind::CompensationActive) if words.has_m(6) => Phase::Change,
+        Some(FaultKind::CompensationActive) if words.g_of(&COMPENSATIONS).is_some() => Phase::Modes,
+        Some(_) if fault_of_compensation(fault, words) => Phase::Compensation,
         Some(
             FaultKind::BadArc
             | FaultKind::ZeroFeed
@@ -45,6 +49,16 @@ pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
     }
 }
 
+/// Codes that turn compensation on.
+const COMPENSATIONS: [u16; 4] = [410, 420, 411, 421];
+
+/// Whether compensation cannot be turned on: for the plane, or for a word of its code.
+fn fault_of_compensation(fault: &Fault, words: &Words) -> bool {
+    let of_plane =
+        fault.kind == Some(FaultKind::ModalConflict) && fault.message.contains("outside of");
+    words.g_of(&COMPENSATIONS).is_some() && of_plane
+}
+
 impl Refused<'_> {
     /// What is said of it.
     pub(super) fn sentence(&self) -> String {
@@ -53,43 +67,43 @@ impl Refused<'_> {
 
     fn observed(&self) -> Option<String> {
         let motion = self.words.g_of(&MOTIONS);
-        let text = match self.fault.kind? {
-            FaultKind::ZeroFeed => match motion {
+        let text = match self.fault.kind {
+            Some(FaultKind::ZeroFeed) => match motion {
                 Some(20 | 30) => "Cannot make arc with zero feed rate",
                 Some(code) if CYCLES.contains(&code) => "Cannot feed with zero feed rate",
                 _ => "Cannot do g1 with zero feed rate",
             },
-            FaultKind::NothingSaved => {
+            Some(FaultKind::NothingSaved) => {
                 "Cannot restore context from invalid stack frame - missing M70/M73?"
             }
-            FaultKind::DivideByZero => "Attempt to divide by zero",
-            FaultKind::NestedSub => "Nested subroutine definition",
-            FaultKind::MissingEnd if self.percent => "File ended with no percent sign",
-            FaultKind::MissingEnd => "File ended with no percent sign or program end",
-            FaultKind::BadArc if matches!(motion, Some(20 | 30)) => return self.arc(),
-            FaultKind::MissingWord => return self.missing_word(motion),
-            FaultKind::AxisWords if motion.is_some_and(|code| CYCLES.contains(&code)) => {
+            Some(FaultKind::DivideByZero) => "Attempt to divide by zero",
+            Some(FaultKind::NestedSub) => "Nested subroutine definition",
+            Some(FaultKind::MissingEnd) if self.percent => "File ended with no percent sign",
+            Some(FaultKind::MissingEnd) => "File ended with no percent sign or program end",
+            Some(FaultKind::BadArc) if matches!(motion, Some(20 | 30)) => return self.arc(),
+            Some(FaultKind::MissingWord) => return self.missing_word(motion),
+            Some(FaultKind::AxisWords) if motion.is_some_and(|code| CYCLES.contains(&code)) => {
                 let turned = ["a", "b", "c"].into_iter().find(|axis| self.has(axis))?;
                 return Some(format!("Cannot put an {turned} in canned cycle"));
             }
-            FaultKind::NoSuchParameter => return self.absent(),
-            FaultKind::ReadOnlyParameter => {
+            Some(FaultKind::NoSuchParameter) => return self.absent(),
+            Some(FaultKind::ReadOnlyParameter) => {
                 let name = self.line.split_once("#<")?.1.split('>').next()?;
                 return Some(format!(
                     "Cannot assign to read-only parameter #<{}>",
                     name.to_lowercase()
                 ));
             }
-            FaultKind::FanucDisabled => {
+            Some(FaultKind::FanucDisabled) => {
                 let found = if self.has("m98") { "m98" } else { "m99" };
                 return Some(format!("DISABLE_FANUC_STYLE_SUB set in INI file, but found {found}"));
             }
-            FaultKind::MixedStyles => return self.mixed(),
-            FaultKind::ToolNotFound => {
+            Some(FaultKind::MixedStyles) => return self.mixed(),
+            Some(FaultKind::ToolNotFound) => {
                 let tool = self.words.get(b'T')?;
                 return Some(format!("Requested tool {tool:.0} not found in the tool table"));
             }
-            FaultKind::BadExpression | FaultKind::BadNumber | FaultKind::BadBlock
+            Some(FaultKind::BadExpression | FaultKind::BadNumber | FaultKind::BadBlock)
                 if self.has("exists[") =>
             {
                 return self.exists();

@@ -12,21 +12,35 @@ use super::motion::INCH;
 const WORK_OFFSETS: [u16; 9] = [540, 550, 560, 570, 580, 590, 591, 592, 593];
 
 impl Printed<'_> {
-    /// Plane, units, lathe, compensation, tool length, work offset, path, distance, retract.
-    pub(super) fn modes(&mut self) {
-        if self.words.g.is_empty() {
-            return;
+    /// Settings after the block, but for what the end of a program resets after it was set.
+    pub(super) fn set(&self) -> Modes {
+        let mut after = self.after;
+        if self.words.has_m(2) || self.words.has_m(30) {
+            after.assume(self.words);
         }
-        let (before, after) = (self.before, self.after);
-        self.plane_and_units();
-        if self.words.g_of(&[70, 80]).is_some() && before.lathe != after.lathe {
+        after
+    }
+
+    /// Lathe mode and compensation.
+    pub(super) fn compensation(&mut self) {
+        let after = self.set();
+        if self.words.g_of(&[70, 80]).is_some() && self.before.lathe != after.lathe {
             self.out.lathe(after.lathe);
         }
         match self.words.g_of(&[400, 410, 420, 411, 421]) {
             Some(400) => self.out.compensation(Compensation::Off),
-            Some(_) => self.out.compensation(after.compensation),
+            Some(410 | 411) => self.out.compensation(Compensation::Left),
+            Some(_) => self.out.compensation(Compensation::Right),
             None => {}
         }
+    }
+
+    /// Tool length, work offset, path, distance, retract.
+    pub(super) fn modes(&mut self) {
+        if self.words.g.is_empty() {
+            return;
+        }
+        let (before, after) = (self.before, self.set());
         if self.words.g_of(&[430, 431, 432, 490]).is_some() {
             self.out.tool_offset(&after.tool_offset);
         }

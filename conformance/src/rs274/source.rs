@@ -1,7 +1,7 @@
 //! Program text: the main program, and subroutine files from the folders that may be looked into.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::rc::Rc;
 
@@ -45,7 +45,7 @@ pub(super) struct Texts(Rc<RefCell<Loaded>>);
 #[derive(Debug, Default)]
 struct Loaded {
     main: Text,
-    others: HashMap<String, Text>,
+    others: BTreeMap<String, Text>,
 }
 
 impl Texts {
@@ -95,6 +95,12 @@ impl Files {
         self.open.push((Rc::from(bytes.as_slice()), 0));
         self.texts.0.borrow_mut().others.insert(name.to_owned(), Text::new(bytes));
     }
+}
+
+/// Whether a program begins with a percent line and has no second one.
+pub(super) fn is_unclosed(main: &[u8]) -> bool {
+    let lines = main.split(|byte| matches!(byte, b'\n' | b'\r')).map(<[u8]>::trim_ascii);
+    main.trim_ascii_start().starts_with(b"%") && lines.filter(|line| *line == b"%").count() == 1
 }
 
 /// The text of a sub that the main program defines, with empty lines before it so that its lines keep their numbers; none where there is none.

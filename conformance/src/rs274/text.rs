@@ -13,20 +13,20 @@ pub(super) fn number(line: &[u8]) -> Option<&[u8]> {
     rest.get(..digits)
 }
 
-/// The text of the last comment in parentheses, where no comment behind a semicolon follows it.
+/// The text of the last comment in parentheses, before a semicolon, where it is not empty.
 pub(super) fn comment(line: &[u8]) -> Option<&[u8]> {
     let mut found = None;
     let mut rest = line;
     while let Some(at) = rest.iter().position(|byte| matches!(byte, b'(' | b';')) {
         if rest.get(at) == Some(&b';') {
-            return None;
+            break;
         }
         let inner = rest.get(at + 1..)?;
         let close = inner.iter().position(|byte| *byte == b')')?;
         found = inner.get(..close);
         rest = inner.get(close + 1..)?;
     }
-    found.map(<[u8]>::trim_ascii_start)
+    found.map(<[u8]>::trim_ascii_start).filter(|comment| !comment.is_empty())
 }
 
 /// Whether a comment does something, so that it is not printed as a comment.
@@ -53,7 +53,7 @@ mod tests {
         assert_eq!(number(b" / n10.5 g0"), Some(&b"10"[..]));
         assert_eq!(number(b"g0 x1"), None);
         assert_eq!(comment(b"(a) g0 ( b ) x1"), Some(&b"b "[..]));
-        assert_eq!(comment(b"(a) g0 ; (b)"), None);
+        assert_eq!(comment(b"(a) g0 ; (b)"), Some(&b"a"[..]));
         assert!(acts(b" M S G, hi"));
         assert!(!acts(b"message"));
     }

@@ -1,0 +1,320 @@
+//! What `gaugeblock rs274` prints, held to what LinuxCNC's `rs274` prints, byte for byte; where that is not installed, each test says what
+//! it left out.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use gaugeblock::adapters::Adapter;
+use gaugeblock::adapters::production::Production;
+use gaugeblock::adapters::reference::Reference;
+use gaugeblock::adapters::rs274::Rs274;
+use gaugeblock::certify::scenario_of;
+use gaugeblock::suite::{Edition, Suite, files};
+use gaugeblock_trace::{End, LengthUnit, Machine, Options, Scenario};
+
+const PROGRAMS: &str = include_str!("printed_programs.txt");
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// What a program wrote to standard output, and its exit status; none where it did not come to an end.
+#[derive(Debug, PartialEq, Eq)]
+struct Printed {
+    status: Option<i32>,
+    text: String,
+}
+
+/// LinuxCNC's interpreter, unless it is not installed.
+fn installed(left_out: &str) -> Option<Rs274> {
+    match Rs274::find(None) {
+        Ok(found) => Some(found),
+        Err(error) => {
+            // Written past the test runner, which keeps what passing tests print to itself.
+            let notice = format!("left out: {left_out} ({error})\n");
+            std::io::stderr().write_all(notice.as_bytes()).expect("standard error can be written");
+            None
+        }
+    }
+}
+
+/// An empty folder.
+fn folder(name: &str) -> PathBuf {
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("printed-{name}-{count}"));
+    let _none_before = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder for the test");
+    folder
+}
+
+/// Runs a command within a folder.
+fn run(mut command: Command, folder: &Path) -> Printed {
+    let out = folder.join("stdout");
+    let file = fs::File::create(&out).expect("a file for the output");
+    command.current_dir(folder).env("HOME", folder).env("LC_ALL", "C").env_remove("INI_FILE_NAME");
+    command.stdin(Stdio::null()).stdout(file).stderr(Stdio::null());
+    let child = command.spawn().expect("it starts");
+    let status = wait(child);
+    let text = String::from_utf8_lossy(&fs::read(out).expect("the output")).into_owned();
+    Printed { status, text }
+}
+
+fn wait(mut child: Child) -> Option<i32> {
+    let begun = Instant::now();
+    while begun.elapsed() < PATIENCE {
+        if let Some(status) = child.try_wait().expect("it can be waited for") {
+            return status.code();
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().expect("it can be ended");
+    child.wait().expect("it can be waited for");
+    None
+}
+
+/// What both print of the program `main.ngc`, in folders of their own with the same files.
+fn both(name: &str, files: &[(&str, &str)], options: &[&str]) -> (Printed, Printed) {
+    let printed = |mut command: Command, whose: &str| {
+        let folder = folder(&format!("{name}-{whose}"));
+        for (file, text) in files {
+            fs::write(folder.join(file), text).expect("a file for the test");
+        }
+        command.args(options).args(["-g", "main.ngc"]);
+        let printed = run(command, &folder);
+        fs::remove_dir_all(folder).expect("the folder can be removed");
+        printed
+    };
+    let mut ours = Command::new(env!("CARGO_BIN_EXE_gaugeblock"));
+    ours.arg("rs274");
+    (printed(Command::new("rs274"), "theirs"), printed(ours, "ours"))
+}
+
+/// The first line that differs.
+fn difference(theirs: &Printed, ours: &Printed) -> String {
+    let (mut left, mut right) = (theirs.text.lines(), ours.text.lines());
+    loop {
+        match (left.next(), right.next()) {
+            (None, None) => return format!("status {:?}, found {:?}", theirs.status, ours.status),
+            (left, right) if left != right => return format!("{left:?}, found {right:?}"),
+            _ => {}
+        }
+    }
+}
+
+/// Here without the other program, so that it is seen everywhere.
+#[test]
+fn a_program_is_printed_from_start_to_end() {
+    let folder = folder("own");
+    fs::write(folder.join("main.ngc"), "(drill)\nn10 g20 f12.5 g1 x.5 (in)\nm30\n")
+        .expect("a file");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gaugeblock"));
+    command.args(["rs274", "-g", "main.ngc"]);
+    let expected = "    1 N..... USE_LENGTH_UNITS(CANON_UNITS_MM)
+    2 N..... SET_G5X_OFFSET(1, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)
+    3 N..... SET_G92_OFFSET(0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)
+    4 N..... SET_XY_ROTATION(0.0000)
+    5 N..... SET_FEED_REFERENCE(CANON_XYZ)
+    6 N..... ON_RESET()
+    7 N..... COMMENT(\"drill\")
+    8 N10    COMMENT(\"in\")
+    9 N10    SET_FEED_RATE(12.5000)
+   10 N10    USE_LENGTH_UNITS(CANON_UNITS_INCHES)
+   11 N10    STRAIGHT_FEED(0.5000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)
+   12 N..... SET_G5X_OFFSET(1, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)
+   13 N..... SET_XY_ROTATION(0.0000)
+   14 N..... SET_FEED_MODE(0, 0)
+   15 N..... SET_FEED_RATE(0.0000)
+   16 N..... STOP_SPINDLE_TURNING(0)
+   17 N..... SET_SPINDLE_MODE(0 0.0000)
+   18 N..... PALLET_SHUTTLE()
+   19 N..... PROGRAM_END()
+   20 N..... ON_RESET()
+   21 N..... ON_RESET()
+";
+    let printed = run(command, &folder);
+    assert_eq!(printed, Printed { status: Some(0), text: expected.to_owned() });
+    fs::remove_dir_all(folder).expect("the folder can be removed");
+}
+
+#[test]
+fn programs_are_printed_as_by_rs274() {
+    if installed("printing of programs").is_none() {
+        return;
+    }
+    let beside = [
+        ("spindles.ini", "[TRAJ]\nSPINDLES = 2\n"),
+        ("tools.tbl", "T1 P1 Z0.5 D0.125\nT2 P5 X1 Z1 D0.25 I10 J20 Q3\n"),
+        ("stored.var", "5210\t1\n5211\t2.5\n5220\t2\n5221\t3\n5241\t10\n"),
+    ];
+    let mut wrong = String::new();
+    let mut count = 0;
+    for program in PROGRAMS.split("\n== ").skip(1) {
+        let (head, text) = program.split_once('\n').expect("a name before each program");
+        let (name, options) = head.split_once(':').expect("options behind the name");
+        let text = format!("{}\n", text.trim_end());
+        let files = [&beside[..], &[("main.ngc", text.as_str())]].concat();
+        let options: Vec<_> = options.split_whitespace().collect();
+        let (theirs, ours) = both("program", &files, &options);
+        count += 1;
+        if theirs != ours {
+            writeln!(wrong, "{name}: {text:?}\n  expected {}", difference(&theirs, &ours))
+                .expect("text");
+        }
+    }
+    assert!(wrong.is_empty(), "of {count} programs these are printed otherwise:\n{wrong}");
+}
+
+/// The INI file, tool table and parameter file of a machine; none where it is one that those files cannot tell.
+fn machine_files(machine: &Machine) -> Option<[(&'static str, String); 3]> {
+    let stored = !machine.tools.is_empty() || !machine.parameters.0.is_empty();
+    let plain = Machine {
+        length_unit: machine.length_unit,
+        spindles: machine.spindles,
+        orient_offset: machine.orient_offset,
+        fanuc_subs: machine.fanuc_subs,
+        tools: machine.tools.clone(),
+        parameters: machine.parameters.clone(),
+        ..Machine::default()
+    };
+    if plain != *machine || stored && machine.length_unit == LengthUnit::Millimetre {
+        return None;
+    }
+    let ini = format!(
+        "[TRAJ]\nSPINDLES = {}\n[RS274NGC]\nORIENT_OFFSET = {}\nDISABLE_FANUC_STYLE_SUB = {}\n",
+        machine.spindles,
+        machine.orient_offset,
+        u8::from(!machine.fanuc_subs)
+    );
+    let mut table = String::new();
+    for tool in &machine.tools {
+        let pocket = tool.pocket.unwrap_or(tool.number);
+        write!(table, "T{} P{pocket}", tool.number).expect("text");
+        for (letter, value) in
+            ["X", "Y", "Z", "A", "B", "C", "U", "V", "W"].iter().zip(tool.offset.to_array())
+        {
+            write!(table, " {letter}{value}").expect("text");
+        }
+        writeln!(
+            table,
+            " D{} I{} J{} Q{}",
+            tool.diameter, tool.front_angle, tool.back_angle, tool.orientation
+        )
+        .expect("text");
+    }
+    let mut parameters = String::new();
+    for (number, value) in &machine.parameters.0 {
+        writeln!(parameters, "{number}\t{value}").expect("text");
+    }
+    Some([("mill.ini", ini), ("tools.tbl", table), ("mill.var", parameters)])
+}
+
+/// What became of the suite's cases.
+#[derive(Debug, Default)]
+struct Sweep {
+    agree: usize,
+    explained: usize,
+    /// Printed otherwise, though production does there what `rs274` does as far as the suite tells.
+    otherwise: Vec<String>,
+}
+
+/// Whether a case can be run on both, and production supports it.
+fn can_run(scenario: &Scenario, documented: &Scenario, theirs: &Rs274) -> bool {
+    let production = Production::default();
+    let bench = scenario.bench.name.as_deref() == Some("stand-alone rs274");
+    let ends = |scenario: &Scenario| {
+        production.supports(scenario).is_ok()
+            && production.run(scenario).is_ok_and(|outcome| {
+                matches!(outcome.end, End::ProgramEnd | End::PercentEnd | End::Fault(_))
+            })
+    };
+    let plain = scenario.program.start == gaugeblock_trace::scenario::Start::Program
+        && !scenario.program.files.keys().any(|name| name.contains('/'));
+    bench && plain && theirs.supports(scenario).is_ok() && ends(documented)
+}
+
+/// A scenario in which production's bench answers as the stubs of `rs274` do.
+fn documented(scenario: &Scenario, options: &Options) -> Scenario {
+    let mut documented = scenario.clone();
+    documented.bench = gaugeblock_trace::scenario::Bench::default();
+    documented.options = options.clone();
+    documented
+}
+
+#[test]
+fn cases_of_the_suite_are_printed_as_by_rs274() {
+    let Some(rs274) = installed("printing of the suite's cases") else { return };
+    let suite = Suite::read(&files::built_in()).expect("the suite");
+    let edition = suite.edition("rs274-2.9-observed").expect("the edition of what is printed");
+    let observed = suite.options(edition);
+    let mut plain = observed.clone();
+    plain.0.retain(|_, option| option != "observed");
+    let mut sweep = Sweep::default();
+    let mut place = 0;
+    for rule in &suite.rules {
+        for case in &rule.cases {
+            place += 1;
+            if place % STRIDE != 0 {
+                continue;
+            }
+            let scenario = scenario_of(case, &observed, edition);
+            let documented = documented(&scenario, &plain);
+            let Some(machine) = machine_files(&scenario.machine) else { continue };
+            if can_run(&scenario, &documented, &rs274) {
+                let name = format!("{} / {}", rule.id, case.name);
+                sweep.judge(&name, &scenario, &documented, &machine, edition);
+            }
+        }
+    }
+    let Sweep { agree, explained, otherwise } = &sweep;
+    let shown = otherwise.join("\n");
+    let counts = format!(
+        "{agree} agree, {explained} differ by quirks, {} otherwise\n{shown}",
+        otherwise.len()
+    );
+    assert!(*agree >= AGREE && otherwise.len() <= OTHERWISE, "{counts}");
+}
+
+/// Every so many-th case is printed: all of them take minutes. Of all, 2 611 agree, 123 differ by quirks, and few otherwise.
+const STRIDE: usize = 11;
+/// How many of these agree at least, and how many differ at most without a quirk that explains it.
+const AGREE: usize = 200;
+const OTHERWISE: usize = 4;
+
+impl Sweep {
+    fn judge(
+        &mut self,
+        name: &str,
+        scenario: &Scenario,
+        documented: &Scenario,
+        machine: &[(&'static str, String); 3],
+        edition: &Edition,
+    ) {
+        let mut files: Vec<(&str, &str)> =
+            machine.iter().map(|(name, text)| (*name, text.as_str())).collect();
+        files.push(("main.ngc", &scenario.program.main));
+        files.extend(
+            scenario.program.files.iter().map(|(name, text)| (name.as_str(), text.as_str())),
+        );
+        let mut options = vec!["-i", "mill.ini", "-t", "tools.tbl", "-v", "mill.var"];
+        if scenario.program.block_delete {
+            options.push("-b");
+        }
+        let (theirs, ours) = both("case", &files, &options);
+        if theirs == ours {
+            self.agree += 1;
+            return;
+        }
+        // Where the model does otherwise under the quirks than without them, a quirk is why.
+        let reference = Reference::default();
+        let mut without = documented.clone();
+        without.bench.name.clone_from(&edition.bench);
+        if reference.run(scenario) == reference.run(&without) {
+            self.otherwise.push(format!("{name}: expected {}", difference(&theirs, &ours)));
+        } else {
+            self.explained += 1;
+        }
+    }
+}
