@@ -110,6 +110,14 @@ fn a_report_is_written_whole() {
 }
 
 #[test]
+fn the_production_interpreter_is_certified_where_none_is_named() {
+    let output = gaugeblock(&["certify", "--only", "coolant"]);
+    assert_eq!(output.status.code(), Some(0));
+    let report = String::from_utf8_lossy(&output.stdout);
+    assert!(report.starts_with("production "), "{report}");
+}
+
+#[test]
 fn a_program_that_faults_is_an_answer() {
     let here = folder("faults");
     let program = file(&here, "fault.ngc", b"g21\nm72\nm2\n");

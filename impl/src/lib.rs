@@ -59,6 +59,11 @@ mod canon;
 mod control;
 mod done;
 mod error;
+#[cfg(feature = "faults")]
+pub mod faults;
+#[cfg(not(feature = "faults"))]
+#[expect(unreachable_pub, reason = "who embeds the interpreter cannot plant faults")]
+mod faults;
 mod interpret;
 mod limits;
 mod math;

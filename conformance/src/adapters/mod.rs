@@ -3,6 +3,8 @@
 //! **Invariant:** an adapter does nothing that an adapter in another language could not do: it knows the vocabulary and
 //! its controller, and no model of the language.
 
+#[cfg(feature = "faulty")]
+pub mod faulty;
 pub mod linuxcnc;
 mod probing;
 pub mod production;

@@ -13,6 +13,8 @@ use crate::report::{Report, json, junit, profiles, terminal};
 use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
+  gaugeblock certify
+      hold the interpreter of this project to the manual of its edition: about a second
   gaugeblock certify rs274
       hold LinuxCNC's interpreter to its own manual: each deviating rule, with its program
   gaugeblock certify rs274 --expectations conformance/expectations/rs274-2.9.toml
@@ -30,7 +32,7 @@ const EXAMPLES: &str = "Examples:
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
     /// The controller under test
-    #[arg(value_name = "CONTROLLER", default_value = "reference", long_help = controller::NAMES)]
+    #[arg(value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
     /// The edition of the documents that it is held to [default: its own]
     #[arg(long, value_name = "EDITION")]
@@ -117,7 +119,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
 }
 
 /// A bar on a terminal, nothing in a pipe.
-fn progress(cases: usize) -> indicatif::ProgressBar {
+pub(super) fn progress(cases: usize) -> indicatif::ProgressBar {
     let cases = u64::try_from(cases).unwrap_or(u64::MAX);
     let style = indicatif::ProgressStyle::with_template("{bar:32} {pos}/{len} cases, {elapsed}");
     let bar = indicatif::ProgressBar::new(cases);

@@ -22,6 +22,7 @@ pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
         None if name == "rs274" => rs274(None),
         Some(("rs274", path)) => rs274(Some(Path::new(path))),
         None if name == "linuxcnc" => linuxcnc(),
+        Some(("faulty", fault)) => faulty(fault),
         _ if name.starts_with("exec:") => Err(Refused::unfinished(
             format!("the controller `{name}` is not there yet"),
             format!("one of {NAMES}"),
@@ -31,6 +32,32 @@ pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
             format!("one of {NAMES}"),
         )),
     }
+}
+
+#[cfg(feature = "faulty")]
+fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
+    use crate::adapters::faulty::{Faulty, named};
+    let fault = named(fault).ok_or_else(|| {
+        Refused::wrong(
+            format!("there is no planted fault `{fault}`"),
+            "`gaugeblock rules --faults` lists them",
+        )
+    })?;
+    match Faulty::new(fault) {
+        Some(faulty) => Ok(Box::new(faulty)),
+        None => Err(Refused::wrong(
+            "two planted faults at once",
+            "compare one of them with another controller",
+        )),
+    }
+}
+
+#[cfg(not(feature = "faulty"))]
+fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
+    Err(Refused::wrong(
+        format!("the planted fault `{fault}` is not in this build"),
+        "build one that has them: cargo build --release --features faulty",
+    ))
 }
 
 fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, Refused> {

@@ -3,6 +3,8 @@
 mod certify;
 mod compare;
 mod controller;
+#[cfg(feature = "faulty")]
+mod faults;
 mod fingerprint;
 mod fuzz;
 mod fuzz_report;

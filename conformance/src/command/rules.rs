@@ -22,6 +22,8 @@ const EXAMPLES: &str = "Examples:
       whether the sentence ledger is that of this document
   gaugeblock rules --matrix --judged out/report.json
       document by document, section by section: its sentences, rules, and what the model and a controller do
+  gaugeblock rules --faults
+      certify production with each planted fault: what catches it (a build with --features faulty)
   gaugeblock --suite conformance/suite rules --bless
       write what the model does as the cases' goldens, to be read before they are committed";
 
@@ -49,6 +51,9 @@ pub(super) struct Arguments {
     /// Write goldens into the pages of --suite
     #[arg(long, conflicts_with_all = ["check", "choices", "matrix"])]
     bless: bool,
+    /// Which planted faults of the production interpreter the suite catches (in a build with `--features faulty`)
+    #[arg(long, conflicts_with_all = ["check", "choices", "matrix", "bless"])]
+    faults: bool,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -75,6 +80,9 @@ pub(super) fn rules(arguments: &Arguments, folder: Option<&Path>) -> Result<u8, 
         }
         return matrix(&suite, &ledgers, &arguments.judged, arguments.format);
     }
+    if arguments.faults {
+        return faults(&suite, arguments.format);
+    }
     if arguments.choices {
         choices(&suite, arguments.format);
         return Ok(0);
@@ -88,6 +96,19 @@ pub(super) fn rules(arguments: &Arguments, folder: Option<&Path>) -> Result<u8, 
         Format::Json => write_out(&format!("{:#}\n", document(&suite, &rules))),
     }
     Ok(0)
+}
+
+#[cfg(feature = "faulty")]
+fn faults(suite: &Suite, format: Format) -> Result<u8, Refused> {
+    super::faults::faults(suite, "linuxcnc-2.9", format)
+}
+
+#[cfg(not(feature = "faulty"))]
+fn faults(_suite: &Suite, _format: Format) -> Result<u8, Refused> {
+    Err(Refused::wrong(
+        "planted faults are not in this build",
+        "build one that has them: cargo build --release --features faulty",
+    ))
 }
 
 fn selected<'a>(suite: &'a Suite, arguments: &Arguments) -> Vec<&'a Rule> {

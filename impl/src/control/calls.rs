@@ -7,6 +7,7 @@ use crate::control::flow::{Halt, refuse};
 use crate::control::{Cursor, Frame, FrameKind, PROGRAMS, STREAM};
 use crate::done::Executed;
 use crate::error::Error;
+use crate::faults::{Fault, planted};
 use crate::interpret::{Interpreter, Progress};
 use crate::math;
 use crate::modal::Refusal;
@@ -100,7 +101,8 @@ impl Interpreter {
         self.values(at, block, oword)?;
         let entry = Cursor { segment, place: 0 };
         self.enter(entry, FrameKind::Sub, label)?;
-        for (number, value) in (1_u32..).zip(self.calculator.stack.iter()) {
+        let first = if planted(Fault::ArgumentsShifted) { 2 } else { 1_u32 };
+        for (number, value) in (first..).zip(self.calculator.stack.iter()) {
             self.parameters.numbered.set(number, *value);
         }
         self.parameters.value = 0.0;
@@ -132,11 +134,13 @@ impl Interpreter {
     /// Opens a call level.
     fn enter(&mut self, entry: Cursor, kind: FrameKind, label: NameId) -> Result<(), Halt> {
         let most = usize::try_from(self.limits.call_depth).unwrap_or(LEVELS).min(LEVELS);
+        let most = most.saturating_add(usize::from(planted(Fault::ElevenLevels)));
         if self.scopes.frames.len() >= most {
             return refuse(FaultKind::TooManyLevels, "calls are nested too deep");
         }
         let shared = self.packer.choices.locals_shared && kind != FrameKind::Sub;
         let named = &mut self.parameters.named;
+        let shared = shared || planted(Fault::LocalsInherited);
         let mark = if shared { named.share() } else { named.enter() };
         let frame = Frame {
             kind,
@@ -196,10 +200,13 @@ impl Interpreter {
         }
         self.values(at, block, oword)?;
         let value = self.calculator.stack.first().copied();
-        self.parameters.value = value.unwrap_or(0.0);
+        let kept = if planted(Fault::ValueLost) { None } else { value };
+        self.parameters.value = kept.unwrap_or(0.0);
         self.parameters.value_returned = value.is_some();
         self.leave_level(&frame, block.line, sink);
-        self.parameters.numbered.set_arguments(&frame.arguments);
+        if !planted(Fault::ArgumentsKept) {
+            self.parameters.numbered.set_arguments(&frame.arguments);
+        }
         self.cursor = frame.back;
         Ok(())
     }
@@ -229,7 +236,7 @@ impl Interpreter {
 
     /// Refuses a block that has other words than M98 or M99 and the letters that it takes.
     fn check_alone(&self, letters: u32) -> Result<(), Halt> {
-        if !self.machine.fanuc_subs {
+        if !self.machine.fanuc_subs && !planted(Fault::DisabledFanuc) {
             return refuse(FaultKind::FanucDisabled, "M98 and M99 are disabled");
         }
         let words = &self.words;
@@ -260,7 +267,12 @@ impl Interpreter {
         }
         let label = self.packer.computed_label(number);
         let entry = self.find_program(label, block, source)?;
-        let kind = FrameKind::Numbered { left: turns.saturating_sub(1), entry };
+        let left = match turns {
+            _ if planted(Fault::NoRepeat) => 0,
+            turns if planted(Fault::OneTurnMore) => turns,
+            turns => turns.saturating_sub(1),
+        };
+        let kind = FrameKind::Numbered { left, entry };
         self.enter(Cursor { segment: PROGRAMS, place: entry }, kind, label)?;
         if !self.packer.choices.value_kept {
             self.parameters.value = 0.0;

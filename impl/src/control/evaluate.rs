@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_trace::FaultKind;
 
+use crate::faults::{Fault, planted};
 use crate::modal::{Modal, Refusal};
 use crate::parameters::{NameId, Named, Numbered, Own};
 use crate::syntax::packed::Op;
@@ -101,6 +102,9 @@ impl Calculator {
         if self.settings.is_empty() {
             return;
         }
+        if planted(Fault::RightToLeft) {
+            self.settings.reverse();
+        }
         for setting in self.settings.drain(..) {
             match setting {
                 Setting::Numbered(number, value) => {
@@ -180,7 +184,9 @@ impl Calculator {
                 },
                 Op::Global(id) => match parameters.named.global(id) {
                     Some(value) => self.stack.push(value),
-                    None if choices.absent_zero => self.stack.push(0.0),
+                    None if choices.absent_zero || planted(Fault::AbsentIsZero) => {
+                        self.stack.push(0.0);
+                    }
                     None => return Err(no_such(packer.names.name(id))),
                 },
                 Op::Function(function) => {

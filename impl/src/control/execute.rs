@@ -6,6 +6,7 @@ use crate::canon::Sink;
 use crate::control::{Cursor, LOOP, STREAM, View};
 use crate::done::{BlockDone, Executed};
 use crate::error::Error;
+use crate::faults::{Fault, planted};
 use crate::interpret::{Interpreter, Progress, segment};
 use crate::modal::{Flow, Refusal};
 use crate::source::Source;
@@ -211,6 +212,7 @@ impl Interpreter {
                 self.percent = Some(true);
                 Ok(None)
             }
+            (Some(true), _) if planted(Fault::PercentGoesOn) => Ok(None),
             (Some(true), _) | (Some(false), PercentAlone::Ends) => Ok(Some(End::PercentEnd)),
             (Some(false), PercentAlone::Ignored) => Ok(None),
             (Some(false), PercentAlone::Refused) => {

@@ -7,6 +7,7 @@ use crate::control::seek::Wanted;
 use crate::control::{Cursor, Definition, FrameKind, STREAM};
 use crate::done::Executed;
 use crate::error::Error;
+use crate::faults::{Fault, planted};
 use crate::interpret::{Interpreter, Progress, segment};
 use crate::math;
 use crate::modal::Refusal;
@@ -175,7 +176,11 @@ impl Interpreter {
         oword: OWord,
     ) -> Result<bool, Refusal> {
         self.values(at, block, oword)?;
-        Ok(self.calculator.stack.first().is_some_and(|value| value.to_bits() << 1 != 0))
+        let value = self.calculator.stack.first().copied().unwrap_or(0.0);
+        if planted(Fault::NegativeFalse) && value < 0.0 {
+            return Ok(false);
+        }
+        Ok(value.to_bits() << 1 != 0)
     }
 
     /// What a label points to, where that is of the right kind.
@@ -217,7 +222,8 @@ impl Interpreter {
 
     /// Refuses a label that is defined elsewhere.
     pub(crate) fn check_label(&mut self, block: &Block, label: NameId) -> Result<(), Halt> {
-        if self.scopes.find(label).is_some_and(|defined| defined.line != block.line) {
+        let elsewhere = self.scopes.find(label).is_some_and(|defined| defined.line != block.line);
+        if elsewhere && !planted(Fault::LabelTwice) {
             return refuse(FaultKind::DuplicateLabel, "the label is defined elsewhere");
         }
         let own = self.scopes.frames.last().is_some_and(|frame| frame.label == label);
@@ -255,6 +261,9 @@ impl Interpreter {
                 definition.ended = true;
             }
             let asked = branch.keyword == Keyword::ElseIf && found.refused == NONE;
+            if branch.keyword == Keyword::Else && planted(Fault::ElseSkipped) {
+                continue;
+            }
             if !asked || self.branch_holds(from, &found, branch)? {
                 self.pass(&found);
                 return Ok(());

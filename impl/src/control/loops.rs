@@ -6,6 +6,7 @@ use crate::control::flow::{Halt, refuse};
 use crate::control::seek::Wanted;
 use crate::control::{Cursor, Definition, LOOP};
 use crate::error::Error;
+use crate::faults::{Fault, planted};
 use crate::interpret::Interpreter;
 use crate::math;
 use crate::modal::Refusal;
@@ -109,7 +110,8 @@ impl Interpreter {
             }
             RepeatFraction::Refused => math::round_even(count),
         };
-        Ok(math::to_count(turns))
+        let more = if planted(Fault::RepeatOnceMore) { 1.0 } else { 0.0 };
+        Ok(math::to_count(turns + more))
     }
 
     /// `endrepeat`.
@@ -143,6 +145,10 @@ impl Interpreter {
         let loops = |keyword| matches!(keyword, Keyword::While | Keyword::Do);
         let head = *self.pointed(label, loops)?;
         if head.keyword == Keyword::While {
+            if planted(Fault::ContinueLeaves) {
+                let end = |keyword| keyword == Keyword::EndWhile;
+                return self.leave(at, block, label, end, source);
+            }
             return self.jump(head, false, source);
         }
         let wanted = Wanted { label, accept: |keyword| keyword == Keyword::While };

@@ -7,6 +7,7 @@ use gaugeblock_trace::{Channel, Effect, FaultKind};
 
 use crate::canon::{Reply, Sink};
 use crate::control::evaluate::Parameters;
+use crate::faults::{Fault, planted};
 use crate::modal::{Modal, Refusal};
 use crate::syntax::packed::{Act, Comment, Piece, Segment};
 use crate::syntax::{AbsentName, Packer};
@@ -50,12 +51,15 @@ impl Logs {
     ) -> Result<bool, Refusal> {
         let effect = match comment.act {
             Act::Message => message(Channel::Display, view.text(comment)),
-            Act::Debug if view.parameters.numbered.get(DEBUG_SWITCH).to_bits() << 1 == 0 => {
+            Act::Debug
+                if view.parameters.numbered.get(DEBUG_SWITCH).to_bits() << 1 == 0
+                    && !planted(Fault::DebugUnsilenced) =>
+            {
                 return Ok(false);
             }
             Act::Debug => message(Channel::Display, view.text(comment)),
             Act::Print => message(Channel::Print, view.text(comment)),
-            Act::Log if !self.log => return Ok(false),
+            Act::Log if !self.log && !planted(Fault::LogWithoutFile) => return Ok(false),
             Act::Log => message(Channel::Log, view.text(comment)),
             Act::LogOpen | Act::LogAppend => {
                 self.log = true;

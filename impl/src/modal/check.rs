@@ -4,12 +4,13 @@ use alloc::format;
 
 use gaugeblock_trace::{FaultKind, Motion};
 
+use crate::faults::{Fault, planted};
 use crate::words::Words;
 
 use super::Modal;
 use super::codes::{
     COOLANT, FREE, G_GROUPS, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES, SINGLE_OVERRIDES,
-    TOOL_LENGTH, g_code, m_code,
+    STOP_RANK, TOOL_LENGTH, g_code, m_code,
 };
 use super::letters::{AXES, F, H, S, T, first_letter};
 use super::refusal::{Refusal, refuse};
@@ -95,7 +96,7 @@ impl Modal {
                 return refuse(FaultKind::UnknownCode, format!("M{number} is no code"));
             };
             let group = self.group_of(*number, code.group);
-            if groups & group != 0 {
+            if groups & group != 0 && !planted(Fault::MCodesTogether) {
                 return refuse(
                     FaultKind::ModalConflict,
                     format!("M{number} and another code of its group"),
@@ -105,7 +106,8 @@ impl Modal {
             taken.uses |= code.uses;
             taken.needs |= code.needs;
             taken.dollar |= code.dollar;
-            *slot = (code.rank, *number);
+            let by_number = planted(Fault::ByNumber) && code.rank < STOP_RANK;
+            *slot = (if by_number { 0 } else { code.rank }, *number);
         }
         if codes.len() > 1 {
             block.m.sort_unstable();
@@ -190,7 +192,9 @@ impl Modal {
 
     /// The motion mode as a code in tenths, of those that a later block repeats.
     pub(super) fn motion_code(&self) -> Option<u16> {
-        if self.motion == Motion::Traverse {
+        if self.motion == Motion::Traverse
+            || self.motion == Motion::None && planted(Fault::AfterCancel)
+        {
             Some(0)
         } else {
             (self.motion == Motion::Feed).then_some(10)
@@ -204,7 +208,7 @@ fn take_g_codes(block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal>
             return refuse(FaultKind::UnknownCode, format!("G{} is no code", code_text(*tenths)));
         };
         match block.g.get_mut(usize::from(code.group)) {
-            Some(slot) if *slot == NONE => *slot = *tenths,
+            Some(slot) if *slot == NONE || planted(Fault::LastWins) => *slot = *tenths,
             Some(_) | None => {
                 let text = code_text(*tenths);
                 return refuse(
@@ -230,7 +234,7 @@ fn take_g_codes(block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal>
 /// Words that nothing uses, and words that are missing. F, S and T are codes of their own.
 fn check_words(words: &Words, taken: &Taken) -> Result<(), Refusal> {
     let unused = words.present & !(taken.uses | AXES | F | S | T);
-    if unused != 0 {
+    if unused != 0 && !planted(Fault::UnusedWord) {
         let letter = first_letter(unused);
         return refuse(FaultKind::UnusedWord, format!("nothing uses the {letter} word"));
     }

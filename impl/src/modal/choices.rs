@@ -81,6 +81,8 @@ choices! {
     motion_restored: "saved-state.motion-mode", "not-restored", "restored";
     /// M70 and M73 share one place.
     one_place: "saved-state.places", "apart", "one";
+    /// M72 restores only where M70 saved.
+    restore_needs_m70: "saved-state.restorable", "either", "m70-only";
     /// $-1 means all spindles to M3, M4 and M5.
     minus_one_all: "spindle.minus-one", "refused", "all";
     /// G97 needs S.

@@ -5,6 +5,7 @@ use gaugeblock_trace::{
 };
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -28,11 +29,12 @@ impl Modal {
         if ends {
             self.reset_at_end(numbered);
         }
-        if matches!(code, 30 | 60) {
+        if matches!(code, 30 | 60) && !(code == 60 && planted(Fault::NoPallets)) {
             self.perform(line, &Effect::PalletShuttle {}, sink)?;
         }
         if !ends {
-            self.perform(line, &Effect::Stop { optional: code == 1 }, sink)?;
+            let optional = code == 1 && !planted(Fault::NotOptional);
+            self.perform(line, &Effect::Stop { optional }, sink)?;
             return Ok(false);
         }
         self.perform(line, &Effect::ChangeControllerMode { mode: self.controller_mode }, sink)?;
@@ -44,7 +46,9 @@ impl Modal {
     fn reset_at_end(&mut self, numbered: &mut Numbered) {
         self.controller_mode = ControllerMode::Mdi;
         self.saved.clear();
-        self.use_work_offset(1, numbered);
+        if !planted(Fault::SystemStays) {
+            self.use_work_offset(1, numbered);
+        }
         let feed = self.in_force.now().feed_rate;
         self.select_feed_mode(940);
         if self.choices.feed_kept_at_end {
@@ -54,7 +58,9 @@ impl Modal {
         self.motion = Motion::Feed;
         let modes = self.in_force.set();
         modes.plane = Plane::Xy;
-        modes.distance = Distance::Absolute;
+        if !planted(Fault::IncrementalStays) {
+            modes.distance = Distance::Absolute;
+        }
         modes.compensation = Compensation::Off;
         modes.feed_override = Switch::On;
         let all = self.all_spindles();
@@ -65,7 +71,9 @@ impl Modal {
     /// Like M5 and M9.
     fn stop_running(&mut self, which: u8) {
         self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Stopped);
-        self.coolant(9);
+        if !planted(Fault::CoolantOn) {
+            self.coolant(9);
+        }
     }
 
     /// Another program begins: nothing is saved and no call is open. Modes stay as they are (11.4.24).

@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Compensation, Effect, FaultKind, FeedMode, Lathe, Motion};
 
 use crate::canon::{Reply, Sink};
+use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -65,7 +66,8 @@ impl Modal {
         if words.g_count == 1 {
             self.motion = if words.g.first() == Some(&0) { Motion::Traverse } else { Motion::Feed };
         }
-        if self.motion == Motion::Feed && self.in_force.now().feed_rate <= 0.0 {
+        let feeds = self.motion == Motion::Feed || planted(Fault::TraverseNeedsFeed);
+        if feeds && self.in_force.now().feed_rate <= 0.0 {
             return refuse(FaultKind::ZeroFeed, "a feed move without a feed rate");
         }
         self.move_by(words);
@@ -154,7 +156,8 @@ impl Modal {
         if block.words.g_count == 0 && !block.axes_move {
             return Ok(());
         }
-        if block.g(NON_MODAL) == Some(40) {
+        let late = planted(Fault::DwellLate);
+        if block.g(NON_MODAL) == Some(40) && !late {
             self.dwell(block.words, sink)?;
         }
         if let Some(code) = block.g(PLANE) {
@@ -190,7 +193,11 @@ impl Modal {
         if let Some(code) = block.g(NON_MODAL) {
             self.offset_data(block.words, code, numbered)?;
         }
-        self.motion(block, sink)
+        self.motion(block, sink)?;
+        if block.g(NON_MODAL) == Some(40) && late {
+            self.dwell(block.words, sink)?;
+        }
+        Ok(())
     }
 
     /// Set feed rate mode, then the feed rate: the first phases.
@@ -212,6 +219,7 @@ impl Modal {
         }
         match feed {
             Some(feed) => self.set_feed(feed),
+            None if planted(Fault::InverseTimeOld) => Ok(()),
             None => refuse(FaultKind::MissingWord, "inverse time without an F word"),
         }
     }

@@ -7,6 +7,7 @@ use alloc::string::{String, ToString};
 use gaugeblock_trace::{Effect, FaultKind, OutputTiming, WaitMode};
 
 use crate::canon::{Reply, Sink};
+use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -27,7 +28,8 @@ impl Modal {
     ) -> Result<(), Refusal> {
         self.check_output()?;
         let output = number(block.words.get(b'P'), self.digital_io)?;
-        let timing = if code < 64 { OutputTiming::WithMotion } else { OutputTiming::AtOnce };
+        let waits = code < 64 || code == 64 && planted(Fault::OnWaits);
+        let timing = if waits { OutputTiming::WithMotion } else { OutputTiming::AtOnce };
         let on = matches!(code, 62 | 64);
         let effect = Effect::SetDigitalOutput { output, on, timing };
         self.perform(block.words.line, &effect, sink)
@@ -43,7 +45,8 @@ impl Modal {
         self.check_output()?;
         let output = number(block.words.get(b'E'), self.analog_io)?;
         let to = block.words.get(b'Q').unwrap_or(0.0);
-        let timing = if code == 67 { OutputTiming::WithMotion } else { OutputTiming::AtOnce };
+        let waits = code == 67 || planted(Fault::AnalogWaits);
+        let timing = if waits { OutputTiming::WithMotion } else { OutputTiming::AtOnce };
         let effect = Effect::SetAnalogOutput { output, to, timing };
         self.perform(block.words.line, &effect, sink)
     }
@@ -77,6 +80,7 @@ impl Modal {
         let mode = match words.get(b'L').map_or(Ok(0), |l| integer_in(l, 0, 4, "L"))? {
             0 => WaitMode::Immediate,
             1 => WaitMode::Rise,
+            2 if planted(Fault::FallAsLow) => WaitMode::Low,
             2 => WaitMode::Fall,
             3 => WaitMode::High,
             _ => WaitMode::Low,
@@ -88,7 +92,9 @@ impl Modal {
         let effect = Effect::WaitInput { digital, analog, mode, timeout, read: 0.0 };
         let reply = self.ask(words.line, &effect, sink)?;
         let read = if let Reply::Input(read) = reply { read } else { 0.0 };
-        numbered.set(INPUT_RESULT, read);
+        if !planted(Fault::NoInputResult) {
+            numbered.set(INPUT_RESULT, read);
+        }
         Ok(())
     }
 
@@ -96,7 +102,9 @@ impl Modal {
     fn wait_timeout(&self, mode: WaitMode, q: Option<f64>) -> Result<Option<f64>, Refusal> {
         match q {
             _ if mode == WaitMode::Immediate => Ok(None),
-            Some(timeout) if not_negative(timeout, "Q")? > 0.0 => Ok(Some(timeout)),
+            Some(timeout) if not_negative(timeout, "Q")? > 0.0 || planted(Fault::ZeroTimeout) => {
+                Ok(Some(timeout))
+            }
             Some(_) => refuse(FaultKind::WordOutOfRange, "M66 waits for zero seconds"),
             None if self.choices.endless_wait => Ok(None),
             None => refuse(FaultKind::MissingWord, "M66 waits without Q"),
@@ -116,6 +124,7 @@ impl Modal {
             None => "-1".to_owned(),
         };
         let (p, q) = (argument(block.words.get(b'P')), argument(block.words.get(b'Q')));
+        let (p, q) = if planted(Fault::SwappedArguments) { (q, p) } else { (p, q) };
         let effect = Effect::UserCode { code: u32::from(code), p, q };
         self.perform(block.words.line, &effect, sink)
     }
@@ -124,7 +133,8 @@ impl Modal {
 /// The number of an input or output, of which the machine has `count`.
 fn number(value: Option<f64>, count: i32) -> Result<i32, Refusal> {
     let number = integer(value.unwrap_or(0.0), "the number of an input or output")?;
-    if (0..count).contains(&number) {
+    let more = i32::from(planted(Fault::OneOutputMore));
+    if (0..count.saturating_add(more)).contains(&number) {
         Ok(number)
     } else {
         refuse(FaultKind::NoSuchInputOrOutput, format!("there is no input or output {number}"))

@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Compensation, Distance, Effect, FaultKind, Lathe, Motion};
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::words::Words;
 
 use super::Modal;
@@ -15,7 +16,11 @@ use super::values::not_negative;
 impl Modal {
     /// G4.
     pub(super) fn dwell<K: Sink>(&mut self, words: &Words, sink: &mut K) -> Result<(), Refusal> {
-        let seconds = not_negative(words.get(b'P').unwrap_or(0.0), "P")?;
+        let seconds = words.get(b'P').unwrap_or(0.0);
+        if planted(Fault::NegativeDwell) && seconds < 0.0 {
+            return Ok(());
+        }
+        let seconds = not_negative(seconds, "P")?;
         self.perform(words.line, &Effect::Dwell { seconds }, sink)
     }
 
@@ -48,7 +53,7 @@ impl Modal {
         let machine_coordinates = block.g(NON_MODAL) == Some(530);
         self.check_compensated_move(machine_coordinates)?;
         let feed = self.motion == Motion::Feed;
-        if feed {
+        if feed || planted(Fault::TraverseNeedsFeed) {
             self.check_feed_move()?;
         }
         self.move_point(block, machine_coordinates);
@@ -61,7 +66,8 @@ impl Modal {
     /// Moves the point to the end of the block's move.
     fn move_point(&mut self, block: &Block<'_>, machine_coordinates: bool) {
         let radius;
-        let words = if self.in_force.now().lathe == Lathe::Diameter {
+        let diameter = self.in_force.now().lathe == Lathe::Diameter;
+        let words = if diameter && !planted(Fault::DiameterAsRadius) {
             radius = with_radius(block.words);
             &radius
         } else {
@@ -70,7 +76,10 @@ impl Modal {
         if machine_coordinates {
             // Absolute positions whatever the distance mode says (11.1.2.1).
             let now = self.in_force.now();
-            self.position = now.program_of(now.machine_of(self.position).replaced(words));
+            let here = now.machine_of(self.position);
+            let adds = planted(Fault::MachineIncremental) && now.distance == Distance::Incremental;
+            let there = if adds { here.moved_by(words) } else { here.replaced(words) };
+            self.position = now.program_of(there);
         } else {
             self.move_by(words);
         }

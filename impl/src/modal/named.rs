@@ -5,6 +5,8 @@ use gaugeblock_trace::{
     SpindleTurn, Switch,
 };
 
+use crate::faults::{Fault, planted};
+
 use super::Modal;
 use super::tool::NO_TOOL;
 
@@ -104,6 +106,9 @@ impl Modal {
             Predefined::MotionMode => motion_value(self.motion),
             Predefined::Plane => plane_value(now.plane),
             Predefined::Compensation => compensation_value(now.compensation),
+            Predefined::Metric if planted(Fault::MetricInverted) => {
+                flag(now.units == LengthUnit::Inch)
+            }
             Predefined::Metric => flag(now.units == LengthUnit::Millimetre),
             Predefined::Imperial => flag(now.units == LengthUnit::Inch),
             Predefined::Absolute => flag(now.distance == Distance::Absolute),

@@ -4,6 +4,7 @@
 
 use gaugeblock_trace::Tool;
 
+use crate::faults::{Fault, planted};
 use crate::math;
 use crate::parameters::Numbered;
 
@@ -24,6 +25,7 @@ const POSITION: u32 = 5420;
 impl Modes {
     fn turn(&self, degrees: f64) -> Option<(f64, f64)> {
         if self.rotation.abs() > 0.0 {
+            let degrees = if planted(Fault::RotationReversed) { -degrees } else { degrees };
             Some((math::sine(degrees), math::cosine(degrees)))
         } else {
             None

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use gaugeblock_trace::{FaultKind, Motion, SpindleTurn};
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -27,6 +28,8 @@ struct Place {
     level: u32,
     /// 70 or 73 where the codes save apart, else 70.
     code: u16,
+    /// Whether M70 ever saved in it.
+    by_m70: bool,
     /// Whether it can be restored from.
     valid: bool,
     /// Whether the end of the sub restores from it.
@@ -42,21 +45,24 @@ pub(crate) struct SavedStates {
 }
 
 impl SavedStates {
-    /// The places of the current call level.
+    /// The places of the current call level, the one saved in last first.
     fn here(&mut self) -> impl Iterator<Item = &mut Place> {
         let level = self.level;
         self.places.iter_mut().rev().take_while(move |place| place.level == level)
     }
 
-    fn save(&mut self, code: u16, autorestore: bool, state: Saved) {
-        if let Some(place) = self.here().find(|place| place.code == code) {
-            place.state = state;
-            place.valid = true;
-            place.autorestore |= autorestore;
-            return;
-        }
+    fn save(&mut self, place: u16, code: u16, state: Saved) {
         let level = self.level;
-        self.places.push(Place { level, code, valid: true, autorestore, state });
+        let same = |saved: &Place| saved.level == level && saved.code == place;
+        let earlier = self.places.iter().rposition(same).map(|at| self.places.remove(at));
+        self.places.push(Place {
+            level,
+            code: place,
+            by_m70: code == 70 || earlier.as_ref().is_some_and(|place| place.by_m70),
+            valid: true,
+            autorestore: code == 73 || earlier.is_some_and(|place| place.autorestore),
+            state,
+        });
     }
 
     /// Forgets everything: no call is open.
@@ -70,7 +76,8 @@ impl Modal {
     /// Begins a call level.
     #[inline]
     pub(crate) fn enter_call(&mut self) {
-        self.saved.level = self.saved.level.saturating_add(1);
+        let levels = u32::from(!planted(Fault::OneLevel));
+        self.saved.level = self.saved.level.saturating_add(levels);
     }
 
     /// Ends a call level, on whichever way back, and restores what M73 saved there.
@@ -79,7 +86,7 @@ impl Modal {
         while let Some(place) = self.saved.places.last()
             && place.level >= self.saved.level
         {
-            if place.autorestore && place.valid {
+            if place.autorestore && place.valid && !planted(Fault::NoAutorestore) {
                 let state = place.state;
                 self.restore(&state, numbered);
                 self.in_force.tell(line, sink);
@@ -104,13 +111,14 @@ impl Modal {
                     feed_spindle: self.feed_spindle,
                 };
                 let place = if self.choices.one_place { 70 } else { code };
-                self.saved.save(place, code == 73, state);
+                self.saved.save(place, code, state);
                 Ok(())
             }
             71 => self.invalidate(),
             _ => {
-                let saved = self.saved.here().find(|place| place.code == 70 && place.valid);
-                let Some(state) = saved.map(|place| place.state) else {
+                let needs_m70 = self.choices.restore_needs_m70;
+                let saved = self.saved.here().find(|place| place.by_m70 || !needs_m70);
+                let Some(state) = saved.filter(|place| place.valid).map(|place| place.state) else {
                     return refuse(FaultKind::NothingSaved, "nothing was saved at this call level");
                 };
                 self.restore(&state, numbered);
@@ -121,6 +129,9 @@ impl Modal {
 
     /// M71: nothing at this call level can be restored from any more.
     fn invalidate(&mut self) -> Result<(), Refusal> {
+        if planted(Fault::NotInvalidated) {
+            return Ok(());
+        }
         let mut any = false;
         for place in self.saved.here() {
             any |= place.valid;
@@ -135,7 +146,9 @@ impl Modal {
     /// Units first, so that the saved feed and lengths are told in their own unit; then everything else (11.6.21).
     fn restore(&mut self, saved: &Saved, numbered: &mut Numbered) {
         let modes = &saved.modes;
-        self.change_units(modes.units);
+        if !planted(Fault::UnitsForgotten) {
+            self.change_units(modes.units);
+        }
         if self.in_force.now().work_offset != modes.work_offset {
             self.use_work_offset(modes.work_offset, numbered);
         }
@@ -144,6 +157,11 @@ impl Modal {
         });
         self.compensation_radius = saved.compensation_radius;
         self.feed_spindle = saved.feed_spindle;
+        let feed_rate = if planted(Fault::FeedNotRestored) {
+            self.in_force.now().feed_rate
+        } else {
+            modes.feed_rate
+        };
         let now = self.in_force.set();
         let mut spindles = modes.spindles;
         for (saved, now) in spindles.iter_mut().zip(&now.spindles) {
@@ -155,6 +173,7 @@ impl Modal {
             g5x_offset: now.g5x_offset,
             g92_offset: now.g92_offset,
             rotation: now.rotation,
+            feed_rate,
             ..*modes
         };
         self.note_surface_speed();

@@ -5,6 +5,7 @@ use gaugeblock_trace::{
 };
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 
 use super::Modal;
 use super::check::Block;
@@ -59,11 +60,15 @@ impl Modal {
         if speed.is_none() && mode.is_none() {
             return Ok(());
         }
-        let which = self.selected(block, FIRST)?;
-        if let Some(speed) = speed {
+        let without = if planted(Fault::SpeedForAll) { self.all_spindles() } else { FIRST };
+        let which = self.selected(block, without)?;
+        if let Some(speed) = speed
+            && !planted(Fault::NegativeSpeed)
+        {
             not_negative(speed, "S")?;
         }
         let limit = match words.get(b'D') {
+            Some(_) if planted(Fault::NoSpindleLimit) => SpindleLimit::None,
             Some(limit) if mode == Some(960) => SpindleLimit::Rpm(not_negative(limit, "D")?),
             Some(_) | None => SpindleLimit::None,
         };
@@ -90,6 +95,7 @@ impl Modal {
         let which = self.selected(block, without)?;
         let turn = match code {
             3 => SpindleTurn::Clockwise,
+            4 if planted(Fault::OneDirection) => SpindleTurn::Clockwise,
             4 => SpindleTurn::Counterclockwise,
             _ => SpindleTurn::Stopped,
         };
@@ -105,7 +111,8 @@ impl Modal {
     ) -> Result<(), Refusal> {
         let words = block.words;
         let (angle, timeout) = (words.get(b'R').unwrap_or(0.0), words.get(b'Q').unwrap_or(0.0));
-        if !(0.0..=360.0).contains(&angle) {
+        let refused = planted(Fault::FullTurnRefused) && angle >= 360.0;
+        if refused || !(0.0..=360.0).contains(&angle) {
             return refuse(FaultKind::WordOutOfRange, "R of M19 is 0 to 360");
         }
         if not_negative(timeout, "Q")? <= 0.0 && !self.choices.orient_at_once {
@@ -120,8 +127,11 @@ impl Modal {
         let without = if self.choices.orient_all { self.all_spindles() } else { FIRST };
         let which = self.selected(block, without)?;
         // The sum is what the pin shows (11.6.8); it may be more than a turn.
-        let angle = angle + self.orient_offset;
-        self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Oriented);
+        let offset = if planted(Fault::NoOrientOffset) { 0.0 } else { self.orient_offset };
+        let angle = angle + offset;
+        if !planted(Fault::OrientTurnsOn) {
+            self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Oriented);
+        }
         for spindle in spindles_of(which) {
             self.perform(words.line, &Effect::OrientSpindle { spindle, angle, direction }, sink)?;
         }

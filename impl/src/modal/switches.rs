@@ -2,6 +2,8 @@
 
 use gaugeblock_trace::{Compensation, FaultKind, Switch};
 
+use crate::faults::{Fault, planted};
+
 use super::Modal;
 use super::check::Block;
 use super::refusal::{Refusal, refuse};
@@ -15,6 +17,7 @@ impl Modal {
         match code {
             7 => modes.mist = Switch::On,
             8 => modes.flood = Switch::On,
+            _ if planted(Fault::MistStays) => modes.flood = Switch::Off,
             _ => (modes.mist, modes.flood) = (Switch::Off, Switch::Off),
         }
     }
@@ -31,11 +34,14 @@ impl Modal {
             if block.words.dollar.is_none() || !self.choices.feed_override_untouched {
                 self.in_force.put(|modes| &mut modes.feed_override, switch);
             }
-            self.set_speed_override(which, switch);
+            if code == 48 || !planted(Fault::SpeedUntouched) {
+                self.set_speed_override(which, switch);
+            }
             return Ok(());
         }
         // P1 is optional.
-        let switch = match block.words.get(b'P').map_or(Ok(1), |p| integer(p, "P"))? {
+        let default = if planted(Fault::DefaultOff) { 0 } else { 1 };
+        let switch = match block.words.get(b'P').map_or(Ok(default), |p| integer(p, "P"))? {
             0 => Switch::Off,
             1 => Switch::On,
             _ => return refuse(FaultKind::WordOutOfRange, "P of M50 to M53 is 0 or 1"),
@@ -46,7 +52,9 @@ impl Modal {
                 let which = self.selected(block, without)?;
                 self.set_speed_override(which, switch);
             }
-            52 => self.in_force.put(|modes| &mut modes.adaptive_feed, switch),
+            52 if !planted(Fault::WrongSwitch) => {
+                self.in_force.put(|modes| &mut modes.adaptive_feed, switch);
+            }
             _ => self.in_force.put(|modes| &mut modes.feed_stop, switch),
         }
         Ok(())

@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Effect, FaultKind, SpindleTurn, Switch, Tool};
 
 use crate::canon::{Reply, Sink};
+use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -75,7 +76,7 @@ impl Modal {
             None if self.choices.change_unselected => self.tool,
             None => return refuse(FaultKind::MissingWord, "M6 without a T since the last change"),
         };
-        if !self.tool_change.with_spindle_on {
+        if !self.tool_change.with_spindle_on && !planted(Fault::SpindleTurnsOn) {
             let all = self.all_spindles();
             self.for_spindles(all, |spindle| spindle.turn = SpindleTurn::Stopped);
         }
@@ -83,7 +84,9 @@ impl Modal {
         let reply = self.ask(line, &Effect::ChangeTool { tool }, sink)?;
         self.exchange_pockets(tool);
         self.tool = if let Reply::Tool(tool) = reply { tool } else { tool };
-        self.prepared = None;
+        if !planted(Fault::StaysSelected) {
+            self.prepared = None;
+        }
         self.publish_tool(numbered);
         Ok(())
     }
@@ -135,7 +138,8 @@ impl Modal {
         }
         let tool = integer_in(block.words.get(b'Q').unwrap_or(0.0), 0, i32::MAX, "Q of M61")?;
         let none = tool == 0 && !self.random_tool_changer;
-        if !none && !self.choices.set_any_tool && self.tool_numbered(tool).is_none() {
+        let any = self.choices.set_any_tool || planted(Fault::SetUnknown);
+        if !none && !any && self.tool_numbered(tool).is_none() {
             return refuse(FaultKind::ToolNotFound, "the tool table does not hold the tool of M61");
         }
         self.perform(block.words.line, &Effect::SetToolNumber { tool }, sink)?;
@@ -172,7 +176,11 @@ impl Modal {
     fn table_offset(&self, h: Option<f64>) -> Result<Coordinates, Refusal> {
         let tool = self.named_tool(h, "H")?;
         Ok(tool.map_or(Coordinates::default(), |tool| {
-            Coordinates::from(tool.offset).converted(self.stored_to_active())
+            let offset = Coordinates::from(tool.offset);
+            if planted(Fault::OffsetUnit) {
+                return offset;
+            }
+            offset.converted(self.stored_to_active())
         }))
     }
 

@@ -2,6 +2,7 @@
 
 use gaugeblock_trace::{Distance, FaultKind, FeedMode, Lathe, LengthUnit, Path, Plane, Retract};
 
+use crate::faults::{Fault, planted};
 use crate::words::Words;
 
 use super::Modal;
@@ -13,7 +14,7 @@ impl Modal {
     /// F.
     #[inline]
     pub(super) fn set_feed(&mut self, feed: f64) -> Result<(), Refusal> {
-        if feed < 0.0 {
+        if feed < 0.0 && !planted(Fault::NegativeFeed) {
             return refuse(FaultKind::WordOutOfRange, "F is negative");
         }
         self.in_force.set_feed_rate(feed);
@@ -31,7 +32,7 @@ impl Modal {
             let modes = self.in_force.set();
             modes.feed_mode = mode;
             // A switch to G94 or G95 asks for a new rate, one to G93 for one in each block (11.5.59).
-            if mode != FeedMode::InverseTime {
+            if mode != FeedMode::InverseTime && !planted(Fault::FeedKeptOverMode) {
                 modes.feed_rate = 0.0;
             }
         }
@@ -42,6 +43,7 @@ impl Modal {
         let plane = match code {
             170 => Plane::Xy,
             180 => Plane::Zx,
+            190 if planted(Fault::WrongPlane) => Plane::Zx,
             190 => Plane::Yz,
             171 => Plane::Uv,
             181 => Plane::Wu,
@@ -63,7 +65,7 @@ impl Modal {
         }
         self.position = self.position.converted(conversion);
         self.compensation_radius = conversion.of(self.compensation_radius);
-        let keep_feed = self.choices.feed_number_kept;
+        let keep_feed = self.choices.feed_number_kept || planted(Fault::FeedNumber);
         let modes = self.in_force.set();
         modes.units = units;
         modes.tool_offset = modes.tool_offset.converted(conversion);
@@ -109,8 +111,13 @@ impl Modal {
             return Ok(());
         }
         let (blend, naive) = match (words.get(b'P'), words.get(b'Q')) {
+            (None, None) if planted(Fault::ToleranceKept) => {
+                let now = self.in_force.now();
+                (now.blend_tolerance, now.naive_cam_tolerance)
+            }
             (None, None) => (0.0, 0.0),
             (None, Some(_)) => return refuse(FaultKind::MissingWord, "Q of G64 without P"),
+            (Some(blend), None) if planted(Fault::NoNaiveTolerance) => (blend, 0.0),
             (Some(blend), naive) => (blend, naive.unwrap_or(blend)),
         };
         let modes = self.in_force.set();

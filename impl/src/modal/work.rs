@@ -4,6 +4,7 @@ use alloc::format;
 
 use gaugeblock_trace::{FaultKind, Lathe};
 
+use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -49,6 +50,7 @@ impl Modal {
             590 => 6,
             591 => 7,
             592 => 8,
+            _ if planted(Fault::LastSystem) => 8,
             _ => 9,
         };
         self.use_work_offset(system, numbered);
@@ -141,7 +143,7 @@ impl Modal {
         };
         let stored = origin.converted(self.active_to_stored());
         offsets::store(numbered, system, stored, rotation);
-        if system == active {
+        if system == active && !planted(Fault::ActiveWaits) {
             self.offset_by(|modes| (modes.g5x_offset, modes.rotation) = (origin, rotation));
         }
         Ok(())

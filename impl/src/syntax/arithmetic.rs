@@ -2,6 +2,7 @@
 
 use gaugeblock_trace::FaultKind;
 
+use crate::faults::{Fault, planted};
 use crate::math;
 use crate::syntax::packed::{Binary, Function};
 use crate::syntax::{Choices, RoundHalf};
@@ -32,6 +33,9 @@ pub(crate) fn truth(value: bool, choices: &Choices) -> f64 {
 /// Whether two numbers count as equal.
 #[inline]
 fn equal(left: f64, right: f64) -> bool {
+    if planted(Fault::EqualExactly) {
+        return !holds(left - right);
+    }
     (left - right).abs() < math::CLOSE
 }
 
@@ -59,12 +63,14 @@ pub(crate) fn binary(
         Binary::Add => finite(left + right),
         Binary::Subtract => finite(left - right),
         Binary::Multiply => finite(left * right),
+        Binary::Divide if !holds(right) && planted(Fault::DivideByZero) => Ok(0.0),
         Binary::Divide if !holds(right) => Err(&(FaultKind::DivideByZero, "division by zero")),
         Binary::Divide => finite(left / right),
         Binary::Modulus => modulus(left, right, choices),
         Binary::Power => power(left, right),
         Binary::And => Ok(truth(holds(left) && holds(right), choices)),
         Binary::Or => Ok(truth(holds(left) || holds(right), choices)),
+        Binary::Xor if planted(Fault::XorAsOr) => Ok(truth(holds(left) || holds(right), choices)),
         Binary::Xor => Ok(truth(holds(left) != holds(right), choices)),
         Binary::Equal => Ok(truth(equal(left, right), choices)),
         Binary::NotEqual => Ok(truth(!equal(left, right), choices)),
@@ -81,7 +87,8 @@ fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, Wrong> {
         return Err(&(FaultKind::DivideByZero, "modulus by zero"));
     }
     let rest = math::remainder(left, right);
-    finite(if rest < 0.0 && !choices.modulus_dividend { rest + right.abs() } else { rest })
+    let dividend = choices.modulus_dividend || planted(Fault::ModulusSign);
+    finite(if rest < 0.0 && !dividend { rest + right.abs() } else { rest })
 }
 
 /// `**`.
@@ -114,6 +121,7 @@ pub(crate) fn function(function: Function, value: f64, choices: &Choices) -> Res
         }
         Function::Cosine => math::cosine(value),
         Function::Exponential => math::exp(value),
+        Function::RoundDown if planted(Fault::FixTowardZero) && value < 0.0 => math::ceil(value),
         Function::RoundDown => math::floor(value),
         Function::RoundUp => math::ceil(value),
         Function::Round => match choices.round_half {
@@ -139,6 +147,7 @@ pub(crate) fn function(function: Function, value: f64, choices: &Choices) -> Res
 
 /// ATAN\[y\]/\[x\], degrees.
 pub(crate) fn arctangent(y: f64, x: f64, choices: &Choices) -> f64 {
+    let (y, x) = if planted(Fault::ArctangentSwapped) { (x, y) } else { (y, x) };
     let angle = math::arctangent(y, x);
     if choices.full_turn && angle < 0.0 { angle + 360.0 } else { angle }
 }

@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_trace::{FaultKind, Machine};
 
+use crate::faults::{Fault, planted};
 use crate::limits::{Limit, Limits};
 use crate::math;
 use crate::parameters::Names;
@@ -94,7 +95,7 @@ impl Packer {
         if cursor.peek() == b'%' && is_percent(line) {
             return Taken::Percent;
         }
-        if cursor.take(b'/') && self.block_delete {
+        if cursor.take(b'/') && self.block_delete && !planted(Fault::NothingDeleted) {
             return Taken::Nothing;
         }
         if cursor.is_at_end() {
@@ -112,7 +113,7 @@ impl Packer {
             offset: place.offset,
         };
         let packed = self.items(cursor, &mut block, into);
-        let packed = if line.len() > self.longest() {
+        let packed = if line.len() > self.longest() && !planted(Fault::AnyLength) {
             cursor.refuse(FaultKind::LineTooLong, "a line has at most 256 characters")
         } else {
             packed
@@ -322,7 +323,9 @@ impl Packer {
         if !self.choices.comment_nested && text.contains(&b'(') {
             return cursor.refuse(FaultKind::BadComment, "a comment within a comment");
         }
-        items.comment = Some(text);
+        if items.comment.is_none() || !planted(Fault::FirstComment) {
+            items.comment = Some(text);
+        }
         cursor.skip_raw(length.wrapping_add(1));
         Ok(())
     }

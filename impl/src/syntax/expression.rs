@@ -4,6 +4,7 @@
 
 use gaugeblock_trace::FaultKind;
 
+use crate::faults::{Fault, planted};
 use crate::limits::Limit;
 use crate::syntax::block::Packer;
 use crate::syntax::cursor::Cursor;
@@ -45,6 +46,7 @@ const WORDS: [(&[u8], Binary); 10] = [
 #[inline]
 pub(crate) fn group(operator: Binary) -> u8 {
     match operator {
+        Binary::And if planted(Fault::AndFirst) => 3,
         Binary::And | Binary::Or | Binary::Xor => 1,
         Binary::Equal
         | Binary::NotEqual

@@ -2,6 +2,7 @@
 
 use gaugeblock_trace::FaultKind;
 
+use crate::faults::{Fault, planted};
 use crate::math;
 use crate::syntax::Packed;
 use crate::syntax::cursor::Cursor;
@@ -186,7 +187,7 @@ fn unusual(cursor: &mut Cursor<'_>) -> Packed<f64> {
         }
         cursor.step();
     }
-    if digits == 0 {
+    if digits == 0 && !planted(Fault::PointAlone) {
         return start.refuse(FaultKind::BadNumber, "a number has a digit");
     }
     if mantissa <= EXACT

@@ -65,6 +65,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
     ("saved-state.listed-motion", &["listed", "every"]),
     ("saved-state.motion-mode", &["not-restored", "restored"]),
     ("saved-state.places", &["apart", "one"]),
+    ("saved-state.restorable", &["either", "m70-only"]),
     ("spindle.minus-one", &["refused", "all"]),
     ("spindle.rpm-mode-speed", &["optional", "required"]),
     ("spindle.without-dollar", &["all", "first"]),

@@ -74,6 +74,9 @@ const HIDDEN_EFFECTS: &[&str] = &[
 /// How long a pin's value lasts that is seen for sure: some cycles of the servo thread and of the I/O controller.
 const PIN_PERIOD: f64 = 0.01;
 
+/// How often a run is repeated in which a new controller breaks.
+const CHANCES: u32 = 2;
+
 /// The controller.
 #[derive(Debug)]
 pub struct LinuxCnc {
@@ -109,7 +112,9 @@ impl LinuxCnc {
         let names = foreign_names(source);
         // Stored parameters change where the machine stands to begin with.
         let stores = !scenario.machine.parameters.0.is_empty();
-        // A controller that was used before may be other than a new one; then the run is repeated on a new one.
+        // A controller that was used before may be other than a new one; then the run is repeated on a new one. One that
+        // breaks is given another chance there, too: on a loaded machine its real-time tasks answer too late.
+        let mut chances = CHANCES;
         loop {
             let mut session = self.pool.take(&setup, &names, &tools, new || stores)?;
             let is_new = session.fresh.is_none();
@@ -117,7 +122,15 @@ impl LinuxCnc {
                 Ok(seen) => seen,
                 Err(error) => {
                     self.pool.end(session);
-                    if is_new { return Err(error) } else { continue }
+                    let broke = matches!(
+                        error,
+                        HarnessError::Crashed { .. } | HarnessError::Unreadable { .. }
+                    );
+                    if is_new && (chances == 0 || !broke) {
+                        return Err(error);
+                    }
+                    chances -= u32::from(is_new);
+                    continue;
                 }
             };
             let first = seen.items.iter().find_map(Item::probe).cloned();

@@ -58,7 +58,7 @@ impl Pool {
             state = self.freed.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
         drop(state);
-        Session::start(setup, tools.to_owned()).inspect_err(|_| self.lost())
+        Session::start(setup, tools).inspect_err(|_| self.lost())
     }
 
     /// Gives a controller back that is as good as new.

@@ -26,6 +26,9 @@ const NOBODY: u32 = 65534;
 /// How long a controller may take to start; one second is usual.
 const START: Duration = Duration::from_secs(30);
 
+/// How often a controller is started that does not come up.
+const STARTS: usize = 3;
+
 /// Bytes that one run may print.
 const BYTES: usize = 256 << 20;
 
@@ -59,11 +62,23 @@ pub(super) struct Session {
 }
 
 impl Session {
-    /// Starts a controller and waits until it is ready.
+    /// Starts a controller and waits until it is ready. One that does not come up is started again: on a loaded machine
+    /// its real-time tasks may come too late to be switched on, and nothing of a scenario has been run by then.
     ///
     /// # Errors
-    /// It could not be started, or said why it is not ready.
-    pub(super) fn start(setup: &Setup, tools: String) -> Result<Self, HarnessError> {
+    /// It could not be started, or said why it is not ready, each time.
+    pub(super) fn start(setup: &Setup, tools: &str) -> Result<Self, HarnessError> {
+        let mut start = Self::start_once(setup, tools.to_owned());
+        for _ in 1..STARTS {
+            if !matches!(start, Err(HarnessError::Crashed { .. } | HarnessError::TimedOut { .. })) {
+                break;
+            }
+            start = Self::start_once(setup, tools.to_owned());
+        }
+        start
+    }
+
+    fn start_once(setup: &Setup, tools: String) -> Result<Self, HarnessError> {
         let workspace = Workspace::new("linuxcnc")?;
         write_files(&workspace, setup, &tools)
             .map_err(|error| HarnessError::NotRun(format!("private directory: {error}")))?;

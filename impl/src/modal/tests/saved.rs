@@ -112,7 +112,14 @@ fn invalidating() {
 fn one_place_or_one_each() {
     let program = "f200; call; m73; f5; m70; f9; back";
     check(program, After("feed_rate = 200"));
-    check("m73; m72", Refused(NothingSaved));
+    check("m73; m72", After("feed_rate = 0"));
+    check("f1; m70; f2; m73; f3; m72", After("feed_rate = 2"));
+    let of_m70 = &[("saved-state.restorable", "m70-only")];
+    check_on(&machine(), of_m70, "m73; m72", Refused(NothingSaved));
+    check_on(&machine(), of_m70, "f1; m70; f2; m73; f3; m72", After("feed_rate = 1"));
+    let both = &[("saved-state.restorable", "m70-only"), ("saved-state.places", "one")];
+    check_on(&machine(), both, "m73; m72", Refused(NothingSaved));
+    check_on(&machine(), both, "f1; m70; f2; m73; f3; m72", After("feed_rate = 2"));
     check("f200; call; m73; f5; m71; f7; m70; f9; back", After("feed_rate = 9"));
     let one = &[("saved-state.places", "one")];
     check_on(&machine(), one, program, After("feed_rate = 5"));

@@ -13,8 +13,10 @@ pub struct Frame {
     pub locals: BTreeMap<String, f64>,
     /// Parameters #1 to #30.
     pub arguments: [f64; 30],
-    /// What M70 saved at this level.
+    /// What M70 or M73 saved last at this level.
     pub saved: Option<SavedState>,
+    /// What M70 saved last at this level.
+    pub saved_by_m70: Option<SavedState>,
     /// What M73 saved at this level, to be restored when it is left.
     pub restore_at_return: Option<SavedState>,
     /// The call that made it; none for the main program.

@@ -22,7 +22,10 @@ pub fn perform(words: &Words, state: &mut State) -> Result<Rest, Halt> {
         return Err(Halt::Unspecified(why.to_owned()));
     };
     match code {
-        70 => save(state),
+        70 => {
+            save(state);
+            state.frame_mut().saved_by_m70 = state.frame().saved.clone();
+        }
         71 => invalidate(state)?,
         72 => return restore_explicitly(state),
         _ => {
@@ -81,6 +84,9 @@ fn invalidate(state: &mut State) -> Result<(), Halt> {
     let apart = state.readings.is("saved-state.places", "apart");
     let refused = state.readings.is("saved-state.invalidate-nothing", "refused");
     let frame = state.frame_mut();
+    if let Some(saved) = &mut frame.saved_by_m70 {
+        saved.valid = false;
+    }
     match &mut frame.saved {
         Some(saved) => saved.valid = false,
         None if refused => {
@@ -103,11 +109,11 @@ fn invalidate(state: &mut State) -> Result<(), Halt> {
 /// M72.
 ///
 /// Rule saved-state.repeated-restore. The saved state is not used up.
-/// Rule saved-state.autorestore-explicit. It may be one that M73 saved.
+/// Rule saved-state.autorestore-explicit. It may be one that M73 saved, under choice saved-state.restorable.
 /// Rule saved-state.nothing-saved. Where nothing was saved at this level the restore is refused.
 /// Rule saved-state.invalidated. And where what was saved is invalid.
 fn restore_explicitly(state: &mut State) -> Result<Rest, Halt> {
-    let saved = state.frame().saved.clone();
+    let saved = restorable(state);
     let Some(saved) = saved.as_ref().filter(|saved| saved.valid) else {
         let rule = if saved.is_some() {
             state.evidence.refused("saved-state.invalidated-level");
@@ -134,6 +140,17 @@ fn restore_explicitly(state: &mut State) -> Result<Rest, Halt> {
     let changed = state.modes != before;
     let drop = changed && state.readings.quirk("rs274.rest-of-restore-block");
     Ok(if drop { Rest::Drop } else { Rest::Execute })
+}
+
+/// Choice saved-state.restorable: what was saved last, or only where M70 did; where each code has its own place that one.
+fn restorable(state: &State) -> Option<SavedState> {
+    let frame = state.frame();
+    if state.readings.is("saved-state.restorable", "either") {
+        return frame.saved.clone();
+    }
+    let one_place = state.readings.is("saved-state.places", "one");
+    let of_m70 = frame.saved_by_m70.as_ref()?;
+    if one_place { frame.saved.clone() } else { Some(of_m70.clone()) }
 }
 
 /// Restores what M73 saved at this level, when the level is left by endsub, return or M99.

@@ -1,0 +1,139 @@
+//! A program larger than memory, and a loop without an end.
+//!
+//! `cargo bench -p gaugeblock-benches --bench stream [-- MEGABYTES [BLOCKS]]`
+//!
+//! The first is made while it is read, so that nothing but the interpreter could hold it. The second is asked to stop again and again. Fails
+//! where the process takes more than 64 MiB.
+#![expect(clippy::print_stdout, reason = "a measurement is printed")]
+#![expect(clippy::disallowed_methods, reason = "a measurement takes the time")]
+
+use std::env;
+use std::fs;
+use std::io::{Error, Result};
+use std::time::{Duration, Instant};
+
+use gaugeblock_impl::{Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable};
+use gaugeblock_trace::{Effect, End, Machine, Options, Settings};
+
+/// Most memory that the process may take, KiB.
+const MEMORY: u64 = 64 << 10;
+/// Blocks between two looks at whether somebody wants to stop.
+const SLICE: u64 = 10_000;
+/// What the long program repeats.
+const TEXT: &str = "G1 X1.25 Y-2.5 F800\nX2.5\n#1=[#1+0.001]\nG0 Z5 (up)\nG1 Z-#1\n";
+/// An endless loop of four blocks.
+const LOOP: &str = "G21 F100\no1 while [1]\n#1=[#1+1]\nG1 X[#1 mod 10]\no1 endwhile\nM2\n";
+
+fn main() -> Result<()> {
+    let mut numbers = env::args().skip(1).filter_map(|argument| argument.parse::<u64>().ok());
+    let (megabytes, blocks) =
+        (numbers.next().unwrap_or(1000), numbers.next().unwrap_or(100_000_000));
+    long_program(megabytes * 1_000_000)?;
+    endless_loop(blocks)?;
+    let taken = peak_memory()?;
+    println!("{taken} KiB of memory at most, of {MEMORY}");
+    if taken > MEMORY {
+        return Err(Error::other("more memory than it may take"));
+    }
+    Ok(())
+}
+
+fn interpreter() -> Result<Interpreter> {
+    Interpreter::new(Machine::default(), Options::default(), Limits::default())
+        .map_err(|error| Error::other(error.to_string()))
+}
+
+fn long_program(bytes: u64) -> Result<()> {
+    let mut source = Endless { left: bytes / TEXT.len() as u64, at: 0 };
+    let mut interpreter = interpreter()?;
+    let mut count = Count::default();
+    let begin = Instant::now();
+    loop {
+        match interpreter.run(&mut source, &mut count, SLICE) {
+            Ok(Progress::More | Progress::Stopped) => {}
+            Ok(Progress::Ended(End::ProgramEnd)) => break,
+            Ok(Progress::Ended(end)) => return Err(Error::other(format!("{end:?}"))),
+            Err(error) => return Err(Error::other(error.to_string())),
+        }
+    }
+    let seconds = begin.elapsed().as_secs_f64();
+    println!("{bytes} bytes of program, {} moves: {seconds:.1} s", count.0);
+    Ok(())
+}
+
+fn endless_loop(blocks: u64) -> Result<()> {
+    let mut source = Memory::new(LOOP);
+    let mut interpreter = interpreter()?;
+    let mut count = Count::default();
+    let begin = Instant::now();
+    let mut longest = Duration::ZERO;
+    for _ in 0..blocks / SLICE {
+        let asked = Instant::now();
+        let progress = interpreter
+            .run(&mut source, &mut count, SLICE)
+            .map_err(|error| Error::other(error.to_string()))?;
+        if progress != Progress::More {
+            return Err(Error::other(format!("{progress:?}")));
+        }
+        longest = longest.max(asked.elapsed());
+    }
+    let seconds = begin.elapsed().as_secs_f64();
+    println!(
+        "{blocks} blocks of a loop: {seconds:.1} s; stopped when asked, at the latest after {:.1} ms",
+        longest.as_secs_f64() * 1e3
+    );
+    Ok(())
+}
+
+/// The most memory that this process had, KiB.
+fn peak_memory() -> Result<u64> {
+    let status = fs::read_to_string("/proc/self/status")?;
+    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let peak = peak.and_then(|rest| rest.trim().trim_end_matches(" kB").parse().ok());
+    peak.ok_or_else(|| Error::other("the system does not tell"))
+}
+
+/// A program that is made while it is read.
+struct Endless {
+    left: u64,
+    at: usize,
+}
+
+impl Source for Endless {
+    fn text(&mut self) -> std::result::Result<&[u8], Unreadable> {
+        let text = if self.left == 0 { "M2\n" } else { TEXT };
+        Ok(text.as_bytes().get(self.at..).unwrap_or(&[]))
+    }
+
+    fn consume(&mut self, bytes: usize) {
+        self.at += bytes;
+        if self.left > 0 && self.at >= TEXT.len() {
+            self.left -= 1;
+            self.at = 0;
+        }
+    }
+
+    fn rewind(&mut self, _offset: u64) -> std::result::Result<bool, Unreadable> {
+        Ok(false)
+    }
+
+    fn open(&mut self, _name: &str) -> std::result::Result<bool, Unreadable> {
+        Ok(false)
+    }
+
+    fn close(&mut self) {}
+}
+
+/// Counts moves.
+#[derive(Default)]
+struct Count(u64);
+
+impl Sink for Count {
+    fn set(&mut self, _line: u32, _changed: &Settings) {}
+
+    fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
+        let moves = matches!(effect, Effect::StraightFeed { .. } | Effect::StraightTraverse { .. });
+        self.0 += u64::from(moves);
+        Reply::Done
+    }
+}

@@ -1,0 +1,234 @@
+//! Planted faults: mistakes that an interpreter could make, to see which of them a suite of tests notices.
+//!
+//! Without the feature `faults` none can be planted, and what asks for one is compiled away. With it one at a time is planted for the
+//! whole process.
+
+macro_rules! faults {
+    ($($(#[doc = $about:literal])* $name:literal $fault:ident,)*) => {
+        /// A mistake that can be planted.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Fault {
+            $($(#[doc = $about])* $fault,)*
+        }
+
+        #[cfg(feature = "faults")]
+        impl Fault {
+            /// Every fault.
+            pub const ALL: &'static [Self] = &[$(Self::$fault),*];
+
+            /// Its name: the chapter of the suite that should notice it, and what is wrong.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$fault => $name,)*
+                }
+            }
+
+            /// What is wrong.
+            pub fn about(self) -> &'static str {
+                match self {
+                    $(Self::$fault => concat!($($about),*).trim_ascii(),)*
+                }
+            }
+        }
+    };
+}
+
+faults! {
+    /// DEBUG speaks although the program has silenced it.
+    "active-comments.debug-unsilenced" DebugUnsilenced,
+    /// The first comment of a block acts instead of the last.
+    "active-comments.first-comment" FirstComment,
+    /// A line log is written although no file is open.
+    "active-comments.log-without-file" LogWithoutFile,
+    /// An else branch is never taken.
+    "control.else-skipped" ElseSkipped,
+    /// A negative condition is false.
+    "control.negative-false" NegativeFalse,
+    /// repeat makes one turn too many.
+    "control.repeat-once-more" RepeatOnceMore,
+    /// A label may be defined twice.
+    "control.label-twice" LabelTwice,
+    /// continue of a while leaves the loop.
+    "control.continue-leaves" ContinueLeaves,
+    /// M9 leaves mist on.
+    "coolant.mist-stays" MistStays,
+    /// A negative dwell is no dwell.
+    "dwell.negative" NegativeDwell,
+    /// Numbers are equal only when all their digits are.
+    "expressions.equal-exactly" EqualExactly,
+    /// MOD has the sign of the dividend.
+    "expressions.modulus-sign" ModulusSign,
+    /// A division by zero is zero.
+    "expressions.divide-by-zero" DivideByZero,
+    /// ATAN takes its numbers the wrong way round.
+    "expressions.arctangent-swapped" ArctangentSwapped,
+    /// FIX rounds toward zero.
+    "expressions.fix-toward-zero" FixTowardZero,
+    /// XOR is OR.
+    "expressions.xor-as-or" XorAsOr,
+    /// AND comes before the comparisons.
+    "expressions.and-first" AndFirst,
+    /// L of M98 is not looked at.
+    "fanuc-subs.no-repeat" NoRepeat,
+    /// M98 works where numbered subprograms are disabled.
+    "fanuc-subs.disabled" DisabledFanuc,
+    /// M98 counts its turns from zero.
+    "fanuc-subs.one-more" OneTurnMore,
+    /// A switch of the feed mode keeps the feed rate.
+    "feed.kept-over-mode" FeedKeptOverMode,
+    /// A negative feed is taken.
+    "feed.negative" NegativeFeed,
+    /// A move under inverse time does without F.
+    "feed.inverse-time-old" InverseTimeOld,
+    /// Waiting for a falling edge is waiting for the low level.
+    "inputs.fall-as-low" FallAsLow,
+    /// M66 leaves its result in no parameter.
+    "inputs.no-result" NoInputResult,
+    /// A wait of zero seconds is taken.
+    "inputs.zero-timeout" ZeroTimeout,
+    /// Of two codes of a modal group the last one counts.
+    "modal-groups.last-wins" LastWins,
+    /// A word that nothing uses is passed over.
+    "modal-groups.unused-word" UnusedWord,
+    /// M codes of one group stand together.
+    "modal-groups.m-codes-together" MCodesTogether,
+    /// Axis words after G80 move as the mode before.
+    "motion.after-cancel" AfterCancel,
+    /// A rapid move needs a feed rate.
+    "motion.traverse-needs-feed" TraverseNeedsFeed,
+    /// A point without a digit is zero.
+    "numbers.point-alone" PointAlone,
+    /// G53 adds its words where the distance is incremental.
+    "offsets.machine-incremental" MachineIncremental,
+    /// A work coordinate system is turned the wrong way.
+    "offsets.rotation-reversed" RotationReversed,
+    /// G10 L2 of the active system waits for its selection.
+    "offsets.active-waits" ActiveWaits,
+    /// G59.3 selects G59.2.
+    "offsets.last-system" LastSystem,
+    /// M codes of a block are executed by number.
+    "order.by-number" ByNumber,
+    /// A dwell comes after the other G codes of its block.
+    "order.dwell-late" DwellLate,
+    /// The angle of M19 has no offset.
+    "orient.no-offset" NoOrientOffset,
+    /// R360 is refused.
+    "orient.full-turn-refused" FullTurnRefused,
+    /// A spindle that was oriented turns on.
+    "orient.turns-on" OrientTurnsOn,
+    /// M64 waits for the next motion.
+    "outputs.on-waits" OnWaits,
+    /// There is one output more than the machine has.
+    "outputs.one-more" OneOutputMore,
+    /// M68 is M67.
+    "outputs.analog-waits" AnalogWaits,
+    /// M49 leaves the speed override alone.
+    "overrides.speed-untouched" SpeedUntouched,
+    /// M50 without P disables.
+    "overrides.default-off" DefaultOff,
+    /// M52 switches the feed stop.
+    "overrides.wrong-switch" WrongSwitch,
+    /// Settings of a block take effect from right to left.
+    "parameters.right-to-left" RightToLeft,
+    /// `_metric` says whether inches are in force.
+    "parameters.metric-inverted" MetricInverted,
+    /// Local names are seen in the subs that are called.
+    "parameters.locals-inherited" LocalsInherited,
+    /// A global parameter that is not there is zero.
+    "parameters.absent-is-zero" AbsentIsZero,
+    /// G64 without P keeps the tolerance.
+    "path-control.tolerance-kept" ToleranceKept,
+    /// G64 P without Q has no naive CAM tolerance.
+    "path-control.no-naive-tolerance" NoNaiveTolerance,
+    /// M1 stops whatever the switch says.
+    "pause.not-optional" NotOptional,
+    /// M60 exchanges no pallets.
+    "pause.no-pallets" NoPallets,
+    /// Coolant flows on after the program's end.
+    "program-end.coolant-on" CoolantOn,
+    /// G91 stays after the program's end.
+    "program-end.incremental-stays" IncrementalStays,
+    /// The work coordinate system stays after the program's end.
+    "program-end.system-stays" SystemStays,
+    /// M71 does nothing.
+    "saved-state.not-invalidated" NotInvalidated,
+    /// M73 saves and does not restore.
+    "saved-state.no-autorestore" NoAutorestore,
+    /// The feed is not restored.
+    "saved-state.feed-not-restored" FeedNotRestored,
+    /// A sub's save is its caller's.
+    "saved-state.one-level" OneLevel,
+    /// Modes are restored before the units are.
+    "saved-state.units-forgotten" UnitsForgotten,
+    /// M4 is M3.
+    "spindle.one-direction" OneDirection,
+    /// S without $ is for every spindle.
+    "spindle.speed-for-all" SpeedForAll,
+    /// A negative speed is taken.
+    "spindle.negative-speed" NegativeSpeed,
+    /// D of G96 is not looked at.
+    "spindle.no-limit" NoSpindleLimit,
+    /// A sub may call eleven levels deep.
+    "subroutines.eleven-levels" ElevenLevels,
+    /// The value of a return is lost.
+    "subroutines.value-lost" ValueLost,
+    /// Parameters of the caller are those of the sub.
+    "subroutines.arguments-kept" ArgumentsKept,
+    /// Arguments begin at #2.
+    "subroutines.arguments-shifted" ArgumentsShifted,
+    /// A slash deletes no block.
+    "text.nothing-deleted" NothingDeleted,
+    /// A line may be of any length.
+    "text.any-length" AnyLength,
+    /// The second percent line does not end a program.
+    "text.percent-goes-on" PercentGoesOn,
+    /// The spindle turns on over a tool change.
+    "tool.spindle-turns-on" SpindleTurnsOn,
+    /// A tool stays selected after its change.
+    "tool.stays-selected" StaysSelected,
+    /// Offsets of the tool table are taken in the active unit.
+    "tool.offset-unit" OffsetUnit,
+    /// M61 takes any number.
+    "tool.set-unknown" SetUnknown,
+    /// A change of unit leaves the number of the feed.
+    "units-planes.feed-number" FeedNumber,
+    /// An X word under G7 is a radius.
+    "units-planes.diameter-as-radius" DiameterAsRadius,
+    /// G19 selects the plane of G18.
+    "units-planes.wrong-plane" WrongPlane,
+    /// P and Q of a user-defined code change places.
+    "user-codes.swapped" SwappedArguments,
+}
+
+#[cfg(feature = "faults")]
+mod planting {
+    use core::sync::atomic::{AtomicUsize, Ordering};
+
+    use super::Fault;
+
+    /// The planted fault as its place among all, or none.
+    static PLANTED: AtomicUsize = AtomicUsize::new(usize::MAX);
+
+    /// Plants a fault in every interpreter of the process, or takes it out again.
+    pub fn plant(fault: Option<Fault>) {
+        let place = fault.and_then(|fault| Fault::ALL.iter().position(|one| *one == fault));
+        PLANTED.store(place.unwrap_or(usize::MAX), Ordering::SeqCst);
+    }
+
+    /// Whether this fault is planted.
+    pub(crate) fn planted(fault: Fault) -> bool {
+        Fault::ALL.get(PLANTED.load(Ordering::Relaxed)) == Some(&fault)
+    }
+}
+
+#[cfg(feature = "faults")]
+pub use planting::plant;
+#[cfg(feature = "faults")]
+pub(crate) use planting::planted;
+
+/// Whether this fault is planted: no.
+#[cfg(not(feature = "faults"))]
+#[inline(always)]
+pub(crate) const fn planted(_fault: Fault) -> bool {
+    false
+}
