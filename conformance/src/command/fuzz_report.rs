@@ -106,10 +106,10 @@ impl Report<'_> {
             0 => String::new(),
             count => format!(" ({count} kinds are known)"),
         };
-        self.new() + &known
+        self.what_is_new() + &known
     }
 
-    fn new(&self) -> String {
+    fn what_is_new(&self) -> String {
         let Statistics { diverging, compared, not_judged, .. } = self.statistics;
         match (self.finds.len(), compared) {
             (0, 0) => "nothing was compared".to_owned(),
