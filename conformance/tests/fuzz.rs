@@ -13,6 +13,9 @@ use gaugeblock::fuzz::{Extent, Plan, Shard, run};
 use gaugeblock_fuzz::generate::{Recipe, Setups};
 use gaugeblock_trace::{Effect, Event, Options, Outcome, Scenario};
 
+/// Few enough for a debug build, and several chunks.
+const PROGRAMS: u64 = 300;
+
 /// The model with a fault: dwells take twice as long.
 #[derive(Debug)]
 struct SlowDwell(Capabilities);
@@ -56,7 +59,7 @@ fn chunks(plan: &Plan<'_>, shard: Shard, done: &BTreeSet<u64>) -> Vec<Chunk> {
     let stop = AtomicBool::new(false);
     let jobs = NonZero::new(3).expect("three");
     let mut all = Vec::new();
-    run(plan, &Extent { shard, programs: 500, jobs, done, stop: &stop }, &mut |chunk| {
+    run(plan, &Extent { shard, programs: PROGRAMS, jobs, done, stop: &stop }, &mut |chunk| {
         all.push(chunk);
         true
     });
@@ -81,11 +84,11 @@ fn a_planted_fault_is_found_and_shrunk() {
     let reference = Reference::default();
     let plan = plan(&faulty, &reference);
     let (statistics, finds) = together(chunks(&plan, WHOLE, &BTreeSet::new()));
-    assert_eq!(statistics.programs, 500);
-    assert!(statistics.diverging > 20, "{statistics:?}");
+    assert_eq!(statistics.programs, PROGRAMS);
+    assert!(statistics.diverging > 5, "{statistics:?}");
     assert!(!finds.is_empty());
-    for find in finds {
-        let small = shrunk(&plan, &find, 5_000);
+    for find in finds.into_iter().take(3) {
+        let small = shrunk(&plan, &find, 2_000);
         assert_eq!(small.scenario.program.main.trim_end(), "g4 p1", "{find:?}");
         assert_eq!(small.scenario.machine, gaugeblock_trace::Machine::default());
         assert!(small.shrunk);
@@ -115,4 +118,84 @@ fn an_interrupted_run_tells_the_same() {
     let rest = chunks(&plan, WHOLE, &done);
     assert_eq!(rest.len() + before.len(), whole.len());
     assert_eq!(together([before, rest].concat()), together(whole));
+}
+
+mod command {
+    use std::path::{Path, PathBuf};
+    use std::process::{Command, Output};
+
+    fn gaugeblock(arguments: &[&str]) -> Output {
+        Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
+            .args(arguments)
+            .env("NO_COLOR", "1")
+            .output()
+            .expect("the command runs")
+    }
+
+    /// A folder of its own, empty.
+    fn folder(name: &str) -> PathBuf {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        let _absent = std::fs::remove_dir_all(&folder);
+        std::fs::create_dir_all(&folder).expect("a folder for the test");
+        folder
+    }
+
+    #[track_caller]
+    fn refused(arguments: &[&str], word: &str) {
+        let output = gaugeblock(arguments);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+        assert!(message.contains(word), "{arguments:?}: {word:?} is not in: {message}");
+    }
+
+    const SELF: &[&str] = &["fuzz", "--iut", "reference", "--programs", "200", "--format", "json"];
+
+    #[test]
+    fn wrong_calls_are_told() {
+        refused(&["fuzz", "--shard", "3/2"], "3/8");
+        refused(&["fuzz", "--resume"], "--report");
+        refused(&["fuzz", "--options", "all"], "random");
+        refused(&["fuzz", "--only", "no.such"], "motion.traverse");
+        refused(&["fuzz", "--options", "from:no-such-file"], "no-such-file");
+        refused(&["fuzz", "--edition", "rs274-2.9-observed"], "production");
+        refused(&["shrink", "no-such-file.ngc"], "no-such-file.ngc");
+    }
+
+    #[test]
+    fn a_killed_run_goes_on_and_tells_the_same() {
+        let here = folder("fuzz-resume");
+        let report = here.to_str().expect("UTF-8");
+        let whole = gaugeblock(&[SELF, &["--report", report]].concat());
+        assert_eq!(whole.status.code(), Some(0), "{}", String::from_utf8_lossy(&whole.stderr));
+        let again = gaugeblock(&[SELF, &["--report", report]].concat());
+        assert_eq!(again.status.code(), Some(2), "a journal is not overwritten");
+        let journal = here.join("journal.jsonl");
+        let text = std::fs::read_to_string(&journal).unwrap();
+        std::fs::write(&journal, &text[..text.len() * 2 / 3]).unwrap();
+        let resumed = gaugeblock(&[SELF, &["--report", report, "--resume"]].concat());
+        assert_eq!(resumed.status.code(), Some(0));
+        assert_eq!(resumed.stdout, whole.stdout);
+        assert!(
+            resumed.stderr.is_empty() || !String::from_utf8_lossy(&resumed.stderr).contains('%')
+        );
+    }
+
+    #[test]
+    fn nothing_is_shrunk_where_nothing_differs() {
+        let program = folder("shrink").join("good.ngc");
+        std::fs::write(&program, "g21\ng0 x1\nm2\n").unwrap();
+        let program = program.to_str().expect("UTF-8");
+        let output = gaugeblock(&["shrink", program, "--iut", "reference"]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(String::from_utf8_lossy(&output.stdout).contains("do not differ"));
+    }
+
+    #[test]
+    fn help_has_examples() {
+        for command in ["fuzz", "shrink"] {
+            let output = gaugeblock(&[command, "--help"]);
+            let text = String::from_utf8_lossy(&output.stdout);
+            assert!(text.contains("Examples:") && text.contains("Exit status:"), "{text}");
+        }
+    }
 }

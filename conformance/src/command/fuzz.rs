@@ -27,6 +27,8 @@ const EXAMPLES: &str = "Examples:
       is anything of LinuxCNC's interpreter not explained yet?
   gaugeblock fuzz --options random --seconds 36000 --report nightly
       every reading of the documents, with a journal; after a kill: the same call with --resume
+  gaugeblock fuzz --iut rs274 --known nightly/report.json --report tonight
+      only what an earlier report does not tell
   gaugeblock fuzz --shard 3/8 --seed 20 --programs 1000000 --report shard-3
       one of eight machines
   gaugeblock fuzz --only io. --programs 10000
@@ -82,6 +84,9 @@ pub(super) struct Arguments {
     /// Go on with the journal in the folder of --report
     #[arg(long, requires = "report")]
     resume: bool,
+    /// A report.json of an earlier run: what is in it is known, and only what is new is shown and counts
+    #[arg(long, value_name = "FILE")]
+    known: Option<PathBuf>,
     /// Attempts at shrinking each divergence; 0 leaves the programs as they were generated
     #[arg(long, value_name = "N", default_value_t = 2000)]
     shrink: u32,
@@ -104,6 +109,7 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     let own = controller::own_edition(&arguments.iut);
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
     let (options, random) = options(arguments, suite, edition)?;
+    let known = arguments.known.as_deref().map(fuzz_report::read).transpose()?.unwrap_or_default();
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
     }
@@ -142,10 +148,13 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     generate(arguments, &plan, journal, &mut so_far)?;
     let seconds = begun.elapsed().as_secs_f64();
     let finds = shrink_all(&plan, so_far.groups.finds(), arguments.shrink);
+    let (finds, known): (Vec<Find>, Vec<Find>) =
+        finds.into_iter().partition(|find| !known.iter().any(|known| known.is_as(find)));
     let report = fuzz_report::Report {
         header: &header,
         statistics: &so_far.statistics,
         finds: &finds,
+        known: &known,
         seconds,
     };
     if let Some(folder) = &arguments.report {

@@ -19,6 +19,8 @@ pub(super) struct Report<'a> {
     pub(super) header: &'a Header,
     pub(super) statistics: &'a Statistics,
     pub(super) finds: &'a [Find],
+    /// What an earlier report told already.
+    pub(super) known: &'a [Find],
     pub(super) seconds: f64,
 }
 
@@ -37,12 +39,13 @@ impl Report<'_> {
     pub(super) fn json(&self) -> serde_json::Value {
         let finds: Vec<_> = self.finds.iter().map(|find| {
             json!({
-                "signature": find.signature, "rules": find.rules, "options": find.options, "count": find.count, "number": find.number,
+                "signature": find.signature, "shape": find.shape, "rules": find.rules, "options": find.options, "count": find.count, "number": find.number,
                 "divergence": find.divergence, "shrunk": find.shrunk, "scenario": find.scenario,
             })
         }).collect();
         json!({
-            "gaugeblock": "fuzz", "version": 0, "run": self.header, "statistics": self.statistics, "divergences": finds,
+            "gaugeblock": "fuzz", "version": 0, "run": self.header, "statistics": self.statistics,
+            "divergences": finds, "known": self.known.len(),
         })
     }
 
@@ -97,7 +100,16 @@ impl Report<'_> {
         text
     }
 
+    /// In words.
     fn verdict(&self) -> String {
+        let known = match self.known.len() {
+            0 => String::new(),
+            count => format!(" ({count} kinds are known)"),
+        };
+        self.what_is_new() + &known
+    }
+
+    fn what_is_new(&self) -> String {
         let Statistics { diverging, compared, not_judged, .. } = self.statistics;
         match (self.finds.len(), compared) {
             (0, 0) => "nothing was compared".to_owned(),
@@ -137,6 +149,16 @@ impl Report<'_> {
         }
         Ok(())
     }
+}
+
+/// The divergences that an earlier report tells.
+pub(super) fn read(path: &Path) -> Result<Vec<Find>, Refused> {
+    let (name, hint) = (path.display(), "`gaugeblock fuzz --report DIR` writes report.json");
+    let text = place::program(path)?;
+    let wrong = |error: serde_json::Error| Refused::wrong(format!("{name}: {error}"), hint);
+    let mut document: serde_json::Value = serde_json::from_str(&text).map_err(wrong)?;
+    let divergences = document.get_mut("divergences").map(serde_json::Value::take);
+    serde_json::from_value(divergences.unwrap_or_default()).map_err(wrong)
 }
 
 /// A divergence with its smallest program.

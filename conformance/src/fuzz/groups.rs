@@ -56,6 +56,12 @@ impl Find {
         }
     }
 
+    /// Whether another find differs in the same way at the same rules, or at the same kind of block.
+    pub fn is_as(&self, other: &Self) -> bool {
+        self.signature == other.signature
+            && (self.rules == other.rules || self.shape == other.shape)
+    }
+
     fn size(&self) -> (usize, u64) {
         let program = &self.scenario.program;
         (program.main.len() + program.files.values().map(String::len).sum::<usize>(), self.number)

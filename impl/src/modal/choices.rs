@@ -129,6 +129,8 @@ choices! {
     entry_needs_words: "tool.entry-without-words", "accepted", "refused";
     /// The old tool goes to the slot of the new one.
     old_tool_to_new_slot: "tool.old-tool-place", "its-own-slot", "slot-of-the-new";
+    /// The slide of G76 moves the end of a pass too.
+    thread_end_with_depth: "threading.slide-end", "fixed", "with-depth";
     /// G76 without R cuts passes of the same area.
     thread_constant_area: "threading.without-degression", "constant-depth", "constant-area";
     /// T is the number of a slot.

@@ -165,7 +165,12 @@ impl Modal {
     ) -> Result<bool, Refusal> {
         let Threading { drive, start, end, entry, exit, depth, .. } = *thread;
         let offset = depth * thread.slide;
-        let (begin, finish) = (start + offset, end + offset);
+        let before_end = if self.choices.thread_end_with_depth {
+            (thread.full_depth - depth) * thread.slide
+        } else {
+            0.0
+        };
+        let (begin, finish) = (start + offset, end - before_end);
         // The tapers are as steep as the last pass needs them to be.
         let shallow = thread.x(depth - thread.full_depth);
         let at = self.position;
