@@ -66,8 +66,12 @@ enum Part {
     /// To the beginning of the entry's taper, and along it.
     ToTaper,
     Taper,
+    /// Synchronisation along the thread, behind a tapered entry.
+    Straighten,
     /// Along the thread.
     Cut,
+    /// Synchronisation along the exit's taper.
+    Slant,
     /// Along the exit's taper.
     TaperOut,
     /// Synchronisation ends.
@@ -181,14 +185,23 @@ impl Modal {
             Part::Back => self.traverse_to(line, point(drive, begin), sink)?,
             Part::In if enters => {}
             Part::In => self.traverse_to(line, point(thread.x(depth), begin), sink)?,
-            Part::Synchronise => self.synchronise(line, thread.spindle, thread.pitch, sink)?,
+            Part::Synchronise => {
+                let pitch = if enters { thread.slanting(entry) } else { thread.pitch };
+                self.synchronise(line, thread.spindle, pitch, sink)?;
+            }
             Part::ToTaper if enters => self.feed_to(line, point(shallow, begin), sink)?,
             Part::Taper if enters => {
                 self.feed_to(line, point(thread.x(depth), begin + entry), sink)?;
             }
+            Part::Straighten if enters => {
+                self.synchronise(line, thread.spindle, thread.pitch, sink)?;
+            }
             Part::Cut => self.feed_to(line, point(thread.x(depth), finish - exit), sink)?,
+            Part::Slant if exits => {
+                self.synchronise(line, thread.spindle, thread.slanting(exit), sink)?;
+            }
             Part::TaperOut if exits => self.feed_to(line, point(shallow, finish), sink)?,
-            Part::ToTaper | Part::Taper | Part::TaperOut => {}
+            Part::ToTaper | Part::Taper | Part::Straighten | Part::Slant | Part::TaperOut => {}
             Part::Release => self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)?,
             Part::Out => self.traverse_to(line, point(drive, finish), sink)?,
             Part::Last if at == point(drive, end) => {}
@@ -204,6 +217,11 @@ impl Threading {
         self.peak + self.inward * depth
     }
 
+    /// The way per revolution along a taper: P of it along the drive line, as everywhere.
+    fn slanting(&self, taper: f64) -> f64 {
+        self.pitch * math::hypotenuse(self.full_depth, taper) / taper.abs()
+    }
+
     /// Goes on behind a part; whether the thread is over then.
     fn advance(&mut self) -> bool {
         self.at = match self.at {
@@ -211,8 +229,10 @@ impl Threading {
             Part::In => Part::Synchronise,
             Part::Synchronise => Part::ToTaper,
             Part::ToTaper => Part::Taper,
-            Part::Taper => Part::Cut,
-            Part::Cut => Part::TaperOut,
+            Part::Taper => Part::Straighten,
+            Part::Straighten => Part::Cut,
+            Part::Cut => Part::Slant,
+            Part::Slant => Part::TaperOut,
             Part::TaperOut => Part::Release,
             Part::Release => Part::Out,
             Part::Out if self.is_last() => Part::Last,

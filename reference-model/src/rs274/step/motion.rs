@@ -67,7 +67,8 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     let programmed = words.g.iter().any(|code| motion_mode(*code).is_some());
     state.evidence.accepted(if programmed { "motion.mode-change" } else { "motion.mode-holds" });
     if !programmed && is_arc(motion) {
-        state.evidence.accepted("arcs.mode-holds");
+        let alone = by_offsets_alone(words, state) && !moves_by_axis_words(words);
+        state.evidence.accepted(if alone { "arcs.offsets-alone" } else { "arcs.mode-holds" });
     }
     if words.g.contains(&530) {
         machine_coordinates_possible(motion, words, state)?;
