@@ -46,6 +46,12 @@ fn program(program: &Program) -> Result<(), String> {
         }
     }
     let source = Source::new(program);
+    if source.has_g_code(&["g38.2", "g38.3", "g38.4", "g38.5"]) {
+        return Err("its bench has no probe".to_owned());
+    }
+    if source.has_g_code(&["g33", "g33.1", "g76"]) {
+        return Err("its spindles have no encoder".to_owned());
+    }
     if source.names_line() {
         return Err("probes would change the line numbers that it asks for".to_owned());
     }
