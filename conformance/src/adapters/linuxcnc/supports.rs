@@ -46,6 +46,15 @@ fn program(program: &Program) -> Result<(), String> {
         }
     }
     let source = Source::new(program);
+    if source.has_g_code(&["g38.2", "g38.3", "g38.4", "g38.5"]) {
+        return Err("its bench has no probe".to_owned());
+    }
+    if source.has_g_code(&["g33", "g33.1", "g76"]) {
+        return Err("its spindles have no encoder".to_owned());
+    }
+    if source.has_g_code(&["g5", "g5.1", "g5.2", "g5.3"]) {
+        return Err("it shows a spline as the arcs that it makes of it".to_owned());
+    }
     if source.names_line() {
         return Err("probes would change the line numbers that it asks for".to_owned());
     }

@@ -120,6 +120,18 @@ impl Source {
         })
     }
 
+    /// Whether a line has one of these G codes, written plainly and in lower case, such as `g38.2`.
+    pub(in crate::adapters) fn has_g_code(&self, codes: &[&str]) -> bool {
+        self.all().any(|(_, _, line)| {
+            let code = code(line);
+            codes.iter().any(|wanted| {
+                let behind = code.match_indices(wanted).map(|(at, _)| &code[at + wanted.len()..]);
+                let ends = |rest: &str| !rest.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+                behind.into_iter().any(ends)
+            })
+        })
+    }
+
     /// A line that would reach beyond the interpreter: it runs Python, or looks for a sub outside of the directory.
     pub(in crate::adapters) fn reaches_host(&self) -> Option<Block> {
         let escapes = |line: &str| {
@@ -314,6 +326,16 @@ mod tests {
             let program = Program { main: format!("g0\n{line}\n"), ..Program::default() };
             assert_eq!(Source::new(&program).pauses(), expected, "{line}");
         }
+    }
+
+    #[test]
+    fn g_codes_are_found() {
+        let has = |line: &str| {
+            let program = Program { main: format!("g0\n{line}\n"), ..Program::default() };
+            Source::new(&program).has_g_code(&["g33", "g38.2"])
+        };
+        assert!(has("G33 z1 k1") && has("m3g38.2x1"));
+        assert!(!has("g33.1 z1 k1") && !has("g3 x1") && !has("(g33)"));
     }
 
     #[test]

@@ -29,7 +29,12 @@ pub(crate) fn after_thread(
     start: Position,
     end: f64,
     state: &mut State,
-) -> Result<Position, Halt> {
+) -> Result<Option<Position>, Halt> {
+    let other = state.readings.quirk("rs274.thread-other-axes")
+        && ['x', 'y'].iter().any(|letter| words.letters.contains_key(letter));
+    if !other && !state.readings.quirk("rs274.thread-clearance") {
+        return Ok(None);
+    }
     state.position = start;
-    Ok(Position { z: end, ..end_point(words, state)? })
+    Ok(Some(Position { z: end, ..end_point(words, state)? }))
 }

@@ -39,10 +39,12 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     } else {
         SpindleTurn::Clockwise
     };
+    turns(SpindleTurn::Stopped, cycle, state);
     turns(out, cycle, state);
     dwells(cycle.dwell, state, record);
     feed_along(normal, cycle.clear, state, record);
     if state.readings.is("cycles.tap-return", "as-before") {
+        turns(SpindleTurn::Stopped, cycle, state);
         turns(before.turn, cycle, state);
     }
     state.modes.feed_override = feed_override;

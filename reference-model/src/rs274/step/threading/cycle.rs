@@ -81,8 +81,7 @@ pub(in crate::rs274::step) fn perform(
     if thread.springs > 0 {
         state.evidence.accepted("threading.spring-passes");
     }
-    if state.readings.quirk("rs274.thread-clearance") {
-        let end = quirks::after_thread(words, thread.start, thread.end, state)?;
+    if let Some(end) = quirks::after_thread(words, thread.start, thread.end, state)? {
         traverse(end, state, record);
     }
     state.evidence.accepted("threading.thread");
