@@ -7,7 +7,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use gaugeblock::adapters::Adapter;
 use gaugeblock::adapters::production::Production;
@@ -18,7 +18,9 @@ use gaugeblock::suite::{Edition, Suite, files};
 use gaugeblock_trace::{End, LengthUnit, Machine, Options, Scenario};
 
 const PROGRAMS: &str = include_str!("printed_programs.txt");
-const PATIENCE: Duration = Duration::from_secs(20);
+/// How often it is asked whether a program has ended, and how long is waited between.
+const PATIENCE: u32 = 10_000;
+const PAUSE: Duration = Duration::from_millis(2);
 
 /// What a program wrote to standard output, and its exit status; none where it did not come to an end.
 #[derive(Debug, PartialEq, Eq)]
@@ -63,12 +65,11 @@ fn run(mut command: Command, folder: &Path) -> Printed {
 }
 
 fn wait(mut child: Child) -> Option<i32> {
-    let begun = Instant::now();
-    while begun.elapsed() < PATIENCE {
+    for _ in 0..PATIENCE {
         if let Some(status) = child.try_wait().expect("it can be waited for") {
             return status.code();
         }
-        std::thread::sleep(Duration::from_millis(2));
+        std::thread::sleep(PAUSE);
     }
     child.kill().expect("it can be ended");
     child.wait().expect("it can be waited for");

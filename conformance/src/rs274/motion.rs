@@ -190,10 +190,10 @@ impl Printed<'_> {
                 self.out.begin("RIGID_TAP(").numbers(&[x, y, z], ", ").text(")").end();
             }
             Event::Do(Effect::StartSpindleSynchronisation { pitch, .. }) => {
-                self.out.synchronised(*pitch)
+                self.out.synchronised(*pitch);
             }
             Event::Do(Effect::StopSpindleSynchronisation {}) => {
-                self.out.call("STOP_SPEED_FEED_SYNCH")
+                self.out.call("STOP_SPEED_FEED_SYNCH");
             }
             Event::Do(Effect::Dwell { seconds }) => self.out.call_with("DWELL", *seconds),
             Event::Do(Effect::OrientSpindle { .. } | Effect::WaitOrient { .. }) => self.orient(),
