@@ -57,22 +57,18 @@ fn arrival_changes_nothing() {
     for number in 0..300 {
         let mut dice = Dice::of_seed(5, number);
         let scenario = from_seed(5, number, &Recipe::default());
-        if !calls_a_number(&scenario) {
+        if !scenario.program.main.contains('\r') {
             oracle::arrives(&scenario, &mut dice)
                 .unwrap_or_else(|broken| panic!("{number}: {broken}"));
         }
     }
 }
 
-fn calls_a_number(scenario: &Scenario) -> bool {
-    scenario.program.main.to_lowercase().contains("m98")
-}
-
-/// FIXME: behind a call by M98, production tells settings of the program's end at another line where the text comes in pieces.
+/// FIXME: where the text is cut between a carriage return and its line feed, production comes back from M99 to the line feed, and
+/// counts it as a line.
 #[test]
-fn arrival_changes_the_line_of_the_end_after_m98() {
-    let program = "f1913\nm3 s3320\nm8\nm98 p101\nm2\no101\nm3\ng0 z.5\nm99\n";
-    let scenario = Scenario::of(program);
-    let mut dice = (0..50).map(|number| Dice::of_seed(6, number));
+fn arrival_of_a_cut_line_end_is_counted_after_m98() {
+    let scenario = Scenario::of("m8\r\nm98 p101\r\nm2\r\no101\r\nm99\r\n");
+    let mut dice = (0..60).map(|number| Dice::of_seed(6, number));
     assert!(dice.any(|mut dice| oracle::arrives(&scenario, &mut dice).is_err()));
 }
