@@ -55,7 +55,7 @@ fn hide_what_does_not_tell(all: &mut [(&Choice, Shown)]) {
         let told = choice.under.iter().all(|(id, option)| {
             others.get(id).is_none_or(|other| *other == Shown::Option(option.clone()))
         });
-        if !told && matches!(shown, Shown::Option(_)) {
+        if !told && matches!(shown, Shown::Option(_) | Shown::Nothing(_)) {
             *shown = Shown::Several(choice.options.iter().map(|o| o.name.clone()).collect());
         }
     }

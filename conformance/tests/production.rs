@@ -19,7 +19,7 @@ const LATER: &[&str] = &[
     "no feed that an input holds or slows yet",
     "no person who changes tools yet",
     "the bench \"stand-alone rs274\" is another controller's",
-    "polar words",
+    "polar words of another move than G0 to G3",
 ];
 
 fn suite() -> Suite {
@@ -86,6 +86,7 @@ const LATER_CHOICES: &[&str] = &[
     "outputs.at-once-over-waiting",
     "pause.cycle-start",
     "task.mdi-in-manual",
+    "threading.slide-end",
 ];
 
 #[test]
@@ -100,6 +101,11 @@ fn it_does_what_each_option_says() {
             options.0.insert(choice.id.clone(), option.to_owned());
             shown(choice, &options, None, &production, false)
         };
+        // A page that can be told only where a quirk of another controller is shown.
+        if choice.under.values().any(|option| option == "observed") {
+            left_out.push(choice.id.as_str());
+            continue;
+        }
         for option in &choice.options {
             // A page tells its options apart under some edition, which it does not name.
             let under: Vec<_> =
