@@ -90,6 +90,8 @@ pub(crate) struct Modal {
     tool: i32,
     /// Tool that T selected since the last change, [`tool::NO_TOOL`] where it selected none.
     prepared: Option<i32>,
+    /// Tool that T selected last; a change takes nothing from it.
+    selected: Option<i32>,
     /// Tool table, machine unit.
     tools: Vec<Tool>,
     /// Tools that the block has changed, with their places, as they were.
@@ -158,6 +160,7 @@ impl Modal {
             feed_spindle: 0,
             tool: in_spindle.map_or(0, tool::number_of),
             prepared: None,
+            selected: None,
             tools: machine.tools.clone(),
             changed_tools: Vec::with_capacity(2),
             controller_mode: ControllerMode::Auto,

@@ -142,7 +142,7 @@ impl Modal {
             Predefined::CurrentTool => f64::from(self.tool),
             Predefined::CurrentPocket => f64::from(self.tool_index(self.tool)),
             Predefined::SelectedTool => {
-                f64::from(self.prepared.map_or(NO_TOOL, |tool| tool.max(0)))
+                f64::from(self.selected.map_or(NO_TOOL, |tool| tool.max(0)))
             }
             Predefined::SelectedPocket => {
                 f64::from(self.prepared.map_or(-1, |tool| self.tool_index(tool)))

@@ -58,6 +58,7 @@ impl Modal {
             None => NO_TOOL,
         };
         self.prepared = Some(tool);
+        self.selected = Some(tool);
         self.perform(line, &Effect::PrepareTool { tool: tool.max(0) }, sink)
     }
 
@@ -195,10 +196,6 @@ impl Modal {
     ) -> Result<Option<&Tool>, Refusal> {
         let number = match word {
             Some(word) => integer(word, letter)?,
-            // Without a word a tool must be there for G43 (11.11.1), need not for G41 (11.5.26).
-            None if self.tool == 0 && !self.random_tool_changer && letter == "H" => {
-                return refuse(FaultKind::ToolNotFound, "G43 without a tool in the spindle");
-            }
             None => self.tool,
         };
         if number < 0 {

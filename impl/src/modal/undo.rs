@@ -21,6 +21,7 @@ pub(super) struct Before {
     feed_spindle: u32,
     tool: i32,
     prepared: Option<i32>,
+    selected: Option<i32>,
     controller_mode: ControllerMode,
 }
 
@@ -40,6 +41,7 @@ impl Modal {
             feed_spindle: self.feed_spindle,
             tool: self.tool,
             prepared: self.prepared,
+            selected: self.selected,
             controller_mode: self.controller_mode,
         }
     }
@@ -71,6 +73,7 @@ impl Modal {
         self.feed_spindle = before.feed_spindle;
         self.tool = before.tool;
         self.prepared = before.prepared;
+        self.selected = before.selected;
         self.controller_mode = before.controller_mode;
     }
 }

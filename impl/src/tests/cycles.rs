@@ -94,7 +94,7 @@ fn a_step_is_bounded() {
             assert!(sink.effects.len() - before <= 64, "{cycle}");
             before = sink.effects.len();
         }
-        assert!(before > 1000, "{cycle}: {before}");
+        assert!(before > 800, "{cycle}: {before}");
         // An operator can abort within it, and then run something else.
         interpreter.abort(&mut Recorder::default());
         let settings = interpreter.settings();
@@ -150,7 +150,9 @@ fn check_hole(cycle: &str, start: i8, old: &str) {
     let ends: Vec<[f64; 3]> = points.filter_map(|(_, text)| point(text)).collect();
     let lowest = ends.iter().map(|[_, _, z]| *z).fold(f64::INFINITY, f64::min);
     assert_eq!(lowest, bottom);
-    let clear = if old == "g98" { retract.max(f64::from(start)) } else { retract };
+    // G73 ends at R, whatever the return mode says.
+    let returns = old == "g98" && !cycle.starts_with("g73");
+    let clear = if returns { retract.max(f64::from(start)) } else { retract };
     assert_eq!(ends.last().unwrap()[2], clear);
     for pair in ends.windows(2) {
         let ([x0, y0, z0], [x1, y1, z1]) = (pair[0], pair[1]);

@@ -5,11 +5,11 @@ extern crate std;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Machine, Options};
+use gaugeblock_trace::{FaultKind, Machine, Options};
 use proptest::prelude::*;
 
 use super::Recorder;
-use crate::{Interpreter, Limits, Progress, Source, Unreadable};
+use crate::{Error, Interpreter, Limits, Progress, Source, Unreadable};
 
 /// A source that gives so many bytes at a time.
 struct Pieces<'a> {
@@ -194,6 +194,8 @@ proptest! {
             let before = state(&mut interpreter);
             match interpreter.step(&mut source, &mut Recorder::default()) {
                 Ok(Progress::More | Progress::Stopped) => {}
+                // An unsuccessful probe has been made.
+                Err(Error::Fault(fault)) if fault.kind == Some(FaultKind::Probe) => break,
                 Err(_) | Ok(Progress::Ended(gaugeblock_trace::End::Unsupported { .. })) => {
                     prop_assert_eq!(before, state(&mut interpreter), "{}", program);
                     break;

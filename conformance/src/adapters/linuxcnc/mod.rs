@@ -74,7 +74,7 @@ const HIDDEN_EFFECTS: &[&str] = &[
 /// How long a pin's value lasts that is seen for sure: some cycles of the servo thread and of the I/O controller.
 const PIN_PERIOD: f64 = 0.01;
 
-/// How often a run is repeated in which a new controller breaks.
+/// How often a run is repeated in which a new controller prints what nobody understands.
 const CHANCES: u32 = 2;
 
 /// The controller.
@@ -113,7 +113,7 @@ impl LinuxCnc {
         // Stored parameters change where the machine stands to begin with.
         let stores = !scenario.machine.parameters.0.is_empty();
         // A controller that was used before may be other than a new one; then the run is repeated on a new one. One that
-        // breaks is given another chance there, too: on a loaded machine its real-time tasks answer too late.
+        // prints what it should not is given another chance there, too: on a loaded machine its real-time tasks are too late.
         let mut chances = CHANCES;
         loop {
             let mut session = self.pool.take(&setup, &names, &tools, new || stores)?;
@@ -122,10 +122,7 @@ impl LinuxCnc {
                 Ok(seen) => seen,
                 Err(error) => {
                     self.pool.end(session);
-                    let broke = matches!(
-                        error,
-                        HarnessError::Crashed { .. } | HarnessError::Unreadable { .. }
-                    );
+                    let broke = matches!(error, HarnessError::Unreadable { .. });
                     if is_new && (chances == 0 || !broke) {
                         return Err(error);
                     }

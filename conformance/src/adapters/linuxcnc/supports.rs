@@ -55,6 +55,9 @@ fn program(program: &Program) -> Result<(), String> {
     if source.has_g_code(&["g5", "g5.1", "g5.2", "g5.3"]) {
         return Err("it shows a spline as the arcs that it makes of it".to_owned());
     }
+    if source.has_g_code(&["g17.1", "g18.1", "g19.1"]) && source.has_g_code(&["g81"]) {
+        return Err("it does not show where U, V and W are".to_owned());
+    }
     if source.names_line() {
         return Err("probes would change the line numbers that it asks for".to_owned());
     }

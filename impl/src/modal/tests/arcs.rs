@@ -151,14 +151,22 @@ fn tolerance_of_radii() {
         ("g20 g2 x20.0101 i10", false),
         ("g20 g2 x200.049 i100", true),
         ("g20 g2 x200.051 i100", false),
-        // A chord that is hardly longer than the diameter.
-        ("g21 g2 x2.0019 r1", true),
-        ("g21 g2 x2.0021 r1", false),
-        ("g20 g2 x2.00019 r1", true),
-        ("g20 g2 x2.00021 r1", false),
     ] {
         let program = alloc::format!("f1; {line}");
         check(&program, if good { After("motion = arc_cw") } else { Refused(BadArc) });
+    }
+    // A chord that is hardly longer than the diameter makes half a circle where the reading says so.
+    let half_circle = &[("arcs.radius-just-too-small", "half-circle")];
+    for (line, good) in [
+        ("g21 g2 x2.0025 r1", true),
+        ("g21 g2 x2.0026 r1", false),
+        ("g20 g2 x2.000099 r1", true),
+        ("g20 g2 x2.000101 r1", false),
+    ] {
+        let program = alloc::format!("f1; {line}");
+        check(&program, Refused(BadArc));
+        let expected = if good { After("motion = arc_cw") } else { Refused(BadArc) };
+        check_on(&machine(), half_circle, &program, expected);
     }
     // A radius of nothing has no thousandth.
     check("f1; g2 x0.1 i0", Refused(BadArc));

@@ -124,7 +124,7 @@ fn pecks() {
     shows(
         at,
         "g73 x1 z-1 r1 q1.5",
-        &[above, down, "feed (x1 z-0.5)", "rapid (x1 z-0.246)", "feed (x1 z-1)", out],
+        &[above, down, "feed (x1 z-0.5)", "rapid (x1 z-0.246)", "feed (x1 z-1)", down],
     );
     shows(
         "g20; f100; g0 z5; g99",

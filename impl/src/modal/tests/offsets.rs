@@ -80,7 +80,7 @@ fn tool_length_offsets() {
     check("g43 h1; g43.2 z1", After("tool_offset = (z11)"));
     check("g43 h1; g49", After("tool_length = off, tool_offset = (), position = ()"));
     check_on(&inch_machine(), &[], "g43 h1", After("tool_offset = (z254)"));
-    check("g43", Refused(ToolNotFound));
+    check("g43", After("tool_length = on, tool_offset = ()"));
     check("g43 h9", Refused(ToolNotFound));
     check("g43.2 h9", Refused(ToolNotFound));
     check("g43 h-1", Refused(WordOutOfRange));

@@ -31,7 +31,8 @@ fn no_contact() {
     check("f10; g38.2 x4", Refused(Probe));
     check("f10; g38.4 x4", Refused(Probe));
     let run = super::run(&super::machine(), &[], "f10; g0 x1; g38.2 x4");
-    assert_eq!((run.value("#5061"), run.value("position")), ("0".into(), "(x1)".into()));
+    // What the parameters hold after an unsuccessful probe is said of every code.
+    assert_eq!((run.value("#5061"), run.value("position")), ("4".into(), "(x4)".into()));
     assert_eq!(run.value("motion"), "traverse");
 }
 

@@ -74,6 +74,8 @@ fn faster_than_an_axis() {
 }
 
 const SYNC: &str = "start_spindle_synchronisation spindle=0 pitch=0.5";
+/// Half a unit along the drive line for each revolution, on a taper of one to two.
+const ASLANT: &str = "start_spindle_synchronisation spindle=0 pitch=0.5590169943749475";
 const FREE: &str = "stop_spindle_synchronisation";
 
 #[test]
@@ -137,18 +139,22 @@ fn tapers_and_slide() {
         at,
         "g76 p0.5 z-6 i-1 j0.5 k1 l3 e2",
         &[
-            SYNC,
+            ASLANT,
             "feed (x9.5 z2)",
             "feed (x8.5)",
+            SYNC,
             "feed (x8.5 z-4)",
+            ASLANT,
             "feed (x9.5 z-6)",
             FREE,
             "rapid (x10 z-6)",
             "rapid (x10 z2)",
-            SYNC,
+            ASLANT,
             "feed (x9 z2)",
             "feed (x8)",
+            SYNC,
             "feed (x8 z-4)",
+            ASLANT,
             "feed (x9 z-6)",
             FREE,
             "rapid (x10 z-6)",
@@ -157,18 +163,18 @@ fn tapers_and_slide() {
     shows(
         at,
         "g76 p0.5 z-6 i-1 j1 k1 l1 e2",
-        &[SYNC, "feed (x9 z2)", "feed (x8)", "feed (x8 z-6)", FREE, "rapid (x10 z-6)"],
+        &[ASLANT, "feed (x9 z2)", "feed (x8)", SYNC, "feed (x8 z-6)", FREE, "rapid (x10 z-6)"],
     );
     shows(
         at,
         "g76 p0.5 z-6 i-1 j1 k1 l2 e2",
-        &["rapid (x8 z2)", SYNC, "feed (x8 z-4)", "feed (x9 z-6)", FREE, "rapid (x10 z-6)"],
+        &["rapid (x8 z2)", SYNC, "feed (x8 z-4)", ASLANT, "feed (x9 z-6)", FREE, "rapid (x10 z-6)"],
     );
     // The slide moves a pass in the direction of the feed; the end is the end of the drive line.
     let run = run(&machine(), &[], &alloc::format!("{at}; g76 p0.5 z-6 i-1 j1 k1 q45"));
     let text = run.sink.effects.join("; ");
     assert!(text.contains("(x8 z1); 3 start_spindle_synchronisation"), "{text}");
-    assert!(text.contains("straight_feed end=(x8 z-7); 3 stop"), "{text}");
+    assert!(text.contains("straight_feed end=(x8 z-6); 3 stop"), "{text}");
     assert!(text.ends_with("3 straight_traverse end=(x10 z-6)"), "{text}");
 }
 

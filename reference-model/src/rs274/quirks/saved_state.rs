@@ -9,7 +9,7 @@ use gaugeblock_trace::{
 use crate::rs274::machine::State;
 use crate::rs274::modes::{Modes, Spindle, unit_size};
 use crate::rs274::refusal::{Halt, refuse};
-use crate::rs274::step::restore::same;
+use crate::rs274::step::restore::{restored_turn, same};
 use crate::rs274::step::tool_length::{apply, table_offset};
 
 /// Quirk rs274.tool-offset-restore. G43 is programmed again when the offset is off, with the tool in the spindle; an offset
@@ -115,7 +115,7 @@ fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Hal
         speed,
         mode: saved.mode,
         limit,
-        turn: saved.turn,
+        turn: restored_turn(saved.turn, now.turn),
         speed_override: now.speed_override,
         brake_released: now.brake_released,
     })

@@ -26,11 +26,15 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     let angle = angle(words, state)?;
     let direction = direction(words, state)?;
     let timeout = timeout(words, state)?;
+    if angle.is_some() {
+        for place in &spindles {
+            state.modes.spindles[*place].turn = SpindleTurn::Oriented;
+        }
+    }
     for place in &spindles {
         // The machine has no more than 255 spindles.
         let Ok(spindle) = u8::try_from(*place) else { continue };
         if let Some(angle) = angle {
-            state.modes.spindles[*place].turn = SpindleTurn::Oriented;
             state.evidence.accepted("orient.replaces-turning");
             begin(*place, angle, direction, state);
             let spindle = u32::from(spindle);

@@ -1,6 +1,6 @@
 //! What a restore brings back, item by item.
 
-use gaugeblock_trace::{Motion, Path, Switch};
+use gaugeblock_trace::{Motion, SpindleTurn, Switch};
 
 use super::offsets::use_system;
 use super::tool_length::apply;
@@ -122,17 +122,15 @@ fn coordinates(saved: &Modes, state: &mut State) -> Result<(), Halt> {
 }
 
 /// Rule saved-state.path. The mode comes back.
-/// Rule saved-state.path-tolerances. G64 comes back with both tolerances; the other modes have none.
+/// Rule saved-state.path-tolerances. It comes back with both tolerances, those of a mode that does not use them too.
 fn path(saved: &Modes, state: &mut State) {
     if state.readings.quirk("rs274.tolerance-unit") {
         return quirks::path(saved, state);
     }
     state.modes.path = saved.path;
-    if saved.path == Path::Continuous {
-        state.modes.blend_tolerance = saved.blend_tolerance;
-        state.modes.naive_cam_tolerance = saved.naive_cam_tolerance;
-        state.modes.tolerance_unit = saved.tolerance_unit;
-    }
+    state.modes.blend_tolerance = saved.blend_tolerance;
+    state.modes.naive_cam_tolerance = saved.naive_cam_tolerance;
+    state.modes.tolerance_unit = saved.tolerance_unit;
 }
 
 /// Rule saved-state.compensation. Off, left and right come back, dynamic or not.
@@ -164,9 +162,22 @@ fn spindles(saved: &Modes, state: &mut State) -> Result<(), Halt> {
         return quirks::spindles(saved, state);
     }
     for (spindle, saved) in state.modes.spindles.iter_mut().zip(&saved.spindles) {
-        *spindle = Spindle { speed_override: spindle.speed_override, ..*saved };
+        let turn = restored_turn(saved.turn, spindle.turn);
+        if saved.turn == SpindleTurn::Oriented {
+            state.evidence.accepted("saved-state.orientation-not-saved");
+        }
+        *spindle = Spindle { speed_override: spindle.speed_override, turn, ..*saved };
     }
     Ok(())
+}
+
+/// Rule saved-state.orientation-not-saved. What is saved is M3, M4 or M5: a spindle that stood at an angle does not turn.
+pub(crate) fn restored_turn(saved: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
+    match (saved, now) {
+        (SpindleTurn::Oriented, SpindleTurn::Oriented) => SpindleTurn::Oriented,
+        (SpindleTurn::Oriented, _) => SpindleTurn::Stopped,
+        (turn, _) => turn,
+    }
 }
 
 /// Rules saved-state.mist and saved-state.flood. Each comes back apart from the other.

@@ -170,9 +170,6 @@ impl Canon {
                 self.effect(Effect::NurbsFeed { points, end: self.position })
             }
             ("SET_TOOL_TABLE_ENTRY", _) => self.tool_entry(call, &numbers),
-            ("START_SPEED_FEED_SYNC", _) => {
-                Ok(Mark::Unsupported(format!("{} does not show what the effect needs", call.name)))
-            }
             _ => self.setting(call, &numbers),
         }
     }
