@@ -57,18 +57,16 @@ fn arrival_changes_nothing() {
     for number in 0..300 {
         let mut dice = Dice::of_seed(5, number);
         let scenario = from_seed(5, number, &Recipe::default());
-        if !scenario.program.main.contains('\r') {
-            oracle::arrives(&scenario, &mut dice)
-                .unwrap_or_else(|broken| panic!("{number}: {broken}"));
-        }
+        oracle::arrives(&scenario, &mut dice).unwrap_or_else(|broken| panic!("{number}: {broken}"));
     }
 }
 
-/// FIXME: where the text is cut between a carriage return and its line feed, production comes back from M99 to the line feed, and
-/// counts it as a line.
+/// A text that is cut between a carriage return and its line feed: M99 comes back to the line that it left.
 #[test]
-fn arrival_of_a_cut_line_end_is_counted_after_m98() {
+fn a_cut_line_end_is_no_line_after_m99() {
     let scenario = Scenario::of("m8\r\nm98 p101\r\nm2\r\no101\r\nm99\r\n");
-    let mut dice = (0..60).map(|number| Dice::of_seed(6, number));
-    assert!(dice.any(|mut dice| oracle::arrives(&scenario, &mut dice).is_err()));
+    for number in 0..60 {
+        let mut dice = Dice::of_seed(6, number);
+        oracle::arrives(&scenario, &mut dice).unwrap_or_else(|broken| panic!("{number}: {broken}"));
+    }
 }

@@ -38,7 +38,7 @@ impl Interpreter {
         }
         let mut line;
         loop {
-            line = self.reader.place().line;
+            line = self.reader.line();
             self.words.clear(line);
             self.calculator.clear();
             let reading = Reading {

@@ -29,9 +29,20 @@ impl Reader {
         }
     }
 
-    /// Where the next line begins.
+    /// Where the next line begins. Behind a carriage return whose line feed may still come it is the carriage return, a blank line: whoever
+    /// goes back there takes both.
     pub(crate) fn place(&self) -> LinePlace {
-        self.place
+        let before = u32::from(self.after_return);
+        LinePlace {
+            line: self.place.line.saturating_sub(before),
+            offset: self.place.offset.saturating_sub(u64::from(before)),
+        }
+    }
+
+    /// The number of the next line.
+    #[inline]
+    pub(crate) fn line(&self) -> u32 {
+        self.place.line
     }
 
     /// Whether the next line begins at the beginning of the source's text.

@@ -85,7 +85,7 @@ impl Interpreter {
     /// The program needs more than it may use.
     #[cold]
     pub(crate) fn beyond(&self, segment: u32, limit: Limit) -> Error {
-        let line = self.reader.place().line.saturating_sub(1);
+        let line = self.reader.line().saturating_sub(1);
         Error::Beyond { limit, block: self.place(segment, line) }
     }
 

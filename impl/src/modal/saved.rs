@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{FaultKind, Motion, SpindleTurn};
+use gaugeblock_trace::{FaultKind, Motion, Path, SpindleTurn};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
@@ -195,6 +195,9 @@ impl Modal {
             modes.feed_rate
         };
         let now = self.in_force.set();
+        // G61 and G61.1 have no tolerances of their own; what they do not use stays.
+        let own = if modes.path == Path::Continuous { modes } else { &*now };
+        let tolerances = (own.blend_tolerance, own.naive_cam_tolerance);
         let mut spindles = modes.spindles;
         for (saved, now) in spindles.iter_mut().zip(&now.spindles) {
             saved.turn = restored_turn(saved.turn, now.turn);
@@ -206,6 +209,8 @@ impl Modal {
             g92_offset: now.g92_offset,
             rotation: now.rotation,
             feed_rate,
+            blend_tolerance: tolerances.0,
+            naive_cam_tolerance: tolerances.1,
             ..*modes
         };
         self.note_surface_speed();

@@ -30,7 +30,7 @@ fn everything_of_the_list_comes_back() {
         ("g97 s20", "g96 s10", "spindle_mode[0] = rpm, spindle_speed[0] = 20"),
         ("g90.1", "g91.1", "arc_distance = absolute"),
         ("g7", "g8", "lathe = diameter"),
-        ("g61", "g64 p1", "path = exact_path, blend_tolerance = 0"),
+        ("g61", "g64 p1", "path = exact_path, blend_tolerance = 1"),
         (
             "g64 p0.1 q0.2",
             "g61.1",

@@ -1,6 +1,6 @@
 //! What a restore brings back, item by item.
 
-use gaugeblock_trace::{Motion, SpindleTurn, Switch};
+use gaugeblock_trace::{Motion, Path, SpindleTurn, Switch};
 
 use super::offsets::use_system;
 use super::tool_length::apply;
@@ -122,15 +122,17 @@ fn coordinates(saved: &Modes, state: &mut State) -> Result<(), Halt> {
 }
 
 /// Rule saved-state.path. The mode comes back.
-/// Rule saved-state.path-tolerances. It comes back with both tolerances, those of a mode that does not use them too.
+/// Rule saved-state.path-tolerances. G64 comes back with both tolerances; the other modes have none.
 fn path(saved: &Modes, state: &mut State) {
     if state.readings.quirk("rs274.tolerance-unit") {
         return quirks::path(saved, state);
     }
     state.modes.path = saved.path;
-    state.modes.blend_tolerance = saved.blend_tolerance;
-    state.modes.naive_cam_tolerance = saved.naive_cam_tolerance;
-    state.modes.tolerance_unit = saved.tolerance_unit;
+    if saved.path == Path::Continuous {
+        state.modes.blend_tolerance = saved.blend_tolerance;
+        state.modes.naive_cam_tolerance = saved.naive_cam_tolerance;
+        state.modes.tolerance_unit = saved.tolerance_unit;
+    }
 }
 
 /// Rule saved-state.compensation. Off, left and right come back, dynamic or not.
