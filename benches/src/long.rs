@@ -20,6 +20,7 @@ const BLOCKS: u32 = 200_000;
 pub fn long_programs() -> Vec<LongProgram> {
     vec![
         program("feed moves", 1, "", feed_move),
+        LongProgram { name: "arcs", text: arcs() },
         program("expressions", 4, "#1=0\n#2=10.5\n#3=0\n", expressions),
         program("named parameters", 4, "#<_ang>=0\n#<r>=10.5\n", named_parameters),
         program("comments", 2, "", comments),
@@ -73,6 +74,43 @@ fn feed_move(text: &mut String, turn: u32, noise: &mut Noise) {
         put(text, format_args!(" F{}", 800 + turn / 50 % 4 * 400));
     }
     text.push('\n');
+}
+
+/// Arcs with centres, of 0.3 to 3 radians and 1 to 8 millimetres, in each plane for a thousand blocks, around the point where they began.
+fn arcs() -> String {
+    let mut noise = Noise(7);
+    let mut text = format!("{HEAD}G0 X0 Y0 Z0\n");
+    let mut place = [0.0; 3];
+    for turn in 0..BLOCKS / 2 {
+        let (plane, [first, second], [letter, other], [offset, other_offset]) =
+            match turn / 1000 % 3 {
+                0 => ("G17", [0, 1], ['X', 'Y'], ['I', 'J']),
+                1 => ("G18", [2, 0], ['Z', 'X'], ['K', 'I']),
+                _ => ("G19", [1, 2], ['Y', 'Z'], ['J', 'K']),
+            };
+        if turn.is_multiple_of(1000) {
+            put(&mut text, format_args!("{plane}\n"));
+        }
+        // The centre lies toward the origin, so that the path stays near it.
+        let inwards = libm::atan2(-place[second], -place[first]) + noise.next() - 0.5;
+        let radius = 1.0 + 7.0 * noise.next();
+        let centre = [rounded(radius * libm::cos(inwards)), rounded(radius * libm::sin(inwards))];
+        let (sign, code) = if noise.next() < 0.5 { (-1.0, 2) } else { (1.0, 3) };
+        let angle = libm::atan2(-centre[1], -centre[0]) + sign * (0.3 + 2.7 * noise.next());
+        let radius = libm::hypot(centre[0], centre[1]);
+        place[first] = rounded(place[first] + centre[0] + radius * libm::cos(angle));
+        place[second] = rounded(place[second] + centre[1] + radius * libm::sin(angle));
+        let [along, across] = [place[first], place[second]];
+        put(&mut text, format_args!("G{code} {letter}{along:.4} {other}{across:.4}"));
+        put(&mut text, format_args!(" {offset}{:.4} {other_offset}{:.4}\n", centre[0], centre[1]));
+    }
+    text.push_str("M2\n");
+    text
+}
+
+/// As it is written, with four decimals.
+fn rounded(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
 }
 
 fn expressions(text: &mut String, turn: u32, noise: &mut Noise) {
