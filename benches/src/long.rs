@@ -6,7 +6,7 @@ use std::fmt::{Arguments, Write as _};
 #[derive(Clone, Debug)]
 pub struct LongProgram {
     /// Name in tables.
-    pub name: &'static str,
+    pub name: String,
     /// Its text.
     pub text: String,
 }
@@ -16,35 +16,45 @@ const HEAD: &str = "G21 G90 G17 G94\nF1500\n";
 /// Blocks that a program executes, about.
 const BLOCKS: u32 = 200_000;
 
-/// All long programs, by what they stress.
-pub fn long_programs() -> Vec<LongProgram> {
-    vec![
-        program("feed moves", 1, "", feed_move),
-        LongProgram { name: "arcs", text: arcs() },
-        program("expressions", 4, "#1=0\n#2=10.5\n#3=0\n", expressions),
-        program("named parameters", 4, "#<_ang>=0\n#<r>=10.5\n", named_parameters),
-        program("comments", 2, "", comments),
-        LongProgram { name: "blocks in loops and subs", text: LOOPS_AND_SUBS.into() },
-        LongProgram { name: "a loop", text: LOOP.into() },
-        LongProgram { name: "calls", text: CALLS.into() },
-        LongProgram { name: "calls with M73", text: CALLS_WITH_SAVED_STATE.into() },
-    ]
+/// Names of all long programs, by what they stress.
+pub const LONG_PROGRAMS: &[&str] = &[
+    "feed moves",
+    "arcs",
+    "expressions",
+    "named parameters",
+    "comments",
+    "blocks in loops and subs",
+    "a loop",
+    "calls",
+    "calls with M73",
+];
+
+/// The long program of a name; none where there is no such program.
+pub fn long_program(name: &str) -> Option<LongProgram> {
+    let text = match name {
+        "feed moves" => program(1, "", feed_move),
+        "arcs" => arcs(),
+        "expressions" => program(4, "#1=0\n#2=10.5\n#3=0\n", expressions),
+        "named parameters" => program(4, "#<_ang>=0\n#<r>=10.5\n", named_parameters),
+        "comments" => program(2, "", comments),
+        "blocks in loops and subs" => LOOPS_AND_SUBS.into(),
+        "a loop" => LOOP.into(),
+        "calls" => CALLS.into(),
+        "calls with M73" => CALLS_WITH_SAVED_STATE.into(),
+        _ => return None,
+    };
+    Some(LongProgram { name: name.to_owned(), text })
 }
 
 /// A program of the same few blocks, each time with other numbers.
-fn program(
-    name: &'static str,
-    blocks: u32,
-    head: &str,
-    write: fn(&mut String, u32, &mut Noise),
-) -> LongProgram {
+fn program(blocks: u32, head: &str, write: fn(&mut String, u32, &mut Noise)) -> String {
     let mut noise = Noise(7);
     let mut text = format!("{HEAD}{head}");
     for turn in 0..BLOCKS / blocks {
         write(&mut text, turn, &mut noise);
     }
     text.push_str("M2\n");
-    LongProgram { name, text }
+    text
 }
 
 /// Numbers without a pattern that are the same in every run.
