@@ -69,7 +69,7 @@ impl Plan<'_> {
         if let Some(evidence) = &evidence {
             statistics.reached(evidence);
         }
-        match self.divergence(scenario, &expected, &found) {
+        match self.divergence(scenario, expected, found) {
             None => Came::Same,
             Some(_) if evidence.is_some() && self.is_fragile(scenario) => {
                 statistics.fragile += 1;
@@ -82,14 +82,14 @@ impl Plan<'_> {
     fn divergence(
         &self,
         scenario: &Scenario,
-        expected: &Outcome,
-        found: &Outcome,
+        expected: Outcome,
+        found: Outcome,
     ) -> Option<Divergence> {
+        let (expected, found) = comparable::comparable(expected, found);
         let show_pins = |side: &dyn Adapter| !side.capabilities().pins.is_empty();
-        if surely_same(expected, found, show_pins(self.iut) && show_pins(self.against)) {
+        if surely_same(&expected, &found, show_pins(self.iut) && show_pins(self.against)) {
             return None;
         }
-        let (expected, found) = comparable::comparable(expected, found);
         let shows = self.iut.shows(scenario).and(&self.against.shows(scenario));
         let comparison = compare(&Observed::of(&expected), &Observed::of(&found), &shows);
         comparison.divergence.map(|divergence| comparable::named(divergence, &expected, &found))

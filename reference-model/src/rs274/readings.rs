@@ -4,8 +4,9 @@
 //! `suite/quirks`); a test of the suite holds [`CHOICES`] and [`QUIRKS`] and those pages against each other.
 
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
-use gaugeblock_trace::Options;
+use crate::by_name::ByName;
 
 /// Every choice that the model reads, with its options; the first is the default.
 pub const CHOICES: &[(&str, &[&str])] = &[
@@ -220,10 +221,27 @@ pub const QUIRKS: &[&str] = &[
     "rs274.zero-tool-offset-off",
 ];
 
+/// What stands in the register under an id: the options of a choice, or none for a quirk.
+type Options = Option<&'static [&'static str]>;
+
+/// The register: every choice and every quirk.
+static REGISTER: LazyLock<ByName<(&'static str, Options)>> = LazyLock::new(|| {
+    let mut register = ByName::default();
+    for (id, options) in CHOICES {
+        *register.value(id) = (*id, Some(*options));
+    }
+    for id in QUIRKS {
+        *register.value(id) = (*id, None);
+    }
+    register
+});
+
 /// The options in force for a run.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default)]
 pub struct Readings {
-    chosen: Vec<(&'static str, &'static str)>,
+    /// The option of each choice that the scenario lists.
+    chosen: ByName<&'static str>,
+    /// The quirks that are shown.
     shown: BTreeSet<&'static str>,
 }
 
@@ -232,17 +250,18 @@ impl Readings {
     ///
     /// # Errors
     /// An id or option that the model does not know, as a sentence.
-    pub fn new(options: &Options) -> Result<Self, String> {
+    pub fn new(options: &gaugeblock_trace::Options) -> Result<Self, String> {
         let mut readings = Self::default();
         for (id, option) in &options.0 {
-            if let Some((id, known)) = CHOICES.iter().find(|(choice, _)| choice == id) {
-                let option = known.iter().find(|known| *known == option);
-                let option = option.ok_or_else(|| {
-                    format!("the choice {id} has the options {}", known.join(", "))
-                })?;
-                readings.chosen.push((id, option));
-            } else if let Some(quirk) = QUIRKS.iter().find(|quirk| *quirk == id) {
-                match option.as_str() {
+            match REGISTER.get(id) {
+                Some((id, Some(known))) => {
+                    let option = known.iter().find(|known| *known == option);
+                    let option = option.ok_or_else(|| {
+                        format!("the choice {id} has the options {}", known.join(", "))
+                    })?;
+                    *readings.chosen.value(id) = option;
+                }
+                Some((quirk, None)) => match option.as_str() {
                     "documented" => {}
                     "observed" => {
                         readings.shown.insert(quirk);
@@ -252,9 +271,8 @@ impl Readings {
                             "the quirk {id} is documented or observed, not {option}"
                         ));
                     }
-                }
-            } else {
-                return Err(format!("there is no choice or quirk {id}"));
+                },
+                None => return Err(format!("there is no choice or quirk {id}")),
             }
         }
         Ok(readings)
@@ -264,19 +282,16 @@ impl Readings {
     ///
     /// # Panics
     /// The choice is not in [`CHOICES`]: a fault of the model.
+    #[inline]
     pub fn choice(&self, id: &str) -> &'static str {
-        let listed =
-            self.chosen.iter().find(|(chosen, _)| *chosen == id).map(|(_, option)| *option);
-        listed.unwrap_or_else(|| {
-            let (_, options) = CHOICES
-                .iter()
-                .find(|(choice, _)| *choice == id)
-                .expect("model: a choice is in the register");
-            options[0]
-        })
+        match self.chosen.get(id) {
+            Some(option) => option,
+            None => default_of(id),
+        }
     }
 
     /// Whether a choice has this option.
+    #[inline]
     pub fn is(&self, id: &str, option: &str) -> bool {
         debug_assert!(
             CHOICES.iter().any(|(choice, options)| *choice == id && options.contains(&option)),
@@ -290,4 +305,10 @@ impl Readings {
         debug_assert!(QUIRKS.contains(&id), "model: {id} is not in the register");
         self.shown.contains(id)
     }
+}
+
+/// The first option of a choice.
+fn default_of(id: &str) -> &'static str {
+    let options = REGISTER.get(id).and_then(|(_, options)| *options);
+    options.expect("model: a choice is in the register")[0]
 }

@@ -37,7 +37,7 @@ impl Glyph {
 /// The line is too long, or a comment is not closed.
 pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Comment>), Halt> {
     line_length(line, &state.readings)?;
-    let mut glyphs = Vec::new();
+    let mut glyphs = Vec::with_capacity(line.len());
     let mut comments: Vec<Comment> = Vec::new();
     let mut at = 0;
     while let Some(character) = line[at..].chars().next() {
