@@ -6,6 +6,8 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
+use gaugeblock_trace::Options;
+
 use crate::by_name::ByName;
 
 /// Every choice that the model reads, with its options; the first is the default.
@@ -221,28 +223,50 @@ pub const QUIRKS: &[&str] = &[
     "rs274.zero-tool-offset-off",
 ];
 
-/// What stands in the register under an id: the options of a choice, or none for a quirk.
-type Options = Option<&'static [&'static str]>;
+/// What the model knows under an id.
+#[derive(Clone, Copy, Debug)]
+enum Known {
+    /// A choice: its place in [`CHOICES`], its options.
+    Choice(usize, &'static [&'static str]),
+    /// A quirk.
+    Quirk,
+}
 
-/// The register: every choice and every quirk.
-static REGISTER: LazyLock<ByName<(&'static str, Options)>> = LazyLock::new(|| {
-    let mut register = ByName::default();
-    for (id, options) in CHOICES {
-        *register.value(id) = (*id, Some(*options));
+/// Every choice and every quirk.
+struct Register {
+    /// In the order of their ids.
+    in_order: Vec<(&'static str, Known)>,
+    /// The place of each choice in [`CHOICES`].
+    places: ByName<usize>,
+}
+
+static REGISTER: LazyLock<Register> = LazyLock::new(|| {
+    let choices = CHOICES.iter().enumerate();
+    let choices = choices.map(|(place, (id, options))| (*id, Known::Choice(place, options)));
+    let mut in_order: Vec<_> = choices.chain(QUIRKS.iter().map(|id| (*id, Known::Quirk))).collect();
+    in_order.sort_unstable_by_key(|(id, _)| *id);
+    let mut places = ByName::default();
+    for (place, (id, _)) in CHOICES.iter().enumerate() {
+        *places.value(id) = place;
     }
-    for id in QUIRKS {
-        *register.value(id) = (*id, None);
-    }
-    register
+    Register { in_order, places }
 });
 
 /// The options in force for a run.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Readings {
-    /// The option of each choice that the scenario lists.
-    chosen: ByName<&'static str>,
+    /// The option of each choice, in the order of [`CHOICES`].
+    chosen: Vec<&'static str>,
     /// The quirks that are shown.
     shown: BTreeSet<&'static str>,
+}
+
+impl Default for Readings {
+    /// The first option of each choice, and no quirk.
+    fn default() -> Self {
+        let chosen = CHOICES.iter().map(|(_, options)| options[0]).collect();
+        Self { chosen, shown: BTreeSet::new() }
+    }
 }
 
 impl Readings {
@@ -250,29 +274,29 @@ impl Readings {
     ///
     /// # Errors
     /// An id or option that the model does not know, as a sentence.
-    pub fn new(options: &gaugeblock_trace::Options) -> Result<Self, String> {
+    pub fn new(options: &Options) -> Result<Self, String> {
         let mut readings = Self::default();
+        // Both are in the order of ids.
+        let mut register = REGISTER.in_order.iter().peekable();
         for (id, option) in &options.0 {
-            match REGISTER.get(id) {
-                Some((id, Some(known))) => {
-                    let option = known.iter().find(|known| *known == option);
-                    let option = option.ok_or_else(|| {
-                        format!("the choice {id} has the options {}", known.join(", "))
+            while register.next_if(|(known, _)| known < &id.as_str()).is_some() {}
+            let Some((id, known)) = register.next_if(|(known, _)| known == id) else {
+                return Err(format!("there is no choice or quirk {id}"));
+            };
+            match (known, option.as_str()) {
+                (Known::Choice(place, options), option) => {
+                    let known = options.iter().find(|known| **known == option);
+                    readings.chosen[*place] = known.ok_or_else(|| {
+                        format!("the choice {id} has the options {}", options.join(", "))
                     })?;
-                    *readings.chosen.value(id) = option;
                 }
-                Some((quirk, None)) => match option.as_str() {
-                    "documented" => {}
-                    "observed" => {
-                        readings.shown.insert(quirk);
-                    }
-                    _ => {
-                        return Err(format!(
-                            "the quirk {id} is documented or observed, not {option}"
-                        ));
-                    }
-                },
-                None => return Err(format!("there is no choice or quirk {id}")),
+                (Known::Quirk, "documented") => {}
+                (Known::Quirk, "observed") => {
+                    readings.shown.insert(id);
+                }
+                (Known::Quirk, _) => {
+                    return Err(format!("the quirk {id} is documented or observed, not {option}"));
+                }
             }
         }
         Ok(readings)
@@ -284,10 +308,8 @@ impl Readings {
     /// The choice is not in [`CHOICES`]: a fault of the model.
     #[inline]
     pub fn choice(&self, id: &str) -> &'static str {
-        match self.chosen.get(id) {
-            Some(option) => option,
-            None => default_of(id),
-        }
+        let place = REGISTER.places.get(id).expect("model: a choice is in the register");
+        self.chosen[*place]
     }
 
     /// Whether a choice has this option.
@@ -305,10 +327,4 @@ impl Readings {
         debug_assert!(QUIRKS.contains(&id), "model: {id} is not in the register");
         self.shown.contains(id)
     }
-}
-
-/// The first option of a choice.
-fn default_of(id: &str) -> &'static str {
-    let options = REGISTER.get(id).and_then(|(_, options)| *options);
-    options.expect("model: a choice is in the register")[0]
 }

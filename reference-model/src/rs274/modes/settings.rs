@@ -18,7 +18,7 @@ impl Modes {
     fn recorded(&self, before: Option<&Self>) -> Settings {
         macro_rules! of {
             ($mode:ident) => {
-                before.is_none_or(|before| self.$mode != before.$mode).then_some(self.$mode)
+                (before.map(|before| before.$mode) != Some(self.$mode)).then_some(self.$mode)
             };
         }
         Settings {

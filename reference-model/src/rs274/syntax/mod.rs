@@ -39,7 +39,7 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
 ///
 /// Anything else is `None`; nothing is refused, and no rule is reached.
 pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
-    if !line.contains(['o', 'O']) {
+    if !line.contains('o') && !line.contains('O') {
         return None;
     }
     let before = std::mem::take(&mut state.evidence);

@@ -79,13 +79,17 @@ impl<'a> Parser<'a> {
 
     /// The characters up to the first that is not wanted; goes on behind them.
     pub(super) fn take_while(&mut self, wanted: impl Fn(char) -> bool) -> String {
-        let taken: String = self.glyphs[self.at.min(self.glyphs.len())..]
-            .iter()
-            .map(|glyph| glyph.character)
-            .take_while(|character| wanted(*character))
-            .collect();
-        self.at += taken.chars().count();
+        let mut taken = String::new();
+        self.take_into(&mut taken, wanted);
         taken
+    }
+
+    /// The same; they are added to a text.
+    pub(super) fn take_into(&mut self, text: &mut String, wanted: impl Fn(char) -> bool) {
+        while let Some(character) = self.peek().filter(|character| wanted(*character)) {
+            text.push(character);
+            self.advance();
+        }
     }
 
     /// The place, for [`Self::span_from`] and for going back.
