@@ -3,6 +3,7 @@
 //! The sentences, sources and the programs that tell options apart are pages of the suite (`suite/choices`,
 //! `suite/quirks`); a test of the suite holds [`CHOICES`] and [`QUIRKS`] and those pages against each other.
 
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
@@ -277,10 +278,14 @@ impl Readings {
     pub fn new(options: &Options) -> Result<Self, String> {
         let mut readings = Self::default();
         // Both are in the order of ids.
-        let mut register = REGISTER.in_order.iter().peekable();
+        let mut register = REGISTER.in_order.iter();
         for (id, option) in &options.0 {
-            while register.next_if(|(known, _)| known < &id.as_str()).is_some() {}
-            let Some((id, known)) = register.next_if(|(known, _)| known == id) else {
+            let found = register.find_map(|(known, what)| match (*known).cmp(id.as_str()) {
+                Ordering::Less => None,
+                Ordering::Equal => Some(Some((*known, what))),
+                Ordering::Greater => Some(None),
+            });
+            let Some((id, known)) = found.flatten() else {
                 return Err(format!("there is no choice or quirk {id}"));
             };
             match (known, option.as_str()) {

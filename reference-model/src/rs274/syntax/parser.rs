@@ -23,7 +23,7 @@ pub(super) struct Parser<'a> {
 
 impl<'a> Parser<'a> {
     pub(super) fn new(glyphs: &'a [Glyph], readings: &'a Readings) -> Self {
-        Self { glyphs, at: 0, readings, reached: Vec::new(), failed: Vec::new() }
+        Self { glyphs, at: 0, readings, reached: Vec::with_capacity(16), failed: Vec::new() }
     }
 
     /// A rule decided something.
