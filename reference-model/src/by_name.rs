@@ -111,11 +111,11 @@ mod tests {
             .chain(["", "a", "b"])
             .collect();
         let mut table = ByName::default();
-        for (place, name) in names.iter().enumerate() {
+        for (place, name) in names.iter().copied().enumerate() {
             assert_eq!(table.get(name), None, "{name}");
             *table.value(name) = place;
         }
-        for (place, name) in names.iter().enumerate() {
+        for (place, name) in names.iter().copied().enumerate() {
             assert_eq!(table.get(name), Some(&place), "{name}");
             assert_eq!(*table.value(name), place, "{name}");
         }

@@ -147,7 +147,7 @@ impl Phases {
     pub fn of(words: &Words) -> Self {
         let groups = groups(words);
         let phases = Phase::ALL.iter().filter(|phase| phase.is_in(words, &groups));
-        Self(phases.fold(0, |bits, phase| bits | 1 << *phase as u32))
+        Self(phases.fold(0, |bits, phase| bits | (1 << *phase as u32)))
     }
 
     /// Whether a phase is among them.
