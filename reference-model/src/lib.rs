@@ -7,11 +7,12 @@
 //! **Invariants.** It reads nothing but the scenario: no clock, no file, no environment, no random source. It panics on
 //! no scenario. It is written from the documents, without reading the production interpreter.
 
+mod by_name;
 mod evidence;
 mod math;
 pub mod rs274;
 
-pub use evidence::{Evidence, RuleOutcome};
+pub use evidence::{Evidence, RuleOutcome, Tally};
 
 use gaugeblock_trace::{Language, Outcome, Scenario};
 

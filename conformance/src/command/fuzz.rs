@@ -129,21 +129,21 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
         bench: edition.bench.clone(),
     };
     let header = header(arguments, &plan, edition);
-    let (journal, done) = match &arguments.report {
-        Some(folder) => {
-            let (journal, done) =
-                Journal::open(folder, &header, arguments.resume).map_err(|why| {
-                    Refused::wrong(
-                        why,
-                        "--resume goes on with the same call; another run needs another folder",
-                    )
-                })?;
-            (Some(journal), done)
-        }
-        None => (None, Vec::new()),
-    };
     let mut so_far = SoFar::default();
-    done.into_iter().for_each(|chunk| so_far.add(chunk));
+    let journal = match &arguments.report {
+        Some(folder) => {
+            let journal = Journal::open(folder, &header, arguments.resume, &mut |chunk| {
+                so_far.add(chunk);
+            });
+            Some(journal.map_err(|why| {
+                Refused::wrong(
+                    why,
+                    "--resume goes on with the same call; another run needs another folder",
+                )
+            })?)
+        }
+        None => None,
+    };
     let begun = now();
     generate(arguments, &plan, journal, &mut so_far)?;
     let seconds = begun.elapsed().as_secs_f64();

@@ -140,20 +140,16 @@ impl Walk<'_> {
         if !same {
             return Some(missing(Some(block.clone()), describe(a), describe(b)));
         }
-        let shown = self.shows.fields_at_effects.clone();
-        self.fields(block, &a.settings.entries(), &b.settings.entries(), &shown)
+        let shown = &self.shows.fields_at_effects;
+        self.fields(block, &a.settings.entries(), &b.settings.entries(), shown)
     }
 
     /// The first state that differs, and its step.
     fn states(&mut self, expected: &Observed, found: &Observed) -> Option<(usize, Divergence)> {
-        let recorded = |run: &Observed| -> Vec<(usize, ObservedStep)> {
-            let steps = run.steps.iter().cloned().enumerate();
-            steps.filter(|(_, step)| step.state.is_some()).collect()
-        };
         let (left, right) = (recorded(expected), recorded(found));
         for place in 0..left.len().max(right.len()) {
             let (Some((at, a)), Some((_, b))) = (left.get(place), right.get(place)) else {
-                let name = |step: Option<&(usize, ObservedStep)>| {
+                let name = |step: Option<&(usize, &ObservedStep)>| {
                     step.map_or_else(|| "no further block".to_owned(), |(_, s)| s.block.to_string())
                 };
                 let at = left.get(place).map_or(usize::MAX, |(at, _)| *at);
@@ -181,8 +177,8 @@ impl Walk<'_> {
             entries.retain(|entry| entry.field != "parameter");
             entries
         };
-        let shown = self.shows.fields.clone();
-        self.fields(&a.block, &entries(a), &entries(b), &shown)
+        let shown = &self.shows.fields;
+        self.fields(&a.block, &entries(a), &entries(b), shown)
     }
 
     fn fields(
@@ -231,13 +227,13 @@ impl Walk<'_> {
     /// What is left to compare at the end: settings that effects would show, numbered parameters, and pins.
     fn last(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
         let block = expected.steps.last()?.block.clone();
-        let shown = self.shows.fields_at_effects.clone();
+        let shown = &self.shows.fields_at_effects;
         let entries = |settings: &Settings| settings.entries();
         let settings = self.fields(
             &block,
             &entries(expected.last_settings()),
             &entries(found.last_settings()),
-            &shown,
+            shown,
         );
         settings.or_else(|| self.parameters(expected, found)).or_else(|| self.pins(expected, found))
     }
@@ -298,6 +294,11 @@ impl Walk<'_> {
         }
         None
     }
+}
+
+/// The steps after which a state is recorded, each with its place.
+fn recorded(run: &Observed) -> Vec<(usize, &ObservedStep)> {
+    run.steps.iter().enumerate().filter(|(_, step)| step.state.is_some()).collect()
 }
 
 /// Two faults are the same when they are at the same block; kinds are judged by assertions, where a document names them.

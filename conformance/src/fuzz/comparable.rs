@@ -1,7 +1,5 @@
 //! What of two runs of a program that nobody has read can be compared, and how a difference is named.
 
-use std::borrow::Cow;
-
 use gaugeblock_trace::{Bound, End, Event, Fault, Outcome};
 
 use crate::compare::{Divergence, end_text};
@@ -10,18 +8,14 @@ use crate::compare::{Divergence, end_text};
 ///
 /// What a refused block did before it was refused is unspecified, and so are the parameters after it. A run whose budget ran out is the
 /// beginning of a longer one, and what a budget counts is each interpreter's own: blocks that both finished are compared.
-pub(super) fn comparable<'a>(
-    expected: &'a Outcome,
-    found: &'a Outcome,
-) -> (Cow<'a, Outcome>, Cow<'a, Outcome>) {
-    let (mut expected, mut found) = (Cow::Borrowed(expected), Cow::Borrowed(found));
+pub(super) fn comparable(mut expected: Outcome, mut found: Outcome) -> (Outcome, Outcome) {
     if is_exhausted(&expected) || is_exhausted(&found) {
         let sure = finished(&expected).min(finished(&found)).saturating_sub(1);
-        cut(expected.to_mut(), sure);
-        cut(found.to_mut(), sure);
+        cut(&mut expected, sure);
+        cut(&mut found, sure);
     } else if matches!(expected.end, End::Fault(_)) || matches!(found.end, End::Fault(_)) {
-        expected.to_mut().parameters = None;
-        found.to_mut().parameters = None;
+        expected.parameters = None;
+        found.parameters = None;
     }
     (expected, found)
 }

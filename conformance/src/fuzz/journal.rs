@@ -1,7 +1,7 @@
 //! The journal of a run: a header, then a line for each chunk that is done. A kill at any moment loses at most the chunks in work.
 
 use std::fs::{File, OpenOptions};
-use std::io::Write as _;
+use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -53,7 +53,7 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Begins a journal in a folder, or goes on with the one there; gives the chunks that are done.
+    /// Begins a journal in a folder, or goes on with the one there; `done` is told of each chunk that is done, one at a time.
     ///
     /// # Errors
     /// The folder cannot be written, a journal is there although nothing is to be resumed, or it is of something else.
@@ -61,33 +61,34 @@ impl Journal {
         folder: &Path,
         header: &Header,
         resume: bool,
-    ) -> Result<(Self, Vec<Chunk>), String> {
+        done: &mut dyn FnMut(Chunk),
+    ) -> Result<Self, String> {
         let path = folder.join(FILE);
         let name = path.display();
         let failed = |error: std::io::Error| format!("{name}: {error}");
-        let mut done = Vec::new();
         let mut kept = 0;
         if path.exists() {
             if !resume {
                 return Err(format!("{name}: there is a journal already"));
             }
-            let text = std::fs::read_to_string(&path).map_err(failed)?;
-            // A line without its end was being written when the run was killed.
-            let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
-            let mut lines = whole.lines();
-            if let Some(first) = lines.next() {
-                let found: Header =
-                    serde_json::from_str(first).map_err(|e| format!("{name}:1: {e}"))?;
-                if found != *header {
-                    return Err(format!("{name}: it is of another run: {first}"));
+            let mut lines = BufReader::new(File::open(&path).map_err(failed)?);
+            let mut line = Vec::new();
+            for at in 1.. {
+                line.clear();
+                lines.read_until(b'\n', &mut line).map_err(failed)?;
+                // A line without its end was being written when the run was killed.
+                if line.last() != Some(&b'\n') {
+                    break;
                 }
+                let unreadable = |error: serde_json::Error| format!("{name}:{at}: {error}");
+                if at > 1 {
+                    done(serde_json::from_slice(&line).map_err(unreadable)?);
+                } else if serde_json::from_slice::<Header>(&line).map_err(unreadable)? != *header {
+                    let first = String::from_utf8_lossy(&line);
+                    return Err(format!("{name}: it is of another run: {}", first.trim_end()));
+                }
+                kept += line.len();
             }
-            for (at, line) in lines.enumerate() {
-                let chunk =
-                    serde_json::from_str(line).map_err(|e| format!("{name}:{}: {e}", at + 2))?;
-                done.push(chunk);
-            }
-            kept = whole.len();
         }
         let file = OpenOptions::new().create(true).append(true).open(&path).map_err(failed)?;
         file.set_len(u64::try_from(kept).unwrap_or_default()).map_err(failed)?;
@@ -95,7 +96,7 @@ impl Journal {
         if kept == 0 {
             journal.line(header).map_err(|error| format!("{name}: {error}"))?;
         }
-        Ok((journal, done))
+        Ok(journal)
     }
 
     /// Writes down that a chunk is done.
@@ -140,21 +141,26 @@ mod tests {
         let path = folder.join(FILE);
         let _absent = std::fs::remove_file(&path);
         let chunk = |chunk| Chunk { chunk, statistics: Statistics::default(), found: Vec::new() };
-        let (mut journal, done) = Journal::open(&folder, &header(), false).unwrap();
+        let open = |header: &Header, resume| {
+            let mut done = Vec::new();
+            Journal::open(&folder, header, resume, &mut |chunk| done.push(chunk))
+                .map(|journal| (journal, done))
+        };
+        let (mut journal, done) = open(&header(), false).unwrap();
         assert!(done.is_empty());
         journal.done(&chunk(0)).unwrap();
         journal.done(&chunk(1)).unwrap();
         drop(journal);
         let text = std::fs::read_to_string(&path).unwrap();
         std::fs::write(&path, &text[..text.len() - 5]).unwrap();
-        assert!(Journal::open(&folder, &header(), false).is_err(), "nothing is overwritten");
+        assert!(open(&header(), false).is_err(), "nothing is overwritten");
         let other = Header { seed: 2, ..header() };
-        assert!(Journal::open(&folder, &other, true).is_err(), "another run is not gone on with");
-        let (mut journal, done) = Journal::open(&folder, &header(), true).unwrap();
+        assert!(open(&other, true).is_err(), "another run is not gone on with");
+        let (mut journal, done) = open(&header(), true).unwrap();
         assert_eq!(done, [chunk(0)]);
         journal.done(&chunk(2)).unwrap();
         drop(journal);
-        let (_, done) = Journal::open(&folder, &header(), true).unwrap();
+        let (_, done) = open(&header(), true).unwrap();
         assert_eq!(done, [chunk(0), chunk(2)]);
         std::fs::remove_dir_all(&folder).unwrap();
     }

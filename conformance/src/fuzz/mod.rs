@@ -72,6 +72,11 @@ pub struct Plan<'a> {
 impl Plan<'_> {
     /// The scenario of a number.
     pub fn scenario(&self, number: u64) -> Scenario {
+        self.scenario_under(number, self.options.clone())
+    }
+
+    /// The same; `options` are the edition's, and come with the scenario.
+    fn scenario_under(&self, number: u64, options: Options) -> Scenario {
         let mut dice = Dice::of_seed(self.seed, number);
         let splices = !self.seeds.is_empty() && dice.chance(self.spliced);
         let mut scenario = if splices {
@@ -79,11 +84,16 @@ impl Plan<'_> {
         } else {
             generate::scenario(&mut dice, &self.recipe)
         };
-        scenario.options.clone_from(&self.options);
+        scenario.options = options;
         for choice in self.random.iter().filter(|choice| choice.kind == ChoiceKind::Choice) {
             if dice.chance(25) {
-                let option = dice.pick(&choice.options).name.clone();
-                scenario.options.0.insert(choice.id.clone(), option);
+                let option = &dice.pick(&choice.options).name;
+                match scenario.options.0.get_mut(&choice.id) {
+                    Some(chosen) => chosen.clone_from(option),
+                    None => {
+                        scenario.options.0.insert(choice.id.clone(), option.clone());
+                    }
+                }
             }
         }
         if scenario.bench == Bench::default() {
@@ -92,19 +102,42 @@ impl Plan<'_> {
         scenario
     }
 
+    /// The edition's options again, out of those of a program. To build all of them anew would cost more than the program.
+    fn options_again(&self, mut used: Options) -> Options {
+        if used.0.len() != self.options.0.len() {
+            return self.options.clone();
+        }
+        for (used, option) in used.0.values_mut().zip(self.options.0.values()) {
+            if used != option {
+                used.clone_from(option);
+            }
+        }
+        used
+    }
+
     fn chunk(&self, chunk: u64, programs: u64, stop: &AtomicBool) -> Option<Chunk> {
         let mut statistics = Statistics::default();
         let mut groups = Groups::default();
         let first = chunk * CHUNK;
+        let mut options = self.options.clone();
         for number in first..(first + CHUNK).min(programs) {
             if stop.load(Ordering::Relaxed) {
                 return None;
             }
-            let scenario = self.scenario(number);
-            if let Came::Differs(difference) = self.judge(&scenario, &mut statistics) {
-                groups.add(Find::of(number, scenario, *difference));
-            }
+            let scenario = self.scenario_under(number, options);
+            options = match self.judge(&scenario, &mut statistics) {
+                Came::Differs(difference) => {
+                    groups.add(Find::of(number, scenario, *difference));
+                    self.options.clone()
+                }
+                Came::Same
+                | Came::Fragile
+                | Came::Unsupported
+                | Came::Unspecified
+                | Came::NotJudged => self.options_again(scenario.options),
+            };
         }
+        statistics.settle();
         Some(Chunk { chunk, statistics, found: groups.finds() })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_reference::{Evidence, RuleOutcome};
+use gaugeblock_reference::{Evidence, RuleOutcome, Tally};
 use gaugeblock_trace::{End, Outcome, Scenario};
 use serde::{Deserialize, Serialize};
 
@@ -41,6 +41,9 @@ pub struct Statistics {
     pub rules: Counts,
     /// Compared programs in which each code stands.
     pub codes: Counts,
+    /// What the model reached in programs that are not in [`Self::rules`] yet.
+    #[serde(skip)]
+    reached: Tally,
 }
 
 impl Statistics {
@@ -85,16 +88,28 @@ impl Statistics {
         scenario.program.files.values().for_each(|text| codes_of(text, &mut codes));
         codes.sort_unstable();
         codes.dedup();
-        codes.iter().for_each(|code| count(&mut self.codes, code));
+        let mut name = String::new();
+        for (letter, number) in codes {
+            name.clear();
+            name.push(letter);
+            name.push_str(number);
+            count(&mut self.codes, &name);
+        }
     }
 
-    /// Counts the rules that the model reached.
+    /// Counts the rules that the model reached; they stand in [`Self::rules`] after [`Self::settle`].
     pub fn reached(&mut self, evidence: &Evidence) {
-        for (rule, outcome) in evidence.iter() {
-            match outcome {
-                RuleOutcome::Accepted => count(&mut self.rules, rule),
-                RuleOutcome::Refused => count(&mut self.rules, &format!("{rule} refused")),
-            }
+        self.reached.add(evidence);
+    }
+
+    /// Puts down what was counted so far.
+    pub fn settle(&mut self) {
+        for (rule, outcome, programs) in std::mem::take(&mut self.reached).iter() {
+            let name = match outcome {
+                RuleOutcome::Accepted => rule.to_owned(),
+                RuleOutcome::Refused => format!("{rule} refused"),
+            };
+            *self.rules.entry(name).or_default() += programs;
         }
     }
 }
@@ -109,8 +124,8 @@ pub fn count(counts: &mut Counts, name: &str) {
     }
 }
 
-/// Plain G and M codes of a text.
-fn codes_of(text: &str, codes: &mut Vec<String>) {
+/// Plain G and M codes of a text, each with its number as it is written.
+fn codes_of<'a>(text: &'a str, codes: &mut Vec<(char, &'a str)>) {
     let bytes = text.as_bytes();
     for (at, byte) in bytes.iter().enumerate() {
         let letter = byte.to_ascii_lowercase();
@@ -121,7 +136,7 @@ fn codes_of(text: &str, codes: &mut Vec<String>) {
         let digits = bytes.iter().skip(at + 1).take_while(|b| b.is_ascii_digit() || **b == b'.');
         let end = at + 1 + digits.count();
         if end > at + 1 {
-            codes.push(format!("{}{}", char::from(letter), &text[at + 1..end]));
+            codes.push((char::from(letter), &text[at + 1..end]));
         }
     }
 }

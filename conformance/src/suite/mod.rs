@@ -212,7 +212,7 @@ impl Suite {
         for edition in chain.into_iter().rev() {
             options.extend(edition.options.clone());
         }
-        Options(options)
+        Options(options.into())
     }
 
     /// The rule of an id.

@@ -337,7 +337,7 @@ macro_rules! record {
 
             /// Whether nothing is recorded.
             pub fn is_empty(&self) -> bool {
-                self.entries().is_empty()
+                $($crate::field::unrecorded(&self.$field))&&*
             }
 
             /// Reads one value by the field's name.

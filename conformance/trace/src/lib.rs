@@ -17,6 +17,7 @@ mod position;
 pub mod scenario;
 pub mod schema;
 mod settings;
+mod shared;
 pub mod text;
 
 pub use effect::{Channel, Effect, OrientDirection, OutputTiming, Request, WaitMode};
@@ -33,4 +34,5 @@ pub use scenario::{Machine, Options, Program, Scenario, Tool};
 pub use settings::{
     GppState, Language, MacroValue, NctState, Rs274State, Settings, SpindleLimit, State, Vacancy,
 };
+pub use shared::Shared;
 pub use text::TextError;

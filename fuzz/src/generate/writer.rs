@@ -1,7 +1,5 @@
 //! Writes a program block by block, from the rows of the table, with noise that means nothing.
 
-use std::collections::BTreeMap;
-
 use super::Recipe;
 use super::dice::Dice;
 use super::state::{State, Sub};
@@ -221,7 +219,7 @@ fn chosen_rows(dice: &mut Dice<'_>, recipe: &Recipe) -> Vec<&'static Row> {
         return TABLE.iter().copied().flatten().filter(named).collect();
     }
     let later = dice.chance(recipe.later_programs);
-    let mut kinds: BTreeMap<Kind, bool> = BTreeMap::new();
+    let mut kinds = Vec::new();
     let single = dice.chance(recipe.single_kind_programs).then(|| {
         let kinds: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| !kind.is_later()).collect();
         *dice.pick(&kinds)
@@ -231,14 +229,12 @@ fn chosen_rows(dice: &mut Dice<'_>, recipe: &Recipe) -> Vec<&'static Row> {
             Some(single) => *kind == single,
             None => dice.chance(if kind.is_later() { 40 } else { 70 }),
         };
-        kinds.insert(*kind, wanted && (later || !kind.is_later()));
+        if wanted && (later || !kind.is_later()) {
+            kinds.push(*kind);
+        }
     }
-    let mut rows: Vec<&Row> = TABLE
-        .iter()
-        .copied()
-        .flatten()
-        .filter(|row| kinds.get(&row.kind).copied().unwrap_or_default())
-        .collect();
+    let mut rows: Vec<&Row> =
+        TABLE.iter().copied().flatten().filter(|row| kinds.contains(&row.kind)).collect();
     if rows.is_empty() {
         rows = TABLE.iter().copied().flatten().filter(|row| row.kind == Kind::Motion).collect();
     }

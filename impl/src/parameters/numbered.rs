@@ -100,9 +100,15 @@ impl Numbered {
         }
     }
 
-    /// The parameters that are not zero, in ascending order.
+    /// The parameters that are not zero, in ascending order. Most are, so that several are looked at together.
     pub(crate) fn not_zero(&self) -> impl Iterator<Item = (u32, f64)> {
-        (0_u32..).zip(self.values.iter().copied()).filter(|(_, value)| *value != 0.0)
+        const TOGETHER: usize = 64;
+        let any_bit = |values: &[f64]| values.iter().fold(0, |bits, value| bits | value.to_bits());
+        let groups = (0_u32..).step_by(TOGETHER).zip(self.values.chunks(TOGETHER));
+        groups
+            .filter(move |(_, values)| any_bit(values) != 0)
+            .flat_map(|(first, values)| (first..).zip(values.iter().copied()))
+            .filter(|(_, value)| *value != 0.0)
     }
 
     /// `#1` to `#30`, which a call keeps for its caller.

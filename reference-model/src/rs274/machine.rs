@@ -11,6 +11,7 @@ use super::parameters::Parameters;
 use super::readings::Readings;
 use super::step::cycles::Series;
 use super::step::splines::Curve;
+use super::task::Shown;
 use crate::Evidence;
 
 /// The whole state of a controller.
@@ -50,6 +51,8 @@ pub struct State {
     pub panel: Panel,
     /// The outside of the controller: its clock, its pins, and how a bench answers.
     pub outside: Outside,
+    /// What the pins were brought up to date for; none where they have to be looked at.
+    pub shown: Option<Shown>,
     /// The rules reached so far.
     pub evidence: Evidence,
 }
@@ -166,6 +169,7 @@ impl State {
             curve: Curve::default(),
             panel: Panel::new(&Machine::default()),
             outside: Outside::new(&gaugeblock_trace::scenario::Bench::default(), 1, &readings),
+            shown: None,
             evidence: Evidence::default(),
             readings,
         }

@@ -3,9 +3,13 @@
 //! The sentences, sources and the programs that tell options apart are pages of the suite (`suite/choices`,
 //! `suite/quirks`); a test of the suite holds [`CHOICES`] and [`QUIRKS`] and those pages against each other.
 
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 use gaugeblock_trace::Options;
+
+use crate::by_name::ByName;
 
 /// Every choice that the model reads, with its options; the first is the default.
 pub const CHOICES: &[(&str, &[&str])] = &[
@@ -220,11 +224,50 @@ pub const QUIRKS: &[&str] = &[
     "rs274.zero-tool-offset-off",
 ];
 
+/// What the model knows under an id.
+#[derive(Clone, Copy, Debug)]
+enum Known {
+    /// A choice: its place in [`CHOICES`], its options.
+    Choice(usize, &'static [&'static str]),
+    /// A quirk.
+    Quirk,
+}
+
+/// Every choice and every quirk.
+struct Register {
+    /// In the order of their ids.
+    in_order: Vec<(&'static str, Known)>,
+    /// The place of each choice in [`CHOICES`].
+    places: ByName<usize>,
+}
+
+static REGISTER: LazyLock<Register> = LazyLock::new(|| {
+    let choices = CHOICES.iter().enumerate();
+    let choices = choices.map(|(place, (id, options))| (*id, Known::Choice(place, options)));
+    let mut in_order: Vec<_> = choices.chain(QUIRKS.iter().map(|id| (*id, Known::Quirk))).collect();
+    in_order.sort_unstable_by_key(|(id, _)| *id);
+    let mut places = ByName::default();
+    for (place, (id, _)) in CHOICES.iter().enumerate() {
+        *places.value(id) = place;
+    }
+    Register { in_order, places }
+});
+
 /// The options in force for a run.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Readings {
-    chosen: Vec<(&'static str, &'static str)>,
+    /// The option of each choice, in the order of [`CHOICES`].
+    chosen: Vec<&'static str>,
+    /// The quirks that are shown.
     shown: BTreeSet<&'static str>,
+}
+
+impl Default for Readings {
+    /// The first option of each choice, and no quirk.
+    fn default() -> Self {
+        let chosen = CHOICES.iter().map(|(_, options)| options[0]).collect();
+        Self { chosen, shown: BTreeSet::new() }
+    }
 }
 
 impl Readings {
@@ -234,27 +277,31 @@ impl Readings {
     /// An id or option that the model does not know, as a sentence.
     pub fn new(options: &Options) -> Result<Self, String> {
         let mut readings = Self::default();
+        // Both are in the order of ids.
+        let mut register = REGISTER.in_order.iter();
         for (id, option) in &options.0 {
-            if let Some((id, known)) = CHOICES.iter().find(|(choice, _)| choice == id) {
-                let option = known.iter().find(|known| *known == option);
-                let option = option.ok_or_else(|| {
-                    format!("the choice {id} has the options {}", known.join(", "))
-                })?;
-                readings.chosen.push((id, option));
-            } else if let Some(quirk) = QUIRKS.iter().find(|quirk| *quirk == id) {
-                match option.as_str() {
-                    "documented" => {}
-                    "observed" => {
-                        readings.shown.insert(quirk);
-                    }
-                    _ => {
-                        return Err(format!(
-                            "the quirk {id} is documented or observed, not {option}"
-                        ));
-                    }
-                }
-            } else {
+            let found = register.find_map(|(known, what)| match (*known).cmp(id.as_str()) {
+                Ordering::Less => None,
+                Ordering::Equal => Some(Some((*known, what))),
+                Ordering::Greater => Some(None),
+            });
+            let Some((id, known)) = found.flatten() else {
                 return Err(format!("there is no choice or quirk {id}"));
+            };
+            match (known, option.as_str()) {
+                (Known::Choice(place, options), option) => {
+                    let known = options.iter().find(|known| **known == option);
+                    readings.chosen[*place] = known.ok_or_else(|| {
+                        format!("the choice {id} has the options {}", options.join(", "))
+                    })?;
+                }
+                (Known::Quirk, "documented") => {}
+                (Known::Quirk, "observed") => {
+                    readings.shown.insert(id);
+                }
+                (Known::Quirk, _) => {
+                    return Err(format!("the quirk {id} is documented or observed, not {option}"));
+                }
             }
         }
         Ok(readings)
@@ -264,19 +311,14 @@ impl Readings {
     ///
     /// # Panics
     /// The choice is not in [`CHOICES`]: a fault of the model.
+    #[inline]
     pub fn choice(&self, id: &str) -> &'static str {
-        let listed =
-            self.chosen.iter().find(|(chosen, _)| *chosen == id).map(|(_, option)| *option);
-        listed.unwrap_or_else(|| {
-            let (_, options) = CHOICES
-                .iter()
-                .find(|(choice, _)| *choice == id)
-                .expect("model: a choice is in the register");
-            options[0]
-        })
+        let place = REGISTER.places.get(id).expect("model: a choice is in the register");
+        self.chosen[*place]
     }
 
     /// Whether a choice has this option.
+    #[inline]
     pub fn is(&self, id: &str, option: &str) -> bool {
         debug_assert!(
             CHOICES.iter().any(|(choice, options)| *choice == id && options.contains(&option)),

@@ -30,8 +30,10 @@ pub(super) struct Recorder<'a> {
     effects: u32,
     /// State as recorded last.
     state: Rs274State,
-    /// Parameters as recorded last; numbered ones that are not among them are zero.
-    parameters: BTreeMap<String, f64>,
+    /// Numbered parameters as recorded last; those that are not among them are zero.
+    numbered: BTreeMap<u32, f64>,
+    /// Named parameters as recorded last.
+    named: BTreeMap<String, f64>,
     /// Numbered parameters that were set since a state was recorded last.
     written: BTreeMap<u32, f64>,
     /// Whether a call or return has led elsewhere since a state was recorded last.
@@ -42,7 +44,7 @@ pub(super) struct Recorder<'a> {
 impl<'a> Recorder<'a> {
     /// Nothing has happened yet.
     pub(super) fn new(interpreter: &mut Interpreter, outside: Outside<'a>) -> Self {
-        let stored = interpreter.parameters().into_iter();
+        let numbered = interpreter.parameters().into_iter().collect();
         Self {
             outside,
             start: interpreter.settings(),
@@ -50,7 +52,8 @@ impl<'a> Recorder<'a> {
             events: Vec::new(),
             effects: 0,
             state: Rs274State::default(),
-            parameters: stored.map(|(number, value)| (number.to_string(), value)).collect(),
+            numbered,
+            named: BTreeMap::new(),
             written: BTreeMap::new(),
             elsewhere: false,
             halt: None,
@@ -95,19 +98,21 @@ impl<'a> Recorder<'a> {
     fn changes(&mut self, done: &BlockDone<'_>) -> Rs274State {
         if std::mem::take(&mut self.elsewhere) {
             self.state.call_level = None;
-            self.parameters.retain(|name, _| !is_local_name(name));
+            self.named.retain(|name, _| !is_local_name(name));
         }
         let now = done.state();
         let mut changes = now.since(&self.state);
         self.state = now;
-        let numbered = std::mem::take(&mut self.written).into_iter();
-        let numbered = numbered.map(|(number, value)| (number.to_string(), value, Some(0.0)));
-        let named = done.named().map(|(name, value)| (name.to_owned(), value, None));
         let mut changed = BTreeMap::new();
-        for (name, value, unset) in numbered.chain(named) {
-            let before = self.parameters.insert(name.clone(), value).or(unset);
-            if before != Some(value) {
-                changed.insert(name, value);
+        for (number, value) in std::mem::take(&mut self.written) {
+            if self.numbered.insert(number, value).or(Some(0.0)) != Some(value) {
+                changed.insert(number.to_string(), value);
+            }
+        }
+        for (name, value) in done.named() {
+            if self.named.get(name) != Some(&value) {
+                self.named.insert(name.to_owned(), value);
+                changed.insert(name.to_owned(), value);
             }
         }
         changes.parameter = (!changed.is_empty()).then_some(Indexed(changed));

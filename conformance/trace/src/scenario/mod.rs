@@ -14,6 +14,7 @@ pub use machine::{AxisLimits, Machine, Tool, ToolChange};
 pub use operator::{Action, OperatorEvent, When};
 
 use crate::settings::Language;
+use crate::shared::Shared;
 use crate::text::TextError;
 
 /// All that a run depends on.
@@ -104,10 +105,10 @@ impl Default for Program {
 /// Options of choices and quirks, by id: `"saved-state.motion-mode" = "restored"`.
 ///
 /// What is not listed has its default. This crate knows none of them: the register is data of the suite, and each
-/// interpreter says which ones it reads.
+/// interpreter says which ones it reads. Many scenarios share them.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(transparent)]
-pub struct Options(pub BTreeMap<String, String>);
+pub struct Options(pub Shared<BTreeMap<String, String>>);
 
 impl Options {
     /// The option of a choice, if it is listed.

@@ -1,5 +1,7 @@
 //! Codes that do not exist, and codes that exclude each other.
 
+use std::fmt;
+
 use gaugeblock_trace::FaultKind;
 
 use crate::rs274::machine::State;
@@ -34,33 +36,51 @@ fn count(words: &Words, state: &mut State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// The codes of a block, each with its text.
+/// A code as it is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Written {
+    /// A G code, in tenths.
+    G(u32),
+    /// An M code.
+    M(u32),
+}
+
+impl fmt::Display for Written {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::G(number) => f.write_str(&g_text(*number)),
+            Self::M(number) => write!(f, "M{number}"),
+        }
+    }
+}
+
+/// The codes of a block, each as it is written.
 ///
 /// Rules modal-groups.g-code-out-of-range and modal-groups.m-code-out-of-range. G codes end at 99, M codes at 199.
 /// Rules modal-groups.unknown-g-code and modal-groups.unknown-m-code. The language does not have every number below.
-fn known(words: &Words, state: &mut State) -> Result<Vec<(String, Code)>, Halt> {
+fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, Halt> {
     let mut codes = Vec::new();
     for number in &words.g {
-        let text = g_text(*number);
+        let text = Written::G(*number);
         let rule = if *number > 999 {
             "modal-groups.g-code-out-of-range"
         } else {
             state.evidence.accepted("modal-groups.g-code-out-of-range");
             "modal-groups.unknown-g-code"
         };
-        let code = g_code(*number).ok_or_else(|| unknown(rule, &text))?;
+        let code = g_code(*number).ok_or_else(|| unknown(rule, text))?;
         state.evidence.accepted(rule);
         codes.push((text, *code));
     }
     for number in &words.m {
-        let text = format!("M{number}");
+        let text = Written::M(*number);
         let out_of_range = *number > 199;
         let rule = if out_of_range {
             "modal-groups.m-code-out-of-range"
         } else {
             "modal-groups.unknown-m-code"
         };
-        let code = m_code(*number).ok_or_else(|| unknown(rule, &text))?;
+        let code = m_code(*number).ok_or_else(|| unknown(rule, text))?;
         state.evidence.accepted(rule);
         codes.push((
             text,
@@ -70,7 +90,7 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(String, Code)>, Halt> 
     Ok(codes)
 }
 
-fn unknown(rule: &'static str, text: &str) -> Halt {
+fn unknown(rule: &'static str, text: Written) -> Halt {
     refuse(rule, FaultKind::UnknownCode, format!("there is no {text}"))
 }
 
@@ -80,22 +100,20 @@ fn unknown(rule: &'static str, text: &str) -> Halt {
 /// Rule coolant.both-in-one-block. Whether M7 and M8 exclude each other is a choice.
 /// Choice modal-groups.io-members: whether M62 to M68 exclude each other.
 /// Rule modal-groups.override-group. Whether M50 to M53 belong to the group of M48 and M49 is a choice.
-fn groups(words: &Words, codes: &[(String, Code)], state: &mut State) -> Result<(), Halt> {
-    let mut met: Vec<(ModalGroup, &String)> = Vec::new();
+fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result<(), Halt> {
+    let mut met: Vec<(ModalGroup, Written)> = Vec::new();
     let one_of_io = state.readings.is("modal-groups.io-members", "exclusive");
     let all_overrides = state.readings.is("modal-groups.override-members", "all");
     for (text, code) in codes {
-        let switches_control =
-            code.later.is_none() && ["M50", "M51", "M52", "M53"].contains(&text.as_str());
+        let switches_control = code.later.is_none() && matches!(text, Written::M(50..=53));
         let by_choice = (all_overrides && switches_control).then_some(ModalGroup::Overrides);
-        let switches_pin =
-            ["M62", "M63", "M64", "M65", "M66", "M67", "M68"].contains(&text.as_str());
+        let switches_pin = matches!(text, Written::M(62..=68));
         let io_group = (one_of_io && switches_pin).then_some(ModalGroup::InputsOutputs);
         let Some(group) = code.group.or(by_choice).or(io_group) else { continue };
         if let Some((_, other)) = met.iter().find(|(other, _)| *other == group) {
-            conflict(group, (other, text), words, state)?;
+            conflict(group, (*other, *text), words, state)?;
         }
-        met.push((group, text));
+        met.push((group, *text));
     }
     for rule in met.iter().filter_map(|(group, _)| group.rule()) {
         state.evidence.accepted(rule);
@@ -111,7 +129,7 @@ fn groups(words: &Words, codes: &[(String, Code)], state: &mut State) -> Result<
 /// Rule orient.group. M19 and M3, M4 or M5 are codes of one group.
 fn conflict(
     group: ModalGroup,
-    texts: (&str, &str),
+    texts: (Written, Written),
     words: &Words,
     state: &mut State,
 ) -> Result<(), Halt> {
@@ -126,11 +144,12 @@ fn conflict(
         }
         return Err(refuse(rule, FaultKind::ModalConflict, message));
     }
-    let cancel = group == ModalGroup::Motion && (texts.0 == "G80") != (texts.1 == "G80");
+    let cancels = |text: Written| text == Written::G(800);
+    let cancel = group == ModalGroup::Motion && cancels(texts.0) != cancels(texts.1);
     if cancel && state.readings.quirk("rs274.cancel-with-motion") {
         return Ok(());
     }
-    if group == ModalGroup::Spindle && [texts.0, texts.1].contains(&"M19") {
+    if group == ModalGroup::Spindle && [texts.0, texts.1].contains(&Written::M(19)) {
         state.evidence.refused("orient.group");
     }
     let rule = group.rule().unwrap_or("modal-groups.one-of-each");
@@ -139,7 +158,7 @@ fn conflict(
 
 /// Rule modal-groups.axis-words-twice. A motion code and a non-modal code that both use axis words exclude each other.
 /// Rule tool.dynamic-length-with-motion. So do a motion code and G43.1.
-fn axis_words_once(codes: &[(String, Code)], state: &mut State) -> Result<(), Halt> {
+fn axis_words_once(codes: &[(Written, Code)], state: &mut State) -> Result<(), Halt> {
     let user = |group: ModalGroup| {
         codes.iter().find(|(_, code)| code.group == Some(group) && code.axis_words)
     };

@@ -65,7 +65,7 @@ impl Files {
     fn add(&mut self, name: &str, text: &str, state: &mut State) -> Place {
         let source = Source::new(name, text, &state.readings);
         let mut labels = Labels::default();
-        let before = state.evidence.clone();
+        let before = std::mem::take(&mut state.evidence);
         let mut index = source.first;
         loop {
             match source.line(index, self.block_delete, state) {

@@ -175,15 +175,21 @@ const USER_DEFINED: Code = code(100, Group::UserDefined, "pq");
 
 /// A G code, in tenths; none when the language does not have it.
 pub fn g_code(number: u32) -> Option<&'static Code> {
-    G_CODES.iter().find(|code| code.number == number)
+    in_table(G_CODES, number)
 }
 
 /// An M code; none when the language does not have it.
 pub fn m_code(number: u32) -> Option<&'static Code> {
     match number {
         100..=199 => Some(&USER_DEFINED),
-        _ => M_CODES.iter().find(|code| code.number == number),
+        _ => in_table(M_CODES, number),
     }
+}
+
+/// A code of a table, which is in the order of numbers.
+fn in_table(table: &'static [Code], number: u32) -> Option<&'static Code> {
+    let place = table.binary_search_by_key(&number, |code| code.number).ok()?;
+    table.get(place)
 }
 
 /// A G code as it is written: `G38.2`.

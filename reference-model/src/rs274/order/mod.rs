@@ -3,7 +3,9 @@
 mod phase;
 mod rules;
 
-pub use phase::{AXIS_LETTERS, Phase, has_axis_words, moves_by_axis_words, moves_without_code};
+pub use phase::{
+    AXIS_LETTERS, Phase, Phases, has_axis_words, moves_by_axis_words, moves_without_code,
+};
 pub use rules::{ORDER_RULES, OrderRule};
 
 use super::machine::State;
@@ -25,11 +27,6 @@ pub enum Rest {
     ProgramEnd,
 }
 
-/// The phases in which a block has something to do, in the order of execution.
-pub fn phases(words: &Words) -> impl Iterator<Item = Phase> {
-    Phase::ALL.iter().copied().filter(|phase| phase.is_in(words))
-}
-
 /// Executes one phase of a block that [`check`](super::check::check) let pass.
 ///
 /// # Errors
@@ -48,8 +45,8 @@ pub fn execute(
 }
 
 /// A block has gone through all its phases: the rules about their order are reached.
-pub fn completed(words: &Words, state: &mut State) {
-    for rule in ORDER_RULES.iter().filter(|rule| rule.concerns(words)) {
+pub fn completed(words: &Words, phases: Phases, state: &mut State) {
+    for rule in ORDER_RULES.iter().filter(|rule| rule.concerns(words, phases)) {
         state.evidence.accepted(rule.id);
     }
 }
@@ -118,8 +115,9 @@ fn inputs_outputs(words: &Words, state: &mut State, record: &mut Record) -> Resu
 
 /// A block was refused in a phase: the rules by which an earlier phase of the block made that so refuse it too.
 fn refused_at(phase: Phase, words: &Words, state: &mut State) {
-    let by_order = ORDER_RULES.iter().filter(|rule| rule.refuses && rule.later.contains(&phase));
-    for rule in by_order.filter(|rule| rule.concerns(words)) {
+    let phases = Phases::of(words);
+    let by_order = ORDER_RULES.iter().filter(|rule| rule.refuses && rule.later.contains(phase));
+    for rule in by_order.filter(|rule| rule.concerns(words, phases)) {
         state.evidence.refused(rule.id);
     }
 }

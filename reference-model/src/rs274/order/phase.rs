@@ -88,9 +88,9 @@ impl Phase {
         Self::Stop,
     ];
 
-    /// Whether a block has something to do in this phase.
-    pub fn is_in(self, words: &Words) -> bool {
-        let groups = |groups: &[ModalGroup]| has_group(words, groups);
+    /// Whether a block, whose codes are of these groups, has something to do in this phase.
+    fn is_in(self, words: &Words, of_block: &[ModalGroup]) -> bool {
+        let groups = |groups: &[ModalGroup]| of_block.iter().any(|group| groups.contains(group));
         let m = |low: u32, high: u32| words.m.iter().any(|code| (low..=high).contains(code));
         match self {
             Self::Comment => words.comment.is_some(),
@@ -127,13 +127,53 @@ impl Phase {
     }
 }
 
+/// Some phases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Phases(u32);
+
+impl Phases {
+    /// These.
+    pub const fn these(phases: &[Phase]) -> Self {
+        let mut bits = 0;
+        let mut place = 0;
+        while place < phases.len() {
+            bits |= 1 << phases[place] as u32;
+            place += 1;
+        }
+        Self(bits)
+    }
+
+    /// Those in which a block has something to do.
+    pub fn of(words: &Words) -> Self {
+        let groups = groups(words);
+        let phases = Phase::ALL.iter().filter(|phase| phase.is_in(words, &groups));
+        Self(phases.fold(0, |bits, phase| bits | (1 << *phase as u32)))
+    }
+
+    /// Whether a phase is among them.
+    pub fn contains(self, phase: Phase) -> bool {
+        self.meets(Self::these(&[phase]))
+    }
+
+    /// Whether one of them is among others.
+    pub fn meets(self, others: Self) -> bool {
+        self.0 & others.0 != 0
+    }
+
+    /// All of them, in the order of execution.
+    pub fn iter(self) -> impl Iterator<Item = Phase> {
+        Phase::ALL.iter().copied().filter(move |phase| self.contains(*phase))
+    }
+}
+
 /// G codes that change the data of offsets, or go to a stored position.
 const OFFSET_DATA: [u32; 10] = [100, 280, 281, 300, 301, 520, 920, 921, 922, 923];
 
-fn has_group(words: &Words, groups: &[ModalGroup]) -> bool {
+/// The modal groups of a block's codes.
+fn groups(words: &Words) -> Vec<ModalGroup> {
     let g = words.g.iter().filter_map(|number| g_code(*number));
     let m = words.m.iter().filter_map(|number| m_code(*number));
-    g.chain(m).any(|code| code.group.is_some_and(|group| groups.contains(&group)))
+    g.chain(m).filter_map(|code| code.group).collect()
 }
 
 /// Whether axis words, polar ones too, or offsets of a centre stand in the block for no code that uses them: then the

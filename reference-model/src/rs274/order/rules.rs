@@ -4,6 +4,7 @@
 
 use super::phase::Phase;
 use super::phase::Phase as P;
+use super::phase::Phases;
 use crate::rs274::read::Words;
 
 /// A rule about two phases of one block.
@@ -12,9 +13,9 @@ pub struct OrderRule {
     /// Its id.
     pub id: &'static str,
     /// The phases that come first.
-    pub first: &'static [Phase],
+    pub first: Phases,
     /// The phases that come later.
-    pub later: &'static [Phase],
+    pub later: Phases,
     /// Codes of the saved state phase that it is about; empty where that phase has no part in it.
     pub saved_state: &'static [u32],
     /// Whether it can refuse a block: what comes first makes impossible what comes later.
@@ -22,33 +23,56 @@ pub struct OrderRule {
 }
 
 impl OrderRule {
-    /// Whether a block has phases on both sides of the rule.
-    pub fn concerns(&self, words: &Words) -> bool {
-        let one_of = |phases: &[Phase]| phases.iter().any(|phase| phase.is_in(words));
+    /// Whether a block with these phases has some on both sides of the rule.
+    pub fn concerns(&self, words: &Words, phases: Phases) -> bool {
         let codes = self.saved_state;
-        let saved_state = codes.is_empty() || words.m.iter().any(|code| codes.contains(code));
-        one_of(self.first) && one_of(self.later) && saved_state
+        let saved_state = || codes.is_empty() || words.m.iter().any(|code| codes.contains(code));
+        phases.meets(self.first) && phases.meets(self.later) && saved_state()
     }
 }
 
 /// A rule about two sets of phases.
 const fn rule(id: &'static str, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
-    OrderRule { id, first, later, saved_state: &[], refuses: false }
+    OrderRule {
+        id,
+        first: Phases::these(first),
+        later: Phases::these(later),
+        saved_state: &[],
+        refuses: false,
+    }
 }
 
 /// A rule that can refuse.
 const fn refusing(id: &'static str, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
-    OrderRule { id, first, later, saved_state: &[], refuses: true }
+    OrderRule {
+        id,
+        first: Phases::these(first),
+        later: Phases::these(later),
+        saved_state: &[],
+        refuses: true,
+    }
 }
 
 /// A rule about M70 and M73.
 const fn save(id: &'static str, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
-    OrderRule { id, first, later, saved_state: &[70, 73], refuses: false }
+    OrderRule {
+        id,
+        first: Phases::these(first),
+        later: Phases::these(later),
+        saved_state: &[70, 73],
+        refuses: false,
+    }
 }
 
 /// A rule about M72.
 const fn restore(id: &'static str, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
-    OrderRule { id, first, later, saved_state: &[72], refuses: false }
+    OrderRule {
+        id,
+        first: Phases::these(first),
+        later: Phases::these(later),
+        saved_state: &[72],
+        refuses: false,
+    }
 }
 
 const FEED_AND_SPEED: &[Phase] = &[P::FeedMode, P::FeedRate, P::SpindleSpeed];
@@ -128,15 +152,15 @@ pub const ORDER_RULES: &[OrderRule] = &[
     rule("program-end.last-in-block", Phase::ALL.split_at(Phase::ALL.len() - 1).0, &[P::Stop]),
     OrderRule {
         id: "saved-state.block-order",
-        first: BEFORE_SAVE,
-        later: &[P::SavedState],
+        first: Phases::these(BEFORE_SAVE),
+        later: Phases::these(&[P::SavedState]),
         saved_state: &[70, 72, 73],
         refuses: false,
     },
     OrderRule {
         id: "saved-state.block-order",
-        first: &[P::SavedState],
-        later: AFTER_SAVE,
+        first: Phases::these(&[P::SavedState]),
+        later: Phases::these(AFTER_SAVE),
         saved_state: &[70, 72, 73],
         refuses: false,
     },

@@ -32,6 +32,11 @@ impl Outside {
         self.orienting.insert(spindle, Orientation { begun: self.time, answer });
     }
 
+    /// Whether a spindle turns to an angle.
+    pub(crate) fn is_orienting(&self) -> bool {
+        !self.orienting.is_empty()
+    }
+
     /// The orientation of a spindle that has not ended.
     pub(crate) fn orientation(&self, spindle: usize) -> Option<Orientation> {
         self.orienting.get(&spindle).copied()

@@ -82,6 +82,16 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
     Ok(())
 }
 
+/// Whether anything asks for a hold, be it that no control lets it: a move that nothing asks to hold begins.
+pub(crate) fn may_be_held(state: &State) -> bool {
+    let panel = &state.panel;
+    panel.feed_hold
+        || panel.feed_override <= 0.0
+        || panel.rapid_override <= 0.0
+        || state.outside.adaptive_feed() <= 0.0
+        || state.outside.feed_stop()
+}
+
 /// Whether a move is held where it begins: it goes on once nothing holds it any more.
 ///
 /// Rule overrides.feed-influence. A feed override of zero holds a feed move while the control is enabled; while it is

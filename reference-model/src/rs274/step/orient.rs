@@ -9,7 +9,7 @@ use crate::rs274::machine::State;
 use crate::rs274::outside::Orientation;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
-use crate::rs274::task::Record;
+use crate::rs274::task::{Record, are_shown};
 
 /// Turns a spindle to an angle.
 ///
@@ -180,6 +180,9 @@ fn wait(place: usize, timeout: f64, state: &mut State) -> Result<(), Halt> {
 /// Rule orient.complete. When its encoder says that a spindle stands at its angle, the request is cleared and the spindle
 /// is locked and braked. A spindle that turns is neither.
 pub(crate) fn settle(state: &mut State) {
+    if are_shown(state) {
+        return;
+    }
     for (place, time) in state.outside.oriented() {
         state.outside.end_orientation(place);
         let Some(spindle) = index(place) else { continue };

@@ -39,7 +39,10 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
 ///
 /// Anything else is `None`; nothing is refused, and no rule is reached.
 pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
-    let before = state.evidence.clone();
+    if !line.contains('o') && !line.contains('O') {
+        return None;
+    }
+    let before = std::mem::take(&mut state.evidence);
     let condensed = condense(line, state);
     state.evidence = before;
     let (glyphs, _) = condensed.ok()?;

@@ -1,7 +1,5 @@
 //! The parser's place in a line.
 
-use std::collections::BTreeSet;
-
 use gaugeblock_trace::{FaultKind, Span};
 
 use crate::rs274::readings::Readings;
@@ -18,28 +16,28 @@ pub(super) struct Parser<'a> {
     at: usize,
     pub(super) readings: &'a Readings,
     /// Rules that decided something; they count when the whole line is accepted.
-    reached: BTreeSet<&'static str>,
+    reached: Vec<&'static str>,
     /// Rules that refuse the line besides the one that the refusal names.
-    failed: BTreeSet<&'static str>,
+    failed: Vec<&'static str>,
 }
 
 impl<'a> Parser<'a> {
     pub(super) fn new(glyphs: &'a [Glyph], readings: &'a Readings) -> Self {
-        Self { glyphs, at: 0, readings, reached: BTreeSet::new(), failed: BTreeSet::new() }
+        Self { glyphs, at: 0, readings, reached: Vec::with_capacity(16), failed: Vec::new() }
     }
 
     /// A rule decided something.
     pub(super) fn reach(&mut self, rule: &'static str) {
-        self.reached.insert(rule);
+        self.reached.push(rule);
     }
 
     /// A rule refuses the line besides the one that the refusal names.
     pub(super) fn fail(&mut self, rule: &'static str) {
-        self.failed.insert(rule);
+        self.failed.push(rule);
     }
 
     /// The rules that decided something, for a line that is accepted and for one that is refused.
-    pub(super) fn into_rules(self) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
+    pub(super) fn into_rules(self) -> (Vec<&'static str>, Vec<&'static str>) {
         (self.reached, self.failed)
     }
 
@@ -81,13 +79,17 @@ impl<'a> Parser<'a> {
 
     /// The characters up to the first that is not wanted; goes on behind them.
     pub(super) fn take_while(&mut self, wanted: impl Fn(char) -> bool) -> String {
-        let taken: String = self.glyphs[self.at.min(self.glyphs.len())..]
-            .iter()
-            .map(|glyph| glyph.character)
-            .take_while(|character| wanted(*character))
-            .collect();
-        self.at += taken.chars().count();
+        let mut taken = String::new();
+        self.take_into(&mut taken, wanted);
         taken
+    }
+
+    /// The same; they are added to a text.
+    pub(super) fn take_into(&mut self, text: &mut String, wanted: impl Fn(char) -> bool) {
+        while let Some(character) = self.peek().filter(|character| wanted(*character)) {
+            text.push(character);
+            self.advance();
+        }
     }
 
     /// The place, for [`Self::span_from`] and for going back.

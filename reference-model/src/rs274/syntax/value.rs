@@ -121,11 +121,12 @@ impl Parser<'_> {
     /// Rule numbers.zeros. Leading and trailing zeros change no number.
     /// Rule numbers.many-digits. A number may have any number of digits; about seventeen significant ones count.
     fn number(&mut self) -> Result<f64, Halt> {
-        let mut text = self.take_while(|character| character.is_ascii_digit());
+        let mut text = String::new();
+        self.take_into(&mut text, |character| character.is_ascii_digit());
         let whole = text.len();
         if self.take(".") {
             text.push('.');
-            text += &self.take_while(|character| character.is_ascii_digit());
+            self.take_into(&mut text, |character| character.is_ascii_digit());
         }
         if self.peek() == Some('.') {
             return Err(self.refuse(

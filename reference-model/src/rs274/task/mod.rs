@@ -26,7 +26,8 @@ use gaugeblock_trace::{
     Scenario, Settings,
 };
 
-pub(crate) use pins::show;
+pub use pins::Shown;
+pub(crate) use pins::{are_shown, show};
 pub use record::Record;
 
 use self::operator::Operator;
@@ -87,6 +88,7 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         log_open: false,
         series: None,
         curve: step::splines::Curve::default(),
+        shown: None,
         evidence: Evidence::default(),
     }
 }

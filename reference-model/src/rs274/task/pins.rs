@@ -15,10 +15,36 @@ impl Run<'_> {
     }
 }
 
+/// What the pins were brought up to date for, while no spindle was turning to an angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    spindles: Vec<Spindle>,
+    overrides: Vec<f64>,
+    mist: Switch,
+    flood: Switch,
+    /// How many changes of pins there had been.
+    changes: usize,
+}
+
+/// Whether the pins are up to date: since they were brought so nothing has changed that they depend on, nor they themselves.
+pub(crate) fn are_shown(state: &State) -> bool {
+    let (modes, outside) = (&state.modes, &state.outside);
+    !outside.is_orienting()
+        && state.shown.as_ref().is_some_and(|shown| {
+            shown.changes == outside.changes().len()
+                && (shown.mist, shown.flood) == (modes.mist, modes.flood)
+                && shown.spindles == modes.spindles
+                && shown.overrides == state.panel.spindle_overrides
+        })
+}
+
 /// Brings the pins up to date, also within a phase that goes on.
 ///
 /// Rules coolant.mist-pin and coolant.flood-pin. Each coolant has a pin.
 pub(crate) fn show(state: &mut State, after: Option<Phase>) {
+    if are_shown(state) {
+        return;
+    }
     for rule in (0..)
         .zip(&state.modes.spindles)
         .flat_map(|(number, spindle)| of_override(spindle, state.panel.spindle_override(number)))
@@ -26,11 +52,33 @@ pub(crate) fn show(state: &mut State, after: Option<Phase>) {
         state.evidence.accepted(rule);
     }
     step::pass(0.0, state);
-    for (pin, value) in pins(state) {
-        if (state.outside.level(pin) - value).abs() > 0.0 {
-            state.outside.set(pin, value);
-            changed_pin(pin, value, after, state);
+    let coolants = [(Pin::CoolantMist, state.modes.mist), (Pin::CoolantFlood, state.modes.flood)];
+    for (pin, switch) in coolants {
+        show_pin(pin, digital(switch == Switch::On), after, state);
+    }
+    for place in 0..state.modes.spindles.len() {
+        let (Ok(number), spindle) = (u16::try_from(place), state.modes.spindles[place]) else {
+            break;
+        };
+        let pins = of_spindle(number, &spindle, state.panel.spindle_override(number));
+        for (pin, value) in pins.into_iter().flatten() {
+            show_pin(pin, value, after, state);
         }
+    }
+    let (modes, outside) = (&state.modes, &state.outside);
+    state.shown = (!outside.is_orienting()).then(|| Shown {
+        spindles: modes.spindles.clone(),
+        overrides: state.panel.spindle_overrides.clone(),
+        mist: modes.mist,
+        flood: modes.flood,
+        changes: outside.changes().len(),
+    });
+}
+
+fn show_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
+    if (state.outside.level(pin) - value).abs() > 0.0 {
+        state.outside.set(pin, value);
+        changed_pin(pin, value, after, state);
     }
 }
 
@@ -81,38 +129,24 @@ fn of_override(spindle: &Spindle, factor: f64) -> Option<&'static str> {
     }
 }
 
-/// The pins of spindles and coolant with their values; those that nothing is known of are left out.
-fn pins(state: &State) -> Vec<(Pin, f64)> {
-    let mut pins = vec![
-        (Pin::CoolantMist, digital(state.modes.mist == Switch::On)),
-        (Pin::CoolantFlood, digital(state.modes.flood == Switch::On)),
-    ];
-    for (number, spindle) in (0..).zip(&state.modes.spindles) {
-        pins.extend(of_spindle(number, spindle, state.panel.spindle_override(number)));
-    }
-    pins
-}
-
 fn digital(on: bool) -> f64 {
     if on { 1.0 } else { 0.0 }
 }
 
-/// The pins of one spindle.
-fn of_spindle(number: u16, spindle: &Spindle, factor: f64) -> Vec<(Pin, f64)> {
+/// The pins of one spindle with their values; one that nothing is known of is left out.
+fn of_spindle(number: u16, spindle: &Spindle, factor: f64) -> [Option<(Pin, f64)>; 4] {
     let factor = if spindle.speed_override == Switch::On { factor } else { 1.0 };
     let speed = spindle.speed * factor;
     let turns = speed != 0.0;
     let forward = turns && spindle.turn == SpindleTurn::Clockwise;
     let reverse = turns && spindle.turn == SpindleTurn::Counterclockwise;
-    let mut pins = vec![
-        (Pin::SpindleOn(number), digital(forward || reverse)),
-        (Pin::SpindleForward(number), digital(forward)),
-        (Pin::SpindleReverse(number), digital(reverse)),
-    ];
     let signed = if forward { Some(speed) } else { reverse.then_some(-speed) };
     // Under constant surface speed the radius decides, which is a matter of motion.
-    if spindle.mode == SpindleMode::Rpm || signed.is_none() {
-        pins.push((Pin::SpindleSpeed(number), signed.unwrap_or(0.0)));
-    }
-    pins
+    let known = spindle.mode == SpindleMode::Rpm || signed.is_none();
+    [
+        Some((Pin::SpindleOn(number), digital(forward || reverse))),
+        Some((Pin::SpindleForward(number), digital(forward))),
+        Some((Pin::SpindleReverse(number), digital(reverse))),
+        known.then_some((Pin::SpindleSpeed(number), signed.unwrap_or(0.0))),
+    ]
 }

@@ -5,7 +5,7 @@ use gaugeblock_trace::{End, FaultKind};
 use super::{MAIN, Run};
 use crate::rs274::control::{self, Control, Next};
 use crate::rs274::machine::State;
-use crate::rs274::order::{Phase, Rest};
+use crate::rs274::order::{Phase, Phases, Rest};
 use crate::rs274::read::{self, Words};
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::syntax::Keyword;
@@ -120,7 +120,8 @@ impl Run<'_> {
     /// In a phase that takes time the operator may act. What an abort breaks off has not been done.
     fn execute(&mut self, words: &Words) -> Result<Rest, Halt> {
         let mut rest = Rest::Execute;
-        for phase in order::phases(words) {
+        let phases = Phases::of(words);
+        for phase in phases.iter() {
             let to_position = phase == Phase::OffsetData && step::positions::moves(words);
             if phase == Phase::Motion || to_position {
                 self.may_move(phase, words)?;
@@ -154,7 +155,7 @@ impl Run<'_> {
             }
         }
         if rest != Rest::Drop {
-            order::completed(words, &mut self.state);
+            order::completed(words, phases, &mut self.state);
         }
         step::pass(0.0, &mut self.state);
         control::assign(&words.settings, &mut self.state)?;

@@ -8,6 +8,7 @@ use gaugeblock_trace::{
 };
 
 use crate::rs274::machine::State;
+use crate::rs274::modes::Modes;
 use crate::rs274::parameters::{self, Name};
 
 /// What has been observed so far.
@@ -20,8 +21,8 @@ pub struct Record {
     steps: Vec<Step>,
     /// Events of the block that is being executed.
     events: Vec<Event>,
-    /// Settings as recorded last.
-    settings: Settings,
+    /// The modes whose settings were recorded last.
+    modes: Modes,
     /// State as recorded last, without parameters.
     state: Rs274State,
     /// Parameters as recorded last; numbered ones that are not among them are zero.
@@ -44,7 +45,7 @@ impl Record {
         Self {
             parameters: stored.map(|(number, value)| (Name::Numbered(number), value)).collect(),
             elsewhere: false,
-            settings: start.clone(),
+            modes: state.modes.clone(),
             start,
             steps: Vec::new(),
             events: Vec::new(),
@@ -118,17 +119,21 @@ impl Record {
 
     /// Records the settings that changed since they were recorded last.
     fn settings(&mut self, state: &State) {
-        let settings = state.settings();
-        let changed = settings.since(&self.settings);
-        if !changed.is_empty() {
+        if state.modes == self.modes {
+            return;
+        }
+        let changed = state.modes.settings_since(&self.modes);
+        self.modes.clone_from(&state.modes);
+        if changed != Settings::default() {
             self.events.push(Event::Set(changed));
-            self.settings = settings;
         }
     }
 
     /// Whether the block that is being executed has done nothing so far.
     pub fn is_idle(&self, state: &State) -> bool {
-        self.events.is_empty() && state.settings() == self.settings
+        self.events.is_empty()
+            && (state.modes == self.modes
+                || state.modes.settings_since(&self.modes) == Settings::default())
     }
 
     /// A call or return leads to another level, or to another call at the same one.

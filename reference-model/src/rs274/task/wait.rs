@@ -99,7 +99,7 @@ impl Run<'_> {
     /// Rules overrides.feed-zero, overrides.adaptive-feed-zero, overrides.feed-stop-holds. Until then the block stands, and the
     /// operator or an input may change what holds it.
     pub(super) fn may_move(&mut self, phase: Phase, words: &Words) -> Result<(), Halt> {
-        if self.ahead || !self.moves(phase, words) {
+        if self.ahead || !step::feed::may_be_held(&self.state) || !self.moves(phase, words) {
             return Ok(());
         }
         while step::feed::is_held(words, &mut self.state) {

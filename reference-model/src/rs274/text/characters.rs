@@ -37,8 +37,9 @@ impl Glyph {
 /// The line is too long, or a comment is not closed.
 pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Comment>), Halt> {
     line_length(line, &state.readings)?;
-    let mut glyphs = Vec::new();
+    let mut glyphs = Vec::with_capacity(line.len());
     let mut comments: Vec<Comment> = Vec::new();
+    let (mut blanks, mut upper_case) = (false, false);
     let mut at = 0;
     while let Some(character) = line[at..].chars().next() {
         let mut end = at + character.len_utf8();
@@ -58,9 +59,11 @@ pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Commen
             state.evidence.accepted("text.comment-verbatim");
             comments.push(comment);
         } else if BLANKS.contains(&character) {
-            state.evidence.accepted("text.blanks");
+            if !std::mem::replace(&mut blanks, true) {
+                state.evidence.accepted("text.blanks");
+            }
         } else {
-            if character.is_ascii_uppercase() {
+            if character.is_ascii_uppercase() && !std::mem::replace(&mut upper_case, true) {
                 state.evidence.accepted("text.case");
             }
             let character = character.to_ascii_lowercase();

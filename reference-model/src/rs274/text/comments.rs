@@ -22,10 +22,13 @@ pub(super) fn comment_at(
     at: usize,
     readings: &Readings,
 ) -> Result<Option<Comment>, Halt> {
+    let rest = &line[at..];
+    if !rest.starts_with([';', '(', ')']) {
+        return Ok(None);
+    }
     let wrong = |end: usize, message: &str| {
         Err(refuse_at("text.comment-unclosed", FaultKind::BadComment, span(at, end), message))
     };
-    let rest = &line[at..];
     if let Some(text) = rest.strip_prefix(';') {
         let span = span(at, line.len());
         return Ok(Some(Comment { text: text.to_owned(), semicolon: true, span }));

@@ -118,12 +118,15 @@ fn is_blank(line: &str) -> bool {
 
 /// Rule text.percent-line. A percent line holds nothing else than the percent sign and blanks.
 fn is_percent(line: &str) -> bool {
-    line.trim_matches(BLANKS) == "%"
+    line.contains('%') && line.trim_matches(BLANKS) == "%"
 }
 
 /// Rule text.line-end. A line ends with a carriage return, a line feed or both.
 /// Quirk rs274.lone-return: a carriage return alone does not end one.
 fn lines(text: &str, readings: &Readings) -> Vec<String> {
+    if !text.contains('\r') {
+        return text.lines().map(str::to_owned).collect();
+    }
     let text = text.replace("\r\n", "\n");
     let text = if readings.quirk("rs274.lone-return") { text } else { text.replace('\r', "\n") };
     text.lines().map(str::to_owned).collect()

@@ -18,7 +18,7 @@ use super::whole;
 pub(crate) fn scenario() -> BoxedStrategy<Scenario> {
     whole!(Scenario {
         program: program(),
-        options: named(text()).prop_map(Options),
+        options: named(text()).prop_map(|options| Options(options.into())),
         machine: machine(),
         bench: bench(),
         operator: vec(operator_event(), 0..3),

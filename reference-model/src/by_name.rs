@@ -1,0 +1,125 @@
+//! Values by name, for names that stand in the text of the model: ids of rules and of choices.
+
+/// Fewest slots of a table that is not empty.
+const FEWEST_SLOTS: usize = 256;
+
+/// Values by name. To find one costs the same however many there are.
+#[derive(Clone, Debug)]
+pub(crate) struct ByName<T> {
+    /// Each name once, in the order in which they came.
+    entries: Vec<(&'static str, T)>,
+    /// Each slot holds the place of an entry plus one, or zero for none. An entry is in the slot that its name leads to, or in
+    /// the next free one. There are a power of two of them, at least twice as many as entries.
+    slots: Vec<u32>,
+}
+
+impl<T> Default for ByName<T> {
+    fn default() -> Self {
+        Self { entries: Vec::new(), slots: Vec::new() }
+    }
+}
+
+impl<T> ByName<T> {
+    /// The value of a name, if it has one.
+    #[inline]
+    pub(crate) fn get(&self, name: &str) -> Option<&T> {
+        let (_, place) = self.find(name, mixed(name))?;
+        self.entries.get(place).map(|(_, value)| value)
+    }
+
+    /// The value of a name, which has the default one when it comes for the first time.
+    #[inline]
+    pub(crate) fn value(&mut self, name: &'static str) -> &mut T
+    where
+        T: Default,
+    {
+        self.value_at(name, mixed(name))
+    }
+
+    /// All names with their values, in the order in which they came.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (&'static str, &T)> {
+        self.entries.iter().map(|(name, value)| (*name, value))
+    }
+
+    fn value_at(&mut self, name: &'static str, mixed: usize) -> &mut T
+    where
+        T: Default,
+    {
+        if self.entries.len() * 2 >= self.slots.len() {
+            self.grow();
+        }
+        let (slot, place) = self.find(name, mixed).expect("by name: half of the slots are free");
+        if place == self.entries.len() {
+            self.entries.push((name, T::default()));
+            self.slots[slot] = u32::try_from(place + 1).expect("by name: the model has few names");
+        }
+        &mut self.entries[place].1
+    }
+
+    /// The slot of a name, or the free one for it, and the place of its entry; none while there are no slots.
+    fn find(&self, name: &str, mixed: usize) -> Option<(usize, usize)> {
+        let last = self.slots.len().checked_sub(1)?;
+        let mut slot = mixed & last;
+        loop {
+            match self.slots[slot] {
+                0 => return Some((slot, self.entries.len())),
+                taken => {
+                    let place = taken as usize - 1;
+                    if self.entries[place].0 == name {
+                        return Some((slot, place));
+                    }
+                }
+            }
+            slot = (slot + 1) & last;
+        }
+    }
+
+    fn grow(&mut self) {
+        let slots = (self.slots.len() * 2).max(FEWEST_SLOTS);
+        self.slots = vec![0; slots];
+        for place in 0..self.entries.len() {
+            let mut slot = mixed(self.entries[place].0) & (slots - 1);
+            while self.slots[slot] != 0 {
+                slot = (slot + 1) & (slots - 1);
+            }
+            self.slots[slot] = u32::try_from(place + 1).expect("by name: the model has few names");
+        }
+    }
+}
+
+/// A number that is another one for most names: from their length, beginning and end. For a name that stands in the text of the
+/// model the compiler knows it.
+#[inline]
+fn mixed(name: &str) -> usize {
+    let bytes = name.as_bytes();
+    let first = bytes.first_chunk().copied().map_or(0, u64::from_le_bytes);
+    let last = bytes.last_chunk().copied().map_or(0, u64::from_le_bytes);
+    let both = first.rotate_left(23) ^ last.wrapping_add(bytes.len() as u64);
+    usize::try_from(both.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_keeps_its_value_among_many() {
+        let names: Vec<&'static str> = crate::rs274::readings::CHOICES
+            .iter()
+            .map(|(id, _)| *id)
+            .chain(crate::rs274::readings::QUIRKS.iter().copied())
+            .chain(["", "a", "b"])
+            .collect();
+        let mut table = ByName::default();
+        for (place, name) in names.iter().copied().enumerate() {
+            assert_eq!(table.get(name), None, "{name}");
+            *table.value(name) = place;
+        }
+        for (place, name) in names.iter().copied().enumerate() {
+            assert_eq!(table.get(name), Some(&place), "{name}");
+            assert_eq!(*table.value(name), place, "{name}");
+        }
+        assert_eq!(table.get("absent"), None);
+        assert!(table.iter().map(|(name, _)| name).eq(names.iter().copied()));
+    }
+}
