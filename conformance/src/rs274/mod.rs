@@ -101,6 +101,7 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     interpreter.set_block_delete(arguments.block_delete);
     interpreter.set_preview(true);
     interpreter.set_comments_told(true);
+    interpreter.set_imitation(true);
     let texts = Texts::default();
     let output = Output::new(sink(arguments.output.as_deref())?);
     let printer = Printer::new(output, texts.clone(), &interpreter.settings(), fixed);

@@ -7,6 +7,7 @@ use gaugeblock_trace::{Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, P
 
 use crate::canon::Sink;
 use crate::math;
+use crate::quirks;
 use crate::words::Words;
 
 use super::Modal;
@@ -132,6 +133,10 @@ impl Modal {
                 LengthUnit::Inch => 0.0001,
                 LengthUnit::Millimetre => 0.001,
             };
+        }
+        if self.imitates {
+            (tolerances.fine, tolerances.coarse) =
+                quirks::arc_tolerances(self.in_force.now().units);
         }
         let centre = if words.present & R != 0 {
             let half_circle = self.choices.arc_half_circle;

@@ -49,17 +49,19 @@ impl Packer {
             into.computed = true;
             oword.next = u32::try_from(into.ops.len()).unwrap_or(NONE);
         }
+        let mut commented = commented | self.comments(cursor)?;
         oword.keyword = keyword(cursor);
         block.kind = Kind::Control(oword);
         if oword.keyword == Keyword::Unknown {
-            if !numbered || !matches!(cursor.peek(), 0 | b'(' | b';') {
+            let named = !numbered && !self.imitates;
+            if named || !cursor.is_at_end() {
                 return cursor.refuse_from(start, FaultKind::BadBlock, "no such o-word");
             }
             oword.keyword = Keyword::Program;
         }
-        self.values(cursor, &mut oword, into)?;
+        commented |= self.values(cursor, &mut oword, into)?;
         block.kind = Kind::Control(oword);
-        let commented = self.comments_only(cursor)? || commented;
+        commented |= self.comments_only(cursor)?;
         if commented && self.choices.oword_comment_refused && oword.keyword != Keyword::Program {
             return cursor.refuse(FaultKind::BadComment, "a comment on the line of an o-word");
         }
@@ -104,13 +106,13 @@ impl Packer {
         label
     }
 
-    /// The values that the keyword takes.
+    /// The values that the keyword takes, with comments between them; whether there are any of those.
     fn values(
         &mut self,
         cursor: &mut Cursor<'_>,
         oword: &mut OWord,
         into: &mut Segment,
-    ) -> Packed<()> {
+    ) -> Packed<bool> {
         let (least, most) = match oword.keyword {
             Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Repeat => (1, 1),
             Keyword::EndSub | Keyword::Return => (0, 1),
@@ -126,6 +128,7 @@ impl Packer {
             | Keyword::Program
             | Keyword::Unknown => (0, 0),
         };
+        let mut commented = self.comments(cursor)?;
         while cursor.peek() == b'[' {
             if oword.values == most {
                 if oword.keyword == Keyword::Call {
@@ -135,11 +138,12 @@ impl Packer {
             }
             self.expression(cursor, into, self.bracket_depth)?;
             oword.values = oword.values.wrapping_add(1);
+            commented |= self.comments(cursor)?;
         }
         if oword.values < least {
             return cursor.refuse(FaultKind::BadExpression, "an expression is missing");
         }
-        Ok(())
+        Ok(commented)
     }
 }
 

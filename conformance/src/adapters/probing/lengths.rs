@@ -54,6 +54,11 @@ impl Lengths {
         Settings { feed_rate: Some(rate), ..Settings::default() }
     }
 
+    /// Inverse time has come into force: the number of F stays, and is no length any more.
+    pub(in crate::adapters) fn feed_is_no_length(&mut self) {
+        self.feed = None;
+    }
+
     /// P of G64 was set.
     pub(in crate::adapters) fn blend(&mut self, tolerance: f64) -> Settings {
         self.blend = Some((tolerance, self.unit));

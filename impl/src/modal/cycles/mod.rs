@@ -180,7 +180,8 @@ impl Modal {
     fn levels(&self, numbers: &Numbers, normal: Axis, start: Coordinates) -> Levels {
         let now = self.in_force.now();
         let (retract, bottom) = if self.is_incremental() {
-            let retract = self.position.of_axis(normal) + numbers.retract;
+            let from = if self.imitates { start } else { self.position };
+            let retract = from.of_axis(normal) + numbers.retract;
             (retract, retract + numbers.bottom)
         } else {
             (numbers.retract, numbers.bottom)

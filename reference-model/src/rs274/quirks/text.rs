@@ -3,7 +3,7 @@
 //! Some have nothing of their own and stand where they are decided: rs274.lone-return (`text`), rs274.repeated-signs and
 //! rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`step::message`).
 
-use gaugeblock_trace::Compensation;
+use gaugeblock_trace::{Compensation, FeedMode};
 
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
@@ -51,6 +51,14 @@ pub(crate) fn compensation_code(compensation: Compensation) -> u32 {
 /// Quirk rs274.zero-tool-offset-off: `_tool_offset` tells whether an offset is not zero.
 pub(crate) fn has_tool_offset(state: &State) -> bool {
     state.modes.tool_offset.to_array().iter().any(|offset| offset.abs() > 0.0)
+}
+
+/// Quirk rs274.feed-name-number: `_feed` is F as it was programmed, whatever the length unit was. Otherwise it is the feed rate in force.
+pub(crate) fn feed(state: &State) -> f64 {
+    let modes = &state.modes;
+    let is_length = modes.feed_mode != FeedMode::InverseTime;
+    let by_number = is_length && state.readings.quirk("rs274.feed-name-number");
+    if by_number { modes.feed_number } else { modes.feed_rate }
 }
 
 /// Quirk rs274.selected-tool-zero: `_selected_tool` is 0 before the first T.

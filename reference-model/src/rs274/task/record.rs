@@ -131,6 +131,11 @@ impl Record {
         self.events.is_empty() && state.settings() == self.settings
     }
 
+    /// Whether the block that is being executed has moved anything.
+    pub fn has_moved(&self) -> bool {
+        self.events.iter().any(|event| matches!(event, Event::Do(effect) if is_move(effect)))
+    }
+
     /// A call or return leads to another level, or to another call at the same one.
     pub fn leads_elsewhere(&mut self) {
         self.elsewhere = true;
@@ -209,4 +214,17 @@ impl Record {
             samples: Vec::new(),
         }
     }
+}
+
+/// Whether an effect leads the controlled point somewhere.
+fn is_move(effect: &Effect) -> bool {
+    matches!(
+        effect,
+        Effect::StraightTraverse { .. }
+            | Effect::StraightFeed { .. }
+            | Effect::ArcFeed { .. }
+            | Effect::NurbsFeed { .. }
+            | Effect::RigidTap { .. }
+            | Effect::StraightProbe { .. }
+    )
 }
