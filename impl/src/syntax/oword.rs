@@ -49,19 +49,19 @@ impl Packer {
             into.computed = true;
             oword.next = u32::try_from(into.ops.len()).unwrap_or(NONE);
         }
-        let mut commented = commented | self.comments(cursor)?;
         oword.keyword = keyword(cursor);
         block.kind = Kind::Control(oword);
         if oword.keyword == Keyword::Unknown {
             let named = !numbered && !self.imitates;
-            if named || !cursor.is_at_end() {
+            if named || !matches!(cursor.peek(), 0 | b'(' | b';') {
                 return cursor.refuse_from(start, FaultKind::BadBlock, "no such o-word");
             }
             oword.keyword = Keyword::Program;
         }
-        commented |= self.values(cursor, &mut oword, into)?;
+        let between = self.values(cursor, &mut oword, into)?;
         block.kind = Kind::Control(oword);
-        commented |= self.comments_only(cursor)?;
+        let behind = self.comments_only(cursor)?;
+        let commented = commented || between || behind;
         if commented && self.choices.oword_comment_refused && oword.keyword != Keyword::Program {
             return cursor.refuse(FaultKind::BadComment, "a comment on the line of an o-word");
         }
@@ -106,7 +106,7 @@ impl Packer {
         label
     }
 
-    /// The values that the keyword takes, with comments between them; whether there are any of those.
+    /// The values that the keyword takes; between those of a call comments may stand, as between words (11.4.23). Whether there are any.
     fn values(
         &mut self,
         cursor: &mut Cursor<'_>,
@@ -128,17 +128,18 @@ impl Packer {
             | Keyword::Program
             | Keyword::Unknown => (0, 0),
         };
-        let mut commented = self.comments(cursor)?;
+        let calls = oword.keyword == Keyword::Call;
+        let mut commented = calls && self.comments(cursor)?;
         while cursor.peek() == b'[' {
             if oword.values == most {
-                if oword.keyword == Keyword::Call {
+                if calls {
                     return cursor.refuse(FaultKind::TooManyArguments, "a call takes 30 arguments");
                 }
                 return cursor.refuse(FaultKind::BadBlock, "one value too many");
             }
             self.expression(cursor, into, self.bracket_depth)?;
             oword.values = oword.values.wrapping_add(1);
-            commented |= self.comments(cursor)?;
+            commented |= calls && self.comments(cursor)?;
         }
         if oword.values < least {
             return cursor.refuse(FaultKind::BadExpression, "an expression is missing");

@@ -14,12 +14,13 @@ use crate::rs274::step::restore::{restored_turn, same};
 use crate::rs274::step::tool_length::{apply, table_offset};
 
 /// Quirk rs274.tool-offset-restore. G43 is programmed again when the offset is off, with the tool in the spindle; an offset
-/// that is on stays as it is.
+/// that is on stays as it is. One of zero counts as off.
 pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), Halt> {
-    match (state.modes.tool_length, saved.tool_length) {
-        (_, Switch::Off) => apply(None, state),
-        (Switch::On, Switch::On) => {}
-        (Switch::Off, Switch::On) => {
+    let is_on = |modes: &Modes| modes.tool_offset != Position::default();
+    match (is_on(&state.modes), is_on(saved)) {
+        (_, false) => apply(None, state),
+        (true, true) => {}
+        (false, true) => {
             let offset = table_offset(state.known_tool, "rs274.tool-offset-restore", state)?;
             apply(Some(offset), state);
         }

@@ -48,6 +48,11 @@ pub(crate) fn spindle_number(number: f64, state: &State) -> f64 {
     if state.readings.quirk("rs274.spindle-number-cut") { number.trunc() } else { number }
 }
 
+/// Quirk rs274.same-system-kept. Whether a coordinate system stays as it is, since it is selected already.
+pub(crate) fn keeps_system(system: u32, state: &State) -> bool {
+    state.modes.work_offset == system && state.readings.quirk("rs274.same-system-kept")
+}
+
 /// Quirk rs274.origin-number-cut. A fraction of a half or more of P is cut off.
 pub(crate) fn origin_number(number: f64, state: &State) -> f64 {
     let cut = state.readings.quirk("rs274.origin-number-cut");

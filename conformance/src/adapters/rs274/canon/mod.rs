@@ -101,6 +101,7 @@ impl Canon {
     pub(super) fn settle(&mut self, probe: &Probe) -> Result<(), HarnessError> {
         let modes = state::modes(probe, &self.now, &self.block)?;
         self.set(modes);
+        self.lengths.precise_feed(probe.number("_feed"));
         Ok(())
     }
 
