@@ -179,6 +179,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.position-move-in-place",
     "rs274.position-omitted-axes",
     "rs274.per-revolution-dollar",
+    "rs274.per-revolution-standing",
     "rs274.probe-inverse-time",
     "rs274.probe-per-revolution",
     "rs274.probe-same-point",
