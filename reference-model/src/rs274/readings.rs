@@ -161,6 +161,8 @@ pub const QUIRKS: &[&str] = &[
     "rs274.machine-incremental",
     "rs274.machine-under-zero-radius",
     "rs274.message-blanks",
+    "rs274.message-parameter-zero",
+    "rs274.message-small-value",
     "rs274.named-exists-early",
     "rs274.negative-dwell",
     "rs274.nine-levels",
