@@ -26,7 +26,7 @@ impl Printed<'_> {
         match self.after.plane {
             Plane::Zx if taps => Position { x: y, y: z, z: x, ..*end },
             Plane::Yz if taps => Position { x: z, y: x, z: y, ..*end },
-            _ => *end,
+            Plane::Xy | Plane::Zx | Plane::Yz | Plane::Uv | Plane::Wu | Plane::Vw => *end,
         }
     }
 
@@ -41,7 +41,7 @@ impl Printed<'_> {
         }
         match event {
             Event::Do(Effect::StartSpindleSynchronisation { .. }) => {
-                if self.is_traverse(self.before(1)) {
+                if is_traverse(self.before(1)) {
                     self.out.call("DISABLE_FEED_OVERRIDE");
                 }
                 false
@@ -49,7 +49,7 @@ impl Printed<'_> {
             Event::Do(Effect::StraightTraverse { end }) => {
                 let kind = self.kind();
                 let cut = match kind {
-                    Traverse::ToPass => self.end_of(self.behind(1)),
+                    Traverse::ToPass => end_of(self.behind(1)),
                     Traverse::FromPass => Some(self.position),
                     Traverse::Other => return false,
                 };
@@ -82,18 +82,15 @@ impl Printed<'_> {
     /// Where the pass that ends here has cut: where the traverse to its depth led.
     fn cut_x(&self) -> f64 {
         let done = self.events.get(..self.at).unwrap_or_default();
-        let cut = done.iter().rev().find_map(|event| match event {
-            Event::Do(Effect::StraightTraverse { end }) => Some(end.x),
-            _ => None,
-        });
-        cut.unwrap_or(self.position.x)
+        let cut = done.iter().rev().find_map(|event| end_of(Some(event)));
+        cut.map_or(self.position.x, |cut| cut.x)
     }
 
     fn kind(&self) -> Traverse {
         let synchronised = |event: Option<&Event>| {
             matches!(event, Some(Event::Do(Effect::StartSpindleSynchronisation { .. })))
         };
-        if self.is_traverse(self.behind(1)) && synchronised(self.behind(2)) {
+        if is_traverse(self.behind(1)) && synchronised(self.behind(2)) {
             Traverse::ToPass
         } else if matches!(self.before(1), Some(Event::Do(Effect::StopSpindleSynchronisation {}))) {
             Traverse::FromPass
@@ -113,15 +110,13 @@ impl Printed<'_> {
         let done = self.events.get(..self.at).unwrap_or_default();
         done.iter().rev().filter(|event| matches!(event, Event::Do(_))).nth(count - 1)
     }
+}
 
-    fn is_traverse(&self, event: Option<&Event>) -> bool {
-        self.end_of(event).is_some()
-    }
+fn is_traverse(event: Option<&Event>) -> bool {
+    end_of(event).is_some()
+}
 
-    fn end_of(&self, event: Option<&Event>) -> Option<Position> {
-        match event {
-            Some(Event::Do(Effect::StraightTraverse { end })) => Some(*end),
-            _ => None,
-        }
-    }
+/// Where a traverse leads.
+fn end_of(event: Option<&Event>) -> Option<Position> {
+    if let Some(Event::Do(Effect::StraightTraverse { end })) = event { Some(*end) } else { None }
 }

@@ -29,7 +29,7 @@ pub(crate) fn tapped(state: &State) -> Position {
     match state.modes.plane {
         Plane::Zx if mixed => Position { x: y, y: z, z: x, ..end },
         Plane::Yz if mixed => Position { x: z, y: x, z: y, ..end },
-        _ => end,
+        Plane::Xy | Plane::Zx | Plane::Yz | Plane::Uv | Plane::Wu | Plane::Vw => end,
     }
 }
 
