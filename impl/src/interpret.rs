@@ -178,6 +178,13 @@ impl Interpreter {
         self.parameters.drives = !preview;
     }
 
+    /// Does as LinuxCNC's `rs274` where that departs from its manual and a stand-in for it must follow: a few points only, which the module
+    /// `quirks` lists. Off unless this is called before the program begins.
+    pub fn set_imitation(&mut self, imitates: bool) {
+        self.packer.imitates = imitates;
+        self.modal.imitates = imitates;
+    }
+
     /// Reads and executes one block, or a part of one: a canned cycle that is long takes more steps than one. An endless loop is a step that comes back `More`, for ever; a caller can stop it.
     ///
     /// # Errors

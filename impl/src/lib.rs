@@ -74,6 +74,7 @@ mod modal;
 mod parameters;
 pub mod plan;
 mod probing;
+mod quirks;
 mod source;
 mod syntax;
 #[cfg(test)]

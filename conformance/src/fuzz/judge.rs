@@ -59,6 +59,13 @@ impl Plan<'_> {
         let (found, other) = outcome(self.iut, scenario);
         let found = match found {
             Ok(found) => found,
+            Err(HarnessError::TimedOut { .. } | HarnessError::Flooded { .. })
+                if matches!(expected.end, End::BudgetExhausted { .. }) =>
+            {
+                let why = format!("{}: no end, here as there", name(self.iut));
+                count(&mut statistics.not_judged, &why);
+                return Came::NotJudged;
+            }
             Err(error) => return self.broken(self.iut, &error, statistics),
         };
         if let Some(came) = open(self.iut, &found, statistics) {

@@ -12,8 +12,8 @@
 //! named by a word. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever. Two codes of one block that change the
 //! same offset show its last value twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line
 //! of its own is printed as there: rounded F and S of saved state, switches that do not come back, subs that are defined behind their call,
-//! the way of cycles to the R plane. What leads elsewhere is not: arguments of a call that are not passed, tool offsets of saved state, the
-//! position after probing, the passes of G76, a kept R under G91.
+//! the way of cycles to the R plane, the passes of G76 (`threads`). A few that lead elsewhere the interpreter itself imitates
+//! (`Interpreter::set_imitation`). The others are not: tool offsets of saved state, the position after probing.
 //!
 //! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders. User-defined codes run nothing.
 
@@ -32,6 +32,7 @@ mod settled;
 mod source;
 mod switched;
 mod text;
+mod threads;
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -101,6 +102,7 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     interpreter.set_block_delete(arguments.block_delete);
     interpreter.set_preview(true);
     interpreter.set_comments_told(true);
+    interpreter.set_imitation(true);
     let texts = Texts::default();
     let output = Output::new(sink(arguments.output.as_deref())?);
     let printer = Printer::new(output, texts.clone(), &interpreter.settings(), fixed);
@@ -170,7 +172,8 @@ impl Run {
         let reached = refusals::reached(fault, self.printer.words());
         let words = self.printer.words().clone();
         let (position, plane) = self.printer.place();
-        self.printer.refused(place, reached, &self.interpreter.settings());
+        let over_hole = refusals::over_hole(fault);
+        self.printer.refused(place, (reached, over_hole), &self.interpreter.settings());
         let line = match place {
             Some((file, line)) if fault.kind != Some(FaultKind::MissingEnd) => {
                 self.texts.line(file, line, <[u8]>::to_vec)
@@ -178,8 +181,7 @@ impl Run {
             _ => self.texts.last_line(),
         };
         let line = String::from_utf8_lossy(&line);
-        if fault.kind == Some(FaultKind::UnknownSub) && self.texts.last_line().trim_ascii() == b"%"
-        {
+        if fault.kind == Some(FaultKind::UnknownSub) && self.texts.has_second_percent() {
             // The search has come by the second percent line.
             self.printer.out.call("FINISH");
         }

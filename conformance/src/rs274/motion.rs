@@ -1,7 +1,7 @@
 //! The motion of a block: moves, probing, threads, and canned cycles, around which the path mode is switched.
 
 use gaugeblock_trace::{
-    Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn, Switch,
+    Distance, Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn, Switch,
 };
 
 use super::block::Printed;
@@ -67,7 +67,42 @@ impl Printed<'_> {
             }
             self.at += 1;
         }
-        let Some(hole) = hole else { return false };
+        if let Some(hole) = hole {
+            self.over_hole(hole, exact);
+        }
+        hole.is_some()
+    }
+
+    /// The same of a cycle that is refused where it stands over its hole, by its words.
+    pub(super) fn stands_over_hole(&mut self) {
+        let plane = self.after.plane;
+        let letters = match plane {
+            Plane::Xy => [b'X', b'Y'],
+            Plane::Zx => [b'Z', b'X'],
+            Plane::Yz => [b'Y', b'Z'],
+            Plane::Uv | Plane::Wu | Plane::Vw => return,
+        };
+        let Some(r) = self.words.get(b'R') else { return };
+        let (mut place, level) = in_plane(plane, &self.position);
+        let incremental = self.after.distance == Distance::Incremental;
+        let from = |value: f64| if incremental { value } else { 0.0 };
+        for (coordinate, letter) in place.iter_mut().zip(letters) {
+            if let Some(word) = self.words.get(letter) {
+                *coordinate = from(*coordinate) + word;
+            }
+        }
+        let mut hole = with_level(plane, &self.position, from(level) + r);
+        let [first, second] = place;
+        match plane {
+            Plane::Zx => (hole.z, hole.x) = (first, second),
+            Plane::Yz => (hole.y, hole.z) = (first, second),
+            Plane::Xy | Plane::Uv | Plane::Wu | Plane::Vw => (hole.x, hole.y) = (first, second),
+        }
+        self.over_hole(hole, self.after.path == Path::ExactPath);
+    }
+
+    /// The moves to the R plane over a hole.
+    fn over_hole(&mut self, hole: Position, exact: bool) {
         let plane = self.after.plane;
         let (_, level) = in_plane(plane, &self.position);
         let (_, r) = in_plane(plane, &hole);
@@ -85,7 +120,6 @@ impl Printed<'_> {
         }
         self.out.call_to("STRAIGHT_TRAVERSE", &hole);
         self.position = hole;
-        true
     }
 
     /// G28 and G30 without axis words go by way of where they are.
@@ -155,6 +189,9 @@ impl Printed<'_> {
 
     /// Prints an effect of the motion.
     fn moved(&mut self, event: &Event) {
+        if self.threaded(event) {
+            return;
+        }
         match event {
             Event::Do(Effect::StraightTraverse { end }) => {
                 self.out.call_to("STRAIGHT_TRAVERSE", end);
@@ -162,7 +199,7 @@ impl Printed<'_> {
             }
             Event::Do(Effect::StraightFeed { end }) => {
                 self.speed_of(distance(&self.position, end));
-                self.out.call_to("STRAIGHT_FEED", end);
+                self.out.call_to("STRAIGHT_FEED", &self.tapped(end));
                 self.position = *end;
             }
             Event::Do(Effect::ArcFeed { end, first_centre, second_centre, turns }) => {

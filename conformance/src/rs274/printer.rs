@@ -83,11 +83,11 @@ impl Printer {
         (self.position, modes.plane)
     }
 
-    /// Prints what a refused block did before the phase at which it was refused.
+    /// Prints what a refused block did before the phase at which it was refused; a cycle may have come to its hole.
     pub(super) fn refused(
         &mut self,
         place: Option<(&str, u32)>,
-        reached: Phase,
+        (reached, over_hole): (Phase, bool),
         settings: &Settings,
     ) {
         let events = std::mem::take(&mut self.events);
@@ -97,6 +97,9 @@ impl Printer {
             after.apply(settings);
             after.assume(&self.words);
             self.print(file, line, &events, after, reached);
+            if over_hole {
+                self.printed(&[], after, None).stands_over_hole();
+            }
         }
         self.begun = false;
         self.modes.apply(settings);

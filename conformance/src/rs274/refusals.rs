@@ -43,10 +43,22 @@ pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
         {
             Phase::Motion
         }
+        Some(FaultKind::UnusedWord) if fault.message.starts_with("an offset") && arc_or_cycle => {
+            Phase::Motion
+        }
+        Some(FaultKind::ModalConflict) if fault.message.starts_with("a spline outside") => {
+            Phase::Motion
+        }
+        Some(_) if fault.message.starts_with("an incremental polar move") => Phase::Motion,
         Some(FaultKind::ToolNotFound) => Phase::Tool,
         Some(FaultKind::NothingSaved) => Phase::Saved,
         _ => Phase::Comment,
     }
+}
+
+/// Whether a canned cycle is refused only where it stands over its hole.
+pub(super) fn over_hole(fault: &Fault) -> bool {
+    fault.message == "G86 while the spindle stands" || fault.message == "Q is negative or zero"
 }
 
 /// Codes that turn compensation on.
@@ -82,7 +94,8 @@ impl Refused<'_> {
             Some(FaultKind::MissingEnd) => "File ended with no percent sign or program end",
             Some(FaultKind::BadArc) if matches!(motion, Some(20 | 30)) => return self.arc(),
             Some(FaultKind::MissingWord) => return self.missing_word(motion),
-            Some(FaultKind::AxisWords) if motion.is_some_and(|code| CYCLES.contains(&code)) => {
+            Some(FaultKind::ParameterOutOfRange) => "Parameter number out of range",
+            Some(FaultKind::AxisWords) if self.fault.message.contains("canned cycle") => {
                 let turned = ["a", "b", "c"].into_iter().find(|axis| self.has(axis))?;
                 return Some(format!("Cannot put an {turned} in canned cycle"));
             }

@@ -62,6 +62,14 @@ impl Texts {
         loaded.main.bytes.trim_ascii_start().starts_with(b"%")
     }
 
+    /// Whether a second percent line ends the main program, with text behind it or not.
+    pub(super) fn has_second_percent(&self) -> bool {
+        let loaded = self.0.borrow();
+        let lines = u32::try_from(loaded.main.starts.len()).unwrap_or(u32::MAX);
+        let is_percent = |line: &u32| loaded.main.line(*line).trim_ascii() == b"%";
+        (1..=lines).filter(is_percent).count() > 1
+    }
+
     /// The text of the last line of the main program that holds anything.
     pub(super) fn last_line(&self) -> Vec<u8> {
         let loaded = self.0.borrow();

@@ -12,6 +12,7 @@ use crate::interpret::{Interpreter, Progress};
 use crate::math;
 use crate::modal::Refusal;
 use crate::parameters::NameId;
+use crate::quirks;
 use crate::source::Source;
 use crate::syntax::packed::{Block, Keyword, NONE, OWord};
 
@@ -101,6 +102,9 @@ impl Interpreter {
         self.values(at, block, oword)?;
         let entry = Cursor { segment, place: 0 };
         self.enter(entry, FrameKind::Sub, label)?;
+        if self.packer.imitates {
+            self.parameters.numbered.set_arguments(&quirks::UNPASSED);
+        }
         let first = if planted(Fault::ArgumentsShifted) { 2 } else { 1_u32 };
         for (number, value) in (first..).zip(self.calculator.stack.iter()) {
             self.parameters.numbered.set(number, *value);

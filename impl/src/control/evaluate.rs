@@ -7,6 +7,7 @@ use gaugeblock_trace::FaultKind;
 use crate::faults::{Fault, planted};
 use crate::modal::{Modal, Refusal};
 use crate::parameters::{NameId, Named, Numbered, Own, Slot};
+use crate::quirks;
 use crate::syntax::packed::Op;
 use crate::syntax::{Packer, arithmetic, code_number, is_position, parameter_number};
 use crate::words::Words;
@@ -262,6 +263,10 @@ impl Calculator {
             }
             Op::ExistsLocal(id) => self.push_truth(parameters.named.local(id).is_some()),
             Op::ExistsGlobal(id) => self.push_truth(parameters.named.global(id).is_some()),
+            Op::ExistsNumbered => {
+                let number = self.pop();
+                self.push_truth(quirks::is_parameter(number));
+            }
             Op::Absent => return Err(no_such("of this INI entry or pin")),
             Op::G => match code_number(self.pop() * 10.0, 999) {
                 Some(code) => push_g(words, code)?,

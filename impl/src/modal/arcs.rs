@@ -8,6 +8,7 @@ use gaugeblock_trace::{Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, P
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
 use crate::math;
+use crate::quirks;
 use crate::words::Words;
 
 use super::Modal;
@@ -60,6 +61,8 @@ struct Tolerances {
     fine: f64,
     /// By how much R may be too small for half a circle: what is lost when numbers are written.
     radius: f64,
+    /// Whether the larger radius counts instead of that of the start: quirk rs274.arc-radius-tolerance.
+    of_larger: bool,
 }
 
 impl Tolerances {
@@ -68,8 +71,12 @@ impl Tolerances {
 
     fn of(units: LengthUnit) -> Self {
         match units {
-            LengthUnit::Inch => Self { coarse: 0.05, fine: 0.0005, radius: 0.000_05 },
-            LengthUnit::Millimetre => Self { coarse: 0.5, fine: 0.005, radius: 0.001_27 },
+            LengthUnit::Inch => {
+                Self { coarse: 0.05, fine: 0.0005, radius: 0.000_05, of_larger: false }
+            }
+            LengthUnit::Millimetre => {
+                Self { coarse: 0.5, fine: 0.005, radius: 0.001_27, of_larger: false }
+            }
         }
     }
 
@@ -77,8 +84,9 @@ impl Tolerances {
     /// thousandth of the radius"; the radius is that of the start.
     fn agree(&self, start: f64, end: f64) -> bool {
         let difference = (start - end).abs();
+        let radius = if self.of_larger { start.max(end) } else { start };
         difference <= self.coarse
-            && (difference <= self.fine || difference <= Self::RELATIVE * start)
+            && (difference <= self.fine || difference <= Self::RELATIVE * radius)
     }
 }
 
@@ -133,6 +141,11 @@ impl Modal {
                 LengthUnit::Inch => 0.0001,
                 LengthUnit::Millimetre => 0.001,
             };
+        }
+        if self.imitates {
+            tolerances.of_larger = true;
+            (tolerances.fine, tolerances.coarse) =
+                quirks::arc_tolerances(self.in_force.now().units);
         }
         let centre = if words.present & R != 0 {
             let half_circle = self.choices.arc_half_circle;

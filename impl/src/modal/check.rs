@@ -91,6 +91,10 @@ impl Modal {
         if let Some(code) = implied.and_then(g_code) {
             taken.add(&code);
         }
+        if self.imitates && block.has_m(|code| code == 19) {
+            // Quirks rs274.orient-without-angle and rs274.orient-without-timeout.
+            taken.needs = 0;
+        }
         check_words(words, &taken)?;
         check_polar(&block, &taken)?;
         self.check_axes(&mut block, &taken, implied)?;

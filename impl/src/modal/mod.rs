@@ -108,6 +108,8 @@ pub(crate) struct Modal {
     axes: u32,
     /// Highest velocity of each axis, machine unit per second; infinite where none is given.
     velocities: Coordinates,
+    /// Whether quirks of `rs274` are imitated.
+    pub(crate) imitates: bool,
     /// Number of spindles.
     spindles: u32,
     /// Number of digital inputs and outputs each.
@@ -169,6 +171,7 @@ impl Modal {
             missed: None,
             axes: axis_letters(&machine.axes),
             velocities: threads::velocities(machine),
+            imitates: false,
             spindles: u32::from(machine.spindles),
             digital_io: i32::from(machine.digital_io),
             analog_io: i32::from(machine.analog_io),

@@ -111,11 +111,13 @@ impl Modal {
     ) -> Result<(), Refusal> {
         let words = block.words;
         let (angle, timeout) = (words.get(b'R').unwrap_or(0.0), words.get(b'Q').unwrap_or(0.0));
+        let turns = !self.imitates || words.get(b'R').is_some() || words.get(b'P').is_some();
+        let waits = !self.imitates || words.get(b'Q').is_some();
         let refused = planted(Fault::FullTurnRefused) && angle >= 360.0;
         if refused || !(0.0..=360.0).contains(&angle) {
             return refuse(FaultKind::WordOutOfRange, "R of M19 is 0 to 360");
         }
-        if not_negative(timeout, "Q")? <= 0.0 && !self.choices.orient_at_once {
+        if waits && not_negative(timeout, "Q")? <= 0.0 && !self.choices.orient_at_once {
             return refuse(FaultKind::WordOutOfRange, "Q of M19 is greater than zero");
         }
         let direction = match words.get(b'P').map_or(Ok(0), |p| integer(p, "P"))? {
@@ -129,13 +131,13 @@ impl Modal {
         // The sum is what the pin shows (11.6.8); it may be more than a turn.
         let offset = if planted(Fault::NoOrientOffset) { 0.0 } else { self.orient_offset };
         let angle = angle + offset;
-        if !planted(Fault::OrientTurnsOn) {
+        if turns && !planted(Fault::OrientTurnsOn) {
             self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Oriented);
         }
-        for spindle in spindles_of(which) {
+        for spindle in spindles_of(which).filter(|_| turns) {
             self.perform(words.line, &Effect::OrientSpindle { spindle, angle, direction }, sink)?;
         }
-        for spindle in spindles_of(which) {
+        for spindle in spindles_of(which).filter(|_| waits) {
             self.perform(words.line, &Effect::WaitOrient { spindle, timeout }, sink)?;
         }
         Ok(())

@@ -50,6 +50,8 @@ pub(crate) struct Packer {
     pub(crate) block_delete: bool,
     /// Whether a line that holds a plain comment only is a block, which does nothing.
     pub(crate) comments_told: bool,
+    /// Whether quirks of `rs274` are imitated.
+    pub(crate) imitates: bool,
     /// The bound that the line just packed goes beyond.
     pub(crate) beyond: Option<Limit>,
     /// Most named parameters.
@@ -80,6 +82,7 @@ impl Packer {
             choices,
             block_delete: false,
             comments_told: false,
+            imitates: false,
             beyond: None,
             most_names: limits.named_parameters,
             bracket_depth: limits.bracket_depth,
@@ -335,12 +338,19 @@ impl Packer {
 
     /// Comments after an o-word, which change nothing.
     pub(crate) fn comments_only(&self, cursor: &mut Cursor<'_>) -> Packed<bool> {
+        let commented = self.comments(cursor)?;
+        if !cursor.is_at_end() {
+            return cursor.refuse(FaultKind::BadBlock, "other words on the line of an o-word");
+        }
+        Ok(commented)
+    }
+
+    /// Comments that come next on the line of an o-word; whether there are any.
+    #[inline]
+    pub(crate) fn comments(&self, cursor: &mut Cursor<'_>) -> Packed<bool> {
         let mut items = Items { letters: 0, comment: None };
         while let b'(' | b';' = cursor.peek() {
             self.comment(cursor, &mut items)?;
-        }
-        if !cursor.is_at_end() {
-            return cursor.refuse(FaultKind::BadBlock, "other words on the line of an o-word");
         }
         Ok(items.comment.is_some())
     }

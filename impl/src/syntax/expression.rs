@@ -230,7 +230,13 @@ impl Packer {
 
     /// EXISTS takes one named parameter and nothing else.
     fn exists(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<()> {
-        if !cursor.take(b'[') || !cursor.take(b'#') || cursor.peek() != b'<' {
+        if !cursor.take(b'[') || cursor.peek() != b'#' {
+            return cursor.refuse(FaultKind::BadExpression, "EXISTS takes one named parameter");
+        }
+        if self.imitates && !cursor.rest().starts_with(b"#<") {
+            return self.numbered_exists(cursor, into);
+        }
+        if !cursor.take(b'#') || cursor.peek() != b'<' {
             return cursor.refuse(FaultKind::BadExpression, "EXISTS takes one named parameter");
         }
         let place = self.named(cursor)?;
@@ -243,6 +249,20 @@ impl Packer {
             Place::Mode(_) | Place::Own(_) | Place::Entry(_) => Op::Number(1.0),
             Place::Absent | Place::Numbered(_) | Place::Indirect => Op::Number(0.0),
         });
+        Ok(())
+    }
+}
+
+impl Packer {
+    /// Quirk rs274.exists-numbered. EXISTS takes a numbered parameter.
+    #[cold]
+    fn numbered_exists(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<()> {
+        cursor.step();
+        self.value(cursor, into, self.bracket_depth)?;
+        if !cursor.take(b']') {
+            return cursor.refuse(FaultKind::BadExpression, "EXISTS takes one parameter");
+        }
+        into.ops.push(Op::ExistsNumbered);
         Ok(())
     }
 }

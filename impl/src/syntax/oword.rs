@@ -52,14 +52,16 @@ impl Packer {
         oword.keyword = keyword(cursor);
         block.kind = Kind::Control(oword);
         if oword.keyword == Keyword::Unknown {
-            if !numbered || !matches!(cursor.peek(), 0 | b'(' | b';') {
+            let named = !numbered && !self.imitates;
+            if named || !matches!(cursor.peek(), 0 | b'(' | b';') {
                 return cursor.refuse_from(start, FaultKind::BadBlock, "no such o-word");
             }
             oword.keyword = Keyword::Program;
         }
-        self.values(cursor, &mut oword, into)?;
+        let between = self.values(cursor, &mut oword, into)?;
         block.kind = Kind::Control(oword);
-        let commented = self.comments_only(cursor)? || commented;
+        let behind = self.comments_only(cursor)?;
+        let commented = commented || between || behind;
         if commented && self.choices.oword_comment_refused && oword.keyword != Keyword::Program {
             return cursor.refuse(FaultKind::BadComment, "a comment on the line of an o-word");
         }
@@ -104,13 +106,13 @@ impl Packer {
         label
     }
 
-    /// The values that the keyword takes.
+    /// The values that the keyword takes; between those of a call comments may stand, as between words (11.4.23). Whether there are any.
     fn values(
         &mut self,
         cursor: &mut Cursor<'_>,
         oword: &mut OWord,
         into: &mut Segment,
-    ) -> Packed<()> {
+    ) -> Packed<bool> {
         let (least, most) = match oword.keyword {
             Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Repeat => (1, 1),
             Keyword::EndSub | Keyword::Return => (0, 1),
@@ -126,20 +128,23 @@ impl Packer {
             | Keyword::Program
             | Keyword::Unknown => (0, 0),
         };
+        let calls = oword.keyword == Keyword::Call;
+        let mut commented = calls && self.comments(cursor)?;
         while cursor.peek() == b'[' {
             if oword.values == most {
-                if oword.keyword == Keyword::Call {
+                if calls {
                     return cursor.refuse(FaultKind::TooManyArguments, "a call takes 30 arguments");
                 }
                 return cursor.refuse(FaultKind::BadBlock, "one value too many");
             }
             self.expression(cursor, into, self.bracket_depth)?;
             oword.values = oword.values.wrapping_add(1);
+            commented |= calls && self.comments(cursor)?;
         }
         if oword.values < least {
             return cursor.refuse(FaultKind::BadExpression, "an expression is missing");
         }
-        Ok(())
+        Ok(commented)
     }
 }
 

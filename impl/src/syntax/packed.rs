@@ -111,6 +111,8 @@ pub(crate) enum Op {
     ExistsLocal(NameId),
     /// Pushes whether a global parameter exists.
     ExistsGlobal(NameId),
+    /// Takes a number, pushes whether a parameter has it.
+    ExistsNumbered,
     /// Takes the value of a word; the letter's place from 0 for A.
     Word(u8),
     /// A word with its number.

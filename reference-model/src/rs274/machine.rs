@@ -27,6 +27,9 @@ pub struct State {
     pub position: Position,
     /// Tool number in the spindle; 0 for none.
     pub tool: i32,
+    /// The tool that parameters and codes without a tool number take to be in the spindle: that one, but for the stub of the stand-alone
+    /// interpreter, which tells of neither M61 nor a change to no tool.
+    pub known_tool: i32,
     /// Tool number that T selected for the next change; -1 for none.
     pub prepared_tool: i32,
     /// Tool number of the last T, changed or not; -1 before.
@@ -158,6 +161,7 @@ impl State {
             machine,
             position: Position::default(),
             tool: 0,
+            known_tool: 0,
             prepared_tool: -1,
             selected_tool: -1,
             selected_for_change: false,

@@ -14,6 +14,10 @@ pub(in crate::adapters) const LAST_PARAMETER: u32 = 5601;
 /// Longest line that the interpreter reads.
 pub(in crate::adapters) const LONGEST_LINE: usize = 252;
 
+/// How many parameters a probe line shows: a message that has more than about 500 characters, once its values are in it, makes the
+/// interpreter crash, and large numbers are long.
+const MOST_VALUES: usize = 12;
+
 /// Characters that binding an end to a parameter may take.
 const ROOM_TO_BIND: usize = 40;
 
@@ -225,7 +229,7 @@ impl Plan {
         let mut rest = self.parameters.as_slice();
         while !rest.is_empty() {
             let mut room = LONGEST_LINE - 60;
-            let fits = rest.iter().take_while(|name| {
+            let fits = rest.iter().take(MOST_VALUES).take_while(|name| {
                 let fits = room > name.len() + 2;
                 room = room.saturating_sub(name.len() + 2);
                 fits
@@ -433,6 +437,14 @@ mod tests {
         let text = plan.probed(99, &source.files()[0].1, &Ends::default());
         assert!(text.lines().all(|line| line.len() <= LONGEST_LINE), "{text}");
         assert!(text.contains(&format!("{long}\n")));
+    }
+
+    #[test]
+    fn no_probe_becomes_too_long_with_its_values() {
+        let (plan, _) = plan("#1=1e30 #5000=2\n");
+        assert_eq!(plan.parameters.len(), 31);
+        assert!(plan.parameter_groups().iter().all(|group| group.len() <= MOST_VALUES));
+        assert_eq!(plan.parameter_groups().concat(), plan.parameters);
     }
 
     #[test]

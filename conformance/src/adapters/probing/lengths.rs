@@ -6,6 +6,9 @@ use gaugeblock_trace::{Axis, FeedMode, LengthUnit, Position, Settings};
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;
 
+/// By how much a number with four decimals may be off, with room for those of the parameter.
+const ROUNDING: f64 = 5.1e-5;
+
 /// Lengths as they were printed, each with its unit.
 #[derive(Clone, Debug)]
 pub(in crate::adapters) struct Lengths {
@@ -52,6 +55,21 @@ impl Lengths {
         let is_length = mode != Some(FeedMode::InverseTime);
         self.feed = is_length.then_some((rate, self.unit));
         Settings { feed_rate: Some(rate), ..Settings::default() }
+    }
+
+    /// F as a parameter tells it, with more decimals than the call has; where they differ by more than those, the parameter means something else.
+    pub(in crate::adapters) fn precise_feed(&mut self, told: f64) {
+        if let Some((rate, unit)) = &mut self.feed
+            && *unit == self.unit
+            && (*rate - told).abs() <= ROUNDING
+        {
+            *rate = told;
+        }
+    }
+
+    /// Inverse time has come into force: the number of F stays, and is no length any more.
+    pub(in crate::adapters) fn feed_is_no_length(&mut self) {
+        self.feed = None;
     }
 
     /// P of G64 was set.

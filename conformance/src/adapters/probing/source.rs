@@ -132,6 +132,18 @@ impl Source {
         })
     }
 
+    /// Whether the value of a letter is computed somewhere: behind it stands no plain number.
+    pub(in crate::adapters) fn computes_word(&self, letter: char) -> bool {
+        self.all().any(|(_, _, line)| {
+            let code = without_names(&code(line));
+            let computed = |rest: &str| {
+                rest.trim_start_matches(['+', '-'])
+                    .starts_with(['#', '[', 'a', 'c', 'e', 'r', 's', 't'])
+            };
+            !code.starts_with('o') && code.split(letter).skip(1).any(computed)
+        })
+    }
+
     /// A line that would reach beyond the interpreter: it runs Python, or looks for a sub outside of the directory.
     pub(in crate::adapters) fn reaches_host(&self) -> Option<Block> {
         let escapes = |line: &str| {
@@ -243,6 +255,16 @@ fn without_names(code: &str) -> String {
     outside.collect()
 }
 
+/// The value of a word that is written as a plain number in a line's code ([`code`]).
+pub(in crate::adapters) fn plain_word(code: &str, letter: char) -> Option<f64> {
+    let code = without_names(code);
+    code.split(letter).skip(1).find_map(|rest| {
+        let sign = usize::from(rest.starts_with(['+', '-']));
+        let end = rest[sign..].find(|c: char| !c.is_ascii_digit() && c != '.');
+        rest[..end.map_or(rest.len(), |end| sign + end)].parse().ok()
+    })
+}
+
 /// Numbers that directly follow an M.
 fn m_codes(code: &str) -> impl Iterator<Item = u32> {
     code.split('m').skip(1).filter_map(|rest| {
@@ -258,6 +280,8 @@ pub(in crate::adapters) struct Parameters {
     pub(in crate::adapters) numbered: BTreeSet<u32>,
     /// Names between `#<` and `>`, in lower case without blanks.
     pub(in crate::adapters) named: BTreeSet<String>,
+    /// Those of the numbers to which something is assigned.
+    pub(in crate::adapters) set: BTreeSet<u32>,
     /// Whether a number is computed somewhere.
     pub(in crate::adapters) indirect: bool,
 }
@@ -274,6 +298,9 @@ impl Parameters {
                 match rest[..end].parse() {
                     Ok(number) => {
                         self.numbered.insert(number);
+                        if rest[end..].starts_with('=') {
+                            self.set.insert(number);
+                        }
                     }
                     Err(_) => self.indirect = true,
                 }
@@ -314,8 +341,24 @@ mod tests {
             Program { main: "#1=#<_A b>\n#[31]=2 (print,#32)\n".to_owned(), ..Program::default() };
         let parameters = Source::new(&program).parameters();
         assert_eq!(parameters.numbered, BTreeSet::from([1, 32]));
+        assert_eq!(parameters.set, BTreeSet::from([1]));
         assert_eq!(parameters.named, BTreeSet::from(["_ab".to_owned()]));
         assert!(parameters.indirect);
+    }
+
+    #[test]
+    fn plain_words_are_found() {
+        for (line, expected) in [
+            ("g1 x1 f12.5", Some(12.5)),
+            ("f-.5 x1", Some(-0.5)),
+            ("g1 x fix[2] f3", Some(3.0)),
+            ("g1 x1 (f3)", None),
+            ("#<f3>=2", None),
+            ("f[3]", None),
+            ("f#3", None),
+        ] {
+            assert_eq!(plain_word(&code(line), 'f'), expected, "{line}");
+        }
     }
 
     #[test]

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::{Bound, End, Indexed, Language, Outcome, Position, Scenario, Settings};
+use gaugeblock_trace::{
+    Bound, End, Indexed, Language, Outcome, Position, Scenario, Settings, State, Step,
+};
 
 use super::canon::{Canon, Mark};
 use super::output::Line;
@@ -69,6 +71,7 @@ pub(super) fn outcome(
         }
     }
     let end = assembly.end(seen)?;
+    assembly.steps.taken.iter_mut().for_each(select_none);
     let mut outcome = Outcome {
         language: Language::Rs274,
         start: assembly.start,
@@ -85,6 +88,15 @@ pub(super) fn outcome(
         });
     }
     Ok(outcome)
+}
+
+/// T0 selects no tool, since tools do not change places here; once a tool was selected, or the table written, it shows as tool 0.
+fn select_none(step: &mut Step) {
+    if let Some(State::Rs274(state)) = &mut step.state
+        && state.prepared_tool == Some(0)
+    {
+        state.prepared_tool = Some(-1);
+    }
 }
 
 impl Assembly<'_> {

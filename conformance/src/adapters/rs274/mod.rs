@@ -37,6 +37,9 @@ use session::{Session, Unprobed};
 /// Wall time and output of one run; ordinary ones take ten milliseconds and some kilobytes.
 const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 };
 
+/// Calls have four decimals, and probes show a value below a ten-thousandth as zero.
+const RESOLUTION: f64 = 1.0e-4;
+
 /// Exit status of a refused program.
 const REFUSED: i32 = 1;
 
@@ -96,9 +99,19 @@ impl Adapter for Rs274 {
         &self.capabilities
     }
 
-    /// Stored data of a millimetre machine stay hidden: this controller stores inches.
+    /// Stored data of a millimetre machine stay hidden: this controller stores inches. Where a program asks for the number of a line, probes
+    /// change what it computes, and where its moves lead. F under inverse time is had from the text, or back from the moves, if they lead
+    /// anywhere.
     fn shows(&self, scenario: &Scenario) -> Capabilities {
         let mut shows = self.capabilities.clone();
+        let source = Source::new(&scenario.program);
+        if source.names_line() {
+            shows.fields.remove("position");
+        }
+        if source.has_g_code(&["g93"]) && source.computes_word('f') {
+            shows.fields.remove("feed_rate");
+            shows.fields_at_effects.remove("feed_rate");
+        }
         if scenario.machine.length_unit == LengthUnit::Millimetre {
             shows.hidden_parameters.extend([5161..=5219, 5221..=5390]);
         }
@@ -190,7 +203,7 @@ fn capabilities(version: String) -> Capabilities {
     Capabilities {
         name: "rs274".to_owned(),
         version,
-        resolution: 5.0e-5,
+        resolution: RESOLUTION,
         fields: owned(&fields, HIDDEN_FIELDS),
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
         moves_in_place: true,

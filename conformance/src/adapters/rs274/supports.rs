@@ -20,6 +20,7 @@ const AXES: [Axis; 6] = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C];
 pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     program(&scenario.program)?;
     machine(&scenario.machine)?;
+    stored_lengths(scenario)?;
     if !scenario.operator.is_empty() {
         return Err("it has no operator".to_owned());
     }
@@ -31,6 +32,35 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
         return Err("the outside always answers in the same way".to_owned());
     }
     Ok(())
+}
+
+/// Codes that store lengths.
+const STORING: &[&str] = &["g10", "g28.1", "g30.1", "g52", "g92"];
+
+/// Parameters that are stored lengths are inches here, whatever the machine's unit is: where the program sets one, or lets a code set it and
+/// reads it, it does something else.
+fn stored_lengths(scenario: &Scenario) -> Result<(), String> {
+    let inch = scenario.machine.length_unit == LengthUnit::Inch;
+    let source = Source::new(&scenario.program);
+    let parameters = source.parameters();
+    let is_set = parameters.set.iter().copied().any(is_linear)
+        || parameters.numbered.iter().copied().any(is_linear) && source.has_g_code(STORING);
+    if !inch && is_set {
+        return Err("it keeps stored lengths in inches".to_owned());
+    }
+    Ok(())
+}
+
+/// Whether a stored parameter is a length along X, Y, Z, U, V or W: of the points of G28 and G30, the offset of G92, or a coordinate system.
+fn is_linear(number: u32) -> bool {
+    let first = match number {
+        5161..=5169 => 5161,
+        5181..=5189 => 5181,
+        5211..=5219 => 5211,
+        5221..=5390 => number - (number - 5221) % 20,
+        _ => return false,
+    };
+    matches!(number - first, 0..=2 | 6..=8)
 }
 
 fn program(program: &Program) -> Result<(), String> {
@@ -84,4 +114,29 @@ fn machine(machine: &Machine) -> Result<(), String> {
         return Err(format!("{name:?} is no [SECTION]NAME"));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_are_stored_and_angles_are_not() {
+        for (number, expected) in [
+            (5160, false),
+            (5161, true),
+            (5164, false),
+            (5210, false),
+            (5211, true),
+            (5220, false),
+            (5223, true),
+            (5224, false),
+            (5230, false),
+            (5241, true),
+            (5390, false),
+            (5399, false),
+        ] {
+            assert_eq!(is_linear(number), expected, "#{number}");
+        }
+    }
 }

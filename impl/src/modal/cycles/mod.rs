@@ -185,7 +185,8 @@ impl Modal {
     fn levels(&self, numbers: &Numbers, normal: Axis, start: Coordinates) -> Levels {
         let now = self.in_force.now();
         let (retract, bottom) = if self.is_incremental() {
-            let retract = self.position.of_axis(normal) + numbers.retract;
+            let origin = if self.imitates { start } else { self.position };
+            let retract = origin.of_axis(normal) + numbers.retract;
             let from =
                 if planted(Fault::BottomFromPoint) { retract - numbers.retract } else { retract };
             (retract, from + numbers.bottom)

@@ -70,9 +70,9 @@ fn axes(words: &Words, state: &mut State) -> Result<(), Halt> {
 /// repeat it; $ serves S too.
 fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let serves_speed = letter == '$' && words.letters.contains_key(&'s');
-    let not_by_feed_mode = letter == '$' && !quirks::uses_dollar_of_feed_mode(state);
     let uses = |code: &Code| code.words.contains(letter);
-    let by_g = words.g.iter().filter(|code| !(not_by_feed_mode && **code == 950));
+    let uses_none = |code: u32| letter == '$' && quirks::uses_no_dollar(code, state);
+    let by_g = words.g.iter().filter(|code| !uses_none(**code));
     let by_g = by_g.filter(|code| **code != 100 || used_by_offset_data(letter, words));
     let mut codes = by_g
         .copied()

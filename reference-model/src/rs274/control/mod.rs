@@ -48,6 +48,8 @@ pub struct Control {
     defined: BTreeMap<(usize, usize, String), u32>,
     /// Numbered subprograms that were called before.
     called: BTreeSet<Place>,
+    /// Definitions of subs that were found behind their call.
+    found_later: BTreeSet<Place>,
     /// Quirk rs274.repeat-counter-shared: turns left of each repeat.
     pub(crate) shared_counters: BTreeMap<Place, u64>,
     /// Quirk rs274.fanuc-changes-at-end: #1 to #30 of the main program at its last O-word call.
@@ -84,6 +86,7 @@ impl Control {
             subs: BTreeMap::new(),
             defined: BTreeMap::new(),
             called: BTreeSet::new(),
+            found_later: BTreeSet::new(),
             shared_counters: BTreeMap::new(),
             at_last_call: [0.0; 30],
             continue_remembered: false,

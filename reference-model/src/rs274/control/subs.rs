@@ -21,6 +21,13 @@ impl Control {
     ///
     /// Rule subroutines.unique-name. A second definition is refused; the same one may be reached again.
     pub(super) fn sub(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        if quirks::control::is_head_in_file(self, state) {
+            return Ok(Next::Following);
+        }
+        if self.found_later.contains(&self.place) {
+            let message = format!("{} was found by a call before it", o_word(label));
+            return Err(refuse("rs274.sub-found-later", FaultKind::BadBlock, message));
+        }
         if state.call_level() > 0 {
             let message = format!("{} is defined inside another sub", o_word(label));
             return Err(refuse("subroutines.nested-definition", FaultKind::NestedSub, message));
@@ -170,6 +177,7 @@ impl Control {
             if state.readings.quirk("rs274.sub-found-later") {
                 let sub = Place { line, ..self.place };
                 self.subs.insert(label.to_owned(), sub);
+                self.found_later.insert(sub);
                 return Ok(sub);
             }
             let message = format!("{} is called before its definition", o_word(label));

@@ -8,6 +8,7 @@ mod inputs;
 mod orientation;
 mod probe;
 mod programs;
+pub(crate) mod stub;
 
 use std::collections::BTreeMap;
 
@@ -45,6 +46,8 @@ pub struct Outside {
     probed: Option<Probed>,
     /// What a program sees of HAL.
     synchronised: Synchronised,
+    /// What stands for the machine where there is none.
+    stub: stub::Stub,
 }
 
 impl Outside {
@@ -64,6 +67,7 @@ impl Outside {
             orienting: BTreeMap::new(),
             probed: None,
             synchronised: Synchronised::default(),
+            stub: stub::Stub::default(),
         };
         outside.synchronise();
         outside

@@ -103,13 +103,12 @@ fn computed(number: u32, state: &State) -> f64 {
     if let Some(axis) = position_of(number) {
         return state.position.get(axis);
     }
-    let tool = state
-        .machine
-        .tools
-        .iter()
-        .find(|tool| state.tool > 0 && i64::from(tool.number) == i64::from(state.tool));
+    let tool =
+        state.machine.tools.iter().find(|tool| {
+            state.known_tool > 0 && i64::from(tool.number) == i64::from(state.known_tool)
+        });
     match (number, tool) {
-        (TOOL, _) => f64::from(state.tool),
+        (TOOL, _) => f64::from(state.known_tool),
         (_, None) => 0.0,
         (5410, Some(tool)) => tool.diameter,
         (5411, Some(tool)) => tool.front_angle,

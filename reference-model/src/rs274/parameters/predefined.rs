@@ -75,9 +75,9 @@ const PREDEFINED: &[Predefined] = &[
     Predefined("_feed_hold", "parameters.feed-hold", |state| {
         flag(state.modes.feed_stop == Switch::On)
     }),
-    Predefined("_feed", "parameters.feed", |state| state.modes.feed_rate),
+    Predefined("_feed", "parameters.feed", quirks::feed),
     Predefined("_rpm", "parameters.speed", |state| spindle(state).speed),
-    Predefined("_current_tool", "parameters.tool", |state| f64::from(state.tool)),
+    Predefined("_current_tool", "parameters.tool", |state| f64::from(state.known_tool)),
     Predefined("_selected_tool", "parameters.tool", selected_tool),
     Predefined("_value", "parameters.returned-value", |state| state.parameters.returned),
     Predefined("_value_returned", "parameters.returned-value", |state| {
@@ -139,7 +139,7 @@ fn is_pocket(name: &str) -> bool {
 fn pocket(name: &str, state: &State) -> Result<f64, Halt> {
     match name {
         "_selected_pocket" if state.prepared_tool < 0 => Ok(-1.0),
-        "_current_pocket" if state.tool == 0 => Ok(0.0),
+        "_current_pocket" if state.known_tool == 0 => Ok(0.0),
         _ => Err(Halt::Unspecified(format!(
             "#<{name}> is an index into tool data that no document describes"
         ))),

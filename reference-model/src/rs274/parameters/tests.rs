@@ -109,7 +109,7 @@ fn tool_parameters_are_those_of_the_tool_in_the_spindle() {
         gaugeblock_trace::Tool { number: 7, diameter: 3.0, ..gaugeblock_trace::Tool::default() };
     state.machine.tools = vec![tool];
     check(&Name::Numbered(5410), &state, 0.0);
-    state.tool = 7;
+    state.known_tool = 7;
     check(&Name::Numbered(5400), &state, 7.0);
     check(&Name::Numbered(5410), &state, 3.0);
     check(&Name::Numbered(5403), &state, 0.0);

@@ -41,6 +41,12 @@ pub fn shared_repeat(
     Ok(Next::Following)
 }
 
+/// Quirk rs274.file-with-two-subs. Within a called file the head of another sub is passed over: what follows is executed.
+pub fn is_head_in_file(control: &Control, state: &State) -> bool {
+    let called = state.call_level() > 0 && control.place.file != 0;
+    called && state.readings.quirk("rs274.file-with-two-subs")
+}
+
 /// Quirk rs274.fanuc-zero-loops. A call with L0 leaves a call level behind: what follows is executed as if it belonged
 /// to the subprogram.
 pub fn level_left_behind(control: &Control, frame: Frame, state: &mut State) -> Next {

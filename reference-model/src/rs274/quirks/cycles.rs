@@ -1,6 +1,6 @@
 //! Quirks of canned cycles.
 
-use gaugeblock_trace::Axis;
+use gaugeblock_trace::{Axis, Plane, Position};
 
 use crate::rs274::machine::State;
 use crate::rs274::step::whole;
@@ -17,6 +17,19 @@ pub(crate) fn rise_on_the_way(normal: Axis, [retract, clear]: [f64; 2], state: &
     let at_retract = state.position.get(normal) <= retract;
     if at_retract && state.readings.quirk("rs274.cycle-rise") {
         *state.position.get_mut(normal) = clear;
+    }
+}
+
+/// Quirk rs274.tap-axes. Where a feed of G74 or G84 leads: outside of the XY plane its axes are in another order, and the point is none the
+/// less where it should be.
+pub(crate) fn tapped(state: &State) -> Position {
+    let end = state.position;
+    let Position { x, y, z, .. } = end;
+    let mixed = state.readings.quirk("rs274.tap-axes");
+    match state.modes.plane {
+        Plane::Zx if mixed => Position { x: y, y: z, z: x, ..end },
+        Plane::Yz if mixed => Position { x: z, y: x, z: y, ..end },
+        Plane::Xy | Plane::Zx | Plane::Yz | Plane::Uv | Plane::Wu | Plane::Vw => end,
     }
 }
 

@@ -1,9 +1,11 @@
 //! Quirks of moves, arcs, rotated systems and the tool table.
 
-use gaugeblock_trace::{FaultKind, LengthUnit, Plane};
+use gaugeblock_trace::{FaultKind, FeedMode, LengthUnit, Motion, Plane};
 
 use crate::rs274::machine::State;
+use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::step::motion::{is_arc, motion_of};
 
 /// Quirk rs274.arc-radius-tolerance. How far the radii at start and end of an arc may be apart: about five times as far as
 /// documented. The larger holds always, the smaller for arcs of which it is more than a thousandth.
@@ -32,6 +34,21 @@ pub(crate) fn turn_system(reload: fn(&mut State), state: &mut State) {
 /// Quirk rs274.tool-entry-under-compensation. The tool table can be changed while the cutter is compensated.
 pub(crate) fn table_under_compensation(state: &State) -> bool {
     state.readings.quirk("rs274.tool-entry-under-compensation")
+}
+
+/// Quirk rs274.per-revolution-standing. Under feed per revolution straight feeds and arcs are refused while the speed of the spindle is zero,
+/// whether it turns or not.
+pub(crate) fn per_revolution(words: &Words, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.per-revolution-standing";
+    let moves =
+        motion_of(words, state).is_some_and(|motion| motion == Motion::Feed || is_arc(motion));
+    let no_speed = state.modes.spindles.first().is_some_and(|spindle| spindle.speed == 0.0);
+    let per_revolution = state.modes.feed_mode == FeedMode::PerRevolution;
+    if moves && no_speed && per_revolution && state.readings.quirk(rule) {
+        let message = "a feed per revolution, and no speed";
+        return Err(refuse(rule, FaultKind::ZeroSpeed, message));
+    }
+    Ok(())
 }
 
 /// Quirk rs274.polar-plane. Polar words are refused outside of the XY plane.

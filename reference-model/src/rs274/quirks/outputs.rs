@@ -1,5 +1,7 @@
 //! Quirks of inputs and outputs.
 
+use gaugeblock_trace::WaitMode;
+
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
 use crate::rs274::step::{whole, word};
@@ -21,4 +23,11 @@ pub(crate) fn waits_for_nothing(words: &Words, state: &State) -> Option<f64> {
     let quirk = state.readings.quirk("linuxcnc.wait-mode-times-out");
     let is_unknown = word(words, 'l').and_then(whole).is_some_and(|mode| mode > 4);
     (quirk && is_unknown).then(|| word(words, 'q').unwrap_or(0.0))
+}
+
+/// Quirk rs274.wait-mode-any. A mode above 4 waits, for what nobody can tell.
+/// Quirk linuxcnc.wait-mode-times-out. On the whole controller it does not.
+pub(crate) fn unknown_mode(state: &State) -> WaitMode {
+    let times_out = state.readings.quirk("linuxcnc.wait-mode-times-out");
+    if times_out { WaitMode::Immediate } else { WaitMode::Low }
 }

@@ -3,7 +3,8 @@
 //! `rs274` restores by programming codes again, for what it takes to be different: what such codes cannot say is lost.
 
 use gaugeblock_trace::{
-    Compensation, FaultKind, FeedMode, Path, Position, SpindleLimit, SpindleMode, Switch,
+    Compensation, FaultKind, FeedMode, Path, Position, SpindleLimit, SpindleMode, SpindleTurn,
+    Switch,
 };
 
 use crate::rs274::machine::State;
@@ -13,13 +14,14 @@ use crate::rs274::step::restore::{restored_turn, same};
 use crate::rs274::step::tool_length::{apply, table_offset};
 
 /// Quirk rs274.tool-offset-restore. G43 is programmed again when the offset is off, with the tool in the spindle; an offset
-/// that is on stays as it is.
+/// that is on stays as it is. One of zero counts as off.
 pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), Halt> {
-    match (state.modes.tool_length, saved.tool_length) {
-        (_, Switch::Off) => apply(None, state),
-        (Switch::On, Switch::On) => {}
-        (Switch::Off, Switch::On) => {
-            let offset = table_offset(state.tool, "rs274.tool-offset-restore", state)?;
+    let is_on = |modes: &Modes| modes.tool_offset != Position::default();
+    match (is_on(&state.modes), is_on(saved)) {
+        (_, false) => apply(None, state),
+        (true, true) => {}
+        (false, true) => {
+            let offset = table_offset(state.known_tool, "rs274.tool-offset-restore", state)?;
             apply(Some(offset), state);
         }
     }
@@ -78,8 +80,12 @@ pub(crate) fn feed(saved: &Modes, state: &mut State) {
 }
 
 /// The quirks that concern spindles.
-pub(crate) const SPINDLES: &[&str] =
-    &["rs274.feed-speed-rounded", "rs274.surface-speed-restore", "rs274.first-spindle-saved"];
+pub(crate) const SPINDLES: &[&str] = &[
+    "rs274.feed-speed-rounded",
+    "rs274.surface-speed-restore",
+    "rs274.first-spindle-saved",
+    "rs274.oriented-as-stopped",
+];
 
 /// Quirk rs274.first-spindle-saved. Spindles after the first stay as they are.
 pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), Halt> {
@@ -115,10 +121,19 @@ fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Hal
         speed,
         mode: saved.mode,
         limit,
-        turn: restored_turn(saved.turn, now.turn),
+        turn: restored(saved.turn, now.turn, state),
         speed_override: now.speed_override,
         brake_released: now.brake_released,
     })
+}
+
+/// Quirk rs274.oriented-as-stopped. A spindle that has been oriented is taken for one that is stopped, which it was at the save.
+fn restored(saved: SpindleTurn, now: SpindleTurn, state: &State) -> SpindleTurn {
+    let stays = saved == SpindleTurn::Stopped && now == SpindleTurn::Oriented;
+    if stays && state.readings.quirk("rs274.oriented-as-stopped") {
+        return now;
+    }
+    restored_turn(saved, now)
 }
 
 /// A number as it is written with so many decimals.

@@ -1,9 +1,9 @@
 //! Quirks of modes, offsets, spindle, overrides and the program end.
 
-use gaugeblock_trace::{Distance, FaultKind, SpindleLimit, SpindleMode, Switch};
+use gaugeblock_trace::{Distance, FaultKind, Position, SpindleLimit, SpindleMode, Switch};
 
 use crate::rs274::machine::State;
-use crate::rs274::modes::{ModalGroup, converted};
+use crate::rs274::modes::{ModalGroup, converted, each};
 use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
@@ -20,28 +20,37 @@ pub(crate) fn switch_of_any_p(value: f64) -> Switch {
 }
 
 /// Quirk rs274.override-dollar. M48 and M49 take no $.
-/// Quirk rs274.speed-override-dollar. M51 with P0 takes no $0.
+/// Quirk rs274.speed-override-dollar. M51 takes no $0.
 pub(crate) fn override_dollar(words: &Words, spindle: f64, state: &State) -> Result<(), Halt> {
     let both = words.m.iter().any(|code| [48, 49].contains(code));
     if both && state.readings.quirk("rs274.override-dollar") {
         return Err(refuse("rs274.override-dollar", FaultKind::UnusedWord, "$ with M48 or M49"));
     }
-    let disabling = words.letters.get(&'p') == Some(&0.0);
-    if disabling && spindle == 0.0 && state.readings.quirk("rs274.speed-override-dollar") {
-        let message = "M51 P0 with $0";
+    if spindle == 0.0 && state.readings.quirk("rs274.speed-override-dollar") {
+        let message = "M51 with $0";
         return Err(refuse("rs274.speed-override-dollar", FaultKind::SpindleOutOfRange, message));
     }
     Ok(())
 }
 
 /// Quirk rs274.per-revolution-dollar. G95 does not use $, another code or S may.
-pub(crate) fn uses_dollar_of_feed_mode(state: &State) -> bool {
-    !state.readings.quirk("rs274.per-revolution-dollar")
+/// Quirk rs274.rpm-mode-dollar. Neither does G97.
+pub(crate) fn uses_no_dollar(g_code: u32, state: &State) -> bool {
+    match g_code {
+        950 => state.readings.quirk("rs274.per-revolution-dollar"),
+        970 => state.readings.quirk("rs274.rpm-mode-dollar"),
+        _ => false,
+    }
 }
 
 /// Quirk rs274.spindle-number-cut. The fraction of $ is cut off.
 pub(crate) fn spindle_number(number: f64, state: &State) -> f64 {
     if state.readings.quirk("rs274.spindle-number-cut") { number.trunc() } else { number }
+}
+
+/// Quirk rs274.same-system-kept. Whether a coordinate system stays as it is, since it is selected already.
+pub(crate) fn keeps_system(system: u32, state: &State) -> bool {
+    state.modes.work_offset == system && state.readings.quirk("rs274.same-system-kept")
 }
 
 /// Quirk rs274.origin-number-cut. A fraction of a half or more of P is cut off.
@@ -56,6 +65,17 @@ pub(crate) fn tool_offset_as_programmed(state: &mut State) {
     let modes = &mut state.modes;
     modes.tool_offset = converted(modes.tool_offset, modes.units, modes.tool_offset_unit);
     modes.tool_offset_unit = modes.units;
+}
+
+/// Quirk rs274.tool-offset-unit. How far G53 leads beside a point, active length unit: it takes the number of the tool offset for one of
+/// that unit.
+pub(crate) fn beside_machine_point(state: &State) -> Position {
+    let modes = &state.modes;
+    if !state.readings.quirk("rs274.tool-offset-unit") {
+        return Position::default();
+    }
+    let number = converted(modes.tool_offset, modes.units, modes.tool_offset_unit);
+    each(modes.tool_offset, number, |offset, number| offset - number)
 }
 
 /// Quirk rs274.save-in-spindle-group. M70 to M73 belong to the group of M3, M4 and M5.

@@ -3,10 +3,11 @@
 //! Some have nothing of their own and stand where they are decided: rs274.lone-return (`text`), rs274.repeated-signs and
 //! rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`step::message`).
 
-use gaugeblock_trace::Compensation;
+use gaugeblock_trace::{Compensation, FeedMode};
 
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
+use crate::rs274::readings::Readings;
 use crate::rs274::syntax::Comment;
 
 /// Quirk rs274.shorter-lines: a line has at most so many characters without its line end.
@@ -53,7 +54,32 @@ pub(crate) fn has_tool_offset(state: &State) -> bool {
     state.modes.tool_offset.to_array().iter().any(|offset| offset.abs() > 0.0)
 }
 
+/// Quirk rs274.feed-name-number: `_feed` is F as it was programmed, whatever the length unit was. Otherwise it is the feed rate in force.
+pub(crate) fn feed(state: &State) -> f64 {
+    let modes = &state.modes;
+    let is_length = modes.feed_mode != FeedMode::InverseTime;
+    let by_number = is_length && state.readings.quirk("rs274.feed-name-number");
+    if by_number { modes.feed_number } else { modes.feed_rate }
+}
+
 /// Quirk rs274.selected-tool-zero: `_selected_tool` is 0 before the first T.
 pub(crate) fn selected_tool(state: &State) -> i32 {
     state.selected_tool.max(0)
+}
+
+/// Quirk rs274.message-small-value. A message shows what is nearer to zero than a ten-thousandth as zero.
+pub(crate) fn told(value: f64, readings: &Readings) -> f64 {
+    let small = value.abs() < 1e-4 && readings.quirk("rs274.message-small-value");
+    if small { 0.0 } else { value }
+}
+
+/// Quirk rs274.message-parameter-zero. #0 stands for zero in a message: what stands behind it.
+pub(crate) fn parameter_zero<'a>(text: &'a str, readings: &Readings) -> Option<&'a str> {
+    if !readings.quirk("rs274.message-parameter-zero") {
+        return None;
+    }
+    let number = text.strip_prefix('#')?;
+    let behind = number.trim_start_matches(|character: char| character.is_ascii_digit());
+    let digits = &number[..number.len() - behind.len()];
+    (digits.parse() == Ok(0_u32)).then_some(behind)
 }

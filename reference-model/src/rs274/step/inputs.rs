@@ -125,15 +125,15 @@ fn mode(words: &Words, state: &mut State) -> Result<WaitMode, Halt> {
         state.evidence.accepted("inputs.mode-optional");
         return Ok(WaitMode::Immediate);
     };
-    let quirks = ["rs274.wait-mode-any", "linuxcnc.wait-mode-times-out"];
-    let any = quirks.iter().any(|quirk| state.readings.quirk(quirk));
+    let ids = ["rs274.wait-mode-any", "linuxcnc.wait-mode-times-out"];
+    let any = ids.iter().any(|quirk| state.readings.quirk(quirk));
     let mode = match whole(value) {
         Some(0) => WaitMode::Immediate,
         Some(1) => WaitMode::Rise,
         Some(2) => WaitMode::Fall,
         Some(3) => WaitMode::High,
         Some(4) => WaitMode::Low,
-        Some(5..) if any => WaitMode::Immediate,
+        Some(5..) if any => quirks::unknown_mode(state),
         _ => {
             let message = format!("L{value} is no way of waiting: 0 to 4");
             return Err(refuse("inputs.mode-range", FaultKind::WordOutOfRange, message));

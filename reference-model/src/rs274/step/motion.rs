@@ -10,6 +10,7 @@ use super::{cycles, outputs, probe, splines, threading, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
 use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
+use crate::rs274::quirks::motion::per_revolution;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
@@ -243,7 +244,7 @@ pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt
         return Err(refuse(rule, FaultKind::ZeroSpeed, message));
     }
     state.evidence.accepted("spindle.surface-speed-while-stopped");
-    Ok(())
+    per_revolution(words, state)
 }
 
 /// The rules that an accepted move follows, those on modes that held until it among them.

@@ -32,6 +32,9 @@ pub fn select(words: &Words, state: &mut State) -> Result<(), Halt> {
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
     state.evidence.accepted("offsets.select");
+    if quirks::keeps_system(system, state) {
+        return Ok(());
+    }
     use_system(system, state);
     Ok(())
 }

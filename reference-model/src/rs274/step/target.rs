@@ -6,6 +6,7 @@ use super::word;
 use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::motion as quirks;
+use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 
@@ -92,8 +93,9 @@ pub(crate) fn end_point(words: &Words, state: &mut State) -> Result<Position, Ha
 /// Rule offsets.machine-coordinates. The words of G53 are machine coordinates, whatever offsets are active.
 pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
     let mut end = state.modes.machine_point(state.position);
+    let beside = beside_machine_point(state);
     for (axis, value) in moved(words, state) {
-        *end.get_mut(axis) = value;
+        *end.get_mut(axis) = value + beside.get(axis);
     }
     state.modes.program_point(end)
 }

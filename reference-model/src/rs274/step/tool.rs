@@ -99,7 +99,7 @@ pub(crate) fn named<'a>(
     state: &'a State,
 ) -> Result<Option<&'a Tool>, Halt> {
     let zero_is_spindle = tool == 0 && !state.machine.random_tool_changer;
-    let tool = if zero_is_spindle { state.tool } else { tool };
+    let tool = if zero_is_spindle { state.known_tool } else { tool };
     if zero_is_spindle && tool == 0 {
         return Ok(None);
     }

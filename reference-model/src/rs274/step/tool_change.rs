@@ -39,6 +39,7 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), Halt> {
     state.evidence.accepted("tool.change");
     state.evidence.accepted("tool.change-keeps");
     state.evidence.accepted("tool.change-keeps-length");
+    state.outside.machine_is_asked();
     record.effect(state, Effect::ChangeTool { tool });
     Ok(())
 }
@@ -52,7 +53,14 @@ fn tool_to_load(state: &mut State) -> Result<i32, Halt> {
         }
         state.evidence.accepted(rule);
     }
-    let selected = if state.selected_for_change { state.prepared_tool } else { state.tool };
+    let selected = if state.selected_for_change {
+        state.prepared_tool
+    } else if state.outside.is_stand_alone() {
+        // Its stub changes to the tool of the last T again.
+        state.selected_tool
+    } else {
+        state.tool
+    };
     Ok(selected.max(0))
 }
 
@@ -91,6 +99,9 @@ pub(super) fn traverse(machine: Position, state: &mut State, record: &mut Record
 /// Choice tool.old-tool-place: where tools change places, whether the old tool goes to the slot of the new one.
 fn swap(tool: i32, state: &mut State) {
     let old = std::mem::replace(&mut state.tool, tool);
+    if tool > 0 || !state.outside.is_stand_alone() {
+        state.known_tool = tool;
+    }
     state.evidence.accepted(if tool == old { "tool.change-same" } else { "tool.change-back" });
     if tool == 0 && !state.machine.random_tool_changer {
         state.evidence.accepted("tool.change-zero");
@@ -128,6 +139,10 @@ pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Resu
         state.evidence.accepted(accepted);
     }
     state.tool = tool;
+    if !state.outside.is_stand_alone() {
+        state.known_tool = tool;
+    }
+    state.outside.machine_is_asked();
     record.effect(state, Effect::SetToolNumber { tool });
     Ok(())
 }

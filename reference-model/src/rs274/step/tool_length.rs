@@ -53,7 +53,7 @@ pub(crate) fn apply(offset: Option<Position>, state: &mut State) {
 /// Rule tool.length-zero-random. Where tools change places, H0 is tool 0, which the table must hold.
 fn of_tool(words: &Words, state: &mut State) -> Result<Position, Halt> {
     let random = state.machine.random_tool_changer;
-    let loaded = if random { f64::from(state.tool) } else { 0.0 };
+    let loaded = if random { f64::from(state.known_tool) } else { 0.0 };
     let number = word(words, 'h').unwrap_or(loaded);
     let rule = "tool.length-not-an-integer";
     let Some(whole) = whole(number) else {

@@ -36,6 +36,7 @@ pub(super) fn reload(state: &mut State) -> Result<(), Halt> {
         return Err(refuse(rule, FaultKind::ModalConflict, message));
     }
     state.evidence.accepted("tool.reload");
+    state.outside.machine_is_asked();
     Ok(())
 }
 

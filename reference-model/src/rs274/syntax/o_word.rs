@@ -30,11 +30,14 @@ impl Parser<'_> {
     /// An O-word and the end of its line.
     ///
     /// Rule control.unrelated-words. Other words on the line of an O-word are refused.
+    /// Rule control.comment-after. Comments may stand between the values of a call.
     pub(super) fn o_word(&mut self) -> Result<OWord, Halt> {
         let start = self.place();
         let mut o_word = self.label_and_keyword()?;
+        self.comments_of_call(&o_word);
         while self.peek() == Some('[') && o_word.arguments.len() < most_arguments(o_word.keyword) {
             o_word.arguments.push(self.bracketed()?);
+            self.comments_of_call(&o_word);
         }
         if o_word.arguments.len() < fewest_arguments(o_word.keyword) {
             let message = "a value in brackets is missing behind the keyword";
@@ -55,6 +58,13 @@ impl Parser<'_> {
                 let message = "nothing else stands on the line of an O-word, not what begins";
                 Err(self.refuse("control.unrelated-words", FaultKind::BadBlock, message))
             }
+        }
+    }
+
+    /// Comments that stand beside a value of a call.
+    fn comments_of_call(&mut self, o_word: &OWord) {
+        if o_word.keyword == Keyword::Call {
+            self.comments();
         }
     }
 

@@ -172,10 +172,12 @@ impl Parser<'_> {
     }
 
     /// Rule parameters.name-spelling. Case and blanks in a name do not count.
+    /// Quirk rs274.empty-name. There may be none.
     pub(super) fn name(&mut self) -> Result<String, Halt> {
         self.advance();
         let name = self.take_while(|character| character != '>' && character != Glyph::COMMENT);
-        if name.is_empty() || !self.take(">") {
+        let empty = name.is_empty() && !self.readings.quirk("rs274.empty-name");
+        if empty || !self.take(">") {
             let message = "a name stands between < and >, which is missing";
             return Err(self.refuse("parameters.name-marks", FaultKind::BadBlock, message));
         }

@@ -79,6 +79,7 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         outside,
         machine,
         tool: 0,
+        known_tool: 0,
         prepared_tool: -1,
         selected_tool: -1,
         selected_for_change: false,

@@ -6,6 +6,7 @@ use super::{MAIN, Run};
 use crate::rs274::control::{self, Control, Next};
 use crate::rs274::machine::State;
 use crate::rs274::order::{Phase, Phases, Rest};
+use crate::rs274::outside::stub;
 use crate::rs274::read::{self, Words};
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::syntax::Keyword;
@@ -90,6 +91,7 @@ impl Run<'_> {
         }
         check::check(&words, &mut self.state)?;
         let rest = self.execute(&words)?;
+        stub::after_block(self.record.has_moved(), &mut self.state);
         if rest == Rest::ProgramEnd {
             self.ended(block.block_delete)?;
             self.record.step(place, &mut self.state);

@@ -136,6 +136,11 @@ impl Record {
                 || state.modes.settings_since(&self.modes) == Settings::default())
     }
 
+    /// Whether the block that is being executed has moved anything.
+    pub fn has_moved(&self) -> bool {
+        self.events.iter().any(|event| matches!(event, Event::Do(effect) if is_move(effect)))
+    }
+
     /// A call or return leads to another level, or to another call at the same one.
     pub fn leads_elsewhere(&mut self) {
         self.elsewhere = true;
@@ -214,4 +219,17 @@ impl Record {
             samples: Vec::new(),
         }
     }
+}
+
+/// Whether an effect leads the controlled point somewhere.
+fn is_move(effect: &Effect) -> bool {
+    matches!(
+        effect,
+        Effect::StraightTraverse { .. }
+            | Effect::StraightFeed { .. }
+            | Effect::ArcFeed { .. }
+            | Effect::NurbsFeed { .. }
+            | Effect::RigidTap { .. }
+            | Effect::StraightProbe { .. }
+    )
 }

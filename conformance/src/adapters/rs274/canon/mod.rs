@@ -16,7 +16,7 @@ use super::output::Call;
 use crate::adapters::HarnessError;
 use crate::adapters::probing::lengths::Lengths;
 use crate::adapters::probing::probe::Probe;
-use crate::adapters::probing::source::code;
+use crate::adapters::probing::source::{code, plain_word};
 use crate::adapters::probing::state;
 
 /// What a call means for the run.
@@ -44,7 +44,7 @@ pub(super) struct Canon {
     lengths: Lengths,
     table: tool_table::Table,
     events: Vec<Event>,
-    /// Feed rate of the next move under inverse time, where the calls show a speed in place of F.
+    /// Speed of the next move under inverse time, which the calls show in place of F.
     speed: Option<f64>,
     /// Code of the block that is executed, for what the calls leave out.
     block: String,
@@ -101,6 +101,7 @@ impl Canon {
     pub(super) fn settle(&mut self, probe: &Probe) -> Result<(), HarnessError> {
         let modes = state::modes(probe, &self.now, &self.block)?;
         self.set(modes);
+        self.lengths.precise_feed(probe.number("_feed"));
         Ok(())
     }
 
@@ -183,9 +184,13 @@ impl Canon {
         }
     }
 
-    /// Under inverse time the calls show the speed, length times F: F is had back from the move.
+    /// Under inverse time the calls show the speed, length times F: where the block has no plain number, F is had back from the move.
     fn show_inverse_time(&mut self, end: [f64; 6]) {
         let Some(speed) = self.speed else { return };
+        if let Some(feed) = plain_word(&self.block, 'f') {
+            let change = self.lengths.feed(feed, Some(FeedMode::InverseTime));
+            return self.set(change);
+        }
         let from = self.position.to_array();
         let squares = |axes: std::ops::Range<usize>| -> f64 {
             axes.map(|axis| (end[axis] - from[axis]) * (end[axis] - from[axis])).sum()
@@ -205,6 +210,10 @@ impl Canon {
         else {
             return;
         };
+        if let Some(feed) = plain_word(&self.block, 'f') {
+            let change = self.lengths.feed(feed, Some(FeedMode::InverseTime));
+            return self.set(change);
+        }
         let Position { x, y, z, .. } = self.position;
         let (from_first, from_second, from_along) = match self.now.plane {
             Some(Plane::Zx) => (z, x, y),

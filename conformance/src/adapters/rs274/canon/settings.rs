@@ -42,7 +42,7 @@ impl Canon {
 
     /// Modes that no call shows are told in comments. A comment of the program may say the same; the probe after the
     /// block puts that right.
-    fn comment(&self, text: &str) -> Settings {
+    fn comment(&mut self, text: &str) -> Settings {
         let none = Settings::default();
         let Some(text) = text.strip_prefix("interpreter: ") else { return none };
         match text {
@@ -59,6 +59,7 @@ impl Canon {
                 Settings { arc_distance: Some(Distance::Incremental), ..none }
             }
             "feed mode set to inverse time" => {
+                self.lengths.feed_is_no_length();
                 Settings { feed_mode: Some(FeedMode::InverseTime), ..none }
             }
             "feed mode set to units per minute" => {

@@ -1,10 +1,11 @@
 //! G74 and G84: tapping with a floating chuck.
 
-use gaugeblock_trace::{FaultKind, SpindleTurn, Switch};
+use gaugeblock_trace::{Axis, Effect, FaultKind, SpindleTurn, Switch};
 
 use super::strokes::{dwells, turns};
-use super::{Cycle, Kind, feed_along};
+use super::{Cycle, Kind};
 use crate::rs274::machine::State;
+use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
 
@@ -33,7 +34,7 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     let feed_override = state.modes.feed_override;
     state.modes.feed_override = Switch::Off;
     state.modes.spindles[place].speed_override = Switch::Off;
-    feed_along(normal, cycle.bottom, state, record);
+    feed(normal, cycle.bottom, state, record);
     let out = if cycle.kind == Kind::TapRight {
         SpindleTurn::Counterclockwise
     } else {
@@ -42,7 +43,7 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     turns(SpindleTurn::Stopped, cycle, state);
     turns(out, cycle, state);
     dwells(cycle.dwell, state, record);
-    feed_along(normal, cycle.clear, state, record);
+    feed(normal, cycle.clear, state, record);
     if state.readings.is("cycles.tap-return", "as-before") {
         turns(SpindleTurn::Stopped, cycle, state);
         turns(before.turn, cycle, state);
@@ -50,4 +51,10 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     state.modes.feed_override = feed_override;
     state.modes.spindles[place].speed_override = before.speed_override;
     state.evidence.accepted("cycles.tap-overrides");
+}
+
+/// A feed move along the axis of the thread.
+fn feed(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
+    *state.position.get_mut(axis) = to;
+    record.effect(state, Effect::StraightFeed { end: quirks::tapped(state) });
 }

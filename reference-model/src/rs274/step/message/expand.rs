@@ -21,6 +21,9 @@ pub(super) fn expand(text: &str, state: &mut State) -> Result<String, Halt> {
         if let Some((format, behind)) = format_at(rest, state) {
             decimals = format;
             rest = behind;
+        } else if let Some(behind) = quirks::parameter_zero(rest, &state.readings) {
+            expanded += &format!("{:.decimals$}", 0.0);
+            rest = behind;
         } else if let Some((name, behind)) = parameter_at(rest, state) {
             expanded += &shown(name.as_ref(), decimals, state)?;
             rest = behind;
@@ -107,6 +110,7 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
                     .into_iter()
                     .for_each(|rule| state.evidence.accepted(rule));
             }
+            let value = quirks::told(value, &state.readings);
             let text = format!("{value:.decimals$}");
             let zero = text.chars().all(|character| matches!(character, '-' | '0' | '.'));
             Ok(if zero { text.trim_start_matches('-').to_owned() } else { text })

@@ -1,0 +1,34 @@
+//! What LinuxCNC's `rs274` does otherwise than its manual, for who stands in for it: off the main path, and off unless it is asked for.
+//!
+//! Only what cannot be had by printing otherwise is here. Each was observed; the page of its id in `suite/quirks` shows it.
+//!
+//! * `rs274.exists-numbered`: EXISTS takes a numbered parameter (`syntax::expression`). A function may stand behind a number sign
+//!   (`syntax::parameter`), and a name alone behind an O (`syntax::oword`): no page, since no document speaks of them.
+//! * `rs274.unpassed-arguments-zero`: `control::calls`.
+//! * `rs274.orient-without-angle` and `rs274.orient-without-timeout`: `modal::spindle`.
+//! * `rs274.cycle-retract-from-initial`: `modal::cycles`.
+//! * `rs274.arc-radius-tolerance`: `modal::arcs`.
+
+use gaugeblock_trace::LengthUnit;
+
+use crate::math;
+
+/// `#1` to `#30` in a sub where the call passes none.
+pub(crate) const UNPASSED: [f64; 30] = [0.0; 30];
+
+/// The last parameter that EXISTS finds.
+const LAST_PARAMETER: f64 = 5601.0;
+
+/// Whether a number is that of a parameter.
+pub(crate) fn is_parameter(number: f64) -> bool {
+    (1.0..=LAST_PARAMETER).contains(&number)
+}
+
+/// By how much the radii of an arc may differ, length units: always, and where it is less than a thousandth of them.
+pub(crate) fn arc_tolerances(units: LengthUnit) -> (f64, f64) {
+    let diagonal = math::sqrt(2.0);
+    match units {
+        LengthUnit::Inch => (0.002 * diagonal, 0.2 * diagonal),
+        LengthUnit::Millimetre => (0.02 * diagonal, 2.0 * diagonal),
+    }
+}
