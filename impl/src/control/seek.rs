@@ -61,9 +61,13 @@ impl Interpreter {
 
     /// Leaves the block that was found behind, unless it must be refused.
     pub(crate) fn pass(&mut self, found: &Block) {
-        if found.refused != NONE {
-            return;
+        if found.refused == NONE {
+            self.pass_behind();
         }
+    }
+
+    /// Leaves the block that was found behind, whatever stands in it.
+    pub(crate) fn pass_behind(&mut self) {
         self.held = false;
         if self.cursor.segment != STREAM {
             self.cursor = self.cursor.after();

@@ -5,6 +5,7 @@ use gaugeblock_trace::FaultKind;
 use super::conditions::duplicate;
 use super::labels::Definition;
 use super::{Control, Next, Structure, condition, o_word, single};
+use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::refusal::{Halt, refuse};
@@ -245,7 +246,7 @@ pub(crate) fn turns(values: &[Expression], state: &mut State) -> Result<u64, Hal
         "rounded-to-even" => count.round_ties_even(),
         "rounded-down" => count.floor(),
         "rounded-up" => count.ceil(),
-        "refused" if (count - count.round()).abs() > 0.0 => {
+        "refused" if math::near_integer(count).is_none() => {
             let message = format!("a repeat of {count} turns");
             return Err(refuse("control.repeat", FaultKind::NotAnInteger, message));
         }

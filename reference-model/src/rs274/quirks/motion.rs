@@ -3,6 +3,7 @@
 use gaugeblock_trace::{FaultKind, LengthUnit, Plane};
 
 use crate::rs274::machine::State;
+use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 
 /// Quirk rs274.arc-radius-tolerance. How far the radii at start and end of an arc may be apart: about five times as far as
@@ -16,6 +17,12 @@ pub(crate) fn radius_tolerances(state: &State) -> Option<(f64, f64)> {
         LengthUnit::Inch => (0.2 * diagonal, 0.002 * diagonal),
         LengthUnit::Millimetre => (2.0 * diagonal, 0.02 * diagonal),
     })
+}
+
+/// Quirk rs274.machine-without-axes. G53 needs no axis word where G0 or G1 stands in its block.
+pub(crate) fn machine_without_axes(words: &Words, state: &State) -> bool {
+    let programmed = words.g.iter().any(|code| [0, 10].contains(code));
+    programmed && state.readings.quirk("rs274.machine-without-axes")
 }
 
 /// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, the point is turned without the local
