@@ -188,7 +188,8 @@ impl Interpreter {
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
-        if self.packer.choices.percent_needed && self.percent == Some(true) {
+        let needed = self.packer.choices.percent_needed && self.percent == Some(true);
+        if needed && !self.percent_closed {
             loop {
                 let percent = self.reader.next(source, |line, _| crate::syntax::is_percent(line));
                 match percent? {
@@ -247,7 +248,11 @@ impl Interpreter {
                 Ok(None)
             }
             (Some(true), _) if planted(Fault::PercentGoesOn) => Ok(None),
-            (Some(true), _) | (Some(false), PercentAlone::Ends) => Ok(Some(End::PercentEnd)),
+            (Some(true), _) => {
+                self.percent_closed = true;
+                Ok(Some(End::PercentEnd))
+            }
+            (Some(false), PercentAlone::Ends) => Ok(Some(End::PercentEnd)),
             (Some(false), PercentAlone::Ignored) => Ok(None),
             (Some(false), PercentAlone::Refused) => {
                 let message = "a percent line in a file that does not begin with one";

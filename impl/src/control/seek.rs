@@ -165,7 +165,10 @@ impl Interpreter {
                 || self.packer.choices.percent_alone == PercentAlone::Ends;
             match seen {
                 None => return Ok(None),
-                Some(Seen::Percent) if ends => return Ok(None),
+                Some(Seen::Percent) if ends => {
+                    self.percent_closed = true;
+                    return Ok(None);
+                }
                 Some(Seen::Percent | Seen::Other) => {}
                 Some(Seen::Block) => {
                     self.after_packing(STREAM)?;

@@ -107,6 +107,10 @@ fn polar(words: &Words) -> Result<(), Halt> {
         let why = "whether polar words can name the point by way of which G28 and G30 go";
         return Err(Halt::Unspecified(why.to_owned()));
     }
+    if words.g.contains(&530) {
+        let why = "what the angle and distance of polar words are in machine coordinates";
+        return Err(Halt::Unspecified(why.to_owned()));
+    }
     let offset = |code: &u32| [100, 431, 432, 520, 920].contains(code);
     let Some(code) = words.g.iter().find(|code| offset(code)) else { return Ok(()) };
     let message = format!("polar words with {}", g_text(*code));
