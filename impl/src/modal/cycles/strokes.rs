@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Effect, LengthUnit, SpindleTurn, Switch};
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::math;
 
 use super::super::Modal;
@@ -182,7 +183,7 @@ impl Drilling {
         let Levels { retract, bottom, .. } = self.cycle.levels;
         let depth = retract - math::from_u64(pecks) * self.cycle.increment;
         let rounding = self.cycle.increment * 1e-9;
-        if depth > bottom + rounding { depth } else { bottom }
+        if depth > bottom + rounding && !planted(Fault::NoPecks) { depth } else { bottom }
     }
 
     /// Where the next stroke of a peck leads and whether it is a feed move; whether the hole is done then.
@@ -256,6 +257,7 @@ impl Modal {
             Stroke::FeedOut => self.feed_to(line, to(self, clear), sink)?,
             Stroke::FeedToRetract => self.feed_to(line, to(self, retract), sink)?,
             Stroke::Turn(turn) => self.for_spindles(cycle.spindle, |spindle| spindle.turn = turn),
+            Stroke::TurnAgain if planted(Fault::SpindleStays) => {}
             Stroke::TurnAgain => {
                 let turn = cycle.turn;
                 self.for_spindles(cycle.spindle, |spindle| spindle.turn = turn);
