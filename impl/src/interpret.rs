@@ -64,6 +64,8 @@ pub struct Interpreter {
     pub(crate) held: bool,
     /// Whether the main program begins with a percent line; not known before its first line.
     pub(crate) percent: Option<bool>,
+    /// Whether the percent line was come by that ends the main program, perhaps ahead of what is executed.
+    pub(crate) percent_closed: bool,
     /// How many loops of the main program have been packed.
     pub(crate) generation: u32,
     /// The parameters.
@@ -137,6 +139,7 @@ impl Interpreter {
             cursor: Cursor::MAIN,
             held: false,
             percent: None,
+            percent_closed: false,
             generation: 0,
             parameters: Parameters {
                 numbered,

@@ -25,10 +25,14 @@ pub(crate) fn degrees_of_cosine(cosine: f64) -> f64 {
     libm::acos(cosine).to_degrees()
 }
 
-/// The angle in degrees, above -180 up to 180, of the direction with these components.
+/// The angle in degrees, above -180 up to 180, of the direction with these components. A zero has no sign.
 pub(crate) fn degrees_of(opposite: f64, adjacent: f64) -> f64 {
-    // A zero has no sign in a program: opposite -0 is opposite 0.
-    libm::atan2(opposite + 0.0, adjacent + 0.0).to_degrees()
+    degrees_of_signed(opposite + 0.0, adjacent + 0.0)
+}
+
+/// The same from -180, where a zero may have a sign: an opposite -0 is below zero, an adjacent one to the left of it.
+pub(crate) fn degrees_of_signed(opposite: f64, adjacent: f64) -> f64 {
+    libm::atan2(opposite, adjacent).to_degrees()
 }
 
 /// The square root of a number that is not negative.

@@ -14,6 +14,7 @@ use crate::modal::Refusal;
 use crate::parameters::NameId;
 use crate::quirks;
 use crate::source::Source;
+use crate::syntax::LinePlace;
 use crate::syntax::packed::{Block, Keyword, NONE, OWord};
 
 /// Deepest nesting of calls (11.7.4).
@@ -71,6 +72,10 @@ impl Interpreter {
         label: NameId,
         segment: u32,
     ) -> Result<(), Error> {
+        if !self.scopes.frames.is_empty() {
+            let message = "a sub within a called program".into();
+            return Err(self.fault(at.segment, block.line, FaultKind::NestedSub, message, None));
+        }
         match self.segment_of(label) {
             Some(defined) if defined == segment => Ok(()),
             Some(_) if self.defined_lines.get(&label) == Some(&block.line) => Ok(()),
@@ -127,7 +132,7 @@ impl Interpreter {
         }
         let known = self.programs.is_some();
         if !known
-            && self.gather_programs(source)?
+            && self.gather_programs(None, source)?
             && self.programs.as_ref().is_some_and(|programs| programs.contains_key(&label))
         {
             return refuse(FaultKind::MixedStyles, mixed);
@@ -224,7 +229,7 @@ impl Interpreter {
         sink: &mut K,
     ) -> Result<Progress, Error> {
         let (executed, result) = if self.words.has_m(98) {
-            (Executed::NumberedCall, self.call_numbered(block, source))
+            (Executed::NumberedCall, self.call_numbered(at, block, source))
         } else {
             (Executed::NumberedReturn, self.return_numbered(block, sink))
         };
@@ -260,6 +265,7 @@ impl Interpreter {
     /// M98 P L.
     fn call_numbered<S: Source>(
         &mut self,
+        at: Cursor,
         block: &Block,
         source: &mut S,
     ) -> Result<Progress, Halt> {
@@ -269,11 +275,14 @@ impl Interpreter {
         };
         let number = count(number)?;
         let turns = count(self.words.get(b'L').unwrap_or(1.0))?;
+        if turns == 0 && self.packer.choices.uncalled_free {
+            return Ok(Progress::More);
+        }
+        let label = self.packer.computed_label(i64::try_from(number).unwrap_or(i64::MAX));
+        let entry = self.find_program(label, (at, block), turns != 0, source)?;
         if turns == 0 {
             return Ok(Progress::More);
         }
-        let label = self.packer.computed_label(number);
-        let entry = self.find_program(label, block, source)?;
         let left = match turns {
             _ if planted(Fault::NoRepeat) => 0,
             turns if planted(Fault::OneTurnMore) => turns,
@@ -288,18 +297,20 @@ impl Interpreter {
         Ok(Progress::More)
     }
 
-    /// Where a numbered subprogram begins; it must follow the call.
+    /// Where a numbered subprogram begins; it must follow the call. Whether it is called now is told.
     fn find_program<S: Source>(
         &mut self,
         label: NameId,
-        block: &Block,
+        (at, block): (Cursor, &Block),
+        called: bool,
         source: &mut S,
     ) -> Result<u32, Halt> {
         let mixed = "this number is that of a sub, which an o-word calls";
         if self.segment_of(label).is_some() {
             return refuse(FaultKind::MixedStyles, mixed);
         }
-        if !self.gather_programs(source)? {
+        let call = LinePlace { line: block.line, offset: block.offset };
+        if !self.gather_programs((at.segment != STREAM).then_some(call), source)? {
             let what = "M98 in a source that cannot go back";
             return Err(Halt::Refusal(Refusal::Unsupported(what.into())));
         }
@@ -307,7 +318,7 @@ impl Interpreter {
         let found = self.programs.as_mut().and_then(|programs| programs.get_mut(&label));
         match found {
             Some(program) if program.line > block.line || program.called && call_itself => {
-                program.called = true;
+                program.called |= called;
                 Ok(program.entry)
             }
             None if self.subs_ahead.contains(&label) => refuse(FaultKind::MixedStyles, mixed),

@@ -56,12 +56,18 @@ impl Interpreter {
             }
         }
         self.parameters.line = line;
-        self.calculator.apply(&mut self.parameters);
+        let first = self.packer.choices.settings_first;
+        if first || self.words.is_empty() {
+            self.calculator.apply(&mut self.parameters);
+        }
         let flow = if self.words.is_empty() {
             Ok(Flow::More)
         } else {
             self.modal.execute(&self.words, &mut self.parameters.numbered, sink)
         };
+        if !first && !self.words.is_empty() && flow.is_ok() {
+            self.calculator.apply(&mut self.parameters);
+        }
         match flow {
             Ok(flow) => self
                 .after_words((Cursor::MAIN, line), Executed::Words, flow, source, sink)

@@ -9,7 +9,7 @@ use crate::modal::{Modal, Refusal};
 use crate::parameters::{NameId, Named, Numbered, Own, Slot};
 use crate::quirks;
 use crate::syntax::packed::Op;
-use crate::syntax::{Packer, arithmetic, code_number, is_position, parameter_number};
+use crate::syntax::{Packer, arithmetic, code_number, is_position, is_told, parameter_number};
 use crate::words::Words;
 
 /// The version of the manual, as `_vmajor` tells it.
@@ -114,6 +114,10 @@ impl Calculator {
         self.applied = true;
         for setting in &mut self.settings {
             match setting {
+                // What tells the tool or the point goes on telling it, where it can be set at all.
+                Setting::Numbered(number, value) if is_told(*number) => {
+                    *value = parameters.numbered.get(u32::from(*number));
+                }
                 Setting::Numbered(number, value) => {
                     *value = parameters.numbered.replace(u32::from(*number), *value);
                 }
@@ -124,6 +128,30 @@ impl Calculator {
                     *setting = Setting::Before(*id, parameters.named.set_global(*id, *value));
                 }
                 Setting::Before(..) => {}
+            }
+        }
+    }
+
+    /// Undoes [`Self::apply`], which may be called again.
+    pub(crate) fn postpone(&mut self, parameters: &mut Parameters) {
+        if !self.applied {
+            return;
+        }
+        self.applied = false;
+        for setting in self.settings.iter_mut().rev() {
+            match setting {
+                Setting::Numbered(number, value) => {
+                    *value = parameters.numbered.replace(u32::from(*number), *value);
+                }
+                Setting::Before(id, before) => {
+                    let (id, set) = (*id, parameters.named.put_back(*id, *before));
+                    *setting = if set.is_global() {
+                        Setting::Global(id, set.value())
+                    } else {
+                        Setting::Local(id, set.value())
+                    };
+                }
+                Setting::Local(..) | Setting::Global(..) => {}
             }
         }
     }

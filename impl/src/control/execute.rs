@@ -139,9 +139,8 @@ impl Interpreter {
             &mut self.words,
         )?;
         let mut stopped = false;
-        if block.comment == NONE {
-            self.calculator.apply(&mut self.parameters);
-        } else {
+        let first = self.packer.choices.settings_first;
+        if block.comment != NONE {
             let before = self.packer.choices.message_old;
             if !before {
                 self.calculator.apply(&mut self.parameters);
@@ -156,17 +155,24 @@ impl Interpreter {
             if let Some(comment) = comment.and_then(|place| code.comments.get(place)) {
                 stopped = self.logs.perform(*comment, view, block.line, sink)?;
             }
-            if before {
-                self.calculator.apply(&mut self.parameters);
+            if !before {
+                self.calculator.postpone(&mut self.parameters);
             }
+        }
+        let called = self.words.m_count != 0 && (self.words.has_m(98) || self.words.has_m(99));
+        if first || called || self.words.is_empty() {
+            self.calculator.apply(&mut self.parameters);
         }
         if self.words.is_empty() {
             return Ok(Some(if stopped { Flow::Stopped } else { Flow::More }));
         }
-        if self.words.m_count != 0 && (self.words.has_m(98) || self.words.has_m(99)) {
+        if called {
             return Ok(None);
         }
         let flow = self.modal.execute(&self.words, &mut self.parameters.numbered, sink)?;
+        if !first {
+            self.calculator.apply(&mut self.parameters);
+        }
         Ok(Some(match flow {
             Flow::More if stopped => Flow::Stopped,
             Flow::Within { .. } if stopped => Flow::Within { stopped },
@@ -182,7 +188,8 @@ impl Interpreter {
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
-        if self.packer.choices.percent_needed && self.percent == Some(true) {
+        let needed = self.packer.choices.percent_needed && self.percent == Some(true);
+        if needed && !self.percent_closed {
             loop {
                 let percent = self.reader.next(source, |line, _| crate::syntax::is_percent(line));
                 match percent? {
@@ -241,7 +248,11 @@ impl Interpreter {
                 Ok(None)
             }
             (Some(true), _) if planted(Fault::PercentGoesOn) => Ok(None),
-            (Some(true), _) | (Some(false), PercentAlone::Ends) => Ok(Some(End::PercentEnd)),
+            (Some(true), _) => {
+                self.percent_closed = true;
+                Ok(Some(End::PercentEnd))
+            }
+            (Some(false), PercentAlone::Ends) => Ok(Some(End::PercentEnd)),
             (Some(false), PercentAlone::Ignored) => Ok(None),
             (Some(false), PercentAlone::Refused) => {
                 let message = "a percent line in a file that does not begin with one";

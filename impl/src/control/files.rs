@@ -12,8 +12,8 @@ use crate::error::Error;
 use crate::interpret::{Interpreter, NumberedProgram};
 use crate::parameters::NameId;
 use crate::source::Source;
-use crate::syntax::Segment;
 use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord, Op};
+use crate::syntax::{LinePlace, Segment};
 
 impl Interpreter {
     /// Packs the sub of a file of its name (11.7.9); none where there is no such file or sub.
@@ -105,11 +105,22 @@ impl Interpreter {
 
     /// Looks for the numbered subprograms in what follows of the main program (11.7.4.1), once, and packs them together, since one that does
     /// not end runs into the next. False where the source cannot go back.
-    pub(crate) fn gather_programs<S: Source>(&mut self, source: &mut S) -> Result<bool, Error> {
+    ///
+    /// They follow the call, which stands before the place of the reader where a loop or sub holds it.
+    pub(crate) fn gather_programs<S: Source>(
+        &mut self,
+        call: Option<LinePlace>,
+        source: &mut S,
+    ) -> Result<bool, Error> {
         if self.programs.is_some() {
             return Ok(true);
         }
         let here = self.reader.place();
+        if let Some(call) = call
+            && !self.reader.rewind(source, call)?
+        {
+            return Ok(false);
+        }
         let mut code = Segment::default();
         let mut programs = BTreeMap::new();
         loop {
@@ -134,7 +145,18 @@ impl Interpreter {
                     programs.entry(label).or_insert(begun);
                 }
                 Next::Block(block) => {
+                    let body = self.reader.place();
                     self.sub_into(&block, source, &mut code)?;
+                    if block.refused == NONE
+                        && code.blocks.last().is_some_and(|head| head.refused != NONE)
+                    {
+                        // A sub that is none holds nothing: what follows its head can begin a program. Its head is refused, since it
+                        // stands in a called program.
+                        self.reader.rewind(source, body)?;
+                        if let Some(head) = code.blocks.last_mut() {
+                            head.line = block.line;
+                        }
+                    }
                     if let Some(Block { kind: Kind::Definition { label, .. }, .. }) =
                         code.blocks.last()
                     {

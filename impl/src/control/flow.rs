@@ -145,10 +145,7 @@ impl Interpreter {
         let Some(number) = math::near_integer(value) else {
             return Err(Refusal::fault(FaultKind::NotAnInteger, "an o-number is an integer"));
         };
-        match u64::try_from(number) {
-            Ok(number) => Ok(packer.computed_label(number)),
-            Err(_) => Err(Refusal::fault(FaultKind::WordOutOfRange, "an o-number is not negative")),
-        }
+        Ok(packer.computed_label(number))
     }
 
     /// Evaluates the values behind a keyword; they stand on the stack then.
@@ -292,8 +289,13 @@ impl Interpreter {
         accept: fn(Keyword) -> bool,
         source: &mut S,
     ) -> Result<(), Halt> {
-        let (found, _) = self.seek(at, block.line, Wanted { label, accept }, source)?;
-        self.pass(&found);
+        let (found, end) = self.seek(at, block.line, Wanted { label, accept }, source)?;
+        if end.keyword == Keyword::EndIf {
+            self.pass(&found);
+        } else {
+            // The end of a loop is not executed by who goes behind it, so that nothing in it is refused.
+            self.pass_behind();
+        }
         if let Some(definition) = self.scopes.find(label) {
             definition.ended = true;
         }

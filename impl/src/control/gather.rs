@@ -7,10 +7,11 @@ use crate::control::{Cursor, Definition, LOOP, STREAM};
 use crate::error::Error;
 use crate::interpret::Interpreter;
 use crate::limits::Limit;
+use crate::math;
 use crate::parameters::NameId;
 use crate::source::Source;
-use crate::syntax::packed::{Block, Keyword, Kind, NONE};
-use crate::syntax::{LinePlace, Refused, Segment, Taken, is_oword, is_percent};
+use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord};
+use crate::syntax::{LinePlace, Refused, Segment, Taken, is_oword, is_percent, label_ops};
 
 /// Bytes that a label takes beside its characters.
 const LABEL: usize = 32;
@@ -213,8 +214,8 @@ impl Interpreter {
                     if oword.keyword == Keyword::Sub {
                         return Ok(Err(Bad::Nested(line)));
                     }
-                    let own = oword.label == label || oword.label == NONE;
-                    if oword.keyword == Keyword::EndSub && own {
+                    let ends = oword.keyword == Keyword::EndSub;
+                    if ends && (label == NONE || self.written_label(&code, oword) == Some(label)) {
                         break;
                     }
                 }
@@ -227,6 +228,19 @@ impl Interpreter {
         self.packed = self.packed.saturating_add(code.bytes());
         self.segments.push(code);
         Ok(Ok(number))
+    }
+
+    /// The label of the last block of a segment, computed where it is not written out; none where it has none.
+    fn written_label(&mut self, code: &Segment, oword: OWord) -> Option<NameId> {
+        if oword.label != NONE {
+            return Some(oword.label);
+        }
+        let Self { calculator, parameters, modal, packer, words, .. } = self;
+        let ops = label_ops(code, code.blocks.last()?, oword);
+        calculator.clear();
+        calculator.run(ops, parameters, modal, packer, words).ok()?;
+        let number = math::near_integer(calculator.stack.first().copied()?)?;
+        Some(packer.computed_label(number))
     }
 
     /// Refuses more packed blocks than there may be.

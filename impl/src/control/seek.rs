@@ -61,9 +61,13 @@ impl Interpreter {
 
     /// Leaves the block that was found behind, unless it must be refused.
     pub(crate) fn pass(&mut self, found: &Block) {
-        if found.refused != NONE {
-            return;
+        if found.refused == NONE {
+            self.pass_behind();
         }
+    }
+
+    /// Leaves the block that was found behind, whatever stands in it.
+    pub(crate) fn pass_behind(&mut self) {
         self.held = false;
         if self.cursor.segment != STREAM {
             self.cursor = self.cursor.after();
@@ -161,7 +165,10 @@ impl Interpreter {
                 || self.packer.choices.percent_alone == PercentAlone::Ends;
             match seen {
                 None => return Ok(None),
-                Some(Seen::Percent) if ends => return Ok(None),
+                Some(Seen::Percent) if ends => {
+                    self.percent_closed = true;
+                    return Ok(None);
+                }
                 Some(Seen::Percent | Seen::Other) => {}
                 Some(Seen::Block) => {
                     self.after_packing(STREAM)?;

@@ -64,11 +64,6 @@ impl<'a> Block<'a> {
     pub(crate) fn m(&self) -> impl Iterator<Item = (u8, u16)> + 'a {
         self.m.into_iter().filter(|(_, code)| *code != NONE)
     }
-
-    /// Whether an M code stands in the block.
-    pub(crate) fn has_m(&self, wanted: impl Fn(u16) -> bool) -> bool {
-        self.m().any(|(_, code)| wanted(code))
-    }
 }
 
 impl Modal {
@@ -186,7 +181,8 @@ impl Modal {
                     );
                 }
             }
-            (1, None | Some(800 | 53)) => block.motion = explicit,
+            // G43.1 and a code of group 0 may both use them: only a code of group 1 beside one of those is an error (11.4.13, 11.5.29).
+            (_, None | Some(800 | 53)) => block.motion = explicit,
             _ => return refuse(FaultKind::AxisWords, "axis words that two codes use"),
         }
         Ok(())

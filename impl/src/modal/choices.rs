@@ -113,10 +113,14 @@ choices! {
     retract_names_as_written: "parameters.retract-names", "by-name", "as-written";
     /// `_spindle_on` is 0 at a speed of zero.
     spindle_on_turning: "parameters.spindle-on-at-zero", "commanded", "turning";
+    /// A tolerance of G64 below zero is as good as none.
+    negative_tolerance_none: "path-control.negative-tolerance", "refused", "left-out";
     /// M60 ends the program and M30 pauses it.
     pallet_table: "pause.pallet-codes", "sections", "table";
     /// G28 and G30 with axis words go to the stored position along axes of the program.
     position_program_axes: "positions.rotated-axes", "machine", "program";
+    /// G96 holds for probing too: the spindle must turn.
+    probe_turning: "probe.standing-spindle", "accepted", "refused";
     /// F stays when the program end changes the feed mode.
     feed_kept_at_end: "program-end.feed-after-mode-change", "zero", "kept";
     /// The program end stops spindle 0 only.

@@ -284,11 +284,13 @@ impl Modal {
         }
         // Under inverse time F belongs to one move; on any other line it is ignored (11.5.59).
         if !block.motion.is_some_and(takes_inverse_time) {
-            return Ok(());
+            return feed.map_or(Ok(()), |feed| checked_feed(feed).map(drop));
         }
         match feed {
             Some(feed) => self.set_feed(feed),
             None if planted(Fault::InverseTimeOld) => Ok(()),
+            // Where a motion code alone sets the mode and moves nothing, there is no move that F would time.
+            None if !block.axes_move && !self.choices.move_in_place => Ok(()),
             None => refuse(FaultKind::MissingWord, "inverse time without an F word"),
         }
     }

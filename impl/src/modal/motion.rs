@@ -65,9 +65,20 @@ impl Modal {
 
     /// What every feed move needs.
     pub(super) fn check_feed_move(&self) -> Result<(), Refusal> {
+        self.check_feed_rate()?;
+        self.check_turning()
+    }
+
+    /// A feed rate must have been set.
+    pub(super) fn check_feed_rate(&self) -> Result<(), Refusal> {
         if self.in_force.now().feed_rate <= 0.0 {
             return refuse(FaultKind::ZeroFeed, "a feed move without a feed rate");
         }
+        Ok(())
+    }
+
+    /// Under constant surface speed the spindle must turn (11.5.60).
+    pub(super) fn check_turning(&self) -> Result<(), Refusal> {
         if self.surface_speed_stands() {
             return refuse(FaultKind::ZeroSpeed, "a feed move under G96 while the spindle stands");
         }

@@ -25,7 +25,10 @@ impl Modal {
         if self.in_force.now().compensation != Compensation::Off {
             return refuse(FaultKind::CompensationActive, "probing under cutter compensation");
         }
-        self.check_feed_move()?;
+        self.check_feed_rate()?;
+        if self.choices.probe_turning {
+            self.check_turning()?;
+        }
         let end = self.end_point(words);
         if end == self.position {
             return refuse(FaultKind::Probe, "the probe is at the programmed point already");

@@ -6,6 +6,7 @@ use gaugeblock_trace::{
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
+use crate::math;
 
 use super::Modal;
 use super::check::Block;
@@ -33,10 +34,6 @@ impl Modal {
     ) -> Result<Spindles, Refusal> {
         let Some(dollar) = block.words.dollar else { return Ok(without) };
         let number = integer(dollar, "$")?;
-        if number == -1 && self.choices.minus_one_all && block.has_m(|code| (3..=5).contains(&code))
-        {
-            return Ok(self.all_spindles());
-        }
         match u32::try_from(number) {
             Ok(number) if number < self.spindles => Ok(FIRST.wrapping_shl(number)),
             _ => refuse(FaultKind::SpindleOutOfRange, "the machine has no spindle of this number"),
@@ -92,7 +89,10 @@ impl Modal {
     /// M3, M4, M5.
     pub(super) fn turn_spindle(&mut self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
         let without = if self.choices.turn_first { FIRST } else { self.all_spindles() };
-        let which = self.selected(block, without)?;
+        // That -1 means all spindles is said of these codes only (11.6.5), also where S or another code stands beside them.
+        let all = self.choices.minus_one_all
+            && block.words.dollar.is_some_and(|number| math::near_integer(number) == Some(-1));
+        let which = if all { self.all_spindles() } else { self.selected(block, without)? };
         let turn = match code {
             3 => SpindleTurn::Clockwise,
             4 if planted(Fault::OneDirection) => SpindleTurn::Clockwise,

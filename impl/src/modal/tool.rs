@@ -140,7 +140,8 @@ impl Modal {
             return refuse(FaultKind::ControllerMode, "M61 belongs to MDI and manual mode");
         }
         let tool = integer_in(block.words.get(b'Q').unwrap_or(0.0), 0, i32::MAX, "Q of M61")?;
-        let none = tool == 0 && !self.random_tool_changer;
+        // 9.6.17.13: zero unloads the tool, whatever the changer.
+        let none = tool == 0;
         let any = self.choices.set_any_tool || planted(Fault::SetUnknown);
         if !none && !any && self.tool_numbered(tool).is_none() {
             return refuse(FaultKind::ToolNotFound, "the tool table does not hold the tool of M61");

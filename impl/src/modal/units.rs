@@ -108,21 +108,32 @@ impl Modal {
             self.in_force.put(|modes| &mut modes.path, path);
             return Ok(());
         }
-        let (blend, naive) = match (words.get(b'P'), words.get(b'Q')) {
+        if words.get(b'P').is_none() && words.get(b'Q').is_some() {
+            return refuse(FaultKind::MissingWord, "Q of G64 without P");
+        }
+        let (blend, naive) = match (self.tolerance(words, b'P')?, self.tolerance(words, b'Q')?) {
             (None, None) if planted(Fault::ToleranceKept) => {
                 let now = self.in_force.now();
                 (now.blend_tolerance, now.naive_cam_tolerance)
             }
-            (None, None) => (0.0, 0.0),
-            (None, Some(_)) => return refuse(FaultKind::MissingWord, "Q of G64 without P"),
+            (None, naive) => (0.0, naive.unwrap_or(0.0)),
             (Some(blend), None) if planted(Fault::NoNaiveTolerance) => (blend, 0.0),
             (Some(blend), naive) => (blend, naive.unwrap_or(blend)),
         };
         let modes = self.in_force.set();
         modes.path = Path::Continuous;
-        modes.blend_tolerance = not_negative(blend, "P")?;
-        modes.naive_cam_tolerance = not_negative(naive, "Q")?;
+        modes.blend_tolerance = blend;
+        modes.naive_cam_tolerance = naive;
         Ok(())
+    }
+
+    /// A tolerance of G64. What one below zero means, 11.5.37 does not say.
+    fn tolerance(&self, words: &Words, letter: u8) -> Result<Option<f64>, Refusal> {
+        match words.get(letter) {
+            Some(value) if value < 0.0 && self.choices.negative_tolerance_none => Ok(None),
+            Some(value) => not_negative(value, "a tolerance of G64").map(Some),
+            None => Ok(None),
+        }
     }
 }
 

@@ -54,6 +54,18 @@ pub(crate) struct Slot {
     scope: u64,
 }
 
+impl Slot {
+    /// Its value.
+    pub(crate) fn value(&self) -> f64 {
+        self.value
+    }
+
+    /// Whether it is that of a global parameter.
+    pub(crate) fn is_global(&self) -> bool {
+        self.scope == GLOBAL
+    }
+}
+
 /// What a local parameter was before a call level set it.
 #[derive(Clone, Copy, Debug)]
 struct Hidden {

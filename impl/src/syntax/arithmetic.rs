@@ -1,10 +1,12 @@
 //! What operators and functions do with numbers (11.4.6 to 11.4.8).
 
+use alloc::vec::Vec;
+
 use gaugeblock_trace::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::math;
-use crate::syntax::packed::{Binary, Function};
+use crate::syntax::packed::{Binary, Function, Op};
 use crate::syntax::{Choices, RoundHalf};
 
 /// Why there is no result.
@@ -145,9 +147,42 @@ pub(crate) fn function(function: Function, value: f64, choices: &Choices) -> Res
     })
 }
 
+/// The value of operations that ask nothing of a program; none where they ask something, or are not those of one value.
+pub(crate) fn constant(ops: &[Op], choices: &Choices) -> Option<Result<f64, Wrong>> {
+    let mut stack: Vec<f64> = Vec::new();
+    for op in ops {
+        #[expect(clippy::wildcard_enum_match_arm, reason = "the others depend on something")]
+        let value = match *op {
+            Op::Number(value) => Ok(value),
+            Op::Negate => Ok(-stack.pop()?),
+            Op::Function(name) => function(name, stack.pop()?, choices),
+            Op::BinaryNumber(operator, right) => binary(operator, stack.pop()?, right, choices),
+            Op::Binary(operator) => {
+                let right = stack.pop()?;
+                binary(operator, stack.pop()?, right, choices)
+            }
+            Op::Arctangent => {
+                let x = stack.pop()?;
+                Ok(arctangent(stack.pop()?, x, choices))
+            }
+            _ => return None,
+        };
+        match value {
+            Ok(value) => stack.push(value),
+            Err(wrong) => return Some(Err(wrong)),
+        }
+    }
+    match stack.as_slice() {
+        [value] => Some(Ok(*value)),
+        [] | [_, _, ..] => None,
+    }
+}
+
 /// ATAN\[y\]/\[x\], degrees.
 pub(crate) fn arctangent(y: f64, x: f64, choices: &Choices) -> f64 {
     let (y, x) = if planted(Fault::ArctangentSwapped) { (x, y) } else { (y, x) };
+    // Adding zero takes the sign from a zero.
+    let (y, x) = if choices.zero_signed { (y, x) } else { (y + 0.0, x + 0.0) };
     let angle = math::arctangent(y, x);
     if choices.full_turn && angle < 0.0 { angle + 360.0 } else { angle }
 }

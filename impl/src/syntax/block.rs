@@ -12,7 +12,7 @@ use crate::math;
 use crate::parameters::Names;
 use crate::syntax::cursor::Cursor;
 use crate::syntax::packed::{Block, Kind, NONE, Op, Segment};
-use crate::syntax::parameter::Place;
+use crate::syntax::parameter::{Place, is_told};
 use crate::syntax::{Choices, Packed, comment, number};
 
 /// What a line was.
@@ -311,7 +311,7 @@ impl Packer {
     /// Whether a numbered parameter tells something and is not set by programs.
     #[inline]
     pub(crate) fn is_read_only(&self, number: u16) -> bool {
-        (5400..=5428).contains(&number) && !self.choices.position_writable
+        is_told(number) && !self.choices.position_writable
     }
 
     /// A comment; its form is checked, and the last one of a block is kept.

@@ -145,12 +145,16 @@ choices! {
         order_tolerant "expressions.order-tolerance" ["exact", "tolerant"],
         /// True is -1.
         true_minus_one "expressions.true-value" ["one", "minus-one"],
+        /// A zero keeps the sign with which it was found.
+        zero_signed "expressions.negative-zero" ["none", "kept"],
         /// A sign belongs to a number only.
         sign_refused "expressions.unary-minus" ["accepted", "refused"],
         /// A global parameter that was never set is zero.
         absent_zero "parameters.absent-global" ["refused", "zero"],
         /// #5400 to #5428 can be set.
         position_writable "parameters.read-only-numbered" ["refused", "written"],
+        /// The settings of a block take effect before its words act.
+        settings_first "parameters.setting-time" ["after-words", "before-words"],
         /// A value in a message has four decimals.
         default_four "active-comments.default-format" ["six-decimals", "four-decimals"],
         /// %f gives six decimals.
@@ -175,6 +179,8 @@ choices! {
         locals_shared "fanuc-subs.named-locals" ["hidden", "shared"],
         /// M98 leaves the value of an earlier call.
         value_kept "fanuc-subs.value-after-call" ["cleared", "kept"],
+        /// A subprogram that is executed no time need not exist.
+        uncalled_free "fanuc-subs.zero-count-unknown" ["refused", "accepted"],
         /// A return must carry the number of its sub.
         return_own "subroutines.return-label" ["any", "own"],
     }

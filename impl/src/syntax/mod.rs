@@ -21,7 +21,7 @@ pub(crate) use expression::group;
 pub(crate) use number::plain as plain_number;
 pub(crate) use oword::label_ops;
 pub(crate) use packed::Segment;
-pub(crate) use parameter::{Place, is_position, parameter_number};
+pub(crate) use parameter::{Place, is_position, is_told, parameter_number};
 
 /// What becomes of a part of a line. A refusal is boxed because the way without one must be short.
 pub(crate) type Packed<T> = Result<T, Box<Refused>>;

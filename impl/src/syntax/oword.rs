@@ -2,11 +2,12 @@
 
 use gaugeblock_trace::FaultKind;
 
+use crate::math;
 use crate::parameters::NameId;
 use crate::syntax::block::Packer;
 use crate::syntax::cursor::Cursor;
 use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord, Op, Segment};
-use crate::syntax::{Packed, number};
+use crate::syntax::{Packed, arithmetic, number};
 
 /// Most arguments of a call (11.7.4).
 const ARGUMENTS: u8 = 30;
@@ -42,7 +43,7 @@ impl Packer {
     ) -> Packed<()> {
         let start = cursor.at();
         cursor.step();
-        let numbered = cursor.peek().is_ascii_digit();
+        let numbered = matches!(cursor.peek(), b'0'..=b'9' | b'.' | b'+' | b'-');
         let label = self.label(cursor, into)?;
         let mut oword = OWord { keyword: Keyword::Unknown, label, values: 0, next: NONE };
         if label == NONE {
@@ -72,18 +73,51 @@ impl Packer {
     fn label(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<NameId> {
         let mut text = core::mem::take(&mut self.scratch);
         text.clear();
+        let first = into.ops.len();
+        let start = *cursor;
         let result = match cursor.peek() {
             b'0'..=b'9' => {
                 number::digits(cursor, &mut text);
-                Ok(self.number_label(&text))
+                if cursor.peek() == b'.' {
+                    *cursor = start;
+                    self.value(cursor, into, self.bracket_depth).map(|()| NONE)
+                } else {
+                    Ok(self.number_label(&text))
+                }
             }
+            b'.' | b'+' | b'-' => self.value(cursor, into, self.bracket_depth).map(|()| NONE),
             b'<' => self.read_name(cursor, &mut text).map(|()| self.labels.intern(text.as_bytes())),
             b'[' => self.expression(cursor, into, self.bracket_depth).map(|()| NONE),
             b'#' => self.value(cursor, into, self.bracket_depth).map(|()| NONE),
             _ => cursor.refuse(FaultKind::BadBlock, "a label is missing"),
         };
         self.scratch = text;
-        result
+        match result? {
+            NONE => self.constant_label(&start, cursor, first, into),
+            label => Ok(label),
+        }
+    }
+
+    /// The label of operations that ask no parameter: it is known before anything is executed. Others wait for that.
+    fn constant_label(
+        &mut self,
+        start: &Cursor<'_>,
+        cursor: &Cursor<'_>,
+        first: usize,
+        into: &mut Segment,
+    ) -> Packed<NameId> {
+        let ops = into.ops.get(first..).unwrap_or(&[]);
+        let Some(value) = arithmetic::constant(ops, &self.choices) else { return Ok(NONE) };
+        let number = match value {
+            Ok(value) => math::near_integer(value),
+            Err((kind, message)) => return cursor.refuse_from(start.at(), *kind, message),
+        };
+        let Some(number) = number else {
+            let message = "an o-number is an integer";
+            return cursor.refuse_from(start.at(), FaultKind::NotAnInteger, message);
+        };
+        into.ops.truncate(first);
+        Ok(self.computed_label(number))
     }
 
     /// The label that is written as digits; leading zeros mean nothing.
@@ -93,7 +127,7 @@ impl Packer {
     }
 
     /// The label that a computed number is.
-    pub(crate) fn computed_label(&mut self, number: u64) -> NameId {
+    pub(crate) fn computed_label(&mut self, number: i64) -> NameId {
         use core::fmt::Write as _;
         let mut text = core::mem::take(&mut self.scratch);
         text.clear();

@@ -62,6 +62,8 @@ impl Packer {
                 into.ops.push(Op::Number(number));
             }
             b'[' => self.expression(cursor, into, depth)?,
+            // A number may have a sign (11.4.2.4).
+            b'+' | b'-' => self.value(cursor, into, depth)?,
             b'#' if depth == 0 => {
                 self.beyond = Some(Limit::BracketDepth);
                 return cursor.refuse(FaultKind::BadExpression, "too many number signs");
@@ -131,6 +133,10 @@ impl Packer {
         loop {
             match cursor.peek() {
                 b'>' => break,
+                // What begins or ends a comment is none of a name's characters (11.4.14).
+                b'(' | b')' | b';' => {
+                    return cursor.refuse(FaultKind::BadComment, "a comment within a name");
+                }
                 byte if byte.is_ascii_graphic() => name.push(char::from(byte)),
                 _ => {
                     return cursor.refuse_from(
@@ -210,6 +216,12 @@ pub(crate) fn short_parameter(cursor: &mut Cursor<'_>) -> Option<u16> {
 #[inline]
 pub(crate) fn is_position(number: u16) -> bool {
     (5420..=5428).contains(&number)
+}
+
+/// Whether a parameter tells the tool or the controlled point.
+#[inline]
+pub(crate) fn is_told(number: u16) -> bool {
+    number >= 5400 && (number <= 5413 || is_position(number))
 }
 
 /// The number of a parameter from a value that should be one.

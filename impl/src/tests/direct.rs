@@ -139,10 +139,12 @@ fn line() -> impl Strategy<Value = String> {
 }
 
 /// Choices that have a say in words and values.
-const CHOICES: [(&str, &str); 6] = [
+const CHOICES: [(&str, &str); 8] = [
     ("expressions.unary-minus", "refused"),
     ("parameters.absent-global", "zero"),
     ("parameters.read-only-numbered", "written"),
+    ("parameters.setting-time", "before-words"),
+    ("expressions.negative-zero", "kept"),
     ("text.comment-nested", "plain"),
     ("expressions.order-tolerance", "tolerant"),
     ("active-comments.msg-without-comma", "message"),

@@ -102,7 +102,7 @@ fn labels_are_checked_when_they_are_come_by() {
         ("o1 if [0]\no1 endif x1\nm2\n", "refused at 2 bad_block"),
         ("o1 foo\nm2\n", "refused at 1 bad_block"),
         ("o if [1]\nm2\n", "refused at 1 bad_block"),
-        ("o-1 if [1]\nm2\n", "refused at 1 bad_block"),
+        ("o-1 if [1]\no1 endif\nm2\n", "refused at 2 unknown_label"),
         ("o<a>\nm2\n", "refused at 1 bad_block"),
     ]);
 }
@@ -118,7 +118,7 @@ fn labels_can_be_computed() {
         ),
         ("#1=3\no#1 repeat [2]\n#31=[#31+1]\no3 endrepeat\nm2\n", "#31 = 2"),
         ("o[1.5] if [1]\nm2\n", "refused at 1 not_an_integer"),
-        ("o[0-1] if [1]\nm2\n", "refused at 1 word_out_of_range"),
+        ("o[0-1] if [1]\n#31=1\no-1 endif\nm2\n", "#31 = 1"),
         ("o[1/0] if [1]\nm2\n", "refused at 1 divide_by_zero"),
         ("o[1 if [1]\nm2\n", "refused at 1 bad_expression"),
     ]);

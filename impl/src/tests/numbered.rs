@@ -17,7 +17,7 @@ fn subprograms_follow_their_calls() {
     check_all(&[
         ("m98 p100\nm2\no100 (title)\n#31=[#31+1]\nm99\n", "#31 = 1"),
         ("n5 m98 p[50*2] l[1+1]\nm2\no100\n#31=[#31+1]\nm99\n", "#31 = 2"),
-        ("m98 p100 l0\nm2\n", "accepted"),
+        ("m98 p100 l0\nm2\n", "refused at 1 unknown_sub"),
         ("o9 repeat [2]\nm98 p100\no9 endrepeat\nm2\no100\n#31=[#31+1]\nm99\n", "#31 = 2"),
         ("m98 p100\nm2\no100\no1 if [1]\nm99\no1 endif\n#31=1\nm99\n", "#31 = 0; accepted"),
         ("m98 p100\nm2\no100\n#31=1\no200\n#32=1\nm99\n", "#31 = 1; #32 = 1"),

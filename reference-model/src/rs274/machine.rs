@@ -50,6 +50,8 @@ pub struct State {
     pub curve: Curve,
     /// Whether a log file is open.
     pub log_open: bool,
+    /// Whether a file for probed points is open.
+    pub probe_log_open: bool,
     /// What the operator has set at the panel.
     pub panel: Panel,
     /// The outside of the controller: its clock, its pins, and how a bench answers.
@@ -169,6 +171,7 @@ impl State {
             frames: vec![Frame::default()],
             line: 1,
             log_open: false,
+            probe_log_open: false,
             series: None,
             curve: Curve::default(),
             panel: Panel::new(&Machine::default()),

@@ -32,8 +32,6 @@ enum Stroke {
     FeedOut,
     /// A feed move to the R plane.
     FeedToRetract,
-    /// A rapid move to the clear level, where that is not the R plane.
-    RapidOn,
     /// The selected spindle is told to do this.
     Turn(SpindleTurn),
     /// The selected spindle does again what it did before the cycle.
@@ -48,7 +46,7 @@ enum Stroke {
 const fn strokes(code: u16) -> &'static [Stroke] {
     use Stroke::{
         Drill, DrillBreaking, DrillPecking, Dwell, FeedOut, FeedToRetract, OverridesBack,
-        OverridesOff, RapidOn, RapidOut, Turn, TurnAgain,
+        OverridesOff, RapidOut, Turn, TurnAgain,
     };
     const CW: SpindleTurn = SpindleTurn::Clockwise;
     const CCW: SpindleTurn = SpindleTurn::Counterclockwise;
@@ -62,7 +60,7 @@ const fn strokes(code: u16) -> &'static [Stroke] {
         // 11.5.48 does not turn the spindle back.
         840 => &[OverridesOff, Drill, Turn(STOP), Turn(CCW), Dwell, FeedOut, OverridesBack],
         // 11.5.49 feeds out to R only "if it is lower than the initial Z"; the cycle is called "feed out".
-        850 => &[Drill, FeedToRetract, RapidOn],
+        850 => &[Drill, FeedToRetract, RapidOut],
         860 => &[Drill, Dwell, Turn(STOP), RapidOut, TurnAgain],
         890 => &[Drill, Dwell, FeedOut],
         _ => &[Drill, RapidOut],
@@ -255,8 +253,7 @@ impl Modal {
             Stroke::Dwell => {
                 self.perform(line, &Effect::Dwell { seconds: cycle.dwell }, sink)?;
             }
-            Stroke::RapidOn if clear <= retract => {}
-            Stroke::RapidOut | Stroke::RapidOn => self.traverse_to(line, to(self, clear), sink)?,
+            Stroke::RapidOut => self.traverse_to(line, to(self, clear), sink)?,
             Stroke::FeedOut => self.feed_to(line, to(self, clear), sink)?,
             Stroke::FeedToRetract => self.feed_to(line, to(self, retract), sink)?,
             Stroke::Turn(turn) => self.for_spindles(cycle.spindle, |spindle| spindle.turn = turn),

@@ -92,7 +92,7 @@ fn each_cycle() {
     shows(at, "g81 x1 z-1 r1", &[above, down, bottom, out]);
     shows(at, "g82 x1 z-1 r1 p2", &[above, down, bottom, "dwell seconds=2", out]);
     shows(at, "g85 x1 z-1 r1", &[above, down, bottom, "feed (x1 z1)", out]);
-    shows(at, "g99 g85 x1 z-1 r1", &[above, down, bottom, "feed (x1 z1)"]);
+    shows(at, "g99 g85 x1 z-1 r1", &[above, down, bottom, "feed (x1 z1)", "rapid (x1 z1)"]);
     shows(at, "m3 s9; g86 x1 z-1 r1 p0", &[above, down, bottom, "dwell seconds=0", out]);
     shows(at, "g89 x1 z-1 r1 p2", &[above, down, bottom, "dwell seconds=2", "feed (x1 z5)"]);
     for tap in ["g74", "g84"] {

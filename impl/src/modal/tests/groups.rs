@@ -149,12 +149,12 @@ fn axis_words_belong_to_one_code() {
         "g43.1 z1 g0",
         "g43.1 z1 g1 f1",
         "g43.2 h1 z1",
-        "g43.1 g92 x1",
         "g53 x1",
         "g53 g80 x1",
     ] {
         check(program, Refused(AxisWords));
     }
+    check("g43.1 g92 x1", After("position = (x1), tool_offset = (x1)"));
     check("g0 u1", Refused(NoSuchAxis));
     check("g92 w1", Refused(NoSuchAxis));
     check("g0; g92 x1", Effects(""));

@@ -42,7 +42,8 @@ fn feed_modes() {
     check("g93 g1 x1 f2; y1 f3", After("feed_rate = 3"));
     check("g93 g1 x1 f2; y1", Refused(MissingWord));
     check("g93; g1 x1", Refused(MissingWord));
-    check("g93; g1", Refused(MissingWord));
+    // A motion code that sets its mode only is no move.
+    check("g93; g1", After("feed_mode = inverse_time"));
     check("g93 f5", After("feed_rate = 0"));
     check("g93 g0 x1 f5", After("feed_rate = 0"));
     check("g93 g1 x1 f5; f8", After("feed_rate = 5"));

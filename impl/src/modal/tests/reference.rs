@@ -64,7 +64,7 @@ fn order_and_refusals() {
     check("g0 x1; g28.1 g0 x5", After("position = (x5), #5161 = 1"));
     check("g28 g0 x1", Refused(AxisWords));
     check("g28 g92 x1", Refused(ModalConflict));
-    check("g28 g43.1 z1", Refused(AxisWords));
+    check("g28 g43.1 z1", After("tool_offset = (z1)"));
     check("g28 x1 i1", Refused(UnusedWord));
     check("g28.1 x1", Refused(AxisWords));
     for code in ["g28", "g28.1", "g30 x1", "g30.1"] {

@@ -54,10 +54,13 @@ fn one_meaning_of_p(words: &Words, state: &State) -> Result<(), Halt> {
 }
 
 /// Rule motion.no-such-axis. A letter of an axis that the machine does not have is refused, with G10 L2 too
-/// (offsets.set-unknown-axis).
+/// (offsets.set-unknown-axis). Polar words stand for X and Y.
 fn axes(words: &Words, state: &mut State) -> Result<(), Halt> {
+    let polar = words.letters.keys().any(|letter| "@^".contains(*letter));
     let absent = Axis::ALL.iter().find(|axis| {
-        words.letters.contains_key(&letter(**axis)) && !state.machine.axes.contains(axis)
+        let by_angle = polar && matches!(axis, Axis::X | Axis::Y);
+        let named = by_angle || words.letters.contains_key(&letter(**axis));
+        named && !state.machine.axes.contains(axis)
     });
     let Some(axis) = absent else { return Ok(()) };
     let origin = words.g.contains(&100);
@@ -102,6 +105,10 @@ fn polar(words: &Words) -> Result<(), Halt> {
     }
     if words.g.iter().any(|code| [280, 300].contains(code)) {
         let why = "whether polar words can name the point by way of which G28 and G30 go";
+        return Err(Halt::Unspecified(why.to_owned()));
+    }
+    if words.g.contains(&530) {
+        let why = "what the angle and distance of polar words are in machine coordinates";
         return Err(Halt::Unspecified(why.to_owned()));
     }
     let offset = |code: &u32| [100, 431, 432, 520, 920].contains(code);

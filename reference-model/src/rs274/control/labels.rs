@@ -51,7 +51,7 @@ impl Labels {
     /// Takes the O-word of a line, if it has one.
     pub(super) fn read_line(&mut self, line: u32, text: &str, state: &mut State) {
         if let Some(word) = syntax::o_word_of(text, state) {
-            let label = written_label(&word.label);
+            let Some(label) = written_label(&word.label, state) else { return };
             let (written, keyword) = (word.label, word.keyword);
             self.marks.push(Mark { line, label, written, keyword, scope: 0 });
         }
@@ -139,6 +139,13 @@ impl Labels {
         lines.min()
     }
 
+    /// Whether a block with this label and one of these keywords stands further on, behind the beginning of a numbered program.
+    pub(super) fn ends_in_program(&self, label: &str, keywords: &[Keyword], after: u32) -> bool {
+        let later = self.marks.iter().filter(|mark| mark.line > after);
+        let mut behind = later.skip_while(|mark| mark.keyword != Keyword::ProgramNumber);
+        behind.any(|mark| mark.label.as_deref() == Some(label) && keywords.contains(&mark.keyword))
+    }
+
     /// What defines a label in the scope of a line, in the order of the text: if, do, repeat, and a while that ends no do.
     pub(super) fn definitions(&self, label: &str, at: u32) -> &[Definition] {
         let found = self.definitions.get(&(self.scope(at), label.to_owned()));
@@ -175,12 +182,26 @@ impl Labels {
     }
 }
 
-/// The label, unless it must be computed.
-fn written_label(label: &Label) -> Option<String> {
+/// The label, or none where it depends on parameters; nothing at all where it can be no label, so that nothing leads there.
+fn written_label(label: &Label, state: &mut State) -> Option<Option<String>> {
     match label {
-        Label::Name(name) => Some(name.to_lowercase()),
-        Label::Number(Expression::Number(number)) => super::whole(*number).ok(),
-        Label::Number(_) => None,
+        Label::Name(name) => Some(Some(name.to_lowercase())),
+        Label::Number(expression) if is_constant(expression) => {
+            label_of(label, state).ok().map(Some)
+        }
+        Label::Number(_) => Some(None),
+    }
+}
+
+/// Whether an expression has the same value wherever it is evaluated.
+fn is_constant(expression: &Expression) -> bool {
+    match expression {
+        Expression::Number(_) => true,
+        Expression::Parameter(_) | Expression::Exists(_) => false,
+        Expression::Negate(inner) | Expression::Function(_, inner) => is_constant(inner),
+        Expression::ArcTangent(first, second) | Expression::Binary(_, first, second) => {
+            is_constant(first) && is_constant(second)
+        }
     }
 }
 

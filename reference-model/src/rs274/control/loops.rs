@@ -4,7 +4,8 @@ use gaugeblock_trace::FaultKind;
 
 use super::conditions::duplicate;
 use super::labels::Definition;
-use super::{Control, Next, Structure, condition, o_word, single};
+use super::{Control, Next, Open, Structure, condition, o_word, single};
+use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::refusal::{Halt, refuse};
@@ -54,6 +55,8 @@ impl Control {
         }
         if again {
             self.leave(label, is_while, state)?;
+        } else {
+            self.never_entered(label, Structure::While, state);
         }
         state.evidence.accepted("control.loop-again");
         let ends = &[Keyword::EndWhile];
@@ -126,6 +129,7 @@ impl Control {
         }
         let turns = turns(values, state)?;
         if turns == 0 {
+            self.never_entered(label, Structure::Repeat { turns_left: 0 }, state);
             return self.past_repeat(label, state);
         }
         self.enter(label, Structure::Repeat { turns_left: turns - 1 }, state);
@@ -155,6 +159,12 @@ impl Control {
                 Ok(if again { Next::At(self.line(first)) } else { Next::Following })
             }
         }
+    }
+
+    /// A loop that makes no turn has ended with its first block.
+    fn never_entered(&self, label: &str, structure: Structure, state: &mut State) {
+        let open = Open { label: label.to_owned(), line: self.place.line, structure };
+        state.frame_mut().end(open);
     }
 
     /// Choice control.ended-label: the first block of a loop that has ended, where its label is followed all the same.
@@ -245,7 +255,7 @@ pub(crate) fn turns(values: &[Expression], state: &mut State) -> Result<u64, Hal
         "rounded-to-even" => count.round_ties_even(),
         "rounded-down" => count.floor(),
         "rounded-up" => count.ceil(),
-        "refused" if (count - count.round()).abs() > 0.0 => {
+        "refused" if math::near_integer(count).is_none() => {
             let message = format!("a repeat of {count} turns");
             return Err(refuse("control.repeat", FaultKind::NotAnInteger, message));
         }

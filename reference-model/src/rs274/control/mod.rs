@@ -193,7 +193,14 @@ impl Control {
         after: u32,
         state: &mut State,
     ) -> Result<u32, Halt> {
-        self.find(label, keywords, after, state).ok_or_else(|| {
+        let end = self.find(label, keywords, after, state);
+        let labels = self.files.labels(self.place.file);
+        if end.is_none() && labels.ends_in_program(label, keywords, after) {
+            let why =
+                format!("{} goes on behind the beginning of a numbered program", o_word(label));
+            return Err(Halt::Unspecified(why));
+        }
+        end.ok_or_else(|| {
             let message = format!("{} has no end further on", o_word(label));
             refuse("control.missing-end", FaultKind::MissingEnd, message)
         })

@@ -22,6 +22,7 @@ impl Control {
             let why = "a numbered program that is reached without a call";
             return Err(Halt::Unspecified(why.to_owned()));
         }
+        enabled(state)?;
         state.evidence.accepted("fanuc-subs.main-number");
         Ok(Next::Following)
     }
@@ -33,8 +34,6 @@ impl Control {
 
     /// Executes a block with M98 or M99.
     ///
-    /// Rule fanuc-subs.disabled. Numbered programs can be disabled.
-    ///
     /// # Errors
     /// The rule that refuses the block.
     pub fn numbered(
@@ -43,11 +42,7 @@ impl Control {
         state: &mut State,
         record: &mut Record,
     ) -> Result<Next, Halt> {
-        if !state.machine.fanuc_subs {
-            let message = "numbered programs are disabled";
-            return Err(refuse("fanuc-subs.disabled", FaultKind::FanucDisabled, message));
-        }
-        state.evidence.accepted("fanuc-subs.disabled");
+        enabled(state)?;
         let own = |letter: &char| matches!(letter, 'p' | 'l') && words.m == [98];
         let alone = words.m.len() == 1 && words.g.is_empty() && words.letters.keys().all(own);
         if !alone {
@@ -66,6 +61,8 @@ impl Control {
     /// Rule fanuc-subs.number-missing. Without P nothing says which one.
     ///
     /// Rules fanuc-subs.repeat-count, fanuc-subs.zero-count. L says how many times; without L it is once.
+    ///
+    /// Choice fanuc-subs.zero-count-unknown: whether the subprogram must exist that is executed no time.
     fn call_numbered(&mut self, words: &Words, state: &mut State) -> Result<Next, Halt> {
         let Some(number) = words.letters.get(&'p') else {
             let message = "M98 without P";
@@ -74,14 +71,19 @@ impl Control {
         let turns = words.letters.get(&'l').copied().unwrap_or(1.0);
         let label = counted(*number, "P of M98")?.to_string();
         let turns = counted(turns, "L of M98")?;
-        let first = self.numbered_program(&label, state)?;
-        if turns == 0 && !state.readings.quirk("rs274.fanuc-zero-loops") {
+        let none = turns == 0 && !state.readings.quirk("rs274.fanuc-zero-loops");
+        let back = Place { line: self.place.line + 1, ..self.place };
+        let free = turns == 0 && state.readings.is("fanuc-subs.zero-count-unknown", "accepted");
+        let first = match self.numbered_program(&label, state) {
+            Err(_) if free => back,
+            first => first?,
+        };
+        if none {
             state.evidence.accepted("fanuc-subs.zero-count");
             return Ok(Next::Following);
         }
         deeper("fanuc-subs.level-limit", state)?;
         self.value_after_call(state);
-        let back = Place { line: self.place.line + 1, ..self.place };
         let style = Style::Numbered { first, turns_left: turns.saturating_sub(1) };
         let frame = shared_frame(Call { label, back, style }, state);
         if turns == 0 {
@@ -118,6 +120,10 @@ impl Control {
     fn numbered_program(&self, label: &str, state: &mut State) -> Result<Place, Halt> {
         let labels = self.files.labels(self.place.file);
         let begins = labels.numbers(label);
+        if begins.len() > 1 {
+            let why = format!("which one M98 calls where the number {label} stands several times");
+            return Err(Halt::Unspecified(why));
+        }
         let later = begins.partition_point(|line| *line <= self.place.line);
         if let Some(line) = begins.get(later) {
             state.evidence.accepted("fanuc-subs.sub-follows");
@@ -180,6 +186,16 @@ impl Control {
             caller.locals = left.locals;
         }
     }
+}
+
+/// Rule fanuc-subs.disabled. Numbered programs can be disabled: their calls, their ends and their numbers alone.
+fn enabled(state: &mut State) -> Result<(), Halt> {
+    if !state.machine.fanuc_subs {
+        let message = "numbered programs are disabled";
+        return Err(refuse("fanuc-subs.disabled", FaultKind::FanucDisabled, message));
+    }
+    state.evidence.accepted("fanuc-subs.disabled");
+    Ok(())
 }
 
 /// Rule fanuc-subs.shared-parameters. A subprogram works on its caller's #1 to #30.

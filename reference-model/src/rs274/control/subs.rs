@@ -212,11 +212,14 @@ impl Control {
             let message = format!("the file {name} has no sub {}", o_word(label));
             return Err(refuse("subroutines.file-call", FaultKind::UnknownSub, message));
         };
+        let sub = Place { line: subs[own].0, ..first };
         if subs.len() > 1 && !state.readings.quirk("rs274.file-with-two-subs") {
+            if own == 0 {
+                self.body_of_file(label, sub, state)?;
+            }
             let message = format!("the file {name} defines other subs beside {}", o_word(label));
             return Err(refuse("subroutines.file-one-sub", FaultKind::DuplicateSub, message));
         }
-        let sub = Place { line: subs[own].0, ..first };
         self.subs.insert(label.to_owned(), sub);
         let numbered = label.starts_with(|first: char| first.is_ascii_digit());
         let rule = if numbered { "subroutines.file-numbered" } else { "subroutines.file-call" };
@@ -226,6 +229,20 @@ impl Control {
             state.evidence.accepted("subroutines.file-folder");
         }
         Ok(Some(sub))
+    }
+}
+
+impl Control {
+    /// Rule subroutines.nested-definition. A sub within the body of that of the file is refused at its own block.
+    fn body_of_file(&mut self, label: &str, sub: Place, state: &mut State) -> Result<(), Halt> {
+        let labels = self.files.labels(sub.file);
+        let end = labels.find(label, &[Keyword::EndSub], sub.line, sub.line + 1, state);
+        let Some(inner) = labels.sub_between(sub.line, end.unwrap_or(u32::MAX)) else {
+            return Ok(());
+        };
+        self.place = Place { line: inner, ..sub };
+        let message = format!("a sub begins inside {}", o_word(label));
+        Err(refuse("subroutines.nested-definition", FaultKind::NestedSub, message))
     }
 }
 

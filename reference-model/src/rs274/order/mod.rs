@@ -91,7 +91,7 @@ fn perform(
         Phase::Compensation => step::compensation::perform(words, state)?,
         Phase::ToolLength => step::tool_length::perform(words, state)?,
         Phase::WorkOffset => step::offsets::select(words, state)?,
-        Phase::Path => step::path::perform(words, state),
+        Phase::Path => step::path::perform(words, state)?,
         Phase::Distance => step::units_planes::select_distance(words, state),
         Phase::Retract => step::units_planes::select_retract(words, state),
         Phase::OffsetData => step::offsets::change(words, state, record)?,

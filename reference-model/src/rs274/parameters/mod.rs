@@ -205,6 +205,11 @@ pub fn writable(name: &Name, state: &State) -> Result<(), Halt> {
     Err(refuse(rule, FaultKind::ReadOnlyParameter, format!("the parameter #{name} is read-only")))
 }
 
+/// Whether a parameter tells what the machine is, whatever a program sets it to.
+pub fn is_told(name: &Name) -> bool {
+    matches!(name, Name::Numbered(number) if numbered::is_computed(*number))
+}
+
 /// Whether a parameter exists. Numbered ones always do.
 pub fn exists(name: &Name, state: &State) -> bool {
     match name {

@@ -60,15 +60,16 @@ pub(super) fn value(number: u32, state: &State) -> Result<f64, Halt> {
     if !is_computed(number) {
         return Ok(state.parameters.stored(number));
     }
-    if state.parameters.numbered.contains_key(&number) {
-        let what = format!("what #{number} is after a program has set it");
-        return Err(Halt::Unspecified(what));
-    }
     Ok(computed(number, state))
 }
 
 /// Stores a value; the caller has checked that it can be.
+///
+/// Choice parameters.read-only-numbered: what tells the position or the tool goes on telling it.
 pub(super) fn assign(number: u32, value: f64, state: &mut State) {
+    if is_computed(number) {
+        return;
+    }
     match argument(number) {
         Some(argument) => state.frame_mut().arguments[argument] = value,
         None => state.parameters.store(number, value),

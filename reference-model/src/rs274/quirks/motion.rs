@@ -20,6 +20,12 @@ pub(crate) fn radius_tolerances(state: &State) -> Option<(f64, f64)> {
     })
 }
 
+/// Quirk rs274.machine-without-axes. G53 needs no axis word where G0 or G1 stands in its block.
+pub(crate) fn machine_without_axes(words: &Words, state: &State) -> bool {
+    let programmed = words.g.iter().any(|code| [0, 10].contains(code));
+    programmed && state.readings.quirk("rs274.machine-without-axes")
+}
+
 /// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, the point is turned without the local
 /// offset, which it keeps as it was.
 pub(crate) fn turn_system(reload: fn(&mut State), state: &mut State) {

@@ -99,10 +99,15 @@ fn exists(parameter: &Parameter, state: &mut State) -> Result<f64, Halt> {
 
 /// Rule expressions.arctangent. ATAN tells all four quadrants apart.
 /// Choice expressions.arctangent-range: above -180 up to 180 degrees, or from 0 to below 360.
+/// Choice expressions.negative-zero: whether a zero has a sign, which tells a quadrant.
 fn arc_tangent(opposite: f64, adjacent: f64, state: &mut State) -> f64 {
     state.evidence.accepted("expressions.arctangent");
     state.evidence.accepted("expressions.angles");
-    let angle = math::degrees_of(opposite, adjacent);
+    let angle = if state.readings.is("expressions.negative-zero", "kept") {
+        math::degrees_of_signed(opposite, adjacent)
+    } else {
+        math::degrees_of(opposite, adjacent)
+    };
     if angle < 0.0 && state.readings.is("expressions.arctangent-range", "full-turn") {
         return angle + 360.0;
     }

@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::{Compensation, FaultKind, Plane};
 
-use super::tool::named;
+use super::tool::{loaded, named};
 use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::unit_size;
@@ -61,14 +61,19 @@ fn possible(state: &mut State) -> Result<(), Halt> {
 
 /// The diameter, active length unit.
 ///
-/// Rule tool.compensation-tool. D is a tool of the tool table, or 0: the tool in the spindle, whose radius is zero when
-/// there is none.
+/// Rule tool.compensation-tool. D is a tool of the tool table, or 0: the tool in the spindle, as without D, whose radius is
+/// zero when there is none.
 fn by_tool(words: &Words, state: &mut State) -> Result<f64, Halt> {
     let rule = "tool.compensation-tool";
-    let value = word(words, 'd').unwrap_or(0.0);
-    let message = || format!("D{value} is no tool number");
-    let number = whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
-    let tool = named(number, rule, state)?;
+    let tool = match word(words, 'd') {
+        Some(value) => {
+            let message = || format!("D{value} is no tool number");
+            let number =
+                whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
+            named(number, rule, state)?
+        }
+        None => loaded(state),
+    };
     let diameter = tool.map_or(0.0, |tool| tool.diameter);
     let unit = unit_size(state.machine.length_unit) / unit_size(state.modes.units);
     state.evidence.accepted(rule);

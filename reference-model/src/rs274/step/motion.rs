@@ -11,7 +11,7 @@ use crate::rs274::machine::State;
 use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
 use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
 use crate::rs274::quirks::motion::per_revolution;
-use crate::rs274::quirks::settings as quirks;
+use crate::rs274::quirks::{motion as motion_quirks, settings as quirks};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -191,6 +191,10 @@ fn machine_coordinates_possible(
         let rule = "offsets.machine-needs-motion";
         return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
     }
+    if !has_axis_words(words) && !motion_quirks::machine_without_axes(words, state) {
+        let rule = "offsets.machine-needs-axes";
+        return Err(refuse(rule, FaultKind::MissingWord, "G53 needs an axis word"));
+    }
     if state.modes.compensation != Compensation::Off && !quirks::moves_as_without_radius(state) {
         let rule = "offsets.machine-under-compensation";
         let message = "G53 while cutter compensation is on";
@@ -234,17 +238,24 @@ pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt
     state.evidence.accepted("feed.move-without-rate");
     state.evidence.accepted("feed.rate-after-mode-change");
     state.evidence.accepted("feed.applies-to-feed-moves");
-    let surface = |mode| mode == SpindleMode::SurfaceSpeed;
-    let mut spindles = state.modes.spindles.iter().filter(|spindle| surface(spindle.mode));
-    let standing = spindles
-        .any(|spindle| matches!(spindle.turn, SpindleTurn::Stopped | SpindleTurn::Oriented));
-    if standing && !state.readings.quirk("rs274.surface-speed-while-stopped") {
+    if surface_speed_stands(state) {
         let rule = "spindle.surface-speed-while-stopped";
         let message = "a feed move under constant surface speed while the spindle stands";
         return Err(refuse(rule, FaultKind::ZeroSpeed, message));
     }
     state.evidence.accepted("spindle.surface-speed-while-stopped");
     per_revolution(words, state)
+}
+
+/// Whether a spindle under constant surface speed does not turn.
+///
+/// Quirk rs274.surface-speed-while-stopped: nothing asks.
+pub(super) fn surface_speed_stands(state: &State) -> bool {
+    let surface = |mode| mode == SpindleMode::SurfaceSpeed;
+    let mut spindles = state.modes.spindles.iter().filter(|spindle| surface(spindle.mode));
+    let standing = spindles
+        .any(|spindle| matches!(spindle.turn, SpindleTurn::Stopped | SpindleTurn::Oriented));
+    standing && !state.readings.quirk("rs274.surface-speed-while-stopped")
 }
 
 /// The rules that an accepted move follows, those on modes that held until it among them.

@@ -113,6 +113,11 @@ pub(super) fn in_force_changes(state: &mut State) -> Result<(), Halt> {
 /// Rule offsets.set-omitted-axes. Axes without a word keep theirs.
 /// Rule offsets.rotation. R of G10 L2 is the angle by which the system is turned about Z; without R it stays.
 fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), Halt> {
+    if calculated && !has_axis_words(words) && !state.readings.quirk("rs274.calculate-without-axes")
+    {
+        let message = "G10 L20 needs an axis word";
+        return Err(refuse("offsets.calculate-needs-axes", FaultKind::MissingWord, message));
+    }
     let system = system(words, state)?;
     if system == state.modes.work_offset {
         in_force_changes(state)?;
@@ -149,6 +154,7 @@ fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), 
 
 /// Rule offsets.calculate. G10 L20 sets the origin of a system so that the current point gets the axis values in it, with
 /// the local offset and the tool offset in force.
+/// Rule offsets.calculate-needs-axes. It needs an axis word.
 fn store_calculated(system: u32, named: &[(Axis, f64)], state: &mut State) {
     state.evidence.accepted("offsets.calculate");
     let mut modes = state.modes.clone();

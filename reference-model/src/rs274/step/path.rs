@@ -1,16 +1,20 @@
 //! G61, G61.1, G64.
 
-use gaugeblock_trace::Path;
+use gaugeblock_trace::{FaultKind, Path};
 
 use super::word;
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
+use crate::rs274::refusal::{Halt, refuse};
 
 /// Selects the path control mode.
 ///
 /// Rules path-control.exact-path, path-control.exact-stop, path-control.continuous. A mode may be programmed while it is
 /// active (path-control.repeated).
-pub fn perform(words: &Words, state: &mut State) {
+///
+/// # Errors
+/// Rule path-control.negative-tolerance.
+pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
     let before = state.modes.path;
     let (path, rule) = if words.g.contains(&610) {
         (Path::ExactPath, "path-control.exact-path")
@@ -25,8 +29,9 @@ pub fn perform(words: &Words, state: &mut State) {
     }
     state.modes.path = path;
     if path == Path::Continuous {
-        tolerances(words, state);
+        tolerances(words, state)?;
     }
+    Ok(())
 }
 
 /// The tolerances of G64, in the active length unit.
@@ -35,8 +40,8 @@ pub fn perform(words: &Words, state: &mut State) {
 /// (path-control.without-tolerance).
 /// Rule path-control.naive-cam. Q is the tolerance of the naive CAM detector and zero turns it off; without Q it is P
 /// (path-control.naive-cam-default).
-fn tolerances(words: &Words, state: &mut State) {
-    let (blend, naive_cam) = (word(words, 'p'), word(words, 'q'));
+fn tolerances(words: &Words, state: &mut State) -> Result<(), Halt> {
+    let (blend, naive_cam) = (tolerance('p', words, state)?, tolerance('q', words, state)?);
     state.evidence.accepted(match blend {
         Some(_) => "path-control.tolerance",
         None => "path-control.without-tolerance",
@@ -50,4 +55,21 @@ fn tolerances(words: &Words, state: &mut State) {
     state.modes.blend_tolerance = blend.unwrap_or(0.0);
     state.modes.tolerance_unit = state.modes.units;
     state.modes.naive_cam_tolerance = naive_cam.or(blend).unwrap_or(0.0);
+    Ok(())
+}
+
+/// Rule path-control.negative-tolerance. Whether a tolerance below zero is refused, or as good as none, is a choice.
+fn tolerance(letter: char, words: &Words, state: &mut State) -> Result<Option<f64>, Halt> {
+    let rule = "path-control.negative-tolerance";
+    match word(words, letter) {
+        Some(value) if value < 0.0 => {
+            if state.readings.is(rule, "refused") {
+                let message = format!("a tolerance of {value}");
+                return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+            }
+            state.evidence.accepted(rule);
+            Ok(None)
+        }
+        value => Ok(value),
+    }
 }

@@ -95,6 +95,7 @@ fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), Halt> {
 /// compensation is on. Rule probe.zero-feed. It needs a feed rate, under inverse time in its block.
 /// Rule probe.same-point. The programmed point is another than the current one.
 /// Rule probe.already-there. The probe is not yet as the move wants it.
+/// Choice probe.standing-spindle: whether probing is a feed move to the rule on constant surface speed.
 fn allowed(
     motion: Motion,
     wanted: Wanted,
@@ -115,6 +116,12 @@ fn allowed(
     if without_rate || state.modes.feed_rate == 0.0 {
         let message = "probing without a feed rate";
         return Err(refuse("probe.zero-feed", FaultKind::ZeroFeed, message));
+    }
+    let choice = "probe.standing-spindle";
+    if state.readings.is(choice, "refused") && super::motion::surface_speed_stands(state) {
+        let message = "probing under constant surface speed while the spindle stands";
+        let rule = "spindle.surface-speed-while-stopped";
+        return Err(refuse(rule, FaultKind::ZeroSpeed, message));
     }
     let end = end_point(words, state)?;
     if end == state.position && !quirks::goes_nowhere(motion, state) {

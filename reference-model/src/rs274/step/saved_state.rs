@@ -84,16 +84,14 @@ fn invalidate(state: &mut State) -> Result<(), Halt> {
     let apart = state.readings.is("saved-state.places", "apart");
     let refused = state.readings.is("saved-state.invalidate-nothing", "refused");
     let frame = state.frame_mut();
-    if let Some(saved) = &mut frame.saved_by_m70 {
+    let mut any = false;
+    for saved in [&mut frame.saved_by_m70, &mut frame.saved].into_iter().flatten() {
+        any |= saved.valid;
         saved.valid = false;
     }
-    match &mut frame.saved {
-        Some(saved) => saved.valid = false,
-        None if refused => {
-            let message = "M71, and nothing is saved at this call level";
-            return Err(refuse("saved-state.invalidate-nothing", FaultKind::NothingSaved, message));
-        }
-        None => {}
+    if !any && refused {
+        let message = "M71, and no state that is saved at this call level is valid";
+        return Err(refuse("saved-state.invalidate-nothing", FaultKind::NothingSaved, message));
     }
     let promised = frame.restore_at_return.is_some();
     if apart {

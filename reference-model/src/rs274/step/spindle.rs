@@ -24,11 +24,15 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), Halt> {
         let message = format!("a spindle speed of {speed}");
         return Err(refuse("spindle.speed-negative", FaultKind::WordOutOfRange, message));
     }
+    let surface = words.g.contains(&960);
+    let mode_too = surface || words.g.contains(&970);
     let spindles = match word(words, '$') {
-        Some(number) => chosen(number, state)?,
+        Some(-1.0) if !mode_too && state.readings.quirk("rs274.speed-of-all-spindles") => {
+            all(state)
+        }
+        Some(number) => vec![one(number, state)?],
         None => vec![0],
     };
-    let surface = words.g.contains(&960);
     if surface {
         surface_speed(words, speed, state)?;
     }
@@ -157,10 +161,16 @@ fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, Halt> {
         }
         return Err(refuse(rule, FaultKind::SpindleOutOfRange, "$-1 names no spindle"));
     }
+    Ok(vec![one(number, state)?])
+}
+
+/// The spindle that $ names. -1 is none to S, G96 and G97: only M3, M4 and M5 say what it means.
+/// Quirk rs274.speed-of-all-spindles: S without a mode sets the speed of all of them by -1.
+fn one(number: f64, state: &mut State) -> Result<usize, Halt> {
     let place = self::number(number, state, "spindle.out-of-range")?;
     state.evidence.accepted("spindle.out-of-range");
     state.evidence.accepted("spindle.selected");
-    Ok(vec![place])
+    Ok(place)
 }
 
 /// Rule spindle.out-of-range. $ must be the number of a spindle that the machine has, from 0; the rule that refuses it

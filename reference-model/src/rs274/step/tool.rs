@@ -50,6 +50,10 @@ fn selected(number: i32, state: &mut State) -> Result<Option<i32>, Halt> {
         return Ok(None);
     }
     let by_slot = state.readings.is("tool.selected-by", "slot");
+    if by_slot && random && (number == 0 || in_slot(number, state).is_none()) {
+        let why = "what T selects in slot 0, or in an empty slot, where tools change places";
+        return Err(Halt::Unspecified(why.to_owned()));
+    }
     let found = if by_slot { in_slot(number, state) } else { entry(number, state).map(|_| number) };
     state.evidence.accepted("tool.selected-by");
     let rule = if number == 0 { "tool.select-zero-random" } else { "tool.empty-slot" };
@@ -87,6 +91,12 @@ fn in_slot(slot: i32, state: &State) -> Option<i32> {
 pub(crate) fn entry(number: i32, state: &State) -> Option<&Tool> {
     let number = u32::try_from(number).ok()?;
     state.machine.tools.iter().find(|tool| tool.number == number)
+}
+
+/// The tool in the spindle, when the tool table holds it. Where tools do not change places, 0 is none.
+pub(crate) fn loaded(state: &State) -> Option<&Tool> {
+    let none = state.known_tool == 0 && !state.machine.random_tool_changer;
+    entry(state.known_tool, state).filter(|_| !none)
 }
 
 /// The tool that a word names: zero is the tool in the spindle, unless tools change places.

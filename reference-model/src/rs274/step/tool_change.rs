@@ -110,6 +110,8 @@ fn swap(tool: i32, state: &mut State) {
         && state.readings.is("tool.old-tool-place", "slot-of-the-new");
     let slot = state.slots.iter().find(|(_, stored)| **stored == tool).map(|(slot, _)| *slot);
     if let Some(slot) = slot.filter(|_| exchanged && tool != old) {
+        // M61 may have put it into the spindle without taking it out of its slot; it lies in one place.
+        state.slots.values_mut().filter(|stored| **stored == old).for_each(|stored| *stored = 0);
         state.slots.insert(slot, old);
     }
 }

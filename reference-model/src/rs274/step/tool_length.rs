@@ -3,7 +3,7 @@
 use gaugeblock_trace::{FaultKind, Position, Switch};
 
 use super::target::offset_words;
-use super::tool::named;
+use super::tool::{loaded, named};
 use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, each};
@@ -49,12 +49,16 @@ pub(crate) fn apply(offset: Option<Position>, state: &mut State) {
 }
 
 /// Rule tool.length. G43 applies the offset of tool H from the tool table, all its axes.
-/// Rule tool.length-zero. H0, and no H, mean the tool in the spindle, and an offset of zero when there is none.
+/// Rule tool.length-zero. H0, and no H, mean the tool in the spindle, and an offset of zero when there is none: without
+/// H that is no number that the table would have to hold.
 /// Rule tool.length-zero-random. Where tools change places, H0 is tool 0, which the table must hold.
 fn of_tool(words: &Words, state: &mut State) -> Result<Position, Halt> {
     let random = state.machine.random_tool_changer;
-    let loaded = if random { f64::from(state.known_tool) } else { 0.0 };
-    let number = word(words, 'h').unwrap_or(loaded);
+    let Some(number) = word(words, 'h') else {
+        state.evidence.accepted("tool.length-zero");
+        let offset = loaded(state).map(|tool| tool.offset).unwrap_or_default();
+        return Ok(converted(offset, state.machine.length_unit, state.modes.units));
+    };
     let rule = "tool.length-not-an-integer";
     let Some(whole) = whole(number) else {
         return Err(refuse(rule, FaultKind::NotAnInteger, format!("H{number} is no tool number")));

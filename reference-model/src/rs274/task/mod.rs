@@ -87,6 +87,7 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         frames: vec![Frame::default()],
         line: 1,
         log_open: false,
+        probe_log_open: false,
         series: None,
         curve: step::splines::Curve::default(),
         shown: None,

@@ -117,13 +117,23 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Executes a block that the check let pass, phase by phase; its settings take effect after it.
+    /// Executes a block that the check let pass, phase by phase.
+    ///
+    /// Choice parameters.setting-time: its settings take effect after its words, or before them and after its comment.
     ///
     /// In a phase that takes time the operator may act. What an abort breaks off has not been done.
     fn execute(&mut self, words: &Words) -> Result<Rest, Halt> {
         let mut rest = Rest::Execute;
+        let mut settings = Some(&words.settings);
+        let before_words = self.state.readings.is("parameters.setting-time", "before-words");
         let phases = Phases::of(words);
         for phase in phases.iter() {
+            if before_words
+                && phase != Phase::Comment
+                && let Some(settings) = settings.take()
+            {
+                control::assign(settings, &mut self.state)?;
+            }
             let to_position = phase == Phase::OffsetData && step::positions::moves(words);
             if phase == Phase::Motion || to_position {
                 self.may_move(phase, words)?;
@@ -160,7 +170,9 @@ impl Run<'_> {
             order::completed(words, phases, &mut self.state);
         }
         step::pass(0.0, &mut self.state);
-        control::assign(&words.settings, &mut self.state)?;
+        if let Some(settings) = settings {
+            control::assign(settings, &mut self.state)?;
+        }
         Ok(rest)
     }
 

@@ -13,8 +13,7 @@ use crate::rs274::refusal::Halt;
 /// to the parameter.
 /// Rule active-comments.format-per-line. A format does not outlast its line.
 pub(super) fn expand(text: &str, state: &mut State) -> Result<String, Halt> {
-    let mut decimals =
-        if state.readings.is("active-comments.default-format", "six-decimals") { 6 } else { 4 };
+    let mut decimals = default_decimals(&state.readings);
     let mut expanded = String::new();
     let mut rest = text;
     while let Some(next) = rest.chars().next() {
@@ -46,9 +45,15 @@ pub(super) fn expand(text: &str, state: &mut State) -> Result<String, Halt> {
 /// Rule active-comments.integer-format. After %d values are rounded to integers.
 /// Rule active-comments.decimals-format. After %.0f to %.9f values have that number of decimals.
 /// Choice active-comments.plain-f-format: the decimals of %f.
+/// Rule active-comments.long-format. %lf is the format that holds where none is written.
+/// Quirk rs274.long-format: it is none.
 fn format_at<'a>(text: &'a str, state: &mut State) -> Option<(usize, &'a str)> {
     let format = text.strip_prefix('%')?;
-    let (decimals, behind) = if let Some(behind) = format.strip_prefix('d') {
+    let long = format.strip_prefix("lf").filter(|_| !state.readings.quirk("rs274.long-format"));
+    let (decimals, behind) = if let Some(behind) = long {
+        state.evidence.accepted("active-comments.long-format");
+        (default_decimals(&state.readings), behind)
+    } else if let Some(behind) = format.strip_prefix('d') {
         state.evidence.accepted("active-comments.integer-format");
         (0, behind)
     } else if let Some(behind) = format.strip_prefix('f') {
@@ -63,6 +68,11 @@ fn format_at<'a>(text: &'a str, state: &mut State) -> Option<(usize, &'a str)> {
     state.evidence.accepted("active-comments.format-lasts");
     state.evidence.accepted("active-comments.format-per-line");
     Some((decimals, behind))
+}
+
+/// Choice active-comments.default-format: the decimals of a value before any format.
+fn default_decimals(readings: &Readings) -> usize {
+    if readings.is("active-comments.default-format", "six-decimals") { 6 } else { 4 }
 }
 
 /// Rule active-comments.wrong-format. What is not a format is shown as it stands.

@@ -46,13 +46,20 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
             record.effect(state, Effect::LogOpen { file: text.trim().to_owned(), append });
         }
         Active::LogClose => {
-            state.log_open = false;
-            record.effect(state, Effect::LogClose {});
+            let open = std::mem::replace(&mut state.log_open, false);
+            if open || state.readings.quirk("rs274.log-closed") {
+                record.effect(state, Effect::LogClose {});
+            }
         }
         Active::ProbeOpen => {
+            state.probe_log_open = true;
             record.effect(state, Effect::ProbeLogOpen { file: text.trim().to_owned() });
         }
-        Active::ProbeClose => record.effect(state, Effect::ProbeLogClose {}),
+        Active::ProbeClose => {
+            if std::mem::replace(&mut state.probe_log_open, false) {
+                record.effect(state, Effect::ProbeLogClose {});
+            }
+        }
         Active::Abort => {
             let message = expand(text, state)?;
             return Err(refuse("active-comments.abort", FaultKind::AbortedByProgram, message));
@@ -97,12 +104,19 @@ fn say(channel: Channel, text: &str, state: &mut State, record: &mut Record) -> 
 
 /// The value that a message shows of a parameter.
 ///
+/// Rule active-comments.absent-named. What does not exist has none, also where it would be zero in an expression.
 /// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value or
 /// its old one.
 fn shown_value(name: &Name, state: &State) -> Result<f64, Halt> {
-    let new = state.readings.is("active-comments.same-block-setting", "new");
+    let new = state.readings.is("active-comments.same-block-setting", "new")
+        && !parameters::is_told(name);
     match state.parameters.announced(name) {
         Some(value) if new => Ok(value),
+        _ if matches!(name, Name::Named(_)) && !parameters::exists(name, state) => {
+            let message = "a message shows that the parameter does not exist";
+            let rule = "active-comments.absent-named";
+            Err(refuse(rule, FaultKind::NoSuchParameter, message))
+        }
         _ => parameters::value(name, state),
     }
 }
