@@ -111,7 +111,7 @@ fn measured(text: &str) -> Result<u32> {
         match interpreter.run(&mut source, &mut sink, 1_000_000).map_err(Error::other)? {
             Progress::More => {}
             Progress::Ended(End::ProgramEnd) => return Ok(sink.0),
-            other @ (Progress::Stopped | Progress::Ended(_)) => {
+            other @ (Progress::Stopped | Progress::Broken | Progress::Ended(_)) => {
                 return Err(Error::other(format!("{other:?}")));
             }
         }

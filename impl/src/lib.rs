@@ -76,6 +76,7 @@ pub mod plan;
 mod probing;
 mod source;
 mod syntax;
+pub mod task;
 #[cfg(test)]
 mod tests;
 mod words;

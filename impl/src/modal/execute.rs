@@ -143,6 +143,10 @@ impl Modal {
                 self.in_force.set_feed_rate(rate);
                 refuse(kind, "refused from outside")
             }
+            Reply::Broken => {
+                (self.motion, self.position, _) = before;
+                Err(Refusal::Broken)
+            }
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => Ok(Flow::More),
         }
     }
@@ -178,6 +182,8 @@ impl Modal {
         for (rank, code) in block.m() {
             if rank < STOP_RANK {
                 self.before_motion(block, code, numbered, sink)?;
+                // What one code does and the next one undoes has happened.
+                self.in_force.tell(words.line, sink);
             }
         }
         self.g_phases(block, numbered, sink)?;
@@ -262,7 +268,13 @@ impl Modal {
                 _ => self.local_offset(block.words, code, numbered)?,
             }
         }
-        self.motion(block, numbered, sink)?;
+        let mode = self.motion;
+        let moved = self.motion(block, numbered, sink);
+        if matches!(moved, Err(Refusal::Broken)) {
+            // A motion that was broken off has selected no motion mode.
+            self.motion = mode;
+        }
+        moved?;
         if block.g(NON_MODAL) == Some(40) && late {
             self.dwell(block.words, sink)?;
         }
@@ -304,9 +316,25 @@ impl Modal {
         match sink.perform(line, effect) {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
+            Reply::Broken => return Err(Refusal::Broken),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(())
+    }
+
+    /// Performs a move that has been made up to here in thought; where it is broken off the point is where the move began.
+    pub(super) fn perform_move<K: Sink>(
+        &mut self,
+        line: u32,
+        start: Coordinates,
+        effect: &Effect,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        let done = self.perform(line, effect, sink);
+        if matches!(done, Err(Refusal::Broken)) {
+            self.position = start;
+        }
+        done
     }
 
     /// Performs an effect whose outcome comes from the outside.
@@ -321,6 +349,7 @@ impl Modal {
         match reply {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
+            Reply::Broken => return Err(Refusal::Broken),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(reply)

@@ -60,7 +60,7 @@ impl Modal {
         } else {
             self.arc(block.words, self.motion, &start)?
         };
-        self.perform(block.words.line, &effect, sink)
+        self.perform_move(block.words.line, start, &effect, sink)
     }
 
     /// What every feed move needs.
@@ -95,7 +95,8 @@ impl Modal {
         end: Coordinates,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        self.position = end;
-        self.perform(line, &Effect::StraightTraverse { end: end.position() }, sink)
+        let start = core::mem::replace(&mut self.position, end);
+        let effect = Effect::StraightTraverse { end: end.position() };
+        self.perform_move(line, start, &effect, sink)
     }
 }

@@ -67,8 +67,9 @@ impl Modal {
         end: Coordinates,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        self.position = end;
-        self.perform(line, &Effect::StraightFeed { end: end.position() }, sink)
+        let start = core::mem::replace(&mut self.position, end);
+        let effect = Effect::StraightFeed { end: end.position() };
+        self.perform_move(line, start, &effect, sink)
     }
 
     /// The spindle of a set of one.
