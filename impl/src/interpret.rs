@@ -6,7 +6,8 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use gaugeblock_trace::{
-    Block as Place, ControllerMode, End, Machine, Options, Position, Program, Rs274State, Settings, Tool,
+    Block as Place, ControllerMode, End, Machine, Options, Position, Program, Rs274State, Settings,
+    Tool,
 };
 
 use crate::canon::Sink;

@@ -176,6 +176,9 @@ impl Modal {
         self.stop_asked = false;
         self.feed(block)?;
         self.spindle_speed(block)?;
+        if words.m_count != 0 {
+            self.in_force.tell(words.line, sink);
+        }
         if let Some(tool) = words.get(b'T') {
             self.prepare_tool(tool, words.line, sink)?;
         }

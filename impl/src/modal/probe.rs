@@ -25,7 +25,7 @@ impl Modal {
             return refuse(FaultKind::CompensationActive, "probing under cutter compensation");
         }
         self.check_feed_move()?;
-        let end = self.end_point(words);
+        let end = self.polar_end_point(words)?;
         if end == self.position {
             return refuse(FaultKind::Probe, "the probe is at the programmed point already");
         }

@@ -30,11 +30,7 @@ impl Choices {
         };
         Ok(Self {
             read_on: second("abort.read-ahead", "none", "read-on")?,
-            brake_while_locked: second(
-                "orient.brake-otherwise",
-                "while-standing",
-                "while-locked",
-            )?,
+            brake_while_locked: second("orient.brake-otherwise", "while-standing", "while-locked")?,
             at_once_replaces: second("outputs.at-once-over-waiting", "kept", "replaces")?,
             cycle_start_goes_on: second("pause.cycle-start", "refused", "goes-on")?,
             enters_in_manual: second("task.mdi-in-manual", "refused", "executed")?,

@@ -40,7 +40,8 @@ impl<M: Machine> Desk<M> {
         let stop = self.panel.feed_hold || self.machine.input(Input::FeedHold) != 0.0;
         let stop = stop && (self.followed.feed_stop || planted(Fault::StopNeverDisabled));
         // "The commanded velocity is multiplied by this value" (5.6.1.2), of whatever motion.
-        let adaptive = self.followed.adaptive_feed && self.machine.input(Input::AdaptiveFeed) == 0.0;
+        let adaptive =
+            self.followed.adaptive_feed && self.machine.input(Input::AdaptiveFeed) == 0.0;
         let factor = match motion {
             Motion::Rapid => self.panel.rapid_override,
             Motion::Feed if self.followed.feed_override => self.panel.feed_override,

@@ -142,8 +142,8 @@ impl Spindle {
         };
         let turns = told != 0.0 && (speed > 0.0 || planted(Fault::OnAtZero));
         let locked = self.orientation == Orientation::Locked;
-        let asked = self.orientation == Orientation::Asked
-            || locked && planted(Fault::OrientRequestStays);
+        let asked =
+            self.orientation == Orientation::Asked || locked && planted(Fault::OrientRequestStays);
         // M19 tells that it turns to an angle just before it says to which. A spindle that was started at a speed of zero is not braked: a speed
         // may come at any time.
         let begins = self.turn == SpindleTurn::Oriented && !locked;
@@ -152,7 +152,10 @@ impl Spindle {
             (Pin::SpindleOn(number), bit(turns)),
             (Pin::SpindleForward(number), bit(turns && told > 0.0)),
             (Pin::SpindleReverse(number), bit(turns && told < 0.0)),
-            (Pin::SpindleSpeed(number), if turns && !self.surface_speed { speed * told } else { 0.0 }),
+            (
+                Pin::SpindleSpeed(number),
+                if turns && !self.surface_speed { speed * told } else { 0.0 },
+            ),
             (Pin::SpindleBrake(number), bit(brake)),
             (Pin::SpindleLocked(number), bit(locked)),
             (Pin::SpindleOrient(number), bit(asked)),

@@ -3,8 +3,8 @@
 //! | asked for | a program runs | it pauses | a block by hand runs | idle |
 //! | --- | --- | --- | --- | --- |
 //! | cycle start | open | goes on after M60, after M0 and M1 by option | open | starts |
-//! | pause | pauses | nothing more | open | refused |
-//! | resume | refused | goes on | open | refused |
+//! | pause | pauses | nothing more | open | nothing |
+//! | resume | nothing | goes on | open | nothing |
 //! | abort | ends | ends | ends | as an abort leaves spindles and coolant |
 //! | another mode | refused | refused | open | changes |
 //! | a block by hand | refused | refused | open | executed in MDI mode, by option in manual mode |
@@ -32,8 +32,7 @@ impl<M: Machine> Desk<M> {
         match action {
             Action::CycleStart => self.cycle_start(),
             Action::Pause => self.pause = self.pause.or(Some(Pause::Asked)),
-            Action::Resume if self.pause.is_some() => self.pause = None,
-            Action::Resume => self.refuse(Request::Resume),
+            Action::Resume => self.pause = None,
             Action::Abort if planted(Fault::AbortResumes) && self.pause.is_some() => {
                 self.pause = None;
             }
@@ -72,8 +71,6 @@ impl<M: Machine> Desk<M> {
         }
         match action {
             Action::CycleStart => return Some(Idle::Start),
-            Action::Pause => self.refuse(Request::Pause),
-            Action::Resume => self.refuse(Request::Resume),
             Action::Abort => self.broken = Some(Break::Abort),
             Action::Mode(mode) => self.change_mode(mode),
             Action::Mdi(text) => match self.mode {
@@ -86,7 +83,10 @@ impl<M: Machine> Desk<M> {
                 }
                 ControllerMode::Auto | ControllerMode::Manual => self.refuse(Request::Mdi),
             },
-            Action::OptionalStop(_)
+            // There is nothing to pause, and nothing that pauses.
+            Action::Pause
+            | Action::Resume
+            | Action::OptionalStop(_)
             | Action::FeedOverride(_)
             | Action::RapidOverride(_)
             | Action::SpindleOverride { .. }

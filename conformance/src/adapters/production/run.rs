@@ -24,8 +24,7 @@ struct Run<'a> {
 pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     let (machine, options) = (scenario.machine.clone(), scenario.options.clone());
     let not_run = |error: Error| HarnessError::NotRun(error.to_string());
-    let mut interpreter =
-        Interpreter::new(machine, options, Limits::default()).map_err(not_run)?;
+    let mut interpreter = Interpreter::new(machine, options, Limits::default()).map_err(not_run)?;
     interpreter.set_block_delete(scenario.program.block_delete);
     let recorder = Recorder::new(&mut interpreter, Outside::new(scenario), scenario.program.start);
     let task = Task::new(interpreter, recorder).map_err(not_run)?;

@@ -266,8 +266,8 @@ impl Modal {
             Stroke::OverridesBack => {
                 self.restore_overrides(drilling);
                 if self.choices.tap_turns_back {
-                    let turn = cycle.turn;
-                    self.for_spindles(cycle.spindle, |spindle| spindle.turn = turn);
+                    self.turn(cycle.spindle, SpindleTurn::Stopped, line, sink);
+                    self.turn(cycle.spindle, cycle.turn, line, sink);
                 }
             }
         }
