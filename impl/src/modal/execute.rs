@@ -271,13 +271,7 @@ impl Modal {
                 _ => self.local_offset(block.words, code, numbered)?,
             }
         }
-        let mode = self.motion;
-        let moved = self.motion(block, numbered, sink);
-        if matches!(moved, Err(Refusal::Broken)) {
-            // A motion that was broken off has selected no motion mode.
-            self.motion = mode;
-        }
-        moved?;
+        self.motion(block, numbered, sink)?;
         if block.g(NON_MODAL) == Some(40) && late {
             self.dwell(block.words, sink)?;
         }

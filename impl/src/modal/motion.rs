@@ -26,8 +26,22 @@ impl Modal {
         self.perform(words.line, &Effect::Dwell { seconds }, sink)
     }
 
-    /// The block's move, and the motion mode that it sets.
+    /// The block's move, and the motion mode that it sets. A motion that is broken off has selected none.
     pub(super) fn motion<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        let mode = self.motion;
+        let moved = self.whole_motion(block, numbered, sink);
+        if matches!(moved, Err(Refusal::Broken)) {
+            self.motion = mode;
+        }
+        moved
+    }
+
+    fn whole_motion<K: Sink>(
         &mut self,
         block: &Block<'_>,
         numbered: &mut Numbered,

@@ -1,25 +1,19 @@
-//! The desk between interpreter and machine: it takes every setting and effect, and hands each on when the machine may have it.
+//! The desk between interpreter and machine: what the controller is doing, and the state from which pins follow.
 
+use alloc::vec;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{ControllerMode, Effect, Pin, Position, Settings};
+use gaugeblock_trace::{ControllerMode, Pin, Position};
 
-use crate::begun::BlockBegun;
-use crate::canon::{Reply, Sink};
-use crate::done::BlockDone;
 use crate::error::Error;
-use crate::faults::{Fault, planted};
 use crate::interpret::Interpreter;
-use crate::probing::Probing;
 
 use super::choices::Choices;
-use super::held::{Motion, motion_of};
 use super::items;
-use super::machine::{Machine, Work};
+use super::machine::Machine;
 use super::outputs::Outputs;
 use super::panel::Panel;
 use super::pins::{Followed, bit};
-use super::waits::Broken;
 
 /// What the controller is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,8 +72,8 @@ pub(super) struct Desk<M> {
     pub(super) items: Vec<f64>,
     /// M66 has brought them up to date since the interpreter was told.
     pub(super) items_are_new: bool,
-    digital: Outputs,
-    analog: Outputs,
+    pub(super) digital: Outputs,
+    pub(super) analog: Outputs,
     /// How many spindles the machine has.
     spindles: usize,
     /// Inputs of each kind.
@@ -89,17 +83,17 @@ pub(super) struct Desk<M> {
     /// Room for the values that they are to have.
     values: Vec<f64>,
     /// Between the start and the end of a synchronisation with a spindle.
-    synchronised: bool,
+    pub(super) synchronised: bool,
     /// Pallets were exchanged last: a stop is the one of M60.
-    pallets: bool,
+    pub(super) pallets: bool,
     /// Depth of calls after the last block.
-    level: u32,
+    pub(super) level: u32,
     /// Line of the block that is being executed.
     pub(super) line: u32,
     /// What is read now was never to be executed.
-    ahead: bool,
+    pub(super) ahead: bool,
     /// Where the controlled point was after the last block, machine coordinates; kept where something can be read ahead.
-    stands: Position,
+    pub(super) stands: Position,
 }
 
 impl<M: Machine> Desk<M> {
@@ -134,7 +128,11 @@ impl<M: Machine> Desk<M> {
         for ((_, value), now) in desk.pins.iter_mut().zip(&desk.values) {
             *value = *now;
         }
-        desk.items = alloc::vec![0.0; items::inputs(of.digital_io, of.analog_io).count().saturating_add(desk.pins.len())];
+        desk.items =
+            vec![
+                0.0;
+                items::inputs(of.digital_io, of.analog_io).count().saturating_add(desk.pins.len())
+            ];
         desk.renew_items();
         Ok(desk)
     }
@@ -160,7 +158,8 @@ impl<M: Machine> Desk<M> {
             *slot = value;
         }
         for ((pin, old), new) in pins.iter_mut().zip(&values) {
-            if old != new {
+            // A value that is no number is one that the task does not know: the pin is left to motion.
+            if (*old - *new).abs() > 0.0 {
                 *old = *new;
                 self.machine.pin(*pin, *new);
             }
@@ -238,213 +237,5 @@ impl<M: Machine> Desk<M> {
             return Some(self.stands);
         }
         None
-    }
-
-    /// Performs a move: it begins when nothing holds it, and with it outputs change.
-    fn move_(&mut self, motion: Motion, perform: impl FnOnce(&mut M) -> Reply) -> Reply {
-        while self.holds(motion) || self.pause.is_some() {
-            if self.wait_to_go_on().is_err() {
-                return self.broken_off();
-            }
-        }
-        let reply = perform(&mut self.machine);
-        if !matches!(reply, Reply::Failed(_) | Reply::Broken) {
-            let digital = self.digital.begin_motion();
-            if self.analog.begin_motion() || digital {
-                self.renew_pins();
-            }
-        }
-        reply
-    }
-
-    /// What is answered to an effect that was broken off; where the interpreter reads ahead it goes on, but for what waits for the machine.
-    fn broken_off(&mut self) -> Reply {
-        if self.broken == Some(Break::Abort) && self.choices.read_on && self.doing == Doing::Program
-        {
-            self.ahead = true;
-            return Reply::Done;
-        }
-        Reply::Broken
-    }
-
-    /// M0, M1, M60 (11.6.2, 11.6.4).
-    fn stop(&mut self, optional: bool, effect: &Effect) -> Reply {
-        let pallets = core::mem::take(&mut self.pallets);
-        let reply = self.machine.perform(self.line, effect);
-        let ignores = optional && !self.panel.optional_stop;
-        if ignores || reply != Reply::Done {
-            return reply;
-        }
-        if self.doing == Doing::ByHand {
-            if self.level != 0 {
-                return self.leave_open("a pause in a sub that was called by hand");
-            }
-            return reply;
-        }
-        self.pause = Some(if pallets { Pause::Pallets } else { Pause::Stop });
-        while self.pause.is_some() {
-            if self.wait_to_go_on().is_err() {
-                return self.broken_off();
-            }
-        }
-        reply
-    }
-
-    /// The documents leave open what follows.
-    pub(super) fn leave_open(&mut self, why: &'static str) -> Reply {
-        self.broken = Some(Break::Open(why));
-        Reply::Broken
-    }
-
-    /// M6: where a person changes tools, that person is asked first.
-    fn change_tool(&mut self, tool: i32, effect: &Effect) -> Reply {
-        if self.machine.prompts_for_tools() {
-            let prompt = Effect::PromptTool { tool };
-            let reply = self.machine.perform(self.line, &prompt);
-            if reply != Reply::Done {
-                return reply;
-            }
-        }
-        self.work(effect, Work::ToolChange)
-    }
-
-    /// An effect that is over when the outside says so.
-    fn work(&mut self, effect: &Effect, work: Work) -> Reply {
-        let reply = self.machine.perform(self.line, effect);
-        if matches!(reply, Reply::Failed(_) | Reply::Broken) {
-            return reply;
-        }
-        match self.wait_for(work, None) {
-            Ok(Reply::Done) => reply,
-            Ok(other) => other,
-            Err(Broken) => Reply::Broken,
-        }
-    }
-
-    /// An effect that is no motion.
-    #[expect(clippy::wildcard_enum_match_arm, reason = "the other effects take no time here")]
-    fn perform_still(&mut self, effect: &Effect) -> Reply {
-        match effect {
-            Effect::Dwell { seconds } => {
-                let reply = self.machine.perform(self.line, effect);
-                match self.pass(*seconds) {
-                    Ok(()) => reply,
-                    Err(Broken) => self.broken_off(),
-                }
-            }
-            Effect::Stop { optional } => self.stop(*optional, effect),
-            Effect::WaitInput { digital, analog, mode, timeout, .. } => {
-                let reply = self.machine.perform(self.line, effect);
-                if reply != Reply::Done {
-                    return reply;
-                }
-                self.wait_input((*digital, *analog), *mode, *timeout)
-            }
-            Effect::ChangeTool { tool } => self.change_tool(*tool, effect),
-            Effect::OrientSpindle { spindle, angle, direction } => {
-                let reply = self.machine.perform(self.line, effect);
-                self.followed.orient(*spindle, *angle, *direction);
-                self.renew_pins();
-                reply
-            }
-            Effect::WaitOrient { spindle, timeout } => self.wait_orient(*spindle, *timeout, effect),
-            Effect::UserCode { .. } => self.work(effect, Work::UserProgram),
-            Effect::SetDigitalOutput { output, on, timing } => {
-                self.digital.set(*output, bit(*on), *timing, self.choices.at_once_replaces);
-                self.renew_pins();
-                self.machine.perform(self.line, effect)
-            }
-            Effect::SetAnalogOutput { output, to, timing } => {
-                self.analog.set(*output, *to, *timing, self.choices.at_once_replaces);
-                self.renew_pins();
-                self.machine.perform(self.line, effect)
-            }
-            Effect::ChangeControllerMode { mode } => {
-                self.mode = *mode;
-                self.machine.perform(self.line, effect)
-            }
-            _ => {
-                match effect {
-                    Effect::PalletShuttle {} => self.pallets = true,
-                    Effect::StartSpindleSynchronisation { .. } => self.synchronised = true,
-                    Effect::StopSpindleSynchronisation {} => self.synchronised = false,
-                    _ => {}
-                }
-                self.machine.perform(self.line, effect)
-            }
-        }
-    }
-
-    /// What is read ahead does nothing; it ends where the machine would have to answer.
-    #[expect(clippy::wildcard_enum_match_arm, reason = "only these wait for the machine")]
-    fn pass_over(effect: &Effect) -> Reply {
-        match effect {
-            Effect::WaitInput { .. }
-            | Effect::StraightProbe { .. }
-            | Effect::ChangeTool { .. }
-            | Effect::WaitOrient { .. }
-            | Effect::UserCode { .. } => Reply::Broken,
-            _ => Reply::Done,
-        }
-    }
-
-    /// M66 has read an input; HAL items are brought up to date with it.
-    pub(super) fn read(&mut self, value: f64) -> Reply {
-        self.machine.has_read(value);
-        self.renew_items();
-        self.items_are_new = !planted(Fault::ItemsNeverNew);
-        Reply::Input(value)
-    }
-}
-
-impl<M: Machine> Sink for Desk<M> {
-    fn set(&mut self, line: u32, changed: &Settings) {
-        if self.ahead {
-            return;
-        }
-        self.line = line;
-        self.machine.set(line, changed);
-        if self.followed.set(changed) {
-            self.renew_pins();
-        }
-    }
-
-    fn perform(&mut self, line: u32, effect: &Effect) -> Reply {
-        if self.ahead {
-            return Self::pass_over(effect);
-        }
-        self.line = line;
-        match motion_of(effect, self.synchronised) {
-            Some(motion) => self.move_(motion, |machine| machine.perform(line, effect)),
-            None => self.perform_still(effect),
-        }
-    }
-
-    fn probe(&mut self, line: u32, effect: &Effect, probing: &Probing) -> Reply {
-        if self.ahead {
-            return Reply::Broken;
-        }
-        self.line = line;
-        self.move_(Motion::Feed, |machine| machine.probe(line, effect, probing))
-    }
-
-    fn block_begun(&mut self, begun: &BlockBegun<'_>) {
-        if !self.ahead {
-            self.machine.block_begun(begun);
-        }
-    }
-
-    fn block_done(&mut self, done: &mut BlockDone<'_>) {
-        if core::mem::take(&mut self.items_are_new) {
-            done.set_items(&self.items);
-        }
-        if self.ahead {
-            return;
-        }
-        self.level = done.call_level();
-        if self.choices.read_on {
-            self.stands = done.machine_point();
-        }
-        self.machine.block_done(done);
     }
 }

@@ -21,6 +21,7 @@
 mod by_hand;
 mod choices;
 mod desk;
+mod effects;
 mod held;
 mod items;
 mod machine;
@@ -28,6 +29,8 @@ mod outputs;
 mod panel;
 mod pins;
 mod requests;
+#[cfg(test)]
+mod tests;
 mod waits;
 
 use gaugeblock_trace::{ControllerMode, End, FaultKind};
@@ -233,7 +236,9 @@ impl<M: Machine> Task<M> {
         loop {
             match self.step_entry(&mut line)? {
                 Activity::More => {}
-                activity => return Ok(activity),
+                over @ (Activity::Entered | Activity::Ended(_) | Activity::Stuck(_)) => {
+                    return Ok(over);
+                }
             }
         }
     }

@@ -6,6 +6,9 @@ use crate::faults::{Fault, planted};
 
 use super::panel::SPINDLES;
 
+/// What stands for the value of a pin that is not the task's to say: no number.
+const LEFT_TO_MOTION: f64 = f64::NAN;
+
 /// What a spindle is told, and how its orientation goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Spindle {
@@ -141,6 +144,11 @@ impl Spindle {
             SpindleTurn::Stopped | SpindleTurn::Oriented => 0.0,
         };
         let turns = told != 0.0 && (speed > 0.0 || planted(Fault::OnAtZero));
+        let shown = match turns {
+            true if self.surface_speed => LEFT_TO_MOTION,
+            true => speed * told,
+            false => 0.0,
+        };
         let locked = self.orientation == Orientation::Locked;
         let asked =
             self.orientation == Orientation::Asked || locked && planted(Fault::OrientRequestStays);
@@ -152,10 +160,7 @@ impl Spindle {
             (Pin::SpindleOn(number), bit(turns)),
             (Pin::SpindleForward(number), bit(turns && told > 0.0)),
             (Pin::SpindleReverse(number), bit(turns && told < 0.0)),
-            (
-                Pin::SpindleSpeed(number),
-                if turns && !self.surface_speed { speed * told } else { 0.0 },
-            ),
+            (Pin::SpindleSpeed(number), shown),
             (Pin::SpindleBrake(number), bit(brake)),
             (Pin::SpindleLocked(number), bit(locked)),
             (Pin::SpindleOrient(number), bit(asked)),

@@ -173,7 +173,9 @@ impl<'a> Outside<'a> {
         };
         let changes = self.bench.inputs.iter();
         let past = changes.filter(|change| change.input == name && change.time <= self.time);
-        past.map(|change| change.value).next_back().unwrap_or_default()
+        // Where nothing slows motion down it is at full speed.
+        let unconnected = if input == Input::AdaptiveFeed { 1.0 } else { 0.0 };
+        past.map(|change| change.value).next_back().unwrap_or(unconnected)
     }
 
     /// The digital output that is wired to a digital input.
