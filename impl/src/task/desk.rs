@@ -88,6 +88,8 @@ pub(super) struct Desk<M> {
     pub(super) pallets: bool,
     /// Depth of calls after the last block.
     pub(super) level: u32,
+    /// A block has begun.
+    pub(super) within: bool,
     /// Line of the block that is being executed.
     pub(super) line: u32,
     /// What is read now was never to be executed.
@@ -119,6 +121,7 @@ impl<M: Machine> Desk<M> {
             synchronised: false,
             pallets: false,
             level: 0,
+            within: false,
             line: 0,
             ahead: false,
             stands: interpreter.machine_point(),

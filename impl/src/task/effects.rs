@@ -216,6 +216,7 @@ impl<M: Machine> Sink for Desk<M> {
         if self.ahead {
             return;
         }
+        self.within = false;
         self.level = done.call_level();
         if self.choices.read_on {
             self.stands = done.machine_point();

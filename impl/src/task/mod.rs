@@ -188,6 +188,11 @@ impl<M: Machine> Task<M> {
         self.desk.begin(Doing::Program);
     }
 
+    /// Whether a block has begun that is not over: it waits in between then.
+    pub fn is_within_block(&self) -> bool {
+        self.desk.within
+    }
+
     /// Where the next block stands, its file and its line; none where the next step goes on within a block or ends the run.
     pub fn next_block<S: Source>(&mut self, source: &mut S) -> Option<(&str, u32)> {
         self.interpreter.next_block(source)
@@ -201,6 +206,7 @@ impl<M: Machine> Task<M> {
         if self.desk.may_go_on().is_err() {
             return Ok(self.broken(source));
         }
+        self.desk.within = true;
         let progress = self.interpreter.step(source, &mut self.desk);
         if self.desk.is_broken() {
             return Ok(self.broken(source));

@@ -44,6 +44,7 @@ impl<M: Machine> Desk<M> {
 
     /// Before a block: answers what was asked since the last one, and waits while the program is paused.
     pub(super) fn may_go_on(&mut self) -> Result<(), Broken> {
+        self.within = false;
         while let Some(action) = self.machine.asked() {
             self.asked(action);
             if self.broken.is_some() {

@@ -14,13 +14,15 @@ pub(super) struct Operator<'a> {
     due: Vec<(f64, &'a Action)>,
     /// How often each block has been executed that something stands at.
     executions: BTreeMap<Block, u32>,
+    /// Blocks that were entered by hand so far.
+    entered: u32,
 }
 
 impl<'a> Operator<'a> {
     /// Before the first block.
     pub(super) fn new(events: &'a [OperatorEvent]) -> Self {
         let executions = events.iter().map(|event| (event.when.block.clone(), 0)).collect();
-        Self { ahead: events.iter().collect(), due: Vec::new(), executions }
+        Self { ahead: events.iter().collect(), due: Vec::new(), executions, entered: 0 }
     }
 
     /// A block begins: what stands at this execution falls due from this time on.
@@ -51,7 +53,13 @@ impl<'a> Operator<'a> {
             return None;
         }
         self.due.remove(0);
+        self.entered += u32::from(matches!(action, Action::Mdi(_)));
         Some(action.clone())
+    }
+
+    /// Blocks that were entered by hand so far, whatever the controller did with them.
+    pub(super) fn entered(&self) -> u32 {
+        self.entered
     }
 
     /// Whether anything is still to come.

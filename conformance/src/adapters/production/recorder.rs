@@ -80,6 +80,11 @@ impl<'a> Recorder<'a> {
         self.outside.operator().is_there()
     }
 
+    /// Blocks that were entered by hand so far, while a program is loaded.
+    pub(super) fn entered(&self) -> u32 {
+        self.outside.operator().entered()
+    }
+
     /// Whether somebody is still to act.
     pub(super) fn operator_is_waiting(&self) -> bool {
         self.outside.operator().is_waiting()
@@ -260,12 +265,19 @@ impl Machine for Recorder<'_> {
 
     fn broken_off(&mut self) {
         let mut settings = Settings::default();
+        let mut refused = Vec::new();
         for event in self.events.drain(..) {
-            if let Event::Set(changed) = event {
-                settings.overlay(&changed);
+            match event {
+                Event::Set(changed) => settings.overlay(&changed),
+                // The controller refused it, and not the block.
+                Event::Do(Effect::RequestRefused { .. }) => refused.push(event),
+                Event::Do(_) => {}
             }
         }
         self.idle = true;
+        for event in refused {
+            self.happened(event);
+        }
         if settings != Settings::default() {
             // They are in force, and the block that set them is not recorded.
             self.happened(Event::Set(settings));

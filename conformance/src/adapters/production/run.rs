@@ -13,8 +13,6 @@ use super::recorder::Recorder;
 struct Run<'a> {
     scenario: &'a Scenario,
     task: Task<Recorder<'a>>,
-    /// Blocks that were entered by hand so far.
-    entered: u32,
 }
 
 /// Runs a scenario.
@@ -26,9 +24,11 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     let not_run = |error: Error| HarnessError::NotRun(error.to_string());
     let mut interpreter = Interpreter::new(machine, options, Limits::default()).map_err(not_run)?;
     interpreter.set_block_delete(scenario.program.block_delete);
+    // Somebody may act at a line that holds a comment only.
+    interpreter.set_comments_told(!scenario.operator.is_empty());
     let recorder = Recorder::new(&mut interpreter, Outside::new(scenario), scenario.program.start);
     let task = Task::new(interpreter, recorder).map_err(not_run)?;
-    let mut run = Run { scenario, task, entered: 0 };
+    let mut run = Run { scenario, task };
     let end = match scenario.program.start {
         Start::Program => run.program()?,
         Start::Mdi => run.lines()?,
@@ -100,9 +100,10 @@ impl Run<'_> {
                 Idle::Nothing => break,
                 Idle::Start => self.program()?,
                 Idle::Enter(text) => {
-                    self.entered += 1;
-                    self.task.machine_mut().begin_block(BY_HAND, self.entered);
-                    self.enter(&text, self.entered, end)?
+                    // What was refused has been entered too.
+                    let number = self.task.machine().entered();
+                    self.task.machine_mut().begin_block(BY_HAND, number);
+                    self.enter(&text, number, end)?
                 }
             };
         }
@@ -122,8 +123,10 @@ impl Run<'_> {
                 end
             }
             Ok(Activity::Stuck(Stuck::Paused)) => {
-                let block = self.task.interpreter().block();
-                self.task.machine_mut().stay(&block);
+                if self.task.is_within_block() {
+                    let block = self.task.interpreter().block();
+                    self.task.machine_mut().stay(&block);
+                }
                 End::Paused
             }
             Ok(Activity::Stuck(Stuck::Waiting)) => End::BudgetExhausted { bound: Bound::Time },
