@@ -14,7 +14,7 @@ use std::io::{Error, Result};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
-use gaugeblock_benches::{LongProgram, long_programs};
+use gaugeblock_benches::{LONG_PROGRAMS, LongProgram, long_program};
 use gaugeblock_impl::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
 use gaugeblock_trace::{Effect, End, Machine, Options, Settings};
 use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
@@ -38,10 +38,9 @@ fn main() -> Result<()> {
         Some(peer) => peer.start(runs)?,
         None => Seconds::default(),
     };
-    for program in long_programs() {
-        if wanted.is_none_or(|wanted| program.name.contains(wanted)) {
-            measure(&program, peer.as_ref(), start, runs)?;
-        }
+    let wanted = |name: &&&str| wanted.is_none_or(|wanted| name.contains(wanted));
+    for program in LONG_PROGRAMS.iter().filter(wanted).filter_map(|name| long_program(name)) {
+        measure(&program, peer.as_ref(), start, runs)?;
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ mod long;
 use gaugeblock_trace::Scenario;
 use gaugeblock_trace::scenario::Budget;
 
-pub use long::{LongProgram, long_programs};
+pub use long::{LONG_PROGRAMS, LongProgram, long_program};
 
 /// A program to be measured.
 #[derive(Clone, Debug)]

@@ -6,7 +6,7 @@ use std::fmt::{Arguments, Write as _};
 #[derive(Clone, Debug)]
 pub struct LongProgram {
     /// Name in tables.
-    pub name: &'static str,
+    pub name: String,
     /// Its text.
     pub text: String,
 }
@@ -16,34 +16,45 @@ const HEAD: &str = "G21 G90 G17 G94\nF1500\n";
 /// Blocks that a program executes, about.
 const BLOCKS: u32 = 200_000;
 
-/// All long programs, by what they stress.
-pub fn long_programs() -> Vec<LongProgram> {
-    vec![
-        program("feed moves", 1, "", feed_move),
-        program("expressions", 4, "#1=0\n#2=10.5\n#3=0\n", expressions),
-        program("named parameters", 4, "#<_ang>=0\n#<r>=10.5\n", named_parameters),
-        program("comments", 2, "", comments),
-        LongProgram { name: "blocks in loops and subs", text: LOOPS_AND_SUBS.into() },
-        LongProgram { name: "a loop", text: LOOP.into() },
-        LongProgram { name: "calls", text: CALLS.into() },
-        LongProgram { name: "calls with M73", text: CALLS_WITH_SAVED_STATE.into() },
-    ]
+/// Names of all long programs, by what they stress.
+pub const LONG_PROGRAMS: &[&str] = &[
+    "feed moves",
+    "arcs",
+    "expressions",
+    "named parameters",
+    "comments",
+    "blocks in loops and subs",
+    "a loop",
+    "calls",
+    "calls with M73",
+];
+
+/// The long program of a name; none where there is no such program.
+pub fn long_program(name: &str) -> Option<LongProgram> {
+    let text = match name {
+        "feed moves" => program(1, "", feed_move),
+        "arcs" => arcs(),
+        "expressions" => program(4, "#1=0\n#2=10.5\n#3=0\n", expressions),
+        "named parameters" => program(4, "#<_ang>=0\n#<r>=10.5\n", named_parameters),
+        "comments" => program(2, "", comments),
+        "blocks in loops and subs" => LOOPS_AND_SUBS.into(),
+        "a loop" => LOOP.into(),
+        "calls" => CALLS.into(),
+        "calls with M73" => CALLS_WITH_SAVED_STATE.into(),
+        _ => return None,
+    };
+    Some(LongProgram { name: name.to_owned(), text })
 }
 
 /// A program of the same few blocks, each time with other numbers.
-fn program(
-    name: &'static str,
-    blocks: u32,
-    head: &str,
-    write: fn(&mut String, u32, &mut Noise),
-) -> LongProgram {
+fn program(blocks: u32, head: &str, write: fn(&mut String, u32, &mut Noise)) -> String {
     let mut noise = Noise(7);
     let mut text = format!("{HEAD}{head}");
     for turn in 0..BLOCKS / blocks {
         write(&mut text, turn, &mut noise);
     }
     text.push_str("M2\n");
-    LongProgram { name, text }
+    text
 }
 
 /// Numbers without a pattern that are the same in every run.
@@ -73,6 +84,43 @@ fn feed_move(text: &mut String, turn: u32, noise: &mut Noise) {
         put(text, format_args!(" F{}", 800 + turn / 50 % 4 * 400));
     }
     text.push('\n');
+}
+
+/// Arcs with centres, of 0.3 to 3 radians and 1 to 8 millimetres, in each plane for a thousand blocks, around the point where they began.
+fn arcs() -> String {
+    let mut noise = Noise(7);
+    let mut text = format!("{HEAD}G0 X0 Y0 Z0\n");
+    let mut place = [0.0; 3];
+    for turn in 0..BLOCKS / 2 {
+        let (plane, [first, second], [letter, other], [offset, other_offset]) =
+            match turn / 1000 % 3 {
+                0 => ("G17", [0, 1], ['X', 'Y'], ['I', 'J']),
+                1 => ("G18", [2, 0], ['Z', 'X'], ['K', 'I']),
+                _ => ("G19", [1, 2], ['Y', 'Z'], ['J', 'K']),
+            };
+        if turn.is_multiple_of(1000) {
+            put(&mut text, format_args!("{plane}\n"));
+        }
+        // The centre lies toward the origin, so that the path stays near it.
+        let inwards = libm::atan2(-place[second], -place[first]) + noise.next() - 0.5;
+        let radius = 1.0 + 7.0 * noise.next();
+        let centre = [rounded(radius * libm::cos(inwards)), rounded(radius * libm::sin(inwards))];
+        let (sign, code) = if noise.next() < 0.5 { (-1.0, 2) } else { (1.0, 3) };
+        let angle = libm::atan2(-centre[1], -centre[0]) + sign * (0.3 + 2.7 * noise.next());
+        let radius = libm::hypot(centre[0], centre[1]);
+        place[first] = rounded(place[first] + centre[0] + radius * libm::cos(angle));
+        place[second] = rounded(place[second] + centre[1] + radius * libm::sin(angle));
+        let [along, across] = [place[first], place[second]];
+        put(&mut text, format_args!("G{code} {letter}{along:.4} {other}{across:.4}"));
+        put(&mut text, format_args!(" {offset}{:.4} {other_offset}{:.4}\n", centre[0], centre[1]));
+    }
+    text.push_str("M2\n");
+    text
+}
+
+/// As it is written, with four decimals.
+fn rounded(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
 }
 
 fn expressions(text: &mut String, turn: u32, noise: &mut Noise) {

@@ -42,6 +42,14 @@ faults! {
     "active-comments.first-comment" FirstComment,
     /// A line log is written although no file is open.
     "active-comments.log-without-file" LogWithoutFile,
+    /// The centre of an arc under G90.1 counts from its start.
+    "arcs.absolute-from-start" AbsoluteFromStart,
+    /// A negative R is the same arc as a positive one.
+    "arcs.negative-radius" NegativeRadius,
+    /// An arc may end anywhere.
+    "arcs.any-end" AnyEnd,
+    /// P of an arc is not looked at.
+    "arcs.one-turn" OneTurn,
     /// An else branch is never taken.
     "control.else-skipped" ElseSkipped,
     /// A negative condition is false.
@@ -54,6 +62,18 @@ faults! {
     "control.continue-leaves" ContinueLeaves,
     /// M9 leaves mist on.
     "coolant.mist-stays" MistStays,
+    /// G98 goes back to R.
+    "cycles.back-to-r" BackToR,
+    /// Words of the block before are forgotten.
+    "cycles.nothing-sticky" NothingSticky,
+    /// L makes one hole too many.
+    "cycles.one-more-hole" OneMoreHole,
+    /// Under G91 the bottom counts from the point and not from R.
+    "cycles.bottom-from-point" BottomFromPoint,
+    /// A peck goes to the bottom at once.
+    "cycles.no-pecks" NoPecks,
+    /// G86 leaves the spindle stopped.
+    "cycles.spindle-stays" SpindleStays,
     /// A negative dwell is no dwell.
     "dwell.negative" NegativeDwell,
     /// Numbers are equal only when all their digits are.
@@ -160,6 +180,18 @@ faults! {
     "pause.no-pallets" NoPallets,
     /// A paused program does not keep the controller in auto mode.
     "pause.mode-changes" ModeWhilePaused,
+    /// The point on the way to a predefined position is left out.
+    "positions.straight" StraightToPosition,
+    /// G30 goes where G28 goes.
+    "positions.one-position" OnePosition,
+    /// Axes without a word go to the predefined position too.
+    "positions.all-axes" AllAxes,
+    /// A probe that nothing touched is no error.
+    "probe.miss-accepted" MissAccepted,
+    /// G38.4 looks for contact as G38.2 does.
+    "probe.toward-only" TowardOnly,
+    /// #5070 does not say whether the probe changed.
+    "probe.no-result" NoProbeResult,
     /// Coolant flows on after the program's end.
     "program-end.coolant-on" CoolantOn,
     /// G91 stays after the program's end.
@@ -188,6 +220,12 @@ faults! {
     "spindle.no-limit" NoSpindleLimit,
     /// A spindle at a speed of zero is asked to turn.
     "spindle.on-at-zero" OnAtZero,
+    /// G5 has a control point too few.
+    "splines.quadratic-only" QuadraticOnly,
+    /// A spline works in any plane.
+    "splines.any-plane" AnySplinePlane,
+    /// I and J of G5.1 may both be zero.
+    "splines.zero-offsets" ZeroOffsets,
     /// A sub may call eleven levels deep.
     "subroutines.eleven-levels" ElevenLevels,
     /// The value of a return is lost.
@@ -204,6 +242,12 @@ faults! {
     "text.any-length" AnyLength,
     /// The second percent line does not end a program.
     "text.percent-goes-on" PercentGoesOn,
+    /// A spindle that stands is no obstacle to a synchronised move.
+    "threading.standing-spindle" StandingSpindle,
+    /// G76 makes no spring passes.
+    "threading.no-spring-passes" NoSpringPasses,
+    /// Depths of G76 are radii under G7.
+    "threading.depth-as-radius" DepthAsRadius,
     /// The spindle turns on over a tool change.
     "tool.spindle-turns-on" SpindleTurnsOn,
     /// A tool stays selected after its change.

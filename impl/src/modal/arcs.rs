@@ -6,6 +6,7 @@
 use gaugeblock_trace::{Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane};
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::math;
 use crate::words::Words;
 
@@ -143,6 +144,7 @@ impl Modal {
         let least = if self.choices.arc_turns_one { i32::MIN } else { 1 };
         let turns = words
             .get(b'P')
+            .filter(|_| !planted(Fault::OneTurn))
             .map_or(Ok(1), |p| integer_in(p, least, i32::MAX, "P of an arc"))?
             .max(1);
         Ok(Effect::ArcFeed {
@@ -211,13 +213,14 @@ impl Modal {
             Distance::Absolute if given != plane.offset_words => {
                 return refuse(FaultKind::MissingWord, "G90.1 needs both offsets");
             }
-            Distance::Absolute => InPlane { first, second },
-            Distance::Incremental => {
+            Distance::Absolute if !planted(Fault::AbsoluteFromStart) => InPlane { first, second },
+            Distance::Absolute | Distance::Incremental => {
                 InPlane { first: plane.start.first + first, second: plane.start.second + second }
             }
         };
         let radius = plane.start.minus(centre).length();
-        if !tolerances.agree(radius, plane.end.minus(centre).length()) {
+        let agree = tolerances.agree(radius, plane.end.minus(centre).length());
+        if !agree && !planted(Fault::AnyEnd) {
             return refuse(FaultKind::BadArc, "the radius to the end of the arc is another one");
         }
         if radius <= SAME_POINT && !self.choices.arc_zero_radius {
@@ -254,7 +257,7 @@ fn radius_centre(
     }
     let height = math::sqrt(((radius - half) * (radius + half)).max(0.0));
     // The centre of a counterclockwise arc below half a circle is on the left of the chord.
-    let left = counterclockwise == (signed > 0.0);
+    let left = counterclockwise == (signed > 0.0 || planted(Fault::NegativeRadius));
     let along = if left { height / length } else { -height / length };
     Ok(InPlane {
         first: plane.start.first + chord.first / 2.0 - chord.second * along,

@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Compensation, Effect, FaultKind};
 
 use crate::canon::{Reply, Sink};
+use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 use crate::probing::Probing;
 use crate::words::Words;
@@ -34,7 +35,7 @@ impl Modal {
         let now = *self.in_force.now();
         let to_stored = self.active_to_stored();
         let probing = Probing {
-            toward: matches!(code, 382 | 383),
+            toward: matches!(code, 382 | 383) || planted(Fault::TowardOnly),
             from: now.machine_of(self.position).converted(to_stored),
             to: now.machine_of(end).converted(to_stored),
             modes: now,
@@ -50,12 +51,17 @@ impl Modal {
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         let contact = if let Reply::Contact(Some(contact)) = reply { Some(contact) } else { None };
-        if contact.is_none() && matches!(code, 382 | 384) && reply != Reply::Stop {
+        if contact.is_none()
+            && matches!(code, 382 | 384)
+            && reply != Reply::Stop
+            && !planted(Fault::MissAccepted)
+        {
             self.missed = Some(end);
             return refuse(FaultKind::Probe, "the probe did not change");
         }
         self.position = contact.map_or(end, Into::into);
-        offsets::store_probe(numbered, self.position, contact.is_some());
+        let changed = contact.is_some() && !planted(Fault::NoProbeResult);
+        offsets::store_probe(numbered, self.position, changed);
         Ok(())
     }
 }

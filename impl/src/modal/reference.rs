@@ -1,6 +1,7 @@
 //! Predefined positions: G28, G28.1, G30, G30.1 (11.5.20, 11.5.21).
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -18,7 +19,11 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         self.refuse_under_compensation("a predefined position")?;
-        let first = if matches!(code, 280 | 281) { G28_POSITION } else { G30_POSITION };
+        let first = if matches!(code, 280 | 281) || planted(Fault::OnePosition) {
+            G28_POSITION
+        } else {
+            G30_POSITION
+        };
         if matches!(code, 281 | 301) {
             let machine = self.in_force.now().machine_of(self.position);
             // All nine (11.4.3.1), though 11.5.20 stops at 5166.
@@ -30,7 +35,12 @@ impl Modal {
             letters = self.axes;
         } else {
             let intermediate = self.target(block)?;
-            self.traverse_to(block.words.line, intermediate, sink)?;
+            if !planted(Fault::StraightToPosition) {
+                self.traverse_to(block.words.line, intermediate, sink)?;
+            }
+            if planted(Fault::AllAxes) {
+                letters = self.axes;
+            }
         }
         let stored = offsets::row(numbered, first).converted(self.stored_to_active());
         let end = if self.choices.position_program_axes {

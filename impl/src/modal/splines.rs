@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Effect, FaultKind, Motion, Plane};
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::words::Words;
 
 use super::Modal;
@@ -43,14 +44,14 @@ impl Modal {
         self.series = Series::of_spline(code == 50);
         let end = self.end_point(words);
         let start = core::mem::replace(&mut self.position, end);
-        let points = if code == 50 { 4 } else { 3 };
+        let points = if code == 50 && !planted(Fault::QuadraticOnly) { 4 } else { 3 };
         let effect = Effect::NurbsFeed { points, end: end.position() };
         self.perform_move(words.line, start, &effect, sink)
     }
 
     /// What no spline takes: another plane, another axis, compensation.
     fn check_spline(&self, words: &Words) -> Result<(), Refusal> {
-        if self.in_force.now().plane != Plane::Xy {
+        if self.in_force.now().plane != Plane::Xy && !planted(Fault::AnySplinePlane) {
             return refuse(FaultKind::ModalConflict, "a spline outside of the XY plane");
         }
         if words.present & AXES & !(X | Y) != 0 {
@@ -130,7 +131,7 @@ fn check_quadratic(words: &Words) -> Result<(), Refusal> {
         return refuse(FaultKind::MissingWord, "G5.1 without I and without J");
     }
     let is_zero = |letter| words.get(letter).unwrap_or(0.0).abs() <= 0.0;
-    if is_zero(b'I') && is_zero(b'J') {
+    if is_zero(b'I') && is_zero(b'J') && !planted(Fault::ZeroOffsets) {
         return refuse(FaultKind::WordOutOfRange, "I and J of G5.1 are zero");
     }
     Ok(())

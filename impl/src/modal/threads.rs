@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Axis, Effect, FaultKind, Machine, SpindleMode};
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::math;
 
 use super::Modal;
@@ -60,7 +61,7 @@ impl Modal {
     fn turning_spindle(&self, block: &Block<'_>) -> Result<u32, Refusal> {
         self.check_compensated_move(false)?;
         let spindle = self.selected(block, FIRST)?;
-        if !self.spindle_of(spindle).turns() {
+        if !self.spindle_of(spindle).turns() && !planted(Fault::StandingSpindle) {
             return refuse(FaultKind::ZeroSpeed, "a synchronised move while the spindle stands");
         }
         Ok(spindle.trailing_zeros())

@@ -151,9 +151,10 @@ pub(super) fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String
         LengthUnit::Millimetre => "G21",
         LengthUnit::Inch => "G20",
     };
+    // The controller stands off a corner that it has rounded: a wait parts the two ways.
     let tool = if scenario.machine.random_tool_changer { "" } else { "M61 Q0\n" };
     format!(
-        "{}M71\nG40\nG17 {unit} G90 G94 G49 G53 G0 X1\nG53 G0{axes}\n{tool}{outputs}M2\n",
+        "{}M71\nG40\nG17 {unit} G90 G94 G99 G49 G53 G0 X1\nG4 P0.001\nG53 G0{axes}\n{tool}{outputs}M2\n",
         plan.probe(0, 0)
     )
 }

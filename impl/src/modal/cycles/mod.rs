@@ -21,6 +21,7 @@ use gaugeblock_trace::{
     Axis, Compensation, FaultKind, FeedMode, Lathe, Motion, Plane, Retract, SpindleTurn,
 };
 
+use crate::faults::{Fault, planted};
 use crate::words::Words;
 
 use super::Modal;
@@ -120,7 +121,7 @@ impl Modal {
         };
         let axes = PlaneAxes::of(self.in_force.now().plane);
         let series = self.series.of_cycles(self.motion, self.position);
-        let sticky = series.sticky(code);
+        let sticky = series.sticky(code).filter(|_| !planted(Fault::NothingSticky));
         let numbers = Numbers::read(words, code, axes.normal, sticky, &self.choices)?;
         let mut levels = self.levels(&numbers, axes.normal, series.start());
         if code == 730 && !self.choices.break_returns {
@@ -152,7 +153,11 @@ impl Modal {
             turn: turning.turn,
             overrides: (self.in_force.now().feed_override, turning.speed_override),
         };
-        let job = Job::Drilling(Drilling::new(code, cycle, numbers.repeats));
+        let job = Job::Drilling(Drilling::new(
+            code,
+            cycle,
+            numbers.repeats.saturating_add(u64::from(planted(Fault::OneMoreHole))),
+        ));
         self.begin_job(block.words.line, job);
         Ok(())
     }
@@ -181,12 +186,18 @@ impl Modal {
         let now = self.in_force.now();
         let (retract, bottom) = if self.is_incremental() {
             let retract = self.position.of_axis(normal) + numbers.retract;
-            (retract, retract + numbers.bottom)
+            let from =
+                if planted(Fault::BottomFromPoint) { retract - numbers.retract } else { retract };
+            (retract, from + numbers.bottom)
         } else {
             (numbers.retract, numbers.bottom)
         };
         let initial = start.of_axis(normal);
-        let clear = if now.retract == Retract::OldZ { initial.max(retract) } else { retract };
+        let clear = if now.retract == Retract::OldZ && !planted(Fault::BackToR) {
+            initial.max(retract)
+        } else {
+            retract
+        };
         Levels { retract, bottom, clear }
     }
 

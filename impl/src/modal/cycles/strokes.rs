@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Effect, LengthUnit, SpindleTurn, Switch};
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::math;
 
 use super::super::Modal;
@@ -184,7 +185,7 @@ impl Drilling {
         let Levels { retract, bottom, .. } = self.cycle.levels;
         let depth = retract - math::from_u64(pecks) * self.cycle.increment;
         let rounding = self.cycle.increment * 1e-9;
-        if depth > bottom + rounding { depth } else { bottom }
+        if depth > bottom + rounding && !planted(Fault::NoPecks) { depth } else { bottom }
     }
 
     /// Where the next stroke of a peck leads and whether it is a feed move; whether the hole is done then.
@@ -259,6 +260,7 @@ impl Modal {
             Stroke::FeedOut => self.feed_to(line, to(self, clear), sink)?,
             Stroke::FeedToRetract => self.feed_to(line, to(self, retract), sink)?,
             Stroke::Turn(turn) => self.turn(cycle.spindle, turn, line, sink),
+            Stroke::TurnAgain if planted(Fault::SpindleStays) => {}
             Stroke::TurnAgain => self.turn(cycle.spindle, cycle.turn, line, sink),
             Stroke::OverridesOff => {
                 self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));

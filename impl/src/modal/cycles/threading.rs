@@ -6,6 +6,7 @@
 use gaugeblock_trace::{Axis, Effect, FaultKind, Lathe, Plane};
 
 use crate::canon::Sink;
+use crate::faults::{Fault, planted};
 use crate::math;
 use crate::words::Words;
 
@@ -109,7 +110,9 @@ impl Modal {
     fn threading(&self, words: &Words, spindle: u32) -> Result<Threading, Refusal> {
         let word = |letter| words.get(letter).unwrap_or(0.0);
         // Under diameter programming I, J and K are diameters.
-        let across = if self.in_force.now().lathe == Lathe::Diameter { 0.5 } else { 1.0 };
+        let diameters =
+            self.in_force.now().lathe == Lathe::Diameter && !planted(Fault::DepthAsRadius);
+        let across = if diameters { 0.5 } else { 1.0 };
         let peak_offset = word(b'I') * across;
         let (first_depth, full_depth) = (word(b'J') * across, word(b'K') * across);
         if first_depth <= 0.0 || full_depth <= 0.0 {
@@ -121,6 +124,7 @@ impl Modal {
             return refuse(FaultKind::WordOutOfRange, "R of G76 is less than 1");
         }
         let springs = integer(word(b'H'), "H")?;
+        let springs = if planted(Fault::NoSpringPasses) { springs.min(0) } else { springs };
         let Ok(springs) = u32::try_from(springs) else {
             return refuse(FaultKind::WordOutOfRange, "H is negative");
         };
