@@ -111,6 +111,8 @@ fn measured(text: &str) -> Result<u32> {
     let mut sink = Counting(0);
     match interpreter.run(&mut source, &mut sink, STEPS).map_err(Error::other)? {
         Progress::More => Ok(sink.0),
-        other @ (Progress::Stopped | Progress::Ended(_)) => Err(Error::other(format!("{other:?}"))),
+        other @ (Progress::Stopped | Progress::Broken | Progress::Ended(_)) => {
+            Err(Error::other(format!("{other:?}")))
+        }
     }
 }

@@ -120,7 +120,7 @@ fn interpret<K: Sink>(program: &LongProgram, sink: &mut K) -> Result<()> {
         match interpreter.run(&mut source, sink, 1_000_000).map_err(Error::other)? {
             Progress::More => {}
             Progress::Ended(End::ProgramEnd) => return Ok(()),
-            other @ (Progress::Stopped | Progress::Ended(_)) => {
+            other @ (Progress::Stopped | Progress::Broken | Progress::Ended(_)) => {
                 return Err(Error::other(format!("{}: {other:?}", program.name)));
             }
         }

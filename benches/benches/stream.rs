@@ -50,7 +50,7 @@ fn long_program(bytes: u64) -> Result<()> {
     let begin = Instant::now();
     loop {
         match interpreter.run(&mut source, &mut count, SLICE) {
-            Ok(Progress::More | Progress::Stopped) => {}
+            Ok(Progress::More | Progress::Stopped | Progress::Broken) => {}
             Ok(Progress::Ended(End::ProgramEnd)) => break,
             Ok(Progress::Ended(end)) => return Err(Error::other(format!("{end:?}"))),
             Err(error) => return Err(Error::other(error.to_string())),

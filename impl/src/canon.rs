@@ -56,4 +56,7 @@ pub enum Reply {
     Failed(FaultKind),
     /// Stop here; the interpreter stays where it is and can be stepped on or aborted.
     Stop,
+    /// The block is broken off here: this effect was not done, and nothing after it is. What the block did before stays, as the interpreter stands
+    /// then; only [`Interpreter::abort`](crate::Interpreter::abort) or [`begin`](crate::Interpreter::begin) lead on.
+    Broken,
 }

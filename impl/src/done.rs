@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use gaugeblock_trace::{Rs274State, Settings};
+use gaugeblock_trace::{Position, Rs274State, Settings};
 
 use crate::control::Parameters;
 use crate::modal::Modal;
@@ -77,6 +77,17 @@ impl BlockDone<'_> {
     /// the state.
     pub fn take_numbered(&mut self, tell: impl FnMut(u32, f64)) {
         self.parameters.numbered.take_changes(tell);
+    }
+
+    /// Where the controlled point is: machine coordinates, machine unit.
+    pub fn machine_point(&self) -> Position {
+        self.modal.machine_point().position()
+    }
+
+    /// Puts the values of HAL items at which programs look from the next block on, in the order in which they were declared
+    /// ([`Interpreter::declare_items`](crate::Interpreter::declare_items)).
+    pub fn set_items(&mut self, values: &[f64]) {
+        self.parameters.set_items(values);
     }
 
     /// Every named parameter that exists and is seen at this call level, by name; global ones begin with an underscore. Predefined ones are not

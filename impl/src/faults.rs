@@ -34,6 +34,8 @@ macro_rules! faults {
 }
 
 faults! {
+    /// An abort at a pause lets the program go on.
+    "abort.resumes" AbortResumes,
     /// DEBUG speaks although the program has silenced it.
     "active-comments.debug-unsilenced" DebugUnsilenced,
     /// The first comment of a block acts instead of the last.
@@ -106,6 +108,8 @@ faults! {
     "inputs.no-result" NoInputResult,
     /// A wait of zero seconds is taken.
     "inputs.zero-timeout" ZeroTimeout,
+    /// A wait for an input that came to nothing reads zero.
+    "inputs.timeout-zero" TimeoutReadsZero,
     /// Of two codes of a modal group the last one counts.
     "modal-groups.last-wins" LastWins,
     /// A word that nothing uses is passed over.
@@ -136,18 +140,26 @@ faults! {
     "orient.full-turn-refused" FullTurnRefused,
     /// A spindle that was oriented turns on.
     "orient.turns-on" OrientTurnsOn,
+    /// A spindle that stands at its angle is still asked to turn there.
+    "orient.request-stays" OrientRequestStays,
     /// M64 waits for the next motion.
     "outputs.on-waits" OnWaits,
     /// There is one output more than the machine has.
     "outputs.one-more" OneOutputMore,
     /// M68 is M67.
     "outputs.analog-waits" AnalogWaits,
+    /// Of several settings that wait for a motion the first one counts.
+    "outputs.first-counts" FirstWaitingCounts,
     /// M49 leaves the speed override alone.
     "overrides.speed-untouched" SpeedUntouched,
     /// M50 without P disables.
     "overrides.default-off" DefaultOff,
     /// M52 switches the feed stop.
     "overrides.wrong-switch" WrongSwitch,
+    /// A disabled speed override counts.
+    "overrides.speed-always" OverrideAlwaysCounts,
+    /// The feed stop stops motion although it is disabled.
+    "overrides.stop-always" StopNeverDisabled,
     /// Settings of a block take effect from right to left.
     "parameters.right-to-left" RightToLeft,
     /// `_metric` says whether inches are in force.
@@ -156,6 +168,8 @@ faults! {
     "parameters.locals-inherited" LocalsInherited,
     /// A global parameter that is not there is zero.
     "parameters.absent-is-zero" AbsentIsZero,
+    /// M66 brings no HAL item up to date.
+    "parameters.items-old" ItemsNeverNew,
     /// G64 without P keeps the tolerance.
     "path-control.tolerance-kept" ToleranceKept,
     /// G64 P without Q has no naive CAM tolerance.
@@ -164,6 +178,8 @@ faults! {
     "pause.not-optional" NotOptional,
     /// M60 exchanges no pallets.
     "pause.no-pallets" NoPallets,
+    /// A paused program does not keep the controller in auto mode.
+    "pause.mode-changes" ModeWhilePaused,
     /// The point on the way to a predefined position is left out.
     "positions.straight" StraightToPosition,
     /// G30 goes where G28 goes.
@@ -182,6 +198,8 @@ faults! {
     "program-end.incremental-stays" IncrementalStays,
     /// The work coordinate system stays after the program's end.
     "program-end.system-stays" SystemStays,
+    /// Cycle start leaves the controller in MDI mode.
+    "program-end.starts-in-mode" StartsInMode,
     /// M71 does nothing.
     "saved-state.not-invalidated" NotInvalidated,
     /// M73 saves and does not restore.
@@ -200,6 +218,8 @@ faults! {
     "spindle.negative-speed" NegativeSpeed,
     /// D of G96 is not looked at.
     "spindle.no-limit" NoSpindleLimit,
+    /// A spindle at a speed of zero is asked to turn.
+    "spindle.on-at-zero" OnAtZero,
     /// G5 has a control point too few.
     "splines.quadratic-only" QuadraticOnly,
     /// A spline works in any plane.
@@ -214,6 +234,8 @@ faults! {
     "subroutines.arguments-kept" ArgumentsKept,
     /// Arguments begin at #2.
     "subroutines.arguments-shifted" ArgumentsShifted,
+    /// A block by hand is executed in auto mode.
+    "task.entered-in-auto" EnteredInAuto,
     /// A slash deletes no block.
     "text.nothing-deleted" NothingDeleted,
     /// A line may be of any length.

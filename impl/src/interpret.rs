@@ -5,16 +5,20 @@ use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{End, Machine, Options, Program, Rs274State, Settings, Tool};
+use gaugeblock_trace::{
+    Block as Place, ControllerMode, End, Machine, Options, Position, Program, Rs274State, Settings,
+    Tool,
+};
 
 use crate::canon::Sink;
-use crate::control::{Calculator, Cursor, Logs, Parameters, Reader, Scopes};
+use crate::control::{Calculator, Cursor, LOOP, Logs, Parameters, Reader, STREAM, Scopes};
 use crate::done::Executed;
 use crate::error::Error;
 use crate::limits::Limits;
 use crate::modal::Modal;
 use crate::parameters::{NameId, Named, Numbered};
 use crate::source::Source;
+use crate::syntax::packed::Block;
 use crate::syntax::{Choices, Packer, Segment};
 use crate::words::Words;
 
@@ -112,6 +116,8 @@ pub enum Progress {
     More,
     /// The sink asked to stop, within the last block; the next step goes on from there.
     Stopped,
+    /// The sink broke the last block off ([`Reply::Broken`](crate::Reply::Broken)).
+    Broken,
     /// The program is over. A refused block is an [`Error::Fault`] and not an end.
     Ended(End),
 }
@@ -149,6 +155,7 @@ impl Interpreter {
                 drives: true,
                 value: 0.0,
                 value_returned: false,
+                items: Vec::new(),
             },
             modal,
             calculator: Calculator::new(),
@@ -217,7 +224,7 @@ impl Interpreter {
         for _ in 0..blocks {
             match self.one(source, sink) {
                 Ok(Progress::More) => {}
-                Ok(Progress::Stopped) => return Ok(Progress::Stopped),
+                Ok(progress @ (Progress::Stopped | Progress::Broken)) => return Ok(progress),
                 Ok(Progress::Ended(end)) => {
                     self.ended = Some(Ok(end.clone()));
                     return Ok(Progress::Ended(end));
@@ -241,6 +248,17 @@ impl Interpreter {
 
     /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it set stays.
     pub fn begin(&mut self) {
+        self.forget_program();
+        self.modal.begin();
+        if let Some(main) = self.files.first_mut()
+            && main != Program::MAIN
+        {
+            *main = Program::MAIN.into();
+        }
+    }
+
+    /// The calls, the definitions and the place of the last program are forgotten.
+    fn forget_program(&mut self) {
         self.leave_calls();
         self.reader = Reader::new();
         self.segments.truncate(3);
@@ -258,7 +276,6 @@ impl Interpreter {
         self.parameters.value = 0.0;
         self.parameters.value_returned = false;
         self.logs = Logs::default();
-        self.modal.begin();
         self.parameters.numbered.end_notes();
         self.unfinished = None;
         self.ended = None;
@@ -273,6 +290,103 @@ impl Interpreter {
             self.modal.begin();
         }
         self.ended = None;
+    }
+
+    /// Makes it ready for a block that is entered by hand, as line `number` of a file of this name, in MDI mode. The states that blocks by hand
+    /// have saved stay; what the last program has defined is forgotten. The source holds that one line.
+    pub fn begin_by_hand(&mut self, file: &str, number: u32) {
+        self.forget_program();
+        self.reader.begin_at(number);
+        self.percent = Some(false);
+        if let Some(main) = self.files.first_mut()
+            && main != file
+        {
+            *main = file.into();
+        }
+        self.modal.set_controller_mode(ControllerMode::Mdi);
+    }
+
+    /// Whether it stands between two blocks of the text that it was begun with, and the next one has not been read.
+    pub fn needs_text(&self) -> bool {
+        self.cursor.segment == STREAM && !self.held && self.unfinished.is_none()
+    }
+
+    /// The file and line of the block that the next step executes; none where that goes on within a block or ends the run. The block is read and
+    /// kept, no more: a caller that does not ask loses nothing.
+    pub fn next_block<S: Source>(&mut self, source: &mut S) -> Option<(&str, u32)> {
+        if self.ended.is_some() || self.unfinished.is_some() {
+            return None;
+        }
+        if self.cursor.segment == LOOP && self.block_at(self.cursor).is_none() {
+            self.cursor = Cursor::MAIN;
+        }
+        if self.needs_text() {
+            match self.read_block(source) {
+                Ok(None) => self.held = true,
+                Ok(Some(end)) => self.ended = Some(Ok(end)),
+                Err(error) => self.ended = Some(Err(error)),
+            }
+            if self.ended.is_some() {
+                return None;
+            }
+        }
+        let at = self.cursor;
+        let line = self.block_at(at)?.line;
+        let file = segment(&self.segments, at.segment).map_or(0, |code| code.file);
+        let file = usize::try_from(file).ok().and_then(|file| self.files.get(file));
+        Some((file.map_or(Program::MAIN, |file| file), line))
+    }
+
+    /// The block that was executed last, or is being executed.
+    pub fn block(&self) -> Place {
+        self.place(self.cursor.segment, self.parameters.line)
+    }
+
+    fn block_at(&self, at: Cursor) -> Option<&Block> {
+        segment(&self.segments, at.segment).and_then(|code| code.block(at.place))
+    }
+
+    /// Says which HAL items programs can read by `#<_hal[…]>`, in lower case, before anything is read; there are none otherwise, nor where the INI
+    /// file disables them. Their values are zero until they are set.
+    pub fn declare_items(&mut self, names: impl IntoIterator<Item = String>) {
+        if !self.packer.items_enabled {
+            return;
+        }
+        for name in names {
+            let Ok(place) = u16::try_from(self.parameters.items.len()) else { return };
+            self.packer.items.insert(name, place);
+            self.parameters.items.push(0.0);
+        }
+    }
+
+    /// Puts the values of HAL items, in the order in which they were declared.
+    pub fn set_items(&mut self, values: &[f64]) {
+        self.parameters.set_items(values);
+    }
+
+    /// The mode of the controller, as programs and the state show it.
+    pub fn controller_mode(&self) -> ControllerMode {
+        self.modal.controller_mode()
+    }
+
+    /// Says in which mode the controller is now; a program end changes it too.
+    pub fn set_controller_mode(&mut self, mode: ControllerMode) {
+        self.modal.set_controller_mode(mode);
+    }
+
+    /// Where the controlled point is: machine coordinates, machine unit.
+    pub fn machine_point(&self) -> Position {
+        self.modal.machine_point().position()
+    }
+
+    /// Says where the controlled point stands in truth, machine coordinates and unit: what was interpreted ahead of it was not executed.
+    pub fn stand_at(&mut self, point: Position) {
+        self.modal.stand_at(point.into());
+    }
+
+    /// Depth of calls; 0 in the main program.
+    pub fn call_level(&self) -> u32 {
+        self.parameters.call_level
     }
 
     /// Settings in force.

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! Source ─► Interpreter ─► Sink        program text to settings and effects, a block at a time
+//! Source ─► Task ─► Machine             the same within a controller: modes, pauses, requests, inputs, outputs, pins
 //! Segment ─► Planner ─► OutputParameter    canonical moves to servo samples, a cycle at a time
 //! ```
 //!
@@ -17,6 +18,7 @@
 //!   control     o-words, calls, M98, M99: which block comes next    control/
 //!   modal       words become settings and effects, in order         modal/
 //! Sink        settings, effects, and a look at each block when it is done
+//!   task        the sink of a controller: what a machine may have, and when    task/
 //! ```
 //!
 //! A plain line of the main program goes the short way, from text to words in one pass. Every other block of it is packed, executed and
@@ -24,13 +26,16 @@
 //! What cannot be packed is kept as a block that is refused when it is executed, because
 //! the documents refuse blocks and not programs.
 //!
+//! Whoever embeds an interpreter alone gives it a sink and answers for the rest. [`task`] is that rest, as far as documents tell it: it runs an
+//! interpreter on a machine that has a clock, inputs, pins and somebody at its panel. It costs an interpreter without it nothing.
+//!
 //! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes, straight moves, arcs, canned
-//! cycles, probes, splines and threads; codes of a later round end a run as [`gaugeblock_trace::End::Unsupported`], and what the documents leave
+//! cycles, probes, splines and threads, the task all that an operator can ask; moves under cutter compensation end a run as [`gaugeblock_trace::End::Unsupported`], and what the documents leave
 //! undefined as [`gaugeblock_trace::End::Unspecified`]. [`Planner::new`] answers [`Error::NotYet`].
 //!
 //! **Invariants.**
 //! * It is written from the documents, without reading the reference model, and shares only the vocabulary with it.
-//! * It has no `std`: there is no clock, no file, no environment and no thread to reach for.
+//! * It has no `std`: there is no clock, no file, no environment and no thread to reach for. Time goes by where the embedder lets it.
 //! * It never panics, on any program; the lints below refuse what could.
 //! * A step of the interpreter is one block at most, of a long canned cycle only a part, and skips or packs no more than the text once; a cycle of the planner is bounded. A caller
 //!   can always stop.
@@ -77,6 +82,7 @@ mod probing;
 mod quirks;
 mod source;
 mod syntax;
+pub mod task;
 #[cfg(test)]
 mod tests;
 mod words;

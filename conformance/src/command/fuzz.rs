@@ -259,8 +259,6 @@ fn recipe(arguments: &Arguments) -> Result<Recipe, Refused> {
     let stand_alone = |name: &str| name.starts_with("rs274");
     let setups = if stand_alone(&arguments.iut) || stand_alone(&arguments.against) {
         Setups::StandAlone
-    } else if arguments.iut == "production" || arguments.against == "production" {
-        Setups::Any
     } else {
         Setups::Operated
     };

@@ -140,7 +140,7 @@ impl Run {
     fn blocks(&mut self, source: &mut Files) -> (u8, bool) {
         loop {
             let fault = match self.interpreter.run(source, &mut self.printer, BLOCKS) {
-                Ok(Progress::More | Progress::Stopped) => continue,
+                Ok(Progress::More | Progress::Stopped | Progress::Broken) => continue,
                 Ok(Progress::Ended(End::ProgramEnd)) => return (0, true),
                 Ok(Progress::Ended(End::PercentEnd)) => {
                     self.printer.out.label(None);
@@ -203,7 +203,7 @@ impl Run {
             let mut source = Files::new(line, folders.to_vec(), self.texts.clone());
             loop {
                 match self.interpreter.run(&mut source, &mut self.printer, BLOCKS) {
-                    Ok(Progress::More | Progress::Stopped) => {}
+                    Ok(Progress::More | Progress::Stopped | Progress::Broken) => {}
                     Ok(Progress::Ended(_)) => break,
                     Err(Error::Fault(fault)) => {
                         if fault.kind != Some(FaultKind::MissingEnd) {

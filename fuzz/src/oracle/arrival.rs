@@ -54,7 +54,7 @@ fn told(scenario: &Scenario, source: &mut impl Source, at_a_time: u64) -> String
     let end = loop {
         match interpreter.run(source, &mut log, at_a_time) {
             Ok(Progress::More) if log.blocks < log.most => {}
-            Ok(Progress::More | Progress::Stopped) => return log.text,
+            Ok(Progress::More | Progress::Stopped | Progress::Broken) => return log.text,
             Ok(Progress::Ended(end)) => break format!("{end:?}"),
             Err(error) => break format!("{error:?}"),
         }

@@ -32,6 +32,8 @@ pub(crate) struct Parameters {
     pub(crate) value: f64,
     /// `_value_returned`.
     pub(crate) value_returned: bool,
+    /// `_hal[…]`: HAL items, as the caller has set them last.
+    pub(crate) items: Vec<f64>,
 }
 
 impl Parameters {
@@ -45,6 +47,14 @@ impl Parameters {
             Own::Task => f64::from(u8::from(self.drives)),
             Own::RemapLevel | Own::VersionMinor => 0.0,
             Own::VersionMajor => VERSION,
+            Own::Item(place) => self.items.get(usize::from(place)).copied().unwrap_or(0.0),
+        }
+    }
+
+    /// The values of HAL items.
+    pub(crate) fn set_items(&mut self, values: &[f64]) {
+        for (item, value) in self.items.iter_mut().zip(values) {
+            *item = *value;
         }
     }
 

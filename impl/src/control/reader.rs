@@ -29,6 +29,11 @@ impl Reader {
         }
     }
 
+    /// The next line has this number.
+    pub(crate) fn begin_at(&mut self, line: u32) {
+        self.place.line = line;
+    }
+
     /// Where the next line begins. Behind a carriage return whose line feed may still come it is the carriage return, a blank line: whoever
     /// goes back there takes both.
     pub(crate) fn place(&self) -> LinePlace {

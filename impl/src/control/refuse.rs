@@ -20,7 +20,9 @@ impl Interpreter {
         line: u32,
         refusal: Refusal,
     ) -> Result<Progress, Error> {
-        self.calculator.take_back(&mut self.parameters);
+        if refusal != Refusal::Broken {
+            self.calculator.take_back(&mut self.parameters);
+        }
         self.refuse(at, line, refusal)
     }
 
@@ -40,6 +42,7 @@ impl Interpreter {
             Refusal::Unspecified(why) => {
                 Ok(Progress::Ended(End::Unspecified { block: self.place(at.segment, line), why }))
             }
+            Refusal::Broken => Ok(Progress::Broken),
         }
     }
 

@@ -86,7 +86,7 @@ impl Modal {
         if let Some(code) = implied.and_then(g_code) {
             taken.add(&code);
         }
-        if self.imitates && block.has_m(|code| code == 19) {
+        if self.imitates && block.m().any(|(_, code)| code == 19) {
             // Quirks rs274.orient-without-angle and rs274.orient-without-timeout.
             taken.needs = 0;
         }

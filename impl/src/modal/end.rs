@@ -26,7 +26,10 @@ impl Modal {
             60 => self.choices.pallet_table,
             code => code == 2,
         };
+        let mode = self.controller_mode;
         if ends {
+            // What the block has switched on before has been on.
+            self.in_force.tell(line, sink);
             self.reset_at_end(numbered);
         }
         if matches!(code, 30 | 60) && !(code == 60 && planted(Fault::NoPallets)) {
@@ -37,7 +40,10 @@ impl Modal {
             self.perform(line, &Effect::Stop { optional }, sink)?;
             return Ok(false);
         }
-        self.perform(line, &Effect::ChangeControllerMode { mode: self.controller_mode }, sink)?;
+        if self.controller_mode != mode {
+            let mode = self.controller_mode;
+            self.perform(line, &Effect::ChangeControllerMode { mode }, sink)?;
+        }
         self.perform(line, &Effect::ProgramEnd {}, sink)?;
         self.saved.clear();
         Ok(true)

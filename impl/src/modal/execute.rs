@@ -143,6 +143,10 @@ impl Modal {
                 self.in_force.set_feed_rate(rate);
                 refuse(kind, "refused from outside")
             }
+            Reply::Broken => {
+                (self.motion, self.position, _) = before;
+                Err(Refusal::Broken)
+            }
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => Ok(Flow::More),
         }
     }
@@ -172,12 +176,17 @@ impl Modal {
         self.stop_asked = false;
         self.feed(block)?;
         self.spindle_speed(block)?;
+        if words.m_count != 0 {
+            self.in_force.tell(words.line, sink);
+        }
         if let Some(tool) = words.get(b'T') {
             self.prepare_tool(tool, words.line, sink)?;
         }
         for (rank, code) in block.m() {
             if rank < STOP_RANK {
                 self.before_motion(block, code, numbered, sink)?;
+                // What one code does and the next one undoes has happened.
+                self.in_force.tell(words.line, sink);
             }
         }
         self.g_phases(block, numbered, sink)?;
@@ -306,9 +315,25 @@ impl Modal {
         match sink.perform(line, effect) {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
+            Reply::Broken => return Err(Refusal::Broken),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(())
+    }
+
+    /// Performs a move that has been made up to here in thought; where it is broken off the point is where the move began.
+    pub(super) fn perform_move<K: Sink>(
+        &mut self,
+        line: u32,
+        start: Coordinates,
+        effect: &Effect,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        let done = self.perform(line, effect, sink);
+        if matches!(done, Err(Refusal::Broken)) {
+            self.position = start;
+        }
+        done
     }
 
     /// Performs an effect whose outcome comes from the outside.
@@ -323,6 +348,7 @@ impl Modal {
         match reply {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
+            Reply::Broken => return Err(Refusal::Broken),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(reply)

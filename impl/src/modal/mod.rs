@@ -205,6 +205,27 @@ impl Modal {
         }
     }
 
+    /// The mode of the controller.
+    pub(crate) fn controller_mode(&self) -> ControllerMode {
+        self.controller_mode
+    }
+
+    /// The controller is in another mode.
+    pub(crate) fn set_controller_mode(&mut self, mode: ControllerMode) {
+        self.controller_mode = mode;
+    }
+
+    /// The controlled point in machine coordinates, machine unit.
+    pub(crate) fn machine_point(&self) -> Coordinates {
+        self.in_force.now().machine_of(self.position).converted(self.active_to_stored())
+    }
+
+    /// Puts the controlled point where it stands in truth, machine coordinates, machine unit.
+    pub(crate) fn stand_at(&mut self, machine: Coordinates) {
+        let machine = machine.converted(self.stored_to_active());
+        self.position = self.in_force.now().program_of(machine);
+    }
+
     /// The tool table as the program has changed it.
     pub(crate) fn tools(&self) -> &[Tool] {
         &self.tools

@@ -26,8 +26,22 @@ impl Modal {
         self.perform(words.line, &Effect::Dwell { seconds }, sink)
     }
 
-    /// The block's move, and the motion mode that it sets.
+    /// The block's move, and the motion mode that it sets. A motion that is broken off has selected none.
     pub(super) fn motion<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        let mode = self.motion;
+        let moved = self.whole_motion(block, numbered, sink);
+        if matches!(moved, Err(Refusal::Broken)) {
+            self.motion = mode;
+        }
+        moved
+    }
+
+    fn whole_motion<K: Sink>(
         &mut self,
         block: &Block<'_>,
         numbered: &mut Numbered,
@@ -60,7 +74,7 @@ impl Modal {
         } else {
             self.arc(block.words, self.motion, &start)?
         };
-        self.perform(block.words.line, &effect, sink)
+        self.perform_move(block.words.line, start, &effect, sink)
     }
 
     /// What every feed move needs.
@@ -106,7 +120,8 @@ impl Modal {
         end: Coordinates,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        self.position = end;
-        self.perform(line, &Effect::StraightTraverse { end: end.position() }, sink)
+        let start = core::mem::replace(&mut self.position, end);
+        let effect = Effect::StraightTraverse { end: end.position() };
+        self.perform_move(line, start, &effect, sink)
     }
 }

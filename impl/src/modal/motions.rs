@@ -23,8 +23,9 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        if block.words.is_polar() {
-            return Err(Refusal::Unsupported("polar words of another move than G0 to G3".into()));
+        if block.words.is_polar() && matches!(code, 50..=53 | 760) {
+            let why = "polar words of a spline or a thread: what they give is no move (11.4.12)";
+            return Err(Refusal::Unspecified(why.into()));
         }
         match code {
             330 => self.synchronised_move(block, sink),
@@ -41,6 +42,15 @@ impl Modal {
     /// Where the axis words of a move lead.
     pub(super) fn end_point(&self, words: &Words) -> Coordinates {
         self.point_from(self.position, words)
+    }
+
+    /// Where the axis words of a move lead that may be polar.
+    pub(super) fn polar_end_point(&self, words: &Words) -> Result<Coordinates, Refusal> {
+        let end = self.end_point(words);
+        if words.is_polar() {
+            return end.at_polar(self.position, words, self.is_incremental());
+        }
+        Ok(end)
     }
 
     /// Where axis words lead, incremental ones from a point.
@@ -67,8 +77,9 @@ impl Modal {
         end: Coordinates,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        self.position = end;
-        self.perform(line, &Effect::StraightFeed { end: end.position() }, sink)
+        let start = core::mem::replace(&mut self.position, end);
+        let effect = Effect::StraightFeed { end: end.position() };
+        self.perform_move(line, start, &effect, sink)
     }
 
     /// The spindle of a set of one.

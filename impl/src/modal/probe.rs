@@ -29,7 +29,7 @@ impl Modal {
         if self.choices.probe_turning {
             self.check_turning()?;
         }
-        let end = self.end_point(words);
+        let end = self.polar_end_point(words)?;
         if end == self.position {
             return refuse(FaultKind::Probe, "the probe is at the programmed point already");
         }
@@ -50,6 +50,7 @@ impl Modal {
         match reply {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
+            Reply::Broken => return Err(Refusal::Broken),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         let contact = if let Reply::Contact(Some(contact)) = reply { Some(contact) } else { None };

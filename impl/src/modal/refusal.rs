@@ -29,6 +29,8 @@ pub(crate) enum Refusal {
     Unsupported(String),
     /// The documents leave open what it does; the message is for people.
     Unspecified(String),
+    /// It was broken off from outside: what it did before stays.
+    Broken,
 }
 
 impl Refusal {

@@ -42,10 +42,11 @@ impl Modal {
         self.check_feed_move()?;
         self.motion = mode_of(code);
         self.series = Series::of_spline(code == 50);
-        self.position = self.end_point(words);
+        let end = self.end_point(words);
+        let start = core::mem::replace(&mut self.position, end);
         let points = if code == 50 && !planted(Fault::QuadraticOnly) { 4 } else { 3 };
-        let end = self.position.position();
-        self.perform(words.line, &Effect::NurbsFeed { points, end }, sink)
+        let effect = Effect::NurbsFeed { points, end: end.position() };
+        self.perform_move(words.line, start, &effect, sink)
     }
 
     /// What no spline takes: another plane, another axis, compensation.
@@ -118,9 +119,9 @@ impl Modal {
         self.check_feed_move()?;
         self.motion = Motion::None;
         self.series = Series::default();
-        self.position = curve.last;
-        let end = self.position.position();
-        self.perform(line, &Effect::NurbsFeed { points: curve.points, end }, sink)
+        let start = core::mem::replace(&mut self.position, curve.last);
+        let end = curve.last.position();
+        self.perform_move(line, start, &Effect::NurbsFeed { points: curve.points, end }, sink)
     }
 }
 

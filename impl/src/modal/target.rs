@@ -106,7 +106,12 @@ impl Modal {
 
 impl Coordinates {
     /// With X and Y of the polar words (11.4.12). In incremental mode distance and angle are added to those of the point.
-    fn at_polar(mut self, from: Self, words: &Words, incremental: bool) -> Result<Self, Refusal> {
+    pub(super) fn at_polar(
+        mut self,
+        from: Self,
+        words: &Words,
+        incremental: bool,
+    ) -> Result<Self, Refusal> {
         let [from_x, from_y, ..] = from.0;
         let distance = math::hypotenuse(from_x, from_y);
         if incremental && distance <= 0.0 {

@@ -21,7 +21,7 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         let spindle = self.turning_spindle(block)?;
-        let (line, end) = (block.words.line, self.end_point(block.words));
+        let (line, end) = (block.words.line, self.polar_end_point(block.words)?);
         let pitch = block.words.get(b'K').unwrap_or(0.0);
         self.check_velocity(end, pitch, spindle)?;
         self.motion = mode_of(330);
@@ -37,7 +37,7 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         let spindle = self.turning_spindle(block)?;
-        let (line, end) = (block.words.line, self.end_point(block.words));
+        let (line, end) = (block.words.line, self.polar_end_point(block.words)?);
         let pitch = block.words.get(b'K').unwrap_or(0.0);
         self.check_velocity(end, pitch, spindle)?;
         self.motion = mode_of(331);

@@ -1,6 +1,6 @@
 //! Tools: T, M6, M61 (11.6.6, 11.6.14, 11.8.3) and tool length offsets (11.5.28 to 11.5.31).
 
-use gaugeblock_trace::{Effect, FaultKind, SpindleTurn, Switch, Tool};
+use gaugeblock_trace::{ControllerMode, Effect, FaultKind, SpindleTurn, Switch, Tool};
 
 use crate::canon::{Reply, Sink};
 use crate::faults::{Fault, planted};
@@ -136,7 +136,7 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        if self.choices.no_set_in_program {
+        if self.choices.no_set_in_program && self.controller_mode == ControllerMode::Auto {
             return refuse(FaultKind::ControllerMode, "M61 belongs to MDI and manual mode");
         }
         let tool = integer_in(block.words.get(b'Q').unwrap_or(0.0), 0, i32::MAX, "Q of M61")?;

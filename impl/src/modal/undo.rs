@@ -25,6 +25,13 @@ pub(super) struct Before {
     controller_mode: ControllerMode,
 }
 
+impl Before {
+    /// The motion mode.
+    pub(super) fn motion(&self) -> Motion {
+        self.motion
+    }
+}
+
 impl Modal {
     /// Begins a block that can be taken back.
     pub(super) fn before_block(&mut self, numbered: &mut Numbered) -> Before {

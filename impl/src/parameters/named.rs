@@ -23,6 +23,8 @@ pub(crate) enum Own {
     VersionMajor,
     /// `_vminor`.
     VersionMinor,
+    /// `_hal[…]`: a HAL item, by its place among those that the caller has declared.
+    Item(u16),
 }
 
 impl Own {

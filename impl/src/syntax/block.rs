@@ -42,8 +42,12 @@ pub(crate) struct Packer {
     pub(crate) names: Names,
     /// Labels of o-words.
     pub(crate) labels: Names,
-    /// Entries of the INI file.
+    /// Entries of the INI file that can be read.
     pub(crate) ini: BTreeMap<String, f64>,
+    /// HAL items that can be read: their places among the values.
+    pub(crate) items: BTreeMap<String, u16>,
+    /// Whether HAL items can be read.
+    pub(crate) items_enabled: bool,
     /// Readings of the documents.
     pub(crate) choices: Choices,
     /// Whether blocks that begin with a slash are skipped.
@@ -72,13 +76,24 @@ struct Items<'a> {
     comment: Option<&'a [u8]>,
 }
 
+/// Whether a switch of the INI file is on; it is where the file says nothing (4.4.2.6).
+fn enables(machine: &Machine, entry: &str) -> bool {
+    machine.ini.get(entry).is_none_or(|value| value.abs() > 0.0)
+}
+
 impl Packer {
     /// A packer that knows no names yet.
     pub(crate) fn new(machine: &Machine, choices: Choices, limits: &Limits) -> Self {
         Self {
             names: Names::new(),
             labels: Names::new(),
-            ini: machine.ini.clone(),
+            ini: if enables(machine, "[RS274NGC]INI_VARS") {
+                machine.ini.clone()
+            } else {
+                BTreeMap::new()
+            },
+            items: BTreeMap::new(),
+            items_enabled: enables(machine, "[RS274NGC]HAL_PIN_VARS"),
             choices,
             block_delete: false,
             comments_told: false,

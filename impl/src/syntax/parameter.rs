@@ -189,8 +189,9 @@ impl Packer {
                 let entry = entry.to_ascii_uppercase();
                 return self.ini.get(&entry).map_or(Place::Absent, |value| Place::Entry(*value));
             }
-        } else if name.starts_with("_hal[") {
-            return Place::Absent;
+        } else if let Some(item) = name.strip_prefix("_hal[") {
+            let item = item.strip_suffix(']').and_then(|item| self.items.get(item));
+            return item.map_or(Place::Absent, |place| Place::Own(Own::Item(*place)));
         }
         if let Some(own) = Own::from_name(name) {
             return Place::Own(own);

@@ -195,7 +195,7 @@ proptest! {
         for _ in 0..60 {
             let before = state(&mut interpreter);
             match interpreter.step(&mut source, &mut Recorder::default()) {
-                Ok(Progress::More | Progress::Stopped) => {}
+                Ok(Progress::More | Progress::Stopped | Progress::Broken) => {}
                 // An unsuccessful probe has been made.
                 Err(Error::Fault(fault)) if fault.kind == Some(FaultKind::Probe) => break,
                 Err(_) | Ok(Progress::Ended(gaugeblock_trace::End::Unsupported { .. })) => {

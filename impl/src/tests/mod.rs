@@ -91,7 +91,7 @@ impl Case<'_> {
         let end = loop {
             match interpreter.run(&mut source, &mut recorder, BLOCKS) {
                 Ok(Progress::More) => panic!("the program does not end"),
-                Ok(Progress::Stopped) => {}
+                Ok(Progress::Stopped | Progress::Broken) => {}
                 Ok(Progress::Ended(end)) => break Ok(end),
                 Err(error) => break Err(error),
             }

@@ -107,7 +107,7 @@ fn run(program: &[u8], chunk: usize) {
     for _ in 0..3 {
         match interpreter.run(&mut source, &mut recorder, 300) {
             Ok(Progress::Ended(_)) | Err(_) => break,
-            Ok(Progress::More | Progress::Stopped) => {}
+            Ok(Progress::More | Progress::Stopped | Progress::Broken) => {}
         }
     }
     interpreter.abort(&mut recorder);

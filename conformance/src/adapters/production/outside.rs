@@ -1,21 +1,22 @@
-//! What the outside answers to the production interpreter, as the scenario's bench says. Time is virtual: dwells and waits move it.
+//! What the outside answers to the production controller, as the scenario's bench says. Time is virtual: only waits move it.
 
 use std::collections::BTreeMap;
 
-use gaugeblock_impl::{Probing, Reply};
-use gaugeblock_trace::scenario::{Bench, Folder, OrientAnswer, ProbeContact, UserProgram};
-use gaugeblock_trace::{Effect, FaultKind, OutputTiming, Position, Scenario, WaitMode};
+use gaugeblock_impl::Probing;
+use gaugeblock_impl::task::{Happening, Input, Work, WorkState};
+use gaugeblock_trace::scenario::{Action, Bench, Folder, OrientAnswer, ProbeContact, UserProgram};
+use gaugeblock_trace::{Effect, FaultKind, Pin, Position, Scenario};
 
-/// What M66 reads when nothing came in time.
-const TIMED_OUT: f64 = -1.0;
+use super::operator::Operator;
 
 /// Points that are nearer than this in each axis are one, machine unit.
 const SAME: f64 = 1e-6;
 
-/// The outside: clock, outputs that are wired to inputs, and spindles that turn to an angle.
+/// The outside: clock, inputs, wires, tool changer, encoders, programs, and the operator.
 #[derive(Clone, Debug)]
 pub(super) struct Outside<'a> {
     bench: &'a Bench,
+    operator: Operator<'a>,
     /// Whether programs of user-defined codes are looked for in the search path too.
     search_path: bool,
     /// Whether the run goes on after a program that ended with a status other than zero.
@@ -23,22 +24,15 @@ pub(super) struct Outside<'a> {
     /// Seconds since the start.
     time: f64,
     /// Digital outputs that are not off, or were not.
-    outputs: BTreeMap<i32, bool>,
-    /// What digital outputs become with the next motion.
-    with_motion: BTreeMap<i32, bool>,
+    outputs: BTreeMap<u16, bool>,
+    /// When the tool change is over.
+    changed_at: f64,
     /// When each spindle began to turn to its angle.
     orienting: BTreeMap<u32, f64>,
+    /// When the program of a user-defined code is over, and how.
+    program: (f64, WorkState),
     /// Where the last probing move ended, and whether the probe touches there.
     probed: Option<(Position, bool)>,
-}
-
-/// What came of an effect outside.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Answer {
-    /// This.
-    Reply(Reply),
-    /// Nothing will ever come.
-    Never,
 }
 
 impl<'a> Outside<'a> {
@@ -46,12 +40,14 @@ impl<'a> Outside<'a> {
     pub(super) fn new(scenario: &'a Scenario) -> Self {
         Self {
             bench: &scenario.bench,
+            operator: Operator::new(&scenario.operator),
             search_path: !scenario.options.is("user-codes.place", "program-prefix"),
             ignores_status: scenario.options.is("user-codes.exit-status", "ignored"),
             time: 0.0,
             outputs: BTreeMap::new(),
-            with_motion: BTreeMap::new(),
+            changed_at: 0.0,
             orienting: BTreeMap::new(),
+            program: (0.0, WorkState::Done),
             probed: None,
         }
     }
@@ -61,33 +57,131 @@ impl<'a> Outside<'a> {
         self.time
     }
 
-    /// What comes of an effect. Only the kinds of effects are looked at that something outside answers, or that take time.
-    pub(super) fn perform(&mut self, effect: &Effect) -> Answer {
-        if moves(effect) {
-            self.outputs.append(&mut self.with_motion);
+    /// The operator.
+    pub(super) fn operator(&self) -> &Operator<'a> {
+        &self.operator
+    }
+
+    /// A block begins now: what the operator does at it falls due from here.
+    pub(super) fn begin_block(&mut self, file: &str, line: u32) {
+        self.operator.begin_block(file, line, self.time);
+    }
+
+    /// What the operator has asked by now.
+    pub(super) fn asked(&mut self) -> Option<Action> {
+        self.operator.take(self.time)
+    }
+
+    /// Whether a person changes the tools.
+    pub(super) fn prompts_for_tools(&self) -> bool {
+        self.bench.manual_tool_change
+    }
+
+    /// Lets time go by until then, or until something happens. Of what happens at one time inputs and works come first.
+    pub(super) fn wait(&mut self, until: Option<f64>) -> Happening {
+        let until = until.unwrap_or(f64::INFINITY);
+        let changes = self.bench.inputs.iter().map(|change| change.time);
+        let works = [self.changed_at, self.program.0].into_iter().chain(self.orientations());
+        let later = changes.chain(works).filter(|time| *time > self.time);
+        let change = later.fold(f64::INFINITY, f64::min);
+        let request = self.operator.due().map_or(f64::INFINITY, |due| due.max(self.time));
+        if change.is_finite() && change <= until && change <= request {
+            self.time = change;
+            return Happening::Changed;
         }
-        let reply = if let Effect::Dwell { seconds } = effect {
-            self.pass(*seconds);
-            Reply::Done
-        } else if let Effect::SetDigitalOutput { output, on, timing } = effect {
-            self.switch(*output, *on, *timing);
-            Reply::Done
-        } else if let Effect::WaitInput { digital, analog, mode, timeout, .. } = effect {
-            return self.wait(*digital, *analog, *mode, *timeout);
-        } else if let Effect::ChangeTool { .. } = effect {
-            self.pass(self.bench.tool_change_time);
-            Reply::Done
+        if request <= until
+            && let Some(action) = self.operator.take(request)
+        {
+            self.time = request;
+            return Happening::Asked(action);
+        }
+        if until.is_infinite() {
+            return Happening::Never;
+        }
+        self.time = self.time.max(until);
+        Happening::Time
+    }
+
+    /// When spindles stand at their angles.
+    fn orientations(&self) -> impl Iterator<Item = f64> {
+        self.orienting.iter().filter_map(|(spindle, begun)| match self.answer(*spindle) {
+            OrientAnswer::After(seconds) => Some(begun + seconds),
+            OrientAnswer::Never | OrientAnswer::Fault(_) => None,
+        })
+    }
+
+    /// What comes of an effect at once. Only the kinds of effects are looked at that something outside answers.
+    pub(super) fn perform(&mut self, effect: &Effect) -> Result<(), FaultKind> {
+        if let Effect::ChangeTool { .. } = effect {
+            self.changed_at = self.time + self.bench.tool_change_time;
         } else if let Effect::OrientSpindle { spindle, .. } = effect {
             self.orienting.insert(*spindle, self.time);
-            Reply::Done
-        } else if let Effect::WaitOrient { spindle, timeout } = effect {
-            self.wait_orient(*spindle, *timeout)
         } else if let Effect::UserCode { code, .. } = effect {
-            self.user_code(*code)
-        } else {
-            Reply::Done
+            let program = self.user_program(*code).ok_or(FaultKind::UnknownCode)?;
+            let fails = program.exit_status != 0 && !self.ignores_status;
+            let failed = WorkState::Failed(FaultKind::UserCode);
+            let state = if fails { failed } else { WorkState::Done };
+            self.program = (self.time + program.duration, state);
+        }
+        Ok(())
+    }
+
+    /// How far a work is.
+    pub(super) fn state_of(&self, work: Work) -> WorkState {
+        let done = |at: f64| if at <= self.time { WorkState::Done } else { WorkState::Underway };
+        match work {
+            Work::ToolChange => done(self.changed_at),
+            Work::UserProgram if self.program.0 <= self.time => self.program.1,
+            Work::UserProgram => WorkState::Underway,
+            Work::Orientation(spindle) => match self.answer(spindle) {
+                OrientAnswer::After(seconds) => {
+                    let begun = self.orienting.get(&spindle).copied().unwrap_or(self.time);
+                    done(begun + seconds)
+                }
+                OrientAnswer::Never => WorkState::Underway,
+                OrientAnswer::Fault(_) => WorkState::Failed(FaultKind::Orient),
+            },
+        }
+    }
+
+    /// What the encoder of a spindle answers. One of which nothing is said answers at once.
+    fn answer(&self, spindle: u32) -> OrientAnswer {
+        let place = usize::try_from(spindle).unwrap_or(usize::MAX);
+        self.bench.orient.get(place).copied().unwrap_or(OrientAnswer::After(0.0))
+    }
+
+    /// A pin has another value: outputs may be wired to inputs.
+    pub(super) fn pin(&mut self, pin: Pin, value: f64) {
+        if let Pin::DigitalOut(number) = pin {
+            self.outputs.insert(number, value != 0.0);
+        }
+    }
+
+    /// The value of an input now; one to which nothing is connected is zero.
+    pub(super) fn input(&self, input: Input) -> f64 {
+        let name = match input {
+            Input::Digital(number) => {
+                if let Some(output) = self.wire(number) {
+                    let on = self.outputs.get(&output).copied().unwrap_or_default();
+                    return f64::from(u8::from(on));
+                }
+                format!("digital_in[{number}]")
+            }
+            Input::Analog(number) => format!("analog_in[{number}]"),
+            Input::AdaptiveFeed => "adaptive_feed".to_owned(),
+            Input::FeedHold => "feed_hold".to_owned(),
         };
-        Answer::Reply(reply)
+        let changes = self.bench.inputs.iter();
+        let past = changes.filter(|change| change.input == name && change.time <= self.time);
+        // Where nothing slows motion down it is at full speed.
+        let unconnected = if input == Input::AdaptiveFeed { 1.0 } else { 0.0 };
+        past.map(|change| change.value).next_back().unwrap_or(unconnected)
+    }
+
+    /// The digital output that is wired to a digital input.
+    fn wire(&self, input: u16) -> Option<u16> {
+        let wired = self.bench.wires.iter().find(|(_, wired)| **wired == input);
+        wired.and_then(|(output, _)| output.parse().ok())
     }
 
     /// Where the probe changes on its way, machine coordinates.
@@ -103,7 +197,6 @@ impl<'a> Outside<'a> {
         if touches_here == probing.toward() {
             return Err(FaultKind::Probe);
         }
-        self.outputs.append(&mut self.with_motion);
         let contact = match self.bench.probe {
             Some(ProbeContact::AtTarget) => Some(to),
             Some(ProbeContact::At(point)) if lies_between(point, from, to) => Some(point),
@@ -112,114 +205,6 @@ impl<'a> Outside<'a> {
         let touches = contact.is_some() == probing.toward();
         self.probed = Some((contact.unwrap_or(to), touches));
         Ok(contact)
-    }
-
-    fn pass(&mut self, seconds: f64) {
-        self.time += seconds.max(0.0);
-    }
-
-    fn switch(&mut self, output: i32, on: bool, timing: OutputTiming) {
-        match timing {
-            OutputTiming::WithMotion => self.with_motion.insert(output, on),
-            OutputTiming::AtOnce => self.outputs.insert(output, on),
-        };
-    }
-
-    fn wait(
-        &mut self,
-        digital: Option<i32>,
-        analog: Option<i32>,
-        mode: WaitMode,
-        timeout: Option<f64>,
-    ) -> Answer {
-        let input = match (digital, analog) {
-            (Some(number), _) => format!("digital_in[{number}]"),
-            (None, number) => format!("analog_in[{}]", number.unwrap_or_default()),
-        };
-        let wire = digital.and_then(|number| self.wire(number));
-        let came = self.when(&input, wire, mode);
-        match (came, timeout) {
-            (Some(when), timeout) if timeout.is_none_or(|seconds| when <= self.time + seconds) => {
-                self.time = self.time.max(when);
-                Answer::Reply(Reply::Input(self.input(&input, wire)))
-            }
-            (_, Some(seconds)) => {
-                self.pass(seconds);
-                Answer::Reply(Reply::Input(TIMED_OUT))
-            }
-            (_, None) => Answer::Never,
-        }
-    }
-
-    /// The digital output that is wired to a digital input.
-    fn wire(&self, input: i32) -> Option<i32> {
-        let wired = self.bench.wires.iter().find(|(_, wired)| i32::from(**wired) == input);
-        wired.and_then(|(output, _)| output.parse().ok())
-    }
-
-    /// The value of an input now; one to which nothing is connected is zero.
-    fn input(&self, input: &str, wire: Option<i32>) -> f64 {
-        if let Some(output) = wire {
-            let on = self.outputs.get(&output).copied().unwrap_or_default();
-            return f64::from(u8::from(on));
-        }
-        let changes = self.bench.inputs.iter();
-        let past = changes.filter(|change| change.input == input && change.time <= self.time);
-        past.map(|change| change.value).next_back().unwrap_or_default()
-    }
-
-    /// When an input does what is awaited, from now on. While a program waits it switches no output.
-    fn when(&self, input: &str, wire: Option<i32>, mode: WaitMode) -> Option<f64> {
-        let mut high = self.input(input, wire) != 0.0;
-        let wanted = match mode {
-            WaitMode::Immediate => return Some(self.time),
-            WaitMode::High if high => return Some(self.time),
-            WaitMode::Low if !high => return Some(self.time),
-            WaitMode::High | WaitMode::Rise => true,
-            WaitMode::Low | WaitMode::Fall => false,
-        };
-        if wire.is_some() {
-            return None;
-        }
-        let changes = self.bench.inputs.iter().filter(|change| change.input == input);
-        for change in changes.filter(|change| change.time > self.time) {
-            let was = std::mem::replace(&mut high, change.value != 0.0);
-            if was != high && high == wanted {
-                return Some(change.time);
-            }
-        }
-        None
-    }
-
-    /// An encoder of which nothing is said answers at once.
-    fn wait_orient(&mut self, spindle: u32, timeout: f64) -> Reply {
-        let begun = self.orienting.remove(&spindle).unwrap_or(self.time);
-        let place = usize::try_from(spindle).unwrap_or(usize::MAX);
-        let answer = self.bench.orient.get(place).copied().unwrap_or(OrientAnswer::After(0.0));
-        match answer {
-            OrientAnswer::After(seconds) if begun + seconds <= self.time + timeout => {
-                self.time = self.time.max(begun + seconds);
-                Reply::Done
-            }
-            OrientAnswer::After(_) | OrientAnswer::Never => {
-                self.pass(timeout);
-                Reply::Failed(FaultKind::Orient)
-            }
-            OrientAnswer::Fault(_) => Reply::Failed(FaultKind::Orient),
-        }
-    }
-
-    /// Runs the program of a user-defined code, as data.
-    fn user_code(&mut self, code: u32) -> Reply {
-        let Some(program) = self.user_program(code) else {
-            return Reply::Failed(FaultKind::UnknownCode);
-        };
-        self.pass(program.duration);
-        if program.exit_status == 0 || self.ignores_status {
-            Reply::Done
-        } else {
-            Reply::Failed(FaultKind::UserCode)
-        }
     }
 
     /// The first executable program, in the folder of programs before the search path.
@@ -233,19 +218,6 @@ impl<'a> Outside<'a> {
         let searched = || self.search_path.then(|| of(Folder::SearchPath)).flatten();
         of(Folder::ProgramPrefix).or_else(searched)
     }
-}
-
-/// Whether an effect is a motion, with which outputs switch.
-fn moves(effect: &Effect) -> bool {
-    matches!(
-        effect,
-        Effect::StraightTraverse { .. }
-            | Effect::StraightFeed { .. }
-            | Effect::ArcFeed { .. }
-            | Effect::NurbsFeed { .. }
-            | Effect::StraightProbe { .. }
-            | Effect::RigidTap { .. }
-    )
 }
 
 fn is_same(a: Position, b: Position) -> bool {

@@ -1,23 +1,17 @@
-//! Writes down what the production interpreter does: settings and effects as it tells them, and the state after each block.
+//! Writes down what the production controller does: settings, effects and pins as it tells them, and the state after each block.
 
 use std::collections::BTreeMap;
 
+use gaugeblock_impl::task::{BY_HAND, Happening, Input, Machine, Work, WorkState};
 use gaugeblock_impl::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
+use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{
-    Block, Effect, End, Event, Indexed, Language, Outcome, Rs274State, Settings, State, Step,
+    Block, Effect, End, Event, Indexed, Language, Outcome, Pin, PinChange, Program, Rs274State,
+    Settings, State, Step,
 };
 
-use super::outside::{Answer, Outside};
+use super::outside::Outside;
 use crate::observe::is_local_name;
-
-/// Why nothing goes on, though the interpreter could.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Halt {
-    /// The program pauses, and nobody is there to let it go on.
-    Pauses,
-    /// It waits for what never comes.
-    WaitsForEver,
-}
 
 /// What has been seen so far.
 #[derive(Debug)]
@@ -25,8 +19,15 @@ pub(super) struct Recorder<'a> {
     outside: Outside<'a>,
     start: Settings,
     steps: Vec<Step>,
+    pins: Vec<PinChange>,
     /// What the block that is being executed has done.
     events: Vec<Event>,
+    /// Whether nothing is being executed: what happens now belongs to the last block.
+    idle: bool,
+    /// Whether each line of the program is entered by hand.
+    by_hand: bool,
+    /// The block that is being executed, where somebody acts at blocks.
+    block: Block,
     effects: u32,
     /// State as recorded last.
     state: Rs274State,
@@ -38,25 +39,27 @@ pub(super) struct Recorder<'a> {
     written: BTreeMap<u32, f64>,
     /// Whether a call or return has led elsewhere since a state was recorded last.
     elsewhere: bool,
-    halt: Option<Halt>,
 }
 
 impl<'a> Recorder<'a> {
     /// Nothing has happened yet.
-    pub(super) fn new(interpreter: &mut Interpreter, outside: Outside<'a>) -> Self {
+    pub(super) fn new(interpreter: &mut Interpreter, outside: Outside<'a>, start: Start) -> Self {
         let numbered = interpreter.parameters().into_iter().collect();
         Self {
             outside,
             start: interpreter.settings(),
             steps: Vec::new(),
+            pins: Vec::new(),
             events: Vec::new(),
+            idle: false,
+            by_hand: start == Start::Mdi,
+            block: Block::new(Program::MAIN, 1),
             effects: 0,
             state: Rs274State::default(),
             numbered,
             named: BTreeMap::new(),
             written: BTreeMap::new(),
             elsewhere: false,
-            halt: None,
         }
     }
 
@@ -71,13 +74,60 @@ impl<'a> Recorder<'a> {
     }
 
     /// Seconds since the start.
-    pub(super) fn time(&self) -> f64 {
+    pub(super) fn elapsed(&self) -> f64 {
         self.outside.time()
     }
 
-    /// Why nothing goes on.
-    pub(super) fn halt(&self) -> Option<Halt> {
-        self.halt
+    /// Whether somebody acts at blocks.
+    pub(super) fn has_operator(&self) -> bool {
+        self.outside.operator().is_there()
+    }
+
+    /// Blocks that were entered by hand so far, while a program is loaded.
+    pub(super) fn entered(&self) -> u32 {
+        self.outside.operator().entered()
+    }
+
+    /// Whether somebody is still to act.
+    pub(super) fn operator_is_waiting(&self) -> bool {
+        self.outside.operator().is_waiting()
+    }
+
+    /// A block begins.
+    pub(super) fn begin_block(&mut self, file: &str, line: u32) {
+        self.idle = false;
+        self.block = Block::new(file, line);
+        self.outside.begin_block(file, line);
+    }
+
+    /// Nothing is executed now: what follows belongs to the block before.
+    pub(super) fn rest(&mut self) {
+        self.idle = true;
+    }
+
+    /// This block is not over, and stays so.
+    pub(super) fn stay(&mut self, block: &Block) {
+        let events = std::mem::take(&mut self.events);
+        self.steps.push(Step { block: self.block(&block.file, block.line), events, state: None });
+    }
+
+    /// A block as it is recorded: a line of a program that is entered by hand is one of that program.
+    pub(super) fn block(&self, file: &str, line: u32) -> Block {
+        Block::new(if self.by_hand && file == BY_HAND { Program::MAIN } else { file }, line)
+    }
+
+    /// Something happened, within a block or after the last one.
+    fn happened(&mut self, event: Event) {
+        if !self.idle {
+            self.events.push(event);
+            return;
+        }
+        if self.steps.is_empty() {
+            self.steps.push(Step { block: self.block.clone(), events: Vec::new(), state: None });
+        }
+        if let Some(step) = self.steps.last_mut() {
+            step.events.push(event);
+        }
     }
 
     /// The whole outcome. What a block did that was not finished is left out.
@@ -88,7 +138,7 @@ impl<'a> Recorder<'a> {
             steps: self.steps,
             end,
             parameters: Some(parameters),
-            pins: Vec::new(),
+            pins: self.pins,
             samples: Vec::new(),
         }
     }
@@ -122,39 +172,19 @@ impl<'a> Recorder<'a> {
 
 impl Sink for Recorder<'_> {
     fn set(&mut self, _line: u32, changed: &Settings) {
-        self.events.push(Event::Set(changed.clone()));
+        self.happened(Event::Set(changed.clone()));
     }
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
-        if self.halt.is_some() {
-            return Reply::Stop;
+        if let Err(kind) = self.outside.perform(effect) {
+            return Reply::Failed(kind);
         }
-        let mut effect = effect.clone();
-        let reply = match self.outside.perform(&effect) {
-            Answer::Reply(reply) => reply,
-            Answer::Never => {
-                self.halt = Some(Halt::WaitsForEver);
-                return Reply::Stop;
-            }
-        };
-        if let (Effect::WaitInput { read, .. }, Reply::Input(value)) = (&mut effect, reply) {
-            *read = value;
-        }
-        // The switch for M1 is the operator's, and off where there is none.
-        let pauses = matches!(effect, Effect::Stop { optional: false });
-        self.events.push(Event::Do(effect));
+        self.happened(Event::Do(effect.clone()));
         self.effects = self.effects.saturating_add(1);
-        if pauses {
-            self.halt = Some(Halt::Pauses);
-            return Reply::Stop;
-        }
-        reply
+        Reply::Done
     }
 
     fn probe(&mut self, _line: u32, effect: &Effect, probing: &Probing) -> Reply {
-        if self.halt.is_some() {
-            return Reply::Stop;
-        }
         let found = match self.outside.probe(probing) {
             Ok(found) => found,
             Err(kind) => return Reply::Failed(kind),
@@ -169,22 +199,18 @@ impl Sink for Recorder<'_> {
             );
             *contact = touched;
         }
-        self.events.push(Event::Do(effect));
+        self.happened(Event::Do(effect));
         self.effects = self.effects.saturating_add(1);
         Reply::Contact(touched)
     }
 
     fn block_done(&mut self, done: &mut BlockDone<'_>) {
-        if self.halt == Some(Halt::WaitsForEver) {
-            return;
-        }
         let written = &mut self.written;
         done.take_numbered(|number, value| {
             written.insert(number, value);
         });
         let with_state = match done.executed() {
-            // A pause is over, and the block with it, once somebody lets the program go on.
-            Executed::Words => self.halt.is_none(),
+            Executed::Words => true,
             // A comment that says nothing is no block.
             Executed::Comment if self.events.is_empty() => return,
             Executed::Comment => true,
@@ -203,6 +229,68 @@ impl Sink for Recorder<'_> {
         };
         let state = with_state.then(|| State::Rs274(self.changes(done)));
         let events = std::mem::take(&mut self.events);
-        self.steps.push(Step { block: Block::new(done.file(), done.line()), events, state });
+        self.steps.push(Step { block: self.block(done.file(), done.line()), events, state });
+    }
+}
+
+impl Machine for Recorder<'_> {
+    fn time(&self) -> f64 {
+        self.outside.time()
+    }
+
+    fn wait(&mut self, until: Option<f64>) -> Happening {
+        self.outside.wait(until)
+    }
+
+    fn asked(&mut self) -> Option<Action> {
+        self.outside.asked()
+    }
+
+    fn input(&self, input: Input) -> f64 {
+        self.outside.input(input)
+    }
+
+    fn state_of(&mut self, work: Work) -> WorkState {
+        self.outside.state_of(work)
+    }
+
+    fn pin(&mut self, pin: Pin, value: f64) {
+        self.outside.pin(pin, value);
+        self.pins.push(PinChange { time: self.outside.time(), pin, value });
+    }
+
+    fn has_read(&mut self, value: f64) {
+        let effects = self.events.iter_mut().rev();
+        let waits = effects.filter_map(|event| match event {
+            Event::Do(Effect::WaitInput { read, .. }) => Some(read),
+            Event::Do(_) | Event::Set(_) => None,
+        });
+        waits.take(1).for_each(|read| *read = value);
+    }
+
+    fn broken_off(&mut self) {
+        let mut settings = Settings::default();
+        let mut refused = Vec::new();
+        for event in self.events.drain(..) {
+            match event {
+                Event::Set(changed) => settings.overlay(&changed),
+                // The controller refused it, and not the block.
+                Event::Do(Effect::RequestRefused { .. }) => refused.push(event),
+                Event::Do(_) => {}
+            }
+        }
+        self.idle = true;
+        for event in refused {
+            self.happened(event);
+        }
+        if settings != Settings::default() {
+            // They are in force, and the block that set them is not recorded.
+            self.happened(Event::Set(settings));
+        }
+        self.elsewhere |= self.state.call_level != Some(0);
+    }
+
+    fn prompts_for_tools(&self) -> bool {
+        self.outside.prompts_for_tools()
     }
 }

@@ -1,6 +1,6 @@
-//! Which scenarios the production interpreter can run.
+//! Which scenarios the production controller can run.
 
-use gaugeblock_trace::scenario::{Bench, Start};
+use gaugeblock_trace::scenario::{Bench, InputChange};
 use gaugeblock_trace::{Language, Options, Scenario};
 
 /// The bench that answers as its keys say.
@@ -9,14 +9,8 @@ const OWN_BENCH: &str = "whole controller";
 /// The option of a quirk that another controller shows.
 const QUIRK: &str = "observed";
 
-/// What begins the name of a HAL item.
-const HAL_ITEM: &str = "#<_hal[";
-
-/// The INI entry that switches INI entries off.
-const INI_SWITCH: &str = "[RS274NGC]INI_VARS";
-
-/// Inputs that hold or slow the feed.
-const FEED_INPUTS: [&str; 2] = ["adaptive_feed", "feed_hold"];
+/// The input that slows motion, and runs it backwards where it is negative.
+const ADAPTIVE_FEED: &str = "adaptive_feed";
 
 /// Whether it can run a scenario.
 ///
@@ -26,20 +20,6 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     options(&scenario.options)?;
     if scenario.program.language != Language::Rs274 {
         return Err(format!("it does not speak {}", scenario.program.language));
-    }
-    if scenario.program.start == Start::Mdi {
-        return Err("no manual data input yet".to_owned());
-    }
-    if !scenario.operator.is_empty() {
-        return Err("no operator yet".to_owned());
-    }
-    let program = &scenario.program;
-    let mut texts = program.files.values().chain([&program.main]);
-    if texts.any(|text| text.to_lowercase().contains(HAL_ITEM)) {
-        return Err("no HAL items yet".to_owned());
-    }
-    if scenario.machine.ini.contains_key(INI_SWITCH) {
-        return Err("INI entries cannot be switched off yet".to_owned());
     }
     bench(&scenario.bench)
 }
@@ -61,11 +41,9 @@ fn bench(bench: &Bench) -> Result<(), String> {
     if let Some(name) = bench.name.as_ref().filter(|name| *name != OWN_BENCH) {
         return Err(format!("the bench {name:?} is another controller's"));
     }
-    if bench.inputs.iter().any(|change| FEED_INPUTS.contains(&change.input.as_str())) {
-        return Err("no feed that an input holds or slows yet".to_owned());
-    }
-    if bench.manual_tool_change {
-        return Err("no person who changes tools yet".to_owned());
+    let reversed = |change: &InputChange| change.input == ADAPTIVE_FEED && change.value < 0.0;
+    if bench.inputs.iter().any(reversed) {
+        return Err("it does not run a program in reverse".to_owned());
     }
     Ok(())
 }

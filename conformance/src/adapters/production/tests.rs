@@ -1,7 +1,7 @@
 //! What the adapter itself decides: the outside's answers, pauses, and bounds.
 
 use gaugeblock_trace::scenario::{Budget, InputChange, OrientAnswer, UserProgram};
-use gaugeblock_trace::{FaultKind, Options};
+use gaugeblock_trace::{Bound, End, FaultKind, Options};
 
 use super::*;
 

@@ -17,7 +17,8 @@ pub struct Bench {
     pub name: Option<String>,
     /// Digital outputs wired to digital inputs, output number to input number; what comes in there is what goes out.
     pub wires: BTreeMap<String, u16>,
-    /// Inputs over virtual time, in order; an input that is not listed and not wired is zero.
+    /// Inputs over virtual time, in order; an input that is not listed and not wired is zero, and adaptive feed
+    /// is 1: full speed.
     pub inputs: Vec<InputChange>,
     /// What an encoder answers to an orientation, by spindle from 0; a spindle not listed answers at once.
     pub orient: Vec<OrientAnswer>,

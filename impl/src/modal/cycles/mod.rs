@@ -139,7 +139,7 @@ impl Modal {
         if self.choices.tap_as_cut {
             check_tapping(code, turning.turn)?;
         }
-        let (hole, step) = self.holes(words, axes);
+        let (hole, step) = self.holes(words, axes, numbers.repeats)?;
         self.series = series.with_sticky(code, numbers);
         self.motion = mode_of(code);
         let cycle = Cycle {
@@ -203,16 +203,43 @@ impl Modal {
     }
 
     /// Where the first hole is, and how far each is from the one before: in absolute mode they are all in one place (11.5.43.3).
-    fn holes(&self, words: &Words, axes: PlaneAxes) -> ([f64; 2], [f64; 2]) {
+    fn holes(
+        &self,
+        words: &Words,
+        axes: PlaneAxes,
+        repeats: u64,
+    ) -> Result<([f64; 2], [f64; 2]), Refusal> {
+        if words.is_polar() {
+            return Ok((self.polar_hole(words, axes, repeats)?, [0.0, 0.0]));
+        }
         let plane = [axes.first, axes.second];
         let here = plane.map(|axis| self.position.of_axis(axis));
         let [first, second] = plane.map(|axis| numbers::axis_word(words, axis));
         let [at_first, at_second] = here;
         if !self.is_incremental() {
-            return ([first.unwrap_or(at_first), second.unwrap_or(at_second)], [0.0, 0.0]);
+            return Ok(([first.unwrap_or(at_first), second.unwrap_or(at_second)], [0.0, 0.0]));
         }
         let step = [first.unwrap_or(0.0), second.unwrap_or(0.0)];
         let [by_first, by_second] = step;
-        ([at_first + by_first, at_second + by_second], step)
+        Ok(([at_first + by_first, at_second + by_second], step))
+    }
+
+    /// Where the hole is that polar words name, as they name X and Y of a move (11.4.12).
+    fn polar_hole(
+        &self,
+        words: &Words,
+        axes: PlaneAxes,
+        repeats: u64,
+    ) -> Result<[f64; 2], Refusal> {
+        if (axes.first, axes.second) != (Axis::X, Axis::Y) {
+            let why = "polar words in a cycle of another plane: they give X and Y (11.4.12)";
+            return Err(Refusal::Unspecified(why.into()));
+        }
+        if self.is_incremental() && repeats != 1 {
+            let why = "polar increments of a cycle that is repeated (11.4.12, 11.5.43.3)";
+            return Err(Refusal::Unspecified(why.into()));
+        }
+        let hole = self.position.at_polar(self.position, words, self.is_incremental())?;
+        Ok([axes.first, axes.second].map(|axis| hole.of_axis(axis)))
     }
 }

@@ -256,24 +256,27 @@ impl Modal {
             Stroke::RapidOut => self.traverse_to(line, to(self, clear), sink)?,
             Stroke::FeedOut => self.feed_to(line, to(self, clear), sink)?,
             Stroke::FeedToRetract => self.feed_to(line, to(self, retract), sink)?,
-            Stroke::Turn(turn) => self.for_spindles(cycle.spindle, |spindle| spindle.turn = turn),
+            Stroke::Turn(turn) => self.turn(cycle.spindle, turn, line, sink),
             Stroke::TurnAgain if planted(Fault::SpindleStays) => {}
-            Stroke::TurnAgain => {
-                let turn = cycle.turn;
-                self.for_spindles(cycle.spindle, |spindle| spindle.turn = turn);
-            }
+            Stroke::TurnAgain => self.turn(cycle.spindle, cycle.turn, line, sink),
             Stroke::OverridesOff => {
                 self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));
             }
             Stroke::OverridesBack => {
                 self.restore_overrides(drilling);
                 if self.choices.tap_turns_back {
-                    let turn = cycle.turn;
-                    self.for_spindles(cycle.spindle, |spindle| spindle.turn = turn);
+                    self.turn(cycle.spindle, SpindleTurn::Stopped, line, sink);
+                    self.turn(cycle.spindle, cycle.turn, line, sink);
                 }
             }
         }
         Ok(drilling.advance())
+    }
+
+    /// Tells spindles to turn; what the next stroke tells them has not been told yet.
+    fn turn<K: Sink>(&mut self, which: Spindles, turn: SpindleTurn, line: u32, sink: &mut K) {
+        self.for_spindles(which, |spindle| spindle.turn = turn);
+        self.in_force.tell(line, sink);
     }
 
     /// Overrides as they were before the cycle.

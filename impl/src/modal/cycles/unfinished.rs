@@ -84,6 +84,12 @@ impl Modal {
         numbered: &mut Numbered,
     ) -> Result<Flow, Refusal> {
         match &flow {
+            Err(Refusal::Broken) => {
+                if self.unfinished.is_some() {
+                    self.abandon();
+                    self.motion = before.motion();
+                }
+            }
             Err(_) => {
                 self.unfinished = None;
                 self.take_back(&before, numbered);
@@ -117,6 +123,9 @@ impl Modal {
                 Job::Drilling(drilling) => self.stroke(drilling, line, sink),
                 Job::Threading(threading) => self.pass(threading, line, sink),
             };
+            if matches!(over, Err(Refusal::Broken)) {
+                self.unfinished = Some(unfinished);
+            }
             if over? {
                 return self.finish(line, unfinished.stop, numbered, sink);
             }

@@ -1,0 +1,172 @@
+//! A run: a program or blocks by hand, and then what the operator does with the idle controller.
+
+use gaugeblock_impl::task::{Activity, BY_HAND, Idle, Stuck, Task};
+use gaugeblock_impl::{Error, Interpreter, Limits, Memory};
+use gaugeblock_trace::scenario::Start;
+use gaugeblock_trace::{Bound, ControllerMode, End, Outcome, Program, Scenario};
+
+use super::super::HarnessError;
+use super::outside::Outside;
+use super::recorder::Recorder;
+
+/// A controller that runs a scenario.
+struct Run<'a> {
+    scenario: &'a Scenario,
+    task: Task<Recorder<'a>>,
+}
+
+/// Runs a scenario.
+///
+/// # Errors
+/// A machine or options that the interpreter does not take, or a source that cannot be read.
+pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
+    let (machine, options) = (scenario.machine.clone(), scenario.options.clone());
+    let not_run = |error: Error| HarnessError::NotRun(error.to_string());
+    let mut interpreter = Interpreter::new(machine, options, Limits::default()).map_err(not_run)?;
+    interpreter.set_block_delete(scenario.program.block_delete);
+    // Somebody may act at a line that holds a comment only.
+    interpreter.set_comments_told(!scenario.operator.is_empty());
+    let recorder = Recorder::new(&mut interpreter, Outside::new(scenario), scenario.program.start);
+    let task = Task::new(interpreter, recorder).map_err(not_run)?;
+    let mut run = Run { scenario, task };
+    let end = match scenario.program.start {
+        Start::Program => run.program()?,
+        Start::Mdi => run.lines()?,
+    };
+    let end = run.idle(end)?;
+    let (mut interpreter, recorder) = run.task.into_parts();
+    // With the run every call is over.
+    interpreter.begin();
+    let parameters = interpreter.parameters().into_iter().collect();
+    Ok(recorder.outcome(end, parameters))
+}
+
+impl Run<'_> {
+    /// The program from its first block, until something ends it.
+    fn program(&mut self) -> Result<End, HarnessError> {
+        self.task.start();
+        let mut source = source(&self.scenario.program);
+        loop {
+            if let Some(bound) = self.exhausted() {
+                return Ok(End::BudgetExhausted { bound });
+            }
+            if self.task.machine().has_operator()
+                && let Some((file, line)) = self.task.next_block(&mut source)
+            {
+                let file = file.to_owned();
+                self.task.machine_mut().begin_block(&file, line);
+            }
+            let activity = self.task.step(&mut source);
+            match self.end_of(activity)? {
+                None => {}
+                // M99 in the main program: whoever still acts meets it again.
+                Some(End::Endless) if self.task.machine().operator_is_waiting() => {
+                    self.task.start_over();
+                    source = self::source(&self.scenario.program);
+                }
+                Some(end) => return Ok(end),
+            }
+        }
+    }
+
+    /// Each line of the program, entered by hand.
+    fn lines(&mut self) -> Result<End, HarnessError> {
+        self.task.set_mode(ControllerMode::Mdi);
+        let mut end = End::ProgramEnd;
+        for (line, text) in (1..).zip(self.scenario.program.main.lines()) {
+            if let Some(bound) = self.exhausted() {
+                return Ok(End::BudgetExhausted { bound });
+            }
+            self.task.machine_mut().begin_block(Program::MAIN, line);
+            end = self.enter(text, line, end)?;
+            if is_final(&end) {
+                break;
+            }
+        }
+        Ok(end)
+    }
+
+    /// A block by hand, after a run that ended so.
+    fn enter(&mut self, text: &str, number: u32, before: End) -> Result<End, HarnessError> {
+        let mut source = source(&self.scenario.program);
+        let activity = self.task.enter(text, number, &mut source);
+        Ok(self.end_of(activity)?.unwrap_or(before))
+    }
+
+    /// What the operator does with an idle controller, after a run that ended so.
+    fn idle(&mut self, mut end: End) -> Result<End, HarnessError> {
+        while !is_final(&end) {
+            end = match self.task.idle() {
+                Idle::Nothing => break,
+                Idle::Start => self.program()?,
+                Idle::Enter(text) => {
+                    // What was refused has been entered too.
+                    let number = self.task.machine().entered();
+                    self.task.machine_mut().begin_block(BY_HAND, number);
+                    self.enter(&text, number, end)?
+                }
+            };
+        }
+        Ok(end)
+    }
+
+    /// The end that an activity is, if it is one.
+    fn end_of(&mut self, activity: Result<Activity, Error>) -> Result<Option<End>, HarnessError> {
+        let end = match activity {
+            Ok(Activity::More) => return Ok(None),
+            Ok(Activity::Entered) => {
+                self.task.machine_mut().rest();
+                return Ok(None);
+            }
+            Ok(Activity::Ended(end)) => {
+                self.task.machine_mut().rest();
+                end
+            }
+            Ok(Activity::Stuck(Stuck::Paused)) => {
+                if self.task.is_within_block() {
+                    let block = self.task.interpreter().block();
+                    self.task.machine_mut().stay(&block);
+                }
+                End::Paused
+            }
+            Ok(Activity::Stuck(Stuck::Waiting)) => End::BudgetExhausted { bound: Bound::Time },
+            Err(Error::Fault(mut fault)) => {
+                if let Some(block) = &mut fault.block {
+                    *block = self.task.machine().block(&block.file, block.line);
+                }
+                End::Fault(*fault)
+            }
+            Err(Error::Beyond { limit, block }) => {
+                End::Unsupported { block, what: format!("so many {limit}") }
+            }
+            Err(error @ (Error::NotYet(_) | Error::Unreadable(_) | Error::Configuration(_))) => {
+                return Err(HarnessError::NotRun(error.to_string()));
+            }
+        };
+        Ok(Some(end))
+    }
+
+    /// The bound of the budget that is used up. It is looked at between blocks, so that a short run is a prefix of a longer one.
+    fn exhausted(&self) -> Option<Bound> {
+        let (budget, recorder) = (&self.scenario.budget, self.task.machine());
+        if recorder.steps() >= budget.steps {
+            Some(Bound::Steps)
+        } else if recorder.effects() >= budget.effects {
+            Some(Bound::Effects)
+        } else if recorder.elapsed() >= budget.time {
+            Some(Bound::Time)
+        } else {
+            None
+        }
+    }
+}
+
+/// Whether nothing can follow such an end.
+fn is_final(end: &End) -> bool {
+    !matches!(end, End::ProgramEnd | End::PercentEnd | End::Aborted)
+}
+
+fn source(program: &Program) -> Memory<'_> {
+    let main = Memory::new(&program.main);
+    program.files.iter().fold(main, |source, (name, text)| source.with_file(name, text))
+}

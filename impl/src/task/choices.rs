@@ -1,0 +1,39 @@
+//! The points at which documents differ, as far as they concern the task.
+
+use gaugeblock_trace::Options;
+
+use crate::error::Error;
+
+/// Readings of the documents.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Choices {
+    /// `abort.read-ahead`: modes and parameters are those that the interpreter has made by reading ahead.
+    pub(super) read_on: bool,
+    /// `orient.brake-otherwise`: the brake is applied only while the spindle is locked.
+    pub(super) brake_while_locked: bool,
+    /// `outputs.at-once-over-waiting`: what is set at once takes back what waits.
+    pub(super) at_once_replaces: bool,
+    /// `pause.cycle-start`: cycle start goes on after M0 and M1.
+    pub(super) cycle_start_goes_on: bool,
+    /// `task.mdi-in-manual`: a block by hand in manual mode is executed.
+    pub(super) enters_in_manual: bool,
+}
+
+impl Choices {
+    /// Reads the options; a choice that is not listed has its first.
+    pub(super) fn read(options: &Options) -> Result<Self, Error> {
+        let second = |id: &str, first: &str, second: &str| match options.get(id) {
+            None => Ok(false),
+            Some(option) if option == first => Ok(false),
+            Some(option) if option == second => Ok(true),
+            Some(_) => Err(Error::Configuration("no such option of a choice about the task")),
+        };
+        Ok(Self {
+            read_on: second("abort.read-ahead", "none", "read-on")?,
+            brake_while_locked: second("orient.brake-otherwise", "while-standing", "while-locked")?,
+            at_once_replaces: second("outputs.at-once-over-waiting", "kept", "replaces")?,
+            cycle_start_goes_on: second("pause.cycle-start", "refused", "goes-on")?,
+            enters_in_manual: second("task.mdi-in-manual", "refused", "executed")?,
+        })
+    }
+}

@@ -1,0 +1,244 @@
+//! The desk between interpreter and machine: what the controller is doing, and the state from which pins follow.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use gaugeblock_trace::{ControllerMode, Pin, Position};
+
+use crate::error::Error;
+use crate::interpret::Interpreter;
+
+use super::choices::Choices;
+use super::items;
+use super::machine::Machine;
+use super::outputs::Outputs;
+use super::panel::Panel;
+use super::pins::{Followed, bit};
+
+/// What the controller is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Doing {
+    /// It is idle.
+    Nothing,
+    /// It runs a program.
+    Program,
+    /// It executes a block that was entered by hand.
+    ByHand,
+}
+
+/// Why a program pauses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Pause {
+    /// M0 or M1.
+    Stop,
+    /// M60.
+    Pallets,
+    /// The operator asked for it.
+    Asked,
+}
+
+/// What it waits for that will never come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stuck {
+    /// That somebody lets the program go on, or motion.
+    Paused,
+    /// An input, or something else outside.
+    Waiting,
+}
+
+/// How a block was broken off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Break {
+    /// By the operator.
+    Abort,
+    /// The documents leave open what follows.
+    Open(&'static str),
+    /// Nothing will ever happen again.
+    Stuck(Stuck),
+}
+
+/// The desk.
+#[derive(Debug)]
+pub(super) struct Desk<M> {
+    pub(super) machine: M,
+    pub(super) panel: Panel,
+    pub(super) mode: ControllerMode,
+    pub(super) doing: Doing,
+    pub(super) pause: Option<Pause>,
+    pub(super) broken: Option<Break>,
+    pub(super) followed: Followed,
+    pub(super) choices: Choices,
+    /// HAL items as programs see them.
+    pub(super) items: Vec<f64>,
+    /// M66 has brought them up to date since the interpreter was told.
+    pub(super) items_are_new: bool,
+    pub(super) digital: Outputs,
+    pub(super) analog: Outputs,
+    /// How many spindles the machine has.
+    spindles: usize,
+    /// Inputs of each kind.
+    inputs: (u16, u16),
+    /// Each pin and its value, in the order of [`items::pins`].
+    pins: Vec<(Pin, f64)>,
+    /// Room for the values that they are to have.
+    values: Vec<f64>,
+    /// Between the start and the end of a synchronisation with a spindle.
+    pub(super) synchronised: bool,
+    /// Pallets were exchanged last: a stop is the one of M60.
+    pub(super) pallets: bool,
+    /// Depth of calls after the last block.
+    pub(super) level: u32,
+    /// A block has begun.
+    pub(super) within: bool,
+    /// Line of the block that is being executed.
+    pub(super) line: u32,
+    /// What is read now was never to be executed.
+    pub(super) ahead: bool,
+    /// Where the controlled point was after the last block, machine coordinates; kept where something can be read ahead.
+    pub(super) stands: Position,
+}
+
+impl<M: Machine> Desk<M> {
+    pub(super) fn new(interpreter: &Interpreter, machine: M) -> Result<Self, Error> {
+        let of = interpreter.machine();
+        let mut desk = Self {
+            machine,
+            panel: Panel::new(),
+            mode: ControllerMode::Auto,
+            doing: Doing::Nothing,
+            pause: None,
+            broken: None,
+            followed: Followed::new(&interpreter.settings()),
+            choices: Choices::read(interpreter.options())?,
+            items: Vec::new(),
+            items_are_new: false,
+            digital: Outputs::new(of.digital_io),
+            analog: Outputs::new(of.analog_io),
+            spindles: usize::from(of.spindles),
+            inputs: (of.digital_io, of.analog_io),
+            pins: items::pins(of).map(|pin| (pin, 0.0)).collect(),
+            values: Vec::new(),
+            synchronised: false,
+            pallets: false,
+            level: 0,
+            within: false,
+            line: 0,
+            ahead: false,
+            stands: interpreter.machine_point(),
+        };
+        // What they are before anything runs is no change.
+        desk.values = desk.values_now().collect();
+        for ((_, value), now) in desk.pins.iter_mut().zip(&desk.values) {
+            *value = *now;
+        }
+        desk.items =
+            vec![
+                0.0;
+                items::inputs(of.digital_io, of.analog_io).count().saturating_add(desk.pins.len())
+            ];
+        desk.renew_items();
+        Ok(desk)
+    }
+
+    /// The values that all pins are to have, in the order of [`items::pins`].
+    fn values_now(&self) -> impl Iterator<Item = f64> {
+        let (panel, choices) = (&self.panel, self.choices);
+        let spindles = self.followed.spindles.iter().zip(panel.spindle_override);
+        let spindles = (0_u16..).zip(spindles).take(self.spindles);
+        let spindles = spindles.flat_map(move |(number, (spindle, factor))| {
+            spindle.pins(number, factor, choices.brake_while_locked).map(|(_, value)| value)
+        });
+        let coolant = [bit(self.followed.mist), bit(self.followed.flood)];
+        self.digital.values().chain(self.analog.values()).chain(spindles).chain(coolant)
+    }
+
+    /// Tells the machine the pins that have changed.
+    pub(super) fn renew_pins(&mut self) {
+        // Both lists are borrowed apart: the machine hears of a pin while the next value is computed.
+        let mut pins = core::mem::take(&mut self.pins);
+        let mut values = core::mem::take(&mut self.values);
+        for (slot, value) in values.iter_mut().zip(self.values_now()) {
+            *slot = value;
+        }
+        for ((pin, old), new) in pins.iter_mut().zip(&values) {
+            // A value that is no number is one that the task does not know: the pin is left to motion.
+            if (*old - *new).abs() > 0.0 {
+                *old = *new;
+                self.machine.pin(*pin, *new);
+            }
+        }
+        (self.pins, self.values) = (pins, values);
+    }
+
+    /// HAL items have the values now that pins and inputs have (11.4.3.7).
+    pub(super) fn renew_items(&mut self) {
+        let mut all = core::mem::take(&mut self.items);
+        let (digital, analog) = self.inputs;
+        let inputs = items::inputs(digital, analog).map(|input| self.machine.input(input));
+        let pins = self.pins.iter().map(|(_, value)| *value);
+        for (item, value) in all.iter_mut().zip(inputs.chain(pins)) {
+            *item = value;
+        }
+        self.items = all;
+    }
+
+    /// A program or a block by hand begins.
+    pub(super) fn begin(&mut self, doing: Doing) {
+        self.doing = doing;
+        self.pause = None;
+        self.broken = None;
+        self.ahead = false;
+        self.synchronised = false;
+        self.pallets = false;
+        self.level = 0;
+        self.renew_items();
+    }
+
+    /// Nothing is being executed any more.
+    pub(super) fn rest(&mut self) {
+        self.doing = Doing::Nothing;
+        self.pause = None;
+        self.ahead = false;
+        self.synchronised = false;
+    }
+
+    /// What waits for a motion is gone with the motions that were queued.
+    pub(super) fn forget_waiting(&mut self) {
+        self.digital.forget_waiting();
+        self.analog.forget_waiting();
+    }
+
+    pub(super) fn is_broken(&self) -> bool {
+        self.broken.is_some()
+    }
+
+    /// Takes an abort that the operator asked for.
+    pub(super) fn take_abort(&mut self) -> bool {
+        let aborted = self.broken == Some(Break::Abort);
+        if aborted {
+            self.broken = None;
+        }
+        aborted
+    }
+
+    /// What the documents leave open.
+    pub(super) fn take_open(&mut self) -> Option<&'static str> {
+        let Some(Break::Open(why)) = self.broken else { return None };
+        self.broken = None;
+        Some(why)
+    }
+
+    pub(super) fn stuck(&self) -> Option<Stuck> {
+        let Some(Break::Stuck(stuck)) = self.broken else { return None };
+        Some(stuck)
+    }
+
+    /// After an abort: where the point stands, if the interpreter shall read ahead.
+    pub(super) fn reads_ahead(&mut self) -> Option<Position> {
+        if self.choices.read_on && self.doing == Doing::Program {
+            self.ahead = true;
+            return Some(self.stands);
+        }
+        None
+    }
+}

@@ -1,0 +1,52 @@
+//! Whether a motion is held where it begins: overrides (M48 to M51), adaptive feed (M52), the feed stop (M53).
+
+use gaugeblock_trace::Effect;
+
+use crate::faults::{Fault, planted};
+
+use super::desk::Desk;
+use super::machine::{Input, Machine};
+
+/// What kind of motion an effect is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Motion {
+    /// At rapid speed.
+    Rapid,
+    /// At the programmed feed.
+    Feed,
+    /// At the feed that follows from a spindle: no override counts.
+    Synchronised,
+}
+
+/// Which motion an effect is, if it is one.
+#[inline]
+#[expect(clippy::wildcard_enum_match_arm, reason = "the other effects move nothing")]
+pub(super) fn motion_of(effect: &Effect, synchronised: bool) -> Option<Motion> {
+    match effect {
+        Effect::StraightTraverse { .. } => Some(Motion::Rapid),
+        Effect::StraightFeed { .. } if synchronised => Some(Motion::Synchronised),
+        Effect::StraightFeed { .. }
+        | Effect::ArcFeed { .. }
+        | Effect::NurbsFeed { .. }
+        | Effect::StraightProbe { .. } => Some(Motion::Feed),
+        Effect::RigidTap { .. } => Some(Motion::Synchronised),
+        _ => None,
+    }
+}
+
+impl<M: Machine> Desk<M> {
+    /// Whether something holds such a motion now.
+    pub(super) fn holds(&self, motion: Motion) -> bool {
+        let stop = self.panel.feed_hold || self.machine.input(Input::FeedHold) != 0.0;
+        let stop = stop && (self.followed.feed_stop || planted(Fault::StopNeverDisabled));
+        // "The commanded velocity is multiplied by this value" (5.6.1.2), of whatever motion.
+        let adaptive =
+            self.followed.adaptive_feed && self.machine.input(Input::AdaptiveFeed) == 0.0;
+        let factor = match motion {
+            Motion::Rapid => self.panel.rapid_override,
+            Motion::Feed if self.followed.feed_override => self.panel.feed_override,
+            Motion::Feed | Motion::Synchronised => 1.0,
+        };
+        stop || adaptive || factor <= 0.0
+    }
+}

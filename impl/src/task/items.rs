@@ -1,0 +1,69 @@
+//! HAL items that a program can read (11.4.3.7): the inputs and pins of the machine, under the manual's names (5.6.1.2, 5.6.2.1, 5.6.4.1).
+
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use gaugeblock_trace::{Machine, Pin};
+
+use super::machine::Input;
+
+/// The names of all items: inputs, then pins in the order of [`pins`].
+pub(super) fn names(machine: &Machine) -> Vec<String> {
+    let inputs = inputs(machine.digital_io, machine.analog_io).map(input_name);
+    inputs.chain(pins(machine).map(pin_name)).collect()
+}
+
+/// The inputs of a machine.
+pub(super) fn inputs(digital: u16, analog: u16) -> impl Iterator<Item = Input> {
+    let digital = (0..digital).map(Input::Digital);
+    let analog = (0..analog).map(Input::Analog);
+    digital.chain(analog).chain([Input::AdaptiveFeed, Input::FeedHold])
+}
+
+/// The pins of a machine.
+pub(super) fn pins(machine: &Machine) -> impl Iterator<Item = Pin> {
+    let digital = (0..machine.digital_io).map(Pin::DigitalOut);
+    let analog = (0..machine.analog_io).map(Pin::AnalogOut);
+    let spindles = (0..u16::from(machine.spindles)).flat_map(|spindle| {
+        [
+            Pin::SpindleOn(spindle),
+            Pin::SpindleForward(spindle),
+            Pin::SpindleReverse(spindle),
+            Pin::SpindleSpeed(spindle),
+            Pin::SpindleBrake(spindle),
+            Pin::SpindleLocked(spindle),
+            Pin::SpindleOrient(spindle),
+            Pin::SpindleOrientAngle(spindle),
+            Pin::SpindleOrientMode(spindle),
+        ]
+    });
+    digital.chain(analog).chain(spindles).chain([Pin::CoolantMist, Pin::CoolantFlood])
+}
+
+fn input_name(input: Input) -> String {
+    match input {
+        Input::Digital(number) => format!("motion.digital-in-{number:02}"),
+        Input::Analog(number) => format!("motion.analog-in-{number:02}"),
+        Input::AdaptiveFeed => "motion.adaptive-feed".into(),
+        Input::FeedHold => "motion.feed-hold".into(),
+    }
+}
+
+fn pin_name(pin: Pin) -> String {
+    match pin {
+        Pin::DigitalOut(number) => format!("motion.digital-out-{number:02}"),
+        Pin::AnalogOut(number) => format!("motion.analog-out-{number:02}"),
+        Pin::SpindleOn(spindle) => format!("spindle.{spindle}.on"),
+        Pin::SpindleForward(spindle) => format!("spindle.{spindle}.forward"),
+        Pin::SpindleReverse(spindle) => format!("spindle.{spindle}.reverse"),
+        Pin::SpindleSpeed(spindle) => format!("spindle.{spindle}.speed-out"),
+        Pin::SpindleBrake(spindle) => format!("spindle.{spindle}.brake"),
+        Pin::SpindleLocked(spindle) => format!("spindle.{spindle}.locked"),
+        Pin::SpindleOrient(spindle) => format!("spindle.{spindle}.orient"),
+        Pin::SpindleOrientAngle(spindle) => format!("spindle.{spindle}.orient-angle"),
+        Pin::SpindleOrientMode(spindle) => format!("spindle.{spindle}.orient-mode"),
+        Pin::CoolantMist => "iocontrol.0.coolant-mist".into(),
+        Pin::CoolantFlood => "iocontrol.0.coolant-flood".into(),
+    }
+}

@@ -1,0 +1,176 @@
+//! Pins as a function of what is in force: settings, the operator's overrides, and spindles that are on their way to an angle.
+
+use gaugeblock_trace::{OrientDirection, Pin, Settings, SpindleMode, SpindleTurn, Switch};
+
+use crate::faults::{Fault, planted};
+
+use super::panel::SPINDLES;
+
+/// What stands for the value of a pin that is not the task's to say: no number.
+const LEFT_TO_MOTION: f64 = f64::NAN;
+
+/// What a spindle is told, and how its orientation goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Spindle {
+    /// S: revolutions per minute, or a surface speed.
+    speed: f64,
+    turn: SpindleTurn,
+    /// Under constant surface speed (G96) S is no speed of the spindle: that follows from where the tool is, which motion knows.
+    surface_speed: bool,
+    override_enabled: bool,
+    orientation: Orientation,
+    /// Degrees.
+    angle: f64,
+    /// 0 the shortest way, 1 clockwise, 2 counterclockwise.
+    direction: f64,
+}
+
+/// How far M19 is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Orientation {
+    /// Nobody asked for it, or M3, M4 or M5 took that back.
+    None,
+    /// The spindle is on its way.
+    Asked,
+    /// It stands at its angle and is held there.
+    Locked,
+}
+
+/// The pins of a spindle, in the order of [`Pins::of_spindle`].
+type SpindlePins = [(Pin, f64); 9];
+
+/// Everything that pins follow from, besides outputs.
+#[derive(Clone, Debug)]
+pub(super) struct Followed {
+    pub(super) spindles: [Spindle; SPINDLES],
+    pub(super) mist: bool,
+    pub(super) flood: bool,
+    /// M48 to M53: which controls are enabled.
+    pub(super) feed_override: bool,
+    pub(super) adaptive_feed: bool,
+    pub(super) feed_stop: bool,
+}
+
+impl Followed {
+    /// As the settings say that are in force.
+    pub(super) fn new(settings: &Settings) -> Self {
+        let spindle = Spindle {
+            speed: 0.0,
+            turn: SpindleTurn::Stopped,
+            surface_speed: false,
+            override_enabled: true,
+            orientation: Orientation::None,
+            angle: 0.0,
+            direction: 0.0,
+        };
+        let mut followed = Self {
+            spindles: [spindle; SPINDLES],
+            mist: false,
+            flood: false,
+            feed_override: true,
+            adaptive_feed: false,
+            feed_stop: true,
+        };
+        followed.set(settings);
+        followed
+    }
+
+    /// Takes over settings that changed; whether a pin may have.
+    pub(super) fn set(&mut self, changed: &Settings) -> bool {
+        let switch = |to: &mut bool, switch: Option<Switch>| {
+            *to = switch.map_or(*to, |switch| switch == Switch::On);
+        };
+        switch(&mut self.feed_override, changed.feed_override);
+        switch(&mut self.adaptive_feed, changed.adaptive_feed);
+        switch(&mut self.feed_stop, changed.feed_stop);
+        switch(&mut self.mist, changed.mist);
+        switch(&mut self.flood, changed.flood);
+        for (place, spindle) in (0_u8..).zip(&mut self.spindles) {
+            if let Some(speed) = changed.spindle_speed.as_ref().and_then(|by| by.0.get(&place)) {
+                spindle.speed = *speed;
+            }
+            if let Some(mode) = changed.spindle_mode.as_ref().and_then(|by| by.0.get(&place)) {
+                spindle.surface_speed = *mode == SpindleMode::SurfaceSpeed;
+            }
+            if let Some(turn) = changed.spindle.as_ref().and_then(|by| by.0.get(&place)) {
+                spindle.turn = *turn;
+                if *turn != SpindleTurn::Oriented {
+                    // M3, M4 and M5 clear the request and unlock the spindle (11.6.8).
+                    spindle.orientation = Orientation::None;
+                }
+            }
+            if let Some(on) = changed.speed_override.as_ref().and_then(|by| by.0.get(&place)) {
+                spindle.override_enabled = *on == Switch::On;
+            }
+        }
+        let spindles = changed.spindle.is_some()
+            || changed.spindle_mode.is_some()
+            || changed.spindle_speed.is_some()
+            || changed.speed_override.is_some();
+        spindles || changed.mist.is_some() || changed.flood.is_some()
+    }
+
+    /// M19 begins.
+    pub(super) fn orient(&mut self, spindle: u32, angle: f64, direction: OrientDirection) {
+        let Some(spindle) = self.spindle(spindle) else { return };
+        spindle.orientation = Orientation::Asked;
+        spindle.angle = angle;
+        spindle.direction = match direction {
+            OrientDirection::Shortest => 0.0,
+            OrientDirection::Clockwise => 1.0,
+            OrientDirection::Counterclockwise => 2.0,
+        };
+    }
+
+    /// A spindle stands at its angle.
+    pub(super) fn lock(&mut self, spindle: u32) {
+        let Some(spindle) = self.spindle(spindle) else { return };
+        spindle.orientation = Orientation::Locked;
+    }
+
+    fn spindle(&mut self, number: u32) -> Option<&mut Spindle> {
+        usize::try_from(number).ok().and_then(|number| self.spindles.get_mut(number))
+    }
+}
+
+impl Spindle {
+    /// The pins of this spindle.
+    pub(super) fn pins(&self, number: u16, factor: f64, brake_while_locked: bool) -> SpindlePins {
+        let enabled = self.override_enabled || planted(Fault::OverrideAlwaysCounts);
+        let speed = if enabled { self.speed * factor } else { self.speed };
+        let told = match self.turn {
+            SpindleTurn::Clockwise => 1.0,
+            SpindleTurn::Counterclockwise => -1.0,
+            SpindleTurn::Stopped | SpindleTurn::Oriented => 0.0,
+        };
+        let turns = told != 0.0 && (speed > 0.0 || planted(Fault::OnAtZero));
+        let shown = match turns {
+            true if self.surface_speed => LEFT_TO_MOTION,
+            true => speed * told,
+            false => 0.0,
+        };
+        let locked = self.orientation == Orientation::Locked;
+        let asked =
+            self.orientation == Orientation::Asked || locked && planted(Fault::OrientRequestStays);
+        // M19 tells that it turns to an angle just before it says to which. A spindle that was started at a speed of zero is not braked: a speed
+        // may come at any time.
+        let begins = self.turn == SpindleTurn::Oriented && !locked;
+        let brake = if brake_while_locked { locked } else { told == 0.0 && !asked && !begins };
+        [
+            (Pin::SpindleOn(number), bit(turns)),
+            (Pin::SpindleForward(number), bit(turns && told > 0.0)),
+            (Pin::SpindleReverse(number), bit(turns && told < 0.0)),
+            (Pin::SpindleSpeed(number), shown),
+            (Pin::SpindleBrake(number), bit(brake)),
+            (Pin::SpindleLocked(number), bit(locked)),
+            (Pin::SpindleOrient(number), bit(asked)),
+            (Pin::SpindleOrientAngle(number), self.angle),
+            (Pin::SpindleOrientMode(number), self.direction),
+        ]
+    }
+}
+
+/// 1 or 0.
+pub(super) fn bit(on: bool) -> f64 {
+    f64::from(u8::from(on))
+}

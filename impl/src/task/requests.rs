@@ -1,0 +1,111 @@
+//! What the operator asks, and what the controller answers (11.6.2 to 11.6.4).
+//!
+//! | asked for | a program runs | it pauses | a block by hand runs | idle |
+//! | --- | --- | --- | --- | --- |
+//! | cycle start | open | goes on after M60, after M0 and M1 by option | open | starts |
+//! | pause | pauses | nothing more | open | nothing |
+//! | resume | nothing | goes on | open | nothing |
+//! | abort | ends | ends | ends | as an abort leaves spindles and coolant |
+//! | another mode | refused | refused | open | changes |
+//! | a block by hand | refused | refused | open | executed in MDI mode, by option in manual mode |
+
+use gaugeblock_trace::scenario::Action;
+use gaugeblock_trace::{ControllerMode, Effect, Request};
+
+use crate::faults::{Fault, planted};
+
+use super::Idle;
+use super::desk::{Break, Desk, Doing, Pause};
+use super::machine::Machine;
+
+impl<M: Machine> Desk<M> {
+    /// Answers a request while something is being executed.
+    pub(super) fn asked(&mut self, action: Action) {
+        if self.panel.takes(&action) {
+            self.renew_pins();
+            return;
+        }
+        if self.doing == Doing::ByHand && action != Action::Abort {
+            self.leave_open("a request while a block that was entered by hand is executed");
+            return;
+        }
+        match action {
+            Action::CycleStart => self.cycle_start(),
+            Action::Pause => self.pause = self.pause.or(Some(Pause::Asked)),
+            Action::Resume => self.pause = None,
+            Action::Abort if planted(Fault::AbortResumes) && self.pause.is_some() => {
+                self.pause = None;
+            }
+            Action::Abort => self.broken = Some(Break::Abort),
+            Action::Mode(ControllerMode::Auto) => {}
+            Action::Mode(mode) if planted(Fault::ModeWhilePaused) && self.pause.is_some() => {
+                self.change_mode(mode);
+            }
+            Action::Mode(_) => self.refuse(Request::Mode),
+            Action::Mdi(_) => self.refuse(Request::Mdi),
+            Action::OptionalStop(_)
+            | Action::FeedOverride(_)
+            | Action::RapidOverride(_)
+            | Action::SpindleOverride { .. }
+            | Action::FeedHold(_) => {}
+        }
+    }
+
+    /// Cycle start while a program runs or pauses.
+    fn cycle_start(&mut self) {
+        match self.pause {
+            Some(Pause::Pallets) => self.pause = None,
+            Some(Pause::Stop) if self.choices.cycle_start_goes_on => self.pause = None,
+            Some(Pause::Stop) => self.refuse(Request::CycleStart),
+            Some(Pause::Asked) | None => {
+                self.leave_open("cycle start while a program runs");
+            }
+        }
+    }
+
+    /// Answers a request to an idle controller; what it is to execute, if anything.
+    pub(super) fn asked_idle(&mut self, action: Action) -> Option<Idle> {
+        if self.panel.takes(&action) {
+            self.renew_pins();
+            return None;
+        }
+        match action {
+            Action::CycleStart => return Some(Idle::Start),
+            Action::Abort => self.broken = Some(Break::Abort),
+            Action::Mode(mode) => self.change_mode(mode),
+            Action::Mdi(text) => match self.mode {
+                ControllerMode::Mdi => return Some(Idle::Enter(text)),
+                ControllerMode::Manual if self.choices.enters_in_manual => {
+                    return Some(Idle::Enter(text));
+                }
+                ControllerMode::Auto if planted(Fault::EnteredInAuto) => {
+                    return Some(Idle::Enter(text));
+                }
+                ControllerMode::Auto | ControllerMode::Manual => self.refuse(Request::Mdi),
+            },
+            // There is nothing to pause, and nothing that pauses.
+            Action::Pause
+            | Action::Resume
+            | Action::OptionalStop(_)
+            | Action::FeedOverride(_)
+            | Action::RapidOverride(_)
+            | Action::SpindleOverride { .. }
+            | Action::FeedHold(_) => {}
+        }
+        None
+    }
+
+    /// The controller does not do it, and says so.
+    fn refuse(&mut self, request: Request) {
+        let _told = self.machine.perform(self.line, &Effect::RequestRefused { request });
+    }
+
+    /// The controller is in this mode from now on.
+    pub(super) fn change_mode(&mut self, mode: ControllerMode) {
+        if self.mode != mode {
+            self.mode = mode;
+            let effect = Effect::ChangeControllerMode { mode };
+            let _told = self.machine.perform(self.line, &effect);
+        }
+    }
+}

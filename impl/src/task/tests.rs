@@ -1,0 +1,246 @@
+//! The task on a machine that follows a script: what is asked and what changes, at which time.
+
+use alloc::collections::BTreeMap;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use gaugeblock_trace::scenario::Action;
+use gaugeblock_trace::{
+    ControllerMode, Effect, End, Machine as Kind, Options, Pin, Request, Settings,
+};
+
+use super::{Activity, Happening, Idle, Input, Machine, Stuck, Task, Work, WorkState};
+use crate::{Interpreter, Limits, Memory, Reply, Sink};
+
+/// A machine whose inputs and whose operator follow a script.
+#[derive(Default)]
+struct Script {
+    now: f64,
+    /// What is asked, in order of time.
+    asked: Vec<(f64, Action)>,
+    /// Digital input 0, in order of time.
+    input: Vec<(f64, f64)>,
+    /// The feed stop's input.
+    feed_hold: Vec<(f64, f64)>,
+    effects: Vec<String>,
+    pins: BTreeMap<Pin, Vec<f64>>,
+}
+
+impl Script {
+    fn asks(asked: &[(f64, Action)]) -> Self {
+        Self { asked: asked.to_vec(), ..Self::default() }
+    }
+
+    fn pin_values(&self, pin: Pin) -> &[f64] {
+        self.pins.get(&pin).map_or(&[], Vec::as_slice)
+    }
+}
+
+impl Sink for Script {
+    fn set(&mut self, _line: u32, _changed: &Settings) {}
+
+    fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
+        self.effects.push(match effect {
+            Effect::RequestRefused { request } => alloc::format!("refused {request}"),
+            effect => effect.name().into(),
+        });
+        Reply::Done
+    }
+}
+
+impl Machine for Script {
+    fn time(&self) -> f64 {
+        self.now
+    }
+
+    fn wait(&mut self, until: Option<f64>) -> Happening {
+        let until = until.unwrap_or(f64::INFINITY);
+        let changes = self.input.iter().chain(&self.feed_hold).map(|(time, _)| *time);
+        let change = changes.filter(|time| *time > self.now).fold(f64::INFINITY, f64::min);
+        let asked = self.asked.first().map_or(f64::INFINITY, |(time, _)| time.max(self.now));
+        if change.is_finite() && change <= until.min(asked) {
+            self.now = change;
+            return Happening::Changed;
+        }
+        if asked.is_finite() && asked <= until {
+            self.now = asked;
+            return Happening::Asked(self.asked.remove(0).1);
+        }
+        if until.is_infinite() {
+            return Happening::Never;
+        }
+        self.now = until;
+        Happening::Time
+    }
+
+    fn asked(&mut self) -> Option<Action> {
+        let is_due = self.asked.first().is_some_and(|(time, _)| *time <= self.now);
+        is_due.then(|| self.asked.remove(0).1)
+    }
+
+    fn input(&self, input: Input) -> f64 {
+        let script = match input {
+            Input::Digital(0) => &self.input,
+            Input::FeedHold => &self.feed_hold,
+            Input::Digital(_) | Input::Analog(_) | Input::AdaptiveFeed => return 0.0,
+        };
+        let past = script.iter().filter(|(time, _)| *time <= self.now);
+        past.map(|(_, value)| *value).next_back().unwrap_or(0.0)
+    }
+
+    fn state_of(&mut self, _work: Work) -> WorkState {
+        WorkState::Done
+    }
+
+    fn pin(&mut self, pin: Pin, value: f64) {
+        self.pins.entry(pin).or_default().push(value);
+    }
+}
+
+fn task(script: Script, options: &[(&str, &str)]) -> Task<Script> {
+    let options = options.iter().map(|(id, option)| ((*id).into(), (*option).into())).collect();
+    let interpreter = Interpreter::new(Kind::default(), Options(options), Limits::default());
+    Task::new(interpreter.unwrap(), script).unwrap()
+}
+
+/// Runs a program to its end, or until nothing will happen any more.
+fn run(task: &mut Task<Script>, program: &str) -> Activity {
+    let mut source = Memory::new(program);
+    task.start();
+    loop {
+        match task.step(&mut source).unwrap() {
+            Activity::More => {}
+            over => return over,
+        }
+    }
+}
+
+#[test]
+fn a_pause_waits_for_resume() {
+    let mut paused = task(Script::default(), &[]);
+    assert_eq!(run(&mut paused, "m0\nm2\n"), Activity::Stuck(Stuck::Paused));
+    let mut resumed = task(Script::asks(&[(3.0, Action::Resume)]), &[]);
+    assert_eq!(run(&mut resumed, "m0\nm2\n"), Activity::Ended(End::ProgramEnd));
+    assert_eq!(resumed.machine().now, 3.0);
+    assert_eq!(resumed.mode(), ControllerMode::Mdi);
+}
+
+#[test]
+fn modes_are_kept_while_a_program_runs() {
+    let asks = [
+        (0.1, Action::Mode(ControllerMode::Manual)),
+        (0.2, Action::Mdi("g0 x1".into())),
+        (0.3, Action::Mode(ControllerMode::Auto)),
+    ];
+    let mut task = task(Script::asks(&asks), &[]);
+    assert_eq!(run(&mut task, "g4 p1\nm2\n"), Activity::Ended(End::ProgramEnd));
+    let refused = [Request::Mode, Request::Mdi].map(|request| alloc::format!("refused {request}"));
+    assert!(refused.iter().all(|refused| task.machine().effects.contains(refused)));
+    assert_eq!(task.machine().effects.len(), 5);
+}
+
+#[test]
+fn an_abort_breaks_off_and_keeps_what_was_done() {
+    let mut task = task(Script::asks(&[(0.5, Action::Abort)]), &[]);
+    let program = "s100 m3\nf7 g4 p1 g1 x5\nm2\n";
+    assert_eq!(run(&mut task, program), Activity::Ended(End::Aborted));
+    assert_eq!(task.machine().now, 0.5);
+    assert_eq!(task.machine().effects, ["dwell"]);
+    let state = task.interpreter().state();
+    assert_eq!(state.position.unwrap().x, 0.0);
+    assert_eq!(task.interpreter().settings().feed_rate, Some(7.0));
+    assert_eq!(task.machine().pin_values(Pin::SpindleOn(0)), [1.0, 0.0]);
+    assert_eq!(task.mode(), ControllerMode::Auto);
+}
+
+#[test]
+fn a_held_move_that_is_aborted_was_not_made() {
+    for program in [
+        "f100 g1 x5\nm2\n",
+        "f100 g91 g1 x5\nm2\n",
+        "f100 g2 x2 i1\nm2\n",
+        "f100 g5.1 i1 j1 x2\nm2\n",
+    ] {
+        let mut held = task(Script::asks(&[(0.5, Action::Abort)]), &[]);
+        held.desk.panel.feed_override = 0.0;
+        assert_eq!(run(&mut held, program), Activity::Ended(End::Aborted), "{program}");
+        let state = held.interpreter().state();
+        assert_eq!(state.position.unwrap().x, 0.0, "{program}");
+        assert_eq!(state.motion, Some(gaugeblock_trace::Motion::None), "{program}");
+    }
+}
+
+#[test]
+fn what_was_read_ahead_counts_where_documents_are_read_so() {
+    let run_to = |options: &[(&str, &str)]| {
+        let mut task = task(Script::asks(&[(0.5, Action::Abort)]), options);
+        let program = "#31=1\ng0 x3\ng4 p1\n#31=2 g0 x4\nm66 p0 l3 q1\n#31=3\nm2\n";
+        assert_eq!(run(&mut task, program), Activity::Ended(End::Aborted));
+        let value =
+            task.interpreter_mut().parameters().iter().find(|(number, _)| *number == 31).copied();
+        (value, task.interpreter().state().position.unwrap().x, task.machine().effects.len())
+    };
+    assert_eq!(run_to(&[]), (Some((31, 1.0)), 3.0, 2));
+    assert_eq!(run_to(&[("abort.read-ahead", "read-on")]), (Some((31, 2.0)), 3.0, 2));
+}
+
+#[test]
+fn edges_of_inputs_are_awaited() {
+    let read = |program: &str| {
+        let script = Script { input: [(1.0, 1.0), (2.0, 0.0)].into(), ..Script::default() };
+        let mut task = task(script, &[]);
+        assert_eq!(run(&mut task, program), Activity::Ended(End::ProgramEnd), "{program}");
+        let parameters = task.interpreter_mut().parameters();
+        let read =
+            parameters.iter().find(|(number, _)| *number == 5399).map_or(0.0, |(_, read)| *read);
+        (read, task.machine().now)
+    };
+    assert_eq!(read("m66 p0 l0\nm2\n"), (0.0, 0.0));
+    assert_eq!(read("m66 p0 l1 q5\nm2\n"), (1.0, 1.0));
+    assert_eq!(read("m66 p0 l2 q5\nm2\n"), (0.0, 2.0));
+    assert_eq!(read("m66 p0 l3 q0.5\nm2\n"), (-1.0, 0.5));
+    assert_eq!(read("g4 p1.5\nm66 p0 l3 q1\nm2\n"), (1.0, 1.5));
+    assert_eq!(read("g4 p1.5\nm66 p0 l1 q1\nm2\n"), (-1.0, 2.5));
+}
+
+#[test]
+fn outputs_wait_for_the_motion_that_begins() {
+    let script = Script { feed_hold: [(0.0, 1.0), (2.0, 0.0)].into(), ..Script::default() };
+    let mut task = task(script, &[]);
+    let program = "m53 p0\nm62 p0\nm64 p1\ng4 p1\nm53 p1\ng0 x1\nm2\n";
+    assert_eq!(run(&mut task, program), Activity::Ended(End::ProgramEnd));
+    assert_eq!(task.machine().now, 2.0);
+    assert_eq!(task.machine().pin_values(Pin::DigitalOut(0)), [1.0]);
+    assert_eq!(task.machine().pin_values(Pin::DigitalOut(1)), [1.0]);
+}
+
+#[test]
+fn blocks_are_entered_by_hand() {
+    let asks = [
+        (1.0, Action::Mdi("g0 x5".into())),
+        (2.0, Action::Mode(ControllerMode::Manual)),
+        (3.0, Action::Mdi("g0 x6".into())),
+    ];
+    let mut task = task(Script::asks(&asks), &[]);
+    assert_eq!(run(&mut task, "m2\n"), Activity::Ended(End::ProgramEnd));
+    assert_eq!(task.idle(), Idle::Enter("g0 x5".into()));
+    let mut source = Memory::new("").with_file("go.ngc", "o<go> sub\ng0 x9\no<go> endsub\nm2\n");
+    assert_eq!(task.enter("g0 x5", 1, &mut source), Ok(Activity::Entered));
+    assert_eq!(task.enter("o<go> call", 2, &mut source), Ok(Activity::Entered));
+    assert_eq!(task.enter("(nothing)", 3, &mut source), Ok(Activity::Entered));
+    assert_eq!(task.interpreter().state().position.unwrap().x, 9.0);
+    let refused = task.enter("g0 g1 x1", 4, &mut source);
+    assert!(
+        matches!(refused, Err(crate::Error::Fault(fault)) if fault.block.as_ref().is_some_and(|block| block.file == "mdi" && block.line == 4))
+    );
+    assert_eq!(task.enter("m2", 5, &mut source), Ok(Activity::Ended(End::ProgramEnd)));
+    assert_eq!(task.idle(), Idle::Nothing);
+    assert!(task.machine().effects.ends_with(&["refused mdi".into()]));
+}
+
+#[test]
+fn what_documents_leave_open_is_said_so() {
+    let mut task = task(Script::asks(&[(0.5, Action::CycleStart)]), &[]);
+    let over = run(&mut task, "g4 p1\nm2\n");
+    assert!(matches!(over, Activity::Ended(End::Unspecified { .. })), "{over:?}");
+}
