@@ -1,4 +1,9 @@
 //! The task on a machine that follows a script: what is asked and what changes, at which time.
+#![expect(
+    clippy::float_cmp,
+    clippy::wildcard_enum_match_arm,
+    reason = "the script's times are exact, and other effects and activities are not looked at"
+)]
 
 use alloc::collections::BTreeMap;
 use alloc::string::String;
