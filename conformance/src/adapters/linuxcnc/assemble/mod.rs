@@ -162,6 +162,8 @@ impl<'a> Assembly<'a> {
                 self.log_is_open = true;
                 self.printed.push(Effect::LogOpen { file: file.clone(), append: *append });
             }
+            // It prints the word of a program that closes what is not open.
+            Item::LogClose if !self.log_is_open => {}
             Item::LogClose => {
                 self.log_is_open = false;
                 self.printed.push(Effect::LogClose {});
