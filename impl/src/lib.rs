@@ -77,6 +77,7 @@ mod limits;
 mod math;
 mod modal;
 mod parameters;
+pub mod path;
 pub mod plan;
 mod probing;
 mod quirks;
