@@ -165,13 +165,13 @@ impl Adapter for LinuxCnc {
         &self.capabilities
     }
 
-    /// Under inverse time it shows the speed of an arc, and not F.
+    /// Under inverse time it shows the speed of a move, and not F.
     /// Of several spindles it does not tell which one a command is for; and under constant surface speed the pins
     /// of a spindle's speed, and with it of its brake, follow the radius, which is a matter of motion.
     fn shows(&self, scenario: &Scenario) -> Capabilities {
         let mut shows = self.capabilities.clone();
         let source = Source::new(&scenario.program);
-        if source.has_g_code(&["g93"]) && source.has_g_code(&["g2", "g3"]) {
+        if source.has_g_code(&["g93"]) {
             shows.fields.remove("feed_rate");
             shows.fields_at_effects.remove("feed_rate");
         }
