@@ -126,13 +126,13 @@ impl Control {
     }
 
     /// Goes on at the endif.
-    fn to_end(&self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    fn to_end(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         let line = self.end_of_skipped(label, &[Keyword::EndIf], self.place.line, state)?;
         Ok(Next::At(self.line(line)))
     }
 
     /// Goes on at the next branch.
-    fn to_branch(&self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    fn to_branch(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         let line = self.end_of_skipped(label, BRANCHES, self.place.line, state)?;
         Ok(Next::At(self.line(line)))
     }

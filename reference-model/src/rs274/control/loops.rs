@@ -194,13 +194,26 @@ impl Control {
         if left.iter().any(|open| is_repeat(open.structure)) {
             state.evidence.accepted("control.break-in-repeat");
         }
-        left.into_iter().for_each(|open| state.frame_mut().end(open));
         let ends = if structure == Structure::Do { Keyword::While } else { Keyword::EndWhile };
         self.break_remembered |=
             structure == Structure::While && state.readings.quirk("rs274.break-remembered");
         let line = self.end_of_skipped(label, &[ends], first, state)?;
+        self.ends_before(&left[1..], line, state)?;
+        left.into_iter().for_each(|open| state.frame_mut().end(open));
         state.evidence.accepted("control.break");
         Ok(Next::At(self.line(line + 1)))
+    }
+
+    /// What a loop holds ends before it does: the documents do not know conditions and loops that overlap.
+    fn ends_before(&self, inner: &[Open], end: u32, state: &mut State) -> Result<(), Halt> {
+        for Open { label, line, structure } in inner {
+            let own = self.find(label, &[structure.end()], *line, state);
+            if own.is_some_and(|own| own > end) {
+                let why = format!("{} ends behind the loop in which it began", o_word(label));
+                return Err(Halt::Unspecified(why));
+            }
+        }
+        Ok(())
     }
 
     /// Rule control.continue. It goes to the next test of the condition.

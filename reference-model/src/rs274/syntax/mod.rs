@@ -35,6 +35,18 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
     parsed
 }
 
+/// What counts of a line that is passed over, for a controller that reads such lines; no rule is reached.
+///
+/// # Errors
+/// The line is too long, a comment is not closed, or a line number, label or keyword is none.
+pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, Halt> {
+    let before = std::mem::take(&mut state.evidence);
+    let condensed = condense(line, state);
+    state.evidence = before;
+    let (glyphs, _) = condensed?;
+    Parser::new(&glyphs, &state.readings).passed_over()
+}
+
 /// The O-word of a line that begins with one, as far as it can be read: for skipping and for finding labels.
 ///
 /// Anything else is `None`; nothing is refused, and no rule is reached.
