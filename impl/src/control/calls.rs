@@ -311,7 +311,10 @@ impl Interpreter {
         }
         // Numbered programs are looked for in the main program alone, and it must follow the call in its file.
         if segment(&self.segments, at.segment).is_some_and(|code| code.file != 0) {
-            return refuse(FaultKind::UnknownSub, "no numbered program follows this call in its file");
+            return refuse(
+                FaultKind::UnknownSub,
+                "no numbered program follows this call in its file",
+            );
         }
         let call = LinePlace { line: block.line, offset: block.offset };
         if !self.gather_programs((at.segment != STREAM).then_some(call), source)? {
