@@ -201,3 +201,25 @@ fn next_effect<'a>(
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pins_are_the_same_whenever_they_change() {
+        let change = |time, pin, value| PinChange { time, pin, value };
+        let (mist, flood) = (Pin::CoolantMist, Pin::CoolantFlood);
+        let one = [change(0.0, mist, 1.0), change(0.0, flood, 1.0), change(1.0, mist, 0.0)];
+        let other = [
+            change(0.5, flood, 1.0),
+            change(0.5, mist, 1.0),
+            change(0.7, mist, 1.0),
+            change(2.0, mist, 0.0),
+        ];
+        assert!(same_pins(&one, &other));
+        assert!(!same_pins(&one, &other[..3]));
+        let unlike = [change(0.0, mist, 1.0), change(1.0, mist, 0.0), change(1.0, flood, 0.0)];
+        assert!(!same_pins(&one, &unlike));
+    }
+}
