@@ -352,11 +352,8 @@ impl Interpreter {
         if !self.packer.items_enabled {
             return;
         }
-        for name in names {
-            let Ok(place) = u16::try_from(self.parameters.items.len()) else { return };
-            self.packer.items.insert(name, place);
-            self.parameters.items.push(0.0);
-        }
+        self.packer.items.extend(names);
+        self.parameters.items.resize(self.packer.items.len(), 0.0);
     }
 
     /// Puts the values of HAL items, in the order in which they were declared.

@@ -44,8 +44,8 @@ pub(crate) struct Packer {
     pub(crate) labels: Names,
     /// Entries of the INI file that can be read.
     pub(crate) ini: BTreeMap<String, f64>,
-    /// HAL items that can be read: their places among the values.
-    pub(crate) items: BTreeMap<String, u16>,
+    /// HAL items that can be read, in the order of their values. A program reads few of them, and looks each up once.
+    pub(crate) items: Vec<String>,
     /// Whether HAL items can be read.
     pub(crate) items_enabled: bool,
     /// Readings of the documents.
@@ -92,7 +92,7 @@ impl Packer {
             } else {
                 BTreeMap::new()
             },
-            items: BTreeMap::new(),
+            items: Vec::new(),
             items_enabled: enables(machine, "[RS274NGC]HAL_PIN_VARS"),
             choices,
             block_delete: false,

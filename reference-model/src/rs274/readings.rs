@@ -3,7 +3,6 @@
 //! The sentences, sources and the programs that tell options apart are pages of the suite (`suite/choices`,
 //! `suite/quirks`); a test of the suite holds [`CHOICES`] and [`QUIRKS`] and those pages against each other.
 
-use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
@@ -256,29 +255,27 @@ pub const QUIRKS: &[&str] = &[
 enum Known {
     /// A choice: its place in [`CHOICES`], its options.
     Choice(usize, &'static [&'static str]),
-    /// A quirk.
-    Quirk,
+    /// A quirk: its id.
+    Quirk(&'static str),
 }
 
 /// Every choice and every quirk.
-struct Register {
-    /// In the order of their ids.
-    in_order: Vec<(&'static str, Known)>,
-    /// The place of each choice in [`CHOICES`].
-    places: ByName<usize>,
-}
-
-static REGISTER: LazyLock<Register> = LazyLock::new(|| {
-    let choices = CHOICES.iter().enumerate();
-    let choices = choices.map(|(place, (id, options))| (*id, Known::Choice(place, options)));
-    let mut in_order: Vec<_> = choices.chain(QUIRKS.iter().map(|id| (*id, Known::Quirk))).collect();
-    in_order.sort_unstable_by_key(|(id, _)| *id);
-    let mut places = ByName::default();
-    for (place, (id, _)) in CHOICES.iter().enumerate() {
-        *places.value(id) = place;
+static REGISTER: LazyLock<ByName<Option<Known>>> = LazyLock::new(|| {
+    let mut register = ByName::default();
+    for (place, (id, options)) in CHOICES.iter().enumerate() {
+        *register.value(id) = Some(Known::Choice(place, options));
     }
-    Register { in_order, places }
+    for id in QUIRKS {
+        *register.value(id) = Some(Known::Quirk(id));
+    }
+    register
 });
+
+/// What the model knows under an id, if anything.
+#[inline]
+fn known(id: &str) -> Option<Known> {
+    REGISTER.get(id).copied().flatten()
+}
 
 /// The options in force for a run.
 #[derive(Clone, Debug)]
@@ -304,29 +301,20 @@ impl Readings {
     /// An id or option that the model does not know, as a sentence.
     pub fn new(options: &Options) -> Result<Self, String> {
         let mut readings = Self::default();
-        // Both are in the order of ids.
-        let mut register = REGISTER.in_order.iter();
         for (id, option) in &options.0 {
-            let found = register.find_map(|(known, what)| match (*known).cmp(id.as_str()) {
-                Ordering::Less => None,
-                Ordering::Equal => Some(Some((*known, what))),
-                Ordering::Greater => Some(None),
-            });
-            let Some((id, known)) = found.flatten() else {
-                return Err(format!("there is no choice or quirk {id}"));
-            };
-            match (known, option.as_str()) {
-                (Known::Choice(place, options), option) => {
+            match (known(id), option.as_str()) {
+                (None, _) => return Err(format!("there is no choice or quirk {id}")),
+                (Some(Known::Choice(place, options)), option) => {
                     let known = options.iter().find(|known| **known == option);
-                    readings.chosen[*place] = known.ok_or_else(|| {
+                    readings.chosen[place] = known.ok_or_else(|| {
                         format!("the choice {id} has the options {}", options.join(", "))
                     })?;
                 }
-                (Known::Quirk, "documented") => {}
-                (Known::Quirk, "observed") => {
+                (Some(Known::Quirk(_)), "documented") => {}
+                (Some(Known::Quirk(id)), "observed") => {
                     readings.shown.insert(id);
                 }
-                (Known::Quirk, _) => {
+                (Some(Known::Quirk(_)), _) => {
                     return Err(format!("the quirk {id} is documented or observed, not {option}"));
                 }
             }
@@ -340,8 +328,10 @@ impl Readings {
     /// The choice is not in [`CHOICES`]: a fault of the model.
     #[inline]
     pub fn choice(&self, id: &str) -> &'static str {
-        let place = REGISTER.places.get(id).expect("model: a choice is in the register");
-        self.chosen[*place]
+        let Some(Known::Choice(place, _)) = known(id) else {
+            panic!("model: the choice {id} is not in the register")
+        };
+        self.chosen[place]
     }
 
     /// Whether a choice has this option.

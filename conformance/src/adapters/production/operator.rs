@@ -26,13 +26,13 @@ impl<'a> Operator<'a> {
     }
 
     /// A block begins: what stands at this execution falls due from this time on.
-    pub(super) fn begin_block(&mut self, file: &str, line: u32, time: f64) {
-        let Some(count) = self.executions.get_mut(&Block::new(file, line)) else { return };
+    pub(super) fn begin_block(&mut self, block: &Block, time: f64) {
+        let Some(count) = self.executions.get_mut(block) else { return };
         *count += 1;
         let count = *count;
         let is_here = |event: &OperatorEvent| {
             let when = &event.when;
-            when.block.file == file && when.block.line == line && when.execution == count
+            when.block == *block && when.execution == count
         };
         let (here, ahead) = self.ahead.iter().partition(|event| is_here(event));
         self.ahead = ahead;

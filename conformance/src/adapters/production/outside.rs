@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use gaugeblock_impl::Probing;
 use gaugeblock_impl::task::{Happening, Input, Work, WorkState};
 use gaugeblock_trace::scenario::{Action, Bench, Folder, OrientAnswer, ProbeContact, UserProgram};
-use gaugeblock_trace::{Effect, FaultKind, Pin, Position, Scenario};
+use gaugeblock_trace::{Block, Effect, FaultKind, Pin, Position, Scenario};
 
 use super::operator::Operator;
 
@@ -63,8 +63,8 @@ impl<'a> Outside<'a> {
     }
 
     /// A block begins now: what the operator does at it falls due from here.
-    pub(super) fn begin_block(&mut self, file: &str, line: u32) {
-        self.operator.begin_block(file, line, self.time);
+    pub(super) fn begin_block(&mut self, block: &Block) {
+        self.operator.begin_block(block, self.time);
     }
 
     /// What the operator has asked by now.

@@ -94,10 +94,10 @@ impl<'a> Recorder<'a> {
     }
 
     /// A block begins.
-    pub(super) fn begin_block(&mut self, file: &str, line: u32) {
+    pub(super) fn begin_block(&mut self, block: Block) {
         self.idle = false;
-        self.block = Block::new(file, line);
-        self.outside.begin_block(file, line);
+        self.outside.begin_block(&block);
+        self.block = block;
     }
 
     /// Nothing is executed now: what follows belongs to the block before.

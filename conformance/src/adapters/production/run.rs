@@ -3,7 +3,7 @@
 use gaugeblock_impl::task::{Activity, BY_HAND, Idle, Stuck, Task};
 use gaugeblock_impl::{Error, Interpreter, Limits, Memory};
 use gaugeblock_trace::scenario::Start;
-use gaugeblock_trace::{Bound, ControllerMode, End, Outcome, Program, Scenario};
+use gaugeblock_trace::{Block, Bound, ControllerMode, End, Outcome, Program, Scenario};
 
 use super::super::HarnessError;
 use super::outside::Outside;
@@ -53,8 +53,8 @@ impl Run<'_> {
             if self.task.machine().has_operator()
                 && let Some((file, line)) = self.task.next_block(&mut source)
             {
-                let file = file.to_owned();
-                self.task.machine_mut().begin_block(&file, line);
+                let block = Block::new(file, line);
+                self.task.machine_mut().begin_block(block);
             }
             let activity = self.task.step(&mut source);
             match self.end_of(activity)? {
@@ -77,7 +77,7 @@ impl Run<'_> {
             if let Some(bound) = self.exhausted() {
                 return Ok(End::BudgetExhausted { bound });
             }
-            self.task.machine_mut().begin_block(Program::MAIN, line);
+            self.task.machine_mut().begin_block(Block::new(Program::MAIN, line));
             end = self.enter(text, line, end)?;
             if is_final(&end) {
                 break;
@@ -102,7 +102,7 @@ impl Run<'_> {
                 Idle::Enter(text) => {
                     // What was refused has been entered too.
                     let number = self.task.machine().entered();
-                    self.task.machine_mut().begin_block(BY_HAND, number);
+                    self.task.machine_mut().begin_block(Block::new(BY_HAND, number));
                     self.enter(&text, number, end)?
                 }
             };

@@ -51,7 +51,7 @@ pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, Halt> {
 ///
 /// Anything else is `None`; nothing is refused, and no rule is reached.
 pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
-    if !line.contains('o') && !line.contains('O') {
+    if !may_begin_with_o_word(line) {
         return None;
     }
     let before = std::mem::take(&mut state.evidence);
@@ -59,4 +59,11 @@ pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
     state.evidence = before;
     let (glyphs, _) = condensed.ok()?;
     Parser::new(&glyphs, &state.readings).leading_o_word()
+}
+
+/// Whether an O-word, or a comment that may stand before one, follows what can be a slash and a line number.
+fn may_begin_with_o_word(line: &str) -> bool {
+    let before =
+        |character| matches!(character, ' ' | '\t' | '\r' | '/' | 'n' | 'N' | '0'..='9' | '.');
+    line.trim_start_matches(before).starts_with(['o', 'O', '('])
 }

@@ -66,6 +66,11 @@ impl<'a> Operator<'a> {
         Some(Happening { time, action: &event.action, place })
     }
 
+    /// Whether something happens at a time that is known by now.
+    pub(super) fn is_due(&self) -> bool {
+        self.events.iter().any(|event| event.due.is_some())
+    }
+
     /// Whether the operator does nothing more.
     pub(super) fn is_done(&self) -> bool {
         self.events.is_empty()

@@ -143,7 +143,7 @@ impl Run<'_> {
                 return Err(Halt::Ended(End::Paused));
             }
             let began = self.state.outside.time();
-            let before = (!self.operator.is_done()).then(|| self.state.clone());
+            let before = self.operator.is_due().then(|| self.without_evidence());
             rest = match order::execute(phase, words, &mut self.state, &mut self.record) {
                 Err(Halt::WaitsForEver) => return Err(self.waits_for_ever()),
                 done => done?,
@@ -174,6 +174,14 @@ impl Run<'_> {
             control::assign(settings, &mut self.state)?;
         }
         Ok(rest)
+    }
+
+    /// The state as an abort brings it back: what was reached stays reached.
+    fn without_evidence(&mut self) -> State {
+        let evidence = std::mem::take(&mut self.state.evidence);
+        let state = self.state.clone();
+        self.state.evidence = evidence;
+        state
     }
 
     /// A block with M98 or M99: its comment and settings, then the call or return.
