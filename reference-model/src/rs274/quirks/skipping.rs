@@ -90,7 +90,7 @@ fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), Halt>
     };
     let written = match &word.label {
         Label::Number(number) if in_sub => Label::Number(with_zeros(number, state)),
-        label => label.clone(),
+        label @ (Label::Number(_) | Label::Name(_)) => label.clone(),
     };
     let label = match label_of(&written, state) {
         Err(halt) if reads => return Err(halt),
