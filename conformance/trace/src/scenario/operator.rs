@@ -1,7 +1,7 @@
 //! What a person or a panel does, and when.
 //!
 //! **When a block begins.** Each line that a run comes to is a block that begins, also where nothing of it is done: an `endif` to
-//! which a condition that is false leads, the end of a sub, a comment. Blank lines, those that block delete skips, percent
+//! which a condition that is false leads, the end of a sub, a comment, a slash alone. Blank lines, those that block delete skips, percent
 //! signs and what is jumped over are none. A block begins when the one before is over, also where the program has been paused by then:
 //! it stands before it does anything.
 //!

@@ -51,6 +51,7 @@ impl Run<'_> {
     fn read_on(&mut self) {
         let Some(mut state) = self.at_block.take().map(|state| *state) else { return };
         state.evidence = crate::Evidence::default();
+        state.outside.answers_at_once();
         let control = self.control.clone();
         let mut ahead = Run {
             scenario: self.scenario,
@@ -77,6 +78,8 @@ impl Run<'_> {
         self.state.modes = ahead.modes;
         self.state.modes.controller_mode = controller_mode;
         self.state.parameters = ahead.parameters;
+        // Local ones are those of the calls in progress.
+        self.state.frames = ahead.frames;
         self.state.position = self.state.modes.program_point(machine);
     }
 }

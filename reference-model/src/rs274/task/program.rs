@@ -140,7 +140,9 @@ impl Run<'_> {
                 control::assign(settings, &mut self.state)?;
             }
             let to_position = phase == Phase::OffsetData && step::positions::moves(words);
-            if phase == Phase::Motion || to_position {
+            let change = &self.state.machine.tool_change;
+            let to_change = phase == Phase::ChangeTool && (change.at_g30 || change.quill_up);
+            if phase == Phase::Motion || to_position || to_change {
                 self.may_move(phase, words)?;
             } else if phase == Phase::Dwell {
                 self.stand_in_dwell()?;

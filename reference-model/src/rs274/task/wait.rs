@@ -171,6 +171,7 @@ impl Run<'_> {
         let mut state = self.state.clone();
         let mut record = Record::new(&state);
         let moved = order::execute(phase, words, &mut state, &mut record);
-        moved.is_ok() && record.effects() > 0
+        moved.is_ok()
+            && if phase == Phase::ChangeTool { record.has_moved() } else { record.effects() > 0 }
     }
 }
