@@ -116,10 +116,12 @@ impl Packer {
         if cursor.peek() == b'%' && is_percent(line) {
             return Taken::Percent;
         }
-        if cursor.take(b'/') && self.block_delete && !planted(Fault::NothingDeleted) {
+        let slash = cursor.take(b'/');
+        if slash && self.block_delete && !planted(Fault::NothingDeleted) {
             return Taken::Nothing;
         }
-        if cursor.is_at_end() {
+        let alone = cursor.is_at_end();
+        if alone && !(slash && self.comments_told) {
             return Taken::Nothing;
         }
         let first = u32::try_from(into.ops.len()).unwrap_or(NONE);
@@ -129,7 +131,7 @@ impl Packer {
             end: first,
             kind: Kind::Plain,
             comment: NONE,
-            bare: false,
+            bare: alone,
             refused: NONE,
             offset: place.offset,
         };

@@ -311,8 +311,10 @@ impl<M: Machine> Task<M> {
         self.read_ahead(source);
         self.desk.take_abort();
         self.desk.forget_waiting();
+        self.desk.take_over();
         self.desk.rest();
         self.interpreter.abort(&mut self.desk);
+        self.desk.renew_pins();
         self.interpreter.set_controller_mode(self.desk.mode);
         Activity::Ended(End::Aborted)
     }

@@ -77,6 +77,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
     ("parameters.spindle-on-at-zero", &["commanded", "turning"]),
     ("path-control.negative-tolerance", &["refused", "left-out"]),
     ("pause.cycle-start", &["refused", "goes-on"]),
+    ("pause.during-dwell", &["goes-on", "stands-still"]),
     ("pause.pallet-codes", &["sections", "table"]),
     ("positions.rotated-axes", &["machine", "program"]),
     ("probe.standing-spindle", &["accepted", "refused"]),

@@ -168,13 +168,17 @@ impl Control {
     }
 
     /// Choice control.ended-label: the first block of a loop that has ended, where its label is followed all the same.
+    ///
+    /// Choice control.do-label: where every while goes back to the first do, so does one without a do of its own.
     fn followed(&self, label: &str, head: Keyword, state: &State) -> Option<u32> {
         let ended = state.frame().ended_loops.get(label) == Some(&head);
-        let followed = ended && state.readings.is("control.ended-label", "followed");
+        let to_first = head == Keyword::Do && state.readings.is("control.do-label", "first");
+        let followed = ended && (to_first || state.readings.is("control.ended-label", "followed"));
         let earlier = |definition: &&Definition| {
             definition.keyword == head && definition.line < self.place.line
         };
-        let first = self.definitions(label).iter().rfind(earlier)?;
+        let mut earlier = self.definitions(label).iter().filter(earlier);
+        let first = if to_first { earlier.next() } else { earlier.next_back() }?;
         followed.then_some(first.line)
     }
 

@@ -120,6 +120,10 @@ struct Run<'a> {
     by_hand: bool,
     /// Whether this run only reads ahead of another one: nothing waits, and nobody asks for anything.
     ahead: bool,
+    /// Whether the operator has asked for a pause that the program has not come to stand at.
+    pause_asked: bool,
+    /// The state when the block that is executed began, where somebody may abort it.
+    at_block: Option<Box<State>>,
     /// Whether the block that is executed waits for what the machine answers.
     waits_for_machine: bool,
     /// The modes in force at the last motion, or before the first block; none where that motion was in a sub.
@@ -140,6 +144,8 @@ impl<'a> Run<'a> {
             entries,
             by_hand: false,
             ahead: false,
+            pause_asked: false,
+            at_block: None,
             waits_for_machine: false,
             at_last_motion,
         }
@@ -153,10 +159,9 @@ impl<'a> Run<'a> {
         };
         loop {
             let stands_idle = match &end {
-                End::ProgramEnd | End::PercentEnd | End::Aborted => true,
-                // A program that waits has no event left; the others are over for good.
-                End::Paused
-                | End::Endless
+                // A program that pauses has no event left; what is entered by hand stands idle.
+                End::ProgramEnd | End::PercentEnd | End::Aborted | End::Paused => true,
+                End::Endless
                 | End::Fault(_)
                 | End::BudgetExhausted { .. }
                 | End::Unsupported { .. }
@@ -165,7 +170,7 @@ impl<'a> Run<'a> {
             if !stands_idle {
                 return end;
             }
-            match self.idle(end == End::Aborted) {
+            match self.idle(&mut end) {
                 Ok(idle::Then::Nothing) => return end,
                 Ok(idle::Then::Begin) => end = self.program(),
                 Err(halt) => return self.halted(halt),
