@@ -268,6 +268,7 @@ impl<M: Machine> Task<M> {
             Ok(_) | Err(_) => false,
         };
         if is_over {
+            self.desk.within = false;
             self.desk.rest();
             return Ok(Activity::Entered);
         }
