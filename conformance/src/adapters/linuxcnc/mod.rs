@@ -28,7 +28,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::time::Duration;
 
-use gaugeblock_trace::scenario::Start;
+use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::Value;
 
@@ -174,6 +174,12 @@ impl Adapter for LinuxCnc {
         if source.has_g_code(&["g93"]) {
             shows.fields.remove("feed_rate");
             shows.fields_at_effects.remove("feed_rate");
+        }
+        // The pins of a spindle at its angle say what an abort does with it, its commands do not.
+        let aborts = scenario.operator.iter().any(|event| event.action == Action::Abort);
+        if aborts && source.has_g_code(&["m19"]) {
+            shows.fields.remove("spindle");
+            shows.fields_at_effects.remove("spindle");
         }
         if has(&source, "g96") {
             for pin in [Pin::SpindleSpeed(0), Pin::SpindleBrake(0)] {

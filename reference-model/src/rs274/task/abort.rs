@@ -24,7 +24,7 @@ impl Run<'_> {
         }
         self.switch_off();
         if let Some(modes) = &self.at_last_motion {
-            quirks::modes_of_last_motion(modes, &mut self.state);
+            quirks::modes_of_last_motion(modes, self.has_moved, &mut self.state);
             self.switch_off();
         }
     }
@@ -66,6 +66,7 @@ impl Run<'_> {
             at_block: None,
             waits_for_machine: false,
             at_last_motion: self.at_last_motion.clone(),
+            has_moved: self.has_moved,
         };
         let _how_far: End = ahead.program();
         self.take_over(ahead.state);

@@ -128,6 +128,8 @@ struct Run<'a> {
     waits_for_machine: bool,
     /// The modes in force at the last motion, or before the first block; none where that motion was in a sub.
     at_last_motion: Option<Modes>,
+    /// Whether anything has moved.
+    has_moved: bool,
 }
 
 impl<'a> Run<'a> {
@@ -148,6 +150,7 @@ impl<'a> Run<'a> {
             at_block: None,
             waits_for_machine: false,
             at_last_motion,
+            has_moved: false,
         }
     }
 

@@ -167,6 +167,7 @@ impl Run<'_> {
             if phase == Phase::Motion && refused.is_none() {
                 let in_main = self.state.call_level() == 0;
                 self.at_last_motion = in_main.then(|| self.state.modes.clone());
+                self.has_moved = true;
             }
             self.show(Some(phase));
             if rest == Rest::Drop {
