@@ -18,7 +18,7 @@ use crate::limits::Limits;
 use crate::modal::Modal;
 use crate::parameters::{NameId, Named, Numbered};
 use crate::source::Source;
-use crate::syntax::packed::Block;
+use crate::syntax::packed::{Block, Kind};
 use crate::syntax::{Choices, Packer, Segment};
 use crate::words::Words;
 
@@ -66,6 +66,8 @@ pub struct Interpreter {
     pub(crate) cursor: Cursor,
     /// Whether the line in the first segment has been read but not executed.
     pub(crate) held: bool,
+    /// Whether the next block is one that a search for a branch has led to.
+    pub(crate) landed: bool,
     /// Whether the main program begins with a percent line; not known before its first line.
     pub(crate) percent: Option<bool>,
     /// Whether the percent line was come by that ends the main program, perhaps ahead of what is executed.
@@ -144,6 +146,7 @@ impl Interpreter {
             files: vec![Program::MAIN.into()],
             cursor: Cursor::MAIN,
             held: false,
+            landed: false,
             percent: None,
             percent_closed: false,
             generation: 0,
@@ -266,6 +269,7 @@ impl Interpreter {
         self.files.truncate(1);
         self.cursor = Cursor::MAIN;
         self.held = false;
+        self.landed = false;
         self.percent = None;
         self.scopes = Scopes::new();
         self.subs.clear();
@@ -289,6 +293,7 @@ impl Interpreter {
             self.leave_calls();
             self.modal.begin();
         }
+        self.landed = false;
         self.ended = None;
     }
 
@@ -331,7 +336,7 @@ impl Interpreter {
             }
         }
         let at = self.cursor;
-        let line = self.block_at(at)?.line;
+        let line = self.block_at(at).filter(|block| block.kind != Kind::Percent)?.line;
         let file = segment(&self.segments, at.segment).map_or(0, |code| code.file);
         let file = usize::try_from(file).ok().and_then(|file| self.files.get(file));
         Some((file.map_or(Program::MAIN, |file| file), line))
@@ -352,11 +357,8 @@ impl Interpreter {
         if !self.packer.items_enabled {
             return;
         }
-        for name in names {
-            let Ok(place) = u16::try_from(self.parameters.items.len()) else { return };
-            self.packer.items.insert(name, place);
-            self.parameters.items.push(0.0);
-        }
+        self.packer.items.extend(names);
+        self.parameters.items.resize(self.packer.items.len(), 0.0);
     }
 
     /// Puts the values of HAL items, in the order in which they were declared.

@@ -65,7 +65,9 @@ impl<T> ByName<T> {
                 0 => return Some((slot, self.entries.len())),
                 taken => {
                     let place = taken as usize - 1;
-                    if self.entries[place].0 == name {
+                    // Most often it is the very text that the entry was made with.
+                    let known = self.entries[place].0;
+                    if std::ptr::eq(known, name) || known == name {
                         return Some((slot, place));
                     }
                 }

@@ -188,9 +188,10 @@ impl Walk<'_> {
         found: &[Entry],
         shown: &BTreeSet<String>,
     ) -> Option<Divergence> {
-        for entry in expected {
-            let other =
-                found.iter().find(|other| other.field == entry.field && other.index == entry.index);
+        for (place, entry) in expected.iter().enumerate() {
+            let fits = |other: &&Entry| other.field == entry.field && other.index == entry.index;
+            // Most fields stand at the same place on both sides.
+            let other = found.get(place).filter(fits).or_else(|| found.iter().find(fits));
             let (true, Some(other)) = (shown.contains(entry.field), other) else {
                 self.comparison.masked.insert(entry.field.to_owned());
                 continue;

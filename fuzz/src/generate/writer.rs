@@ -219,7 +219,7 @@ fn chosen_rows(dice: &mut Dice<'_>, recipe: &Recipe) -> Vec<&'static Row> {
         return TABLE.iter().copied().flatten().filter(named).collect();
     }
     let later = dice.chance(recipe.later_programs);
-    let mut kinds = Vec::new();
+    let mut is_chosen = [false; Kind::ALL.len()];
     let single = dice.chance(recipe.single_kind_programs).then(|| {
         let kinds: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| !kind.is_later()).collect();
         *dice.pick(&kinds)
@@ -230,11 +230,11 @@ fn chosen_rows(dice: &mut Dice<'_>, recipe: &Recipe) -> Vec<&'static Row> {
             None => dice.chance(if kind.is_later() { 40 } else { 70 }),
         };
         if wanted && (later || !kind.is_later()) {
-            kinds.push(*kind);
+            is_chosen[*kind as usize] = true;
         }
     }
     let mut rows: Vec<&Row> =
-        TABLE.iter().copied().flatten().filter(|row| kinds.contains(&row.kind)).collect();
+        TABLE.iter().copied().flatten().filter(|row| is_chosen[row.kind as usize]).collect();
     if rows.is_empty() {
         rows = TABLE.iter().copied().flatten().filter(|row| row.kind == Kind::Motion).collect();
     }

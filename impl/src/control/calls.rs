@@ -8,7 +8,7 @@ use crate::control::{Cursor, Frame, FrameKind, PROGRAMS, STREAM};
 use crate::done::Executed;
 use crate::error::Error;
 use crate::faults::{Fault, planted};
-use crate::interpret::{Interpreter, Progress};
+use crate::interpret::{Interpreter, Progress, segment};
 use crate::math;
 use crate::modal::Refusal;
 use crate::parameters::NameId;
@@ -308,6 +308,13 @@ impl Interpreter {
         let mixed = "this number is that of a sub, which an o-word calls";
         if self.segment_of(label).is_some() {
             return refuse(FaultKind::MixedStyles, mixed);
+        }
+        // Numbered programs are looked for in the main program alone, and it must follow the call in its file.
+        if segment(&self.segments, at.segment).is_some_and(|code| code.file != 0) {
+            return refuse(
+                FaultKind::UnknownSub,
+                "no numbered program follows this call in its file",
+            );
         }
         let call = LinePlace { line: block.line, offset: block.offset };
         if !self.gather_programs((at.segment != STREAM).then_some(call), source)? {

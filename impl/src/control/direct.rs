@@ -56,16 +56,17 @@ impl Interpreter {
             }
         }
         self.parameters.line = line;
-        let first = self.packer.choices.settings_first;
-        if first || self.words.is_empty() {
+        let empty = self.words.is_empty();
+        let first = empty || self.packer.choices.settings_first;
+        if first {
             self.calculator.apply(&mut self.parameters);
         }
-        let flow = if self.words.is_empty() {
+        let flow = if empty {
             Ok(Flow::More)
         } else {
             self.modal.execute(&self.words, &mut self.parameters.numbered, sink)
         };
-        if !first && !self.words.is_empty() && flow.is_ok() {
+        if !first && flow.is_ok() {
             self.calculator.apply(&mut self.parameters);
         }
         match flow {

@@ -89,11 +89,24 @@ impl Interpreter {
         label: NameId,
         source: &mut S,
     ) -> Result<(), Halt> {
+        let landed = core::mem::take(&mut self.landed);
         match oword.keyword {
             Keyword::If => self.begin_if(at, block, oword, label, source),
+            Keyword::ElseIf if landed => {
+                if self.condition(at, block, oword)? {
+                    return Ok(());
+                }
+                self.next_branch(at, block, label, source)
+            }
+            Keyword::Else if landed && planted(Fault::ElseSkipped) => {
+                self.next_branch(at, block, label, source)
+            }
+            Keyword::Else if landed => Ok(()),
             Keyword::ElseIf | Keyword::Else => {
                 self.pointed(label, |keyword| keyword == Keyword::If)?;
-                self.leave(at, block, label, |keyword| keyword == Keyword::EndIf, source)
+                let end = Wanted { label, accept: |keyword| keyword == Keyword::EndIf };
+                self.seek(at, block.line, end, source)?;
+                Ok(())
             }
             Keyword::EndIf => {
                 self.pointed(label, |keyword| keyword == Keyword::If)?.ended = true;
@@ -246,41 +259,24 @@ impl Interpreter {
         if holds {
             return Ok(());
         }
+        self.next_branch(at, block, label, source)
+    }
+
+    /// Goes to the next branch of a condition, which is executed as one that was searched for: an elseif is asked, an else is taken.
+    fn next_branch<S: Source>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<(), Halt> {
         let branch = |keyword| matches!(keyword, Keyword::ElseIf | Keyword::Else | Keyword::EndIf);
-        let mut from = at;
-        loop {
-            let wanted = Wanted { label, accept: branch };
-            let (found, branch) = self.seek(from, block.line, wanted, source)?;
-            from = self.cursor;
-            if branch.keyword == Keyword::EndIf
-                && let Some(definition) = self.scopes.find(label)
-            {
-                definition.ended = true;
-            }
-            let asked = branch.keyword == Keyword::ElseIf && found.refused == NONE;
-            if branch.keyword == Keyword::Else && planted(Fault::ElseSkipped) {
-                continue;
-            }
-            if !asked || self.branch_holds(from, &found, branch)? {
-                self.pass(&found);
-                return Ok(());
-            }
-        }
+        self.seek(at, block.line, Wanted { label, accept: branch }, source)?;
+        self.landed = true;
+        Ok(())
     }
 
-    /// Evaluates the condition of an elseif that a search has come to; its faults are its own.
-    fn branch_holds(&mut self, at: Cursor, block: &Block, oword: OWord) -> Result<bool, Halt> {
-        self.parameters.line = block.line;
-        self.held = false;
-        match self.condition(at, block, oword) {
-            Err(Refusal::Fault(kind, message)) => {
-                Err(self.fault(at.segment, block.line, kind, message, None).into())
-            }
-            result => Ok(result?),
-        }
-    }
-
-    /// Leaves a structure: goes behind the block that ends it.
+    /// Leaves a loop: goes behind the block that ends it.
     pub(crate) fn leave<S: Source>(
         &mut self,
         at: Cursor,
@@ -289,13 +285,9 @@ impl Interpreter {
         accept: fn(Keyword) -> bool,
         source: &mut S,
     ) -> Result<(), Halt> {
-        let (found, end) = self.seek(at, block.line, Wanted { label, accept }, source)?;
-        if end.keyword == Keyword::EndIf {
-            self.pass(&found);
-        } else {
-            // The end of a loop is not executed by who goes behind it, so that nothing in it is refused.
-            self.pass_behind();
-        }
+        self.seek(at, block.line, Wanted { label, accept }, source)?;
+        // The end of a loop is not executed by who goes behind it, so that nothing in it is refused.
+        self.pass_behind();
         if let Some(definition) = self.scopes.find(label) {
             definition.ended = true;
         }

@@ -36,28 +36,57 @@ impl Values<'_> {
         self.value(text, self.packer.bracket_depth)
     }
 
-    /// A value.
+    /// A value. Most are numbers and parameters, which need no more than a call.
+    #[inline]
     fn value<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
+        match text {
+            [b'0'..=b'9' | b'.', ..] => number(text),
+            [b'#', b'<', name @ ..] => self.named(name),
+            [b'#', b'0'..=b'9', ..] => self.numbered(text.get(1..)?),
+            _ => self.other_value(text, depth),
+        }
+    }
+
+    /// The value of a named parameter, behind its left angle bracket.
+    #[inline(never)]
+    fn named<'t>(&self, text: &'t [u8]) -> Found<'t, f64> {
+        let (place, length) = self.packer.known(text)?;
+        Some((self.value_at(place)?, text.get(length..)?))
+    }
+
+    /// The value of a numbered parameter, behind its number sign.
+    #[inline(never)]
+    fn numbered<'t>(&self, text: &'t [u8]) -> Found<'t, f64> {
+        let (number, text) = parameter(text)?;
+        (!is_position(number)).then(|| (self.parameters.numbered.get(u32::from(number)), text))
+    }
+
+    /// The value of a parameter; none where it is not kept with the other ones.
+    #[inline]
+    fn value_at(&self, place: Place) -> Option<f64> {
+        match place {
+            Place::Numbered(number) if !is_position(number) => {
+                Some(self.parameters.numbered.get(u32::from(number)))
+            }
+            Place::Local(id) => self.parameters.named.local(id),
+            Place::Global(id) => self.parameters.named.global(id),
+            Place::Entry(value) => Some(value),
+            Place::Numbered(_)
+            | Place::Indirect
+            | Place::Mode(_)
+            | Place::Own(_)
+            | Place::Absent => None,
+        }
+    }
+
+    /// A value that is neither a number nor a parameter by number or name.
+    fn other_value<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
         let (first, behind) = text.split_first()?;
         match first {
             b'#' => {
                 let (place, text) = self.place(behind, depth)?;
-                let value = match place {
-                    Place::Numbered(number) if !is_position(number) => {
-                        self.parameters.numbered.get(u32::from(number))
-                    }
-                    Place::Local(id) => self.parameters.named.local(id)?,
-                    Place::Global(id) => self.parameters.named.global(id)?,
-                    Place::Entry(value) => value,
-                    Place::Numbered(_)
-                    | Place::Indirect
-                    | Place::Mode(_)
-                    | Place::Own(_)
-                    | Place::Absent => return None,
-                };
-                Some((value, text))
+                Some((self.value_at(place)?, text))
             }
-            b'0'..=b'9' | b'.' => number(text),
             b'[' => self.expression(behind, depth),
             b'-' => {
                 let (value, text) = self.signed(behind, depth)?;
@@ -94,8 +123,8 @@ impl Values<'_> {
                 Some((Place::Numbered(parameter_number(value).ok()?), text))
             }
             _ => {
-                let (number, text) = small_integer(text)?;
-                (1..=LAST).contains(&number).then_some((Place::Numbered(number), text))
+                let (number, text) = parameter(text)?;
+                Some((Place::Numbered(number), text))
             }
         }
     }
@@ -162,6 +191,12 @@ impl Values<'_> {
 fn number(text: &[u8]) -> Found<'_, f64> {
     let number = plain_number(text)?;
     Some((number.value(), text.get(number.length..)?))
+}
+
+/// The number of a parameter.
+#[inline]
+fn parameter(text: &[u8]) -> Found<'_, u16> {
+    small_integer(text).filter(|(number, _)| (1..=LAST).contains(number))
 }
 
 /// Up to four digits without a point, of which the first stands here.

@@ -59,13 +59,6 @@ impl Interpreter {
         self.fault(at.segment, line, FaultKind::UnknownLabel, message, None)
     }
 
-    /// Leaves the block that was found behind, unless it must be refused.
-    pub(crate) fn pass(&mut self, found: &Block) {
-        if found.refused == NONE {
-            self.pass_behind();
-        }
-    }
-
     /// Leaves the block that was found behind, whatever stands in it.
     pub(crate) fn pass_behind(&mut self) {
         self.held = false;

@@ -41,6 +41,17 @@ impl InPlane {
     }
 }
 
+/// What an arc has to do with one of its axes.
+struct Along {
+    /// Letter of the offset along it, and its bit.
+    offset: u8,
+    offset_word: u32,
+    /// The bit of the axis word.
+    axis_word: u32,
+    start: f64,
+    end: f64,
+}
+
 /// What the selected plane says about the words of an arc.
 struct ArcPlane {
     /// Letters of the offsets along the first and the second axis.
@@ -171,33 +182,24 @@ impl Modal {
     /// The plane of the arc; UV, WU and VW do not support arcs (11.5.18).
     #[inline]
     fn arc_plane(&self, start: &Coordinates) -> Result<ArcPlane, Refusal> {
-        let ([x, y, z, ..], [end_x, end_y, end_z, ..]) = (&start.0, &self.position.0);
-        let at = |first: &f64, second: &f64| InPlane { first: *first, second: *second };
-        Ok(match self.in_force.now().plane {
-            Plane::Xy => ArcPlane {
-                offsets: [b'I', b'J'],
-                offset_words: I | J,
-                axis_words: X | Y,
-                start: at(x, y),
-                end: at(end_x, end_y),
-            },
-            Plane::Zx => ArcPlane {
-                offsets: [b'K', b'I'],
-                offset_words: K | I,
-                axis_words: Z | X,
-                start: at(z, x),
-                end: at(end_z, end_x),
-            },
-            Plane::Yz => ArcPlane {
-                offsets: [b'J', b'K'],
-                offset_words: J | K,
-                axis_words: Y | Z,
-                start: at(y, z),
-                end: at(end_y, end_z),
-            },
+        let ([x, y, z, ..], [end_x, end_y, end_z, ..]) = (start.0, self.position.0);
+        let x = Along { offset: b'I', offset_word: I, axis_word: X, start: x, end: end_x };
+        let y = Along { offset: b'J', offset_word: J, axis_word: Y, start: y, end: end_y };
+        let z = Along { offset: b'K', offset_word: K, axis_word: Z, start: z, end: end_z };
+        let (first, second) = match self.in_force.now().plane {
+            Plane::Xy => (x, y),
+            Plane::Zx => (z, x),
+            Plane::Yz => (y, z),
             Plane::Uv | Plane::Wu | Plane::Vw => {
                 return refuse(FaultKind::ModalConflict, "an arc outside of XY, ZX and YZ");
             }
+        };
+        Ok(ArcPlane {
+            offsets: [first.offset, second.offset],
+            offset_words: first.offset_word | second.offset_word,
+            axis_words: first.axis_word | second.axis_word,
+            start: InPlane { first: first.start, second: second.start },
+            end: InPlane { first: first.end, second: second.end },
         })
     }
 

@@ -10,7 +10,6 @@ use crate::words::Words;
 use super::Modal;
 use super::check::Block;
 use super::codes::{MOTION, NON_MODAL};
-use super::coordinates::Coordinates;
 use super::motions::mode_of;
 use super::refusal::{Refusal, refuse};
 use super::values::not_negative;
@@ -111,17 +110,5 @@ impl Modal {
             return Err(Refusal::Unsupported("moves under cutter compensation".into()));
         }
         Ok(())
-    }
-
-    /// A straight traverse of a code's own.
-    pub(super) fn traverse_to<K: Sink>(
-        &mut self,
-        line: u32,
-        end: Coordinates,
-        sink: &mut K,
-    ) -> Result<(), Refusal> {
-        let start = core::mem::replace(&mut self.position, end);
-        let effect = Effect::StraightTraverse { end: end.position() };
-        self.perform_move(line, start, &effect, sink)
     }
 }

@@ -77,9 +77,28 @@ impl Modal {
         end: Coordinates,
         sink: &mut K,
     ) -> Result<(), Refusal> {
+        self.straight_to(line, end, &Effect::StraightFeed { end: end.position() }, sink)
+    }
+
+    /// A straight traverse of a code's own.
+    pub(super) fn traverse_to<K: Sink>(
+        &mut self,
+        line: u32,
+        end: Coordinates,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        self.straight_to(line, end, &Effect::StraightTraverse { end: end.position() }, sink)
+    }
+
+    fn straight_to<K: Sink>(
+        &mut self,
+        line: u32,
+        end: Coordinates,
+        effect: &Effect,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
         let start = core::mem::replace(&mut self.position, end);
-        let effect = Effect::StraightFeed { end: end.position() };
-        self.perform_move(line, start, &effect, sink)
+        self.perform_move(line, start, effect, sink)
     }
 
     /// The spindle of a set of one.

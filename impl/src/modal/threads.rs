@@ -1,6 +1,6 @@
 //! Moves in step with a spindle: G33 and G33.1 (11.5.22, 11.5.23).
 
-use gaugeblock_trace::{Axis, Effect, FaultKind, Machine, SpindleMode};
+use gaugeblock_trace::{Axis, Effect, FaultKind, Machine, Motion, SpindleMode};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
@@ -20,12 +20,7 @@ impl Modal {
         block: &Block<'_>,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        let spindle = self.turning_spindle(block)?;
-        let (line, end) = (block.words.line, self.polar_end_point(block.words)?);
-        let pitch = block.words.get(b'K').unwrap_or(0.0);
-        self.check_velocity(end, pitch, spindle)?;
-        self.motion = mode_of(330);
-        self.synchronise(line, spindle, pitch, sink)?;
+        let (line, end) = (block.words.line, self.begin_in_step(block, mode_of(330), sink)?);
         self.feed_to(line, end, sink)?;
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
     }
@@ -36,14 +31,25 @@ impl Modal {
         block: &Block<'_>,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        let spindle = self.turning_spindle(block)?;
-        let (line, end) = (block.words.line, self.polar_end_point(block.words)?);
-        let pitch = block.words.get(b'K').unwrap_or(0.0);
-        self.check_velocity(end, pitch, spindle)?;
-        self.motion = mode_of(331);
-        self.synchronise(line, spindle, pitch, sink)?;
+        let (line, end) = (block.words.line, self.begin_in_step(block, mode_of(331), sink)?);
         self.perform(line, &Effect::RigidTap { end: end.position() }, sink)?;
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
+    }
+
+    /// What both begin with: a spindle turns, and from here the feed is K per revolution. Where the move leads.
+    fn begin_in_step<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        motion: Motion,
+        sink: &mut K,
+    ) -> Result<Coordinates, Refusal> {
+        let spindle = self.turning_spindle(block)?;
+        let end = self.polar_end_point(block.words)?;
+        let pitch = block.words.get(b'K').unwrap_or(0.0);
+        self.check_velocity(end, pitch, spindle)?;
+        self.motion = motion;
+        self.synchronise(block.words.line, spindle, pitch, sink)?;
+        Ok(end)
     }
 
     /// Feed per revolution of a spindle from here.

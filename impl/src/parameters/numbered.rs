@@ -11,6 +11,8 @@ const COUNT: usize = 5603;
 const NOTES: usize = 64;
 /// Words of 64 bits that hold a bit for each parameter.
 const MARKS: usize = 88;
+/// So many of them are looked at together, since a block sets few parameters.
+const MARKS_TOGETHER: usize = 8;
 
 /// The numbered parameters. They start at zero.
 #[derive(Clone, Debug)]
@@ -18,6 +20,8 @@ pub(crate) struct Numbered {
     values: Box<[f64; COUNT]>,
     /// A bit for each parameter that was set since the marks were last taken.
     marks: [u64; MARKS],
+    /// A bit for each that was told of then.
+    told: [u64; MARKS],
     /// What a block has set, with the values before, while it can still be refused.
     notes: Vec<(u32, f64)>,
     /// Whether notes are taken.
@@ -30,6 +34,7 @@ impl Numbered {
         Self {
             values: Box::new([0.0; COUNT]),
             marks: [0; MARKS],
+            told: [0; MARKS],
             notes: Vec::with_capacity(NOTES),
             noting: false,
         }
@@ -89,25 +94,28 @@ impl Numbered {
 
     /// Tells each parameter that was set since the last time, in ascending order, and forgets that it was.
     pub(crate) fn take_changes(&mut self, mut tell: impl FnMut(u32, f64)) {
-        for (place, marks) in self.marks.iter_mut().enumerate() {
-            while *marks != 0 {
-                let bit = marks.trailing_zeros();
-                *marks &= marks.wrapping_sub(1);
-                let number = u32::try_from(place).unwrap_or(0).wrapping_shl(6) | bit;
-                let value = usize::try_from(number).ok().and_then(|at| self.values.get(at));
-                tell(number, value.copied().unwrap_or(0.0));
+        let groups = self.marks.chunks_mut(MARKS_TOGETHER);
+        let told = self.told.chunks_mut(MARKS_TOGETHER);
+        for ((first, group), told) in (0_u32..).step_by(MARKS_TOGETHER).zip(groups).zip(told) {
+            if group.iter().fold(0, |all, marks| all | marks) == 0 {
+                continue;
+            }
+            for ((word, marks), told) in (first..).zip(group).zip(told) {
+                *told |= *marks;
+                for number in numbers(word, core::mem::take(marks)) {
+                    tell(number, value_of(&*self.values, number));
+                }
             }
         }
     }
 
-    /// The parameters that are not zero, in ascending order. Most are, so that several are looked at together.
+    /// The parameters that are not zero, in ascending order: some of those that were ever set.
     pub(crate) fn not_zero(&self) -> impl Iterator<Item = (u32, f64)> {
-        const TOGETHER: usize = 64;
-        let any_bit = |values: &[f64]| values.iter().fold(0, |bits, value| bits | value.to_bits());
-        let groups = (0_u32..).step_by(TOGETHER).zip(self.values.chunks(TOGETHER));
-        groups
-            .filter(move |(_, values)| any_bit(values) != 0)
-            .flat_map(|(first, values)| (first..).zip(values.iter().copied()))
+        let marks = self.marks.iter().zip(&self.told).map(|(marks, told)| marks | told);
+        (0_u32..)
+            .zip(marks)
+            .flat_map(|(word, marks)| numbers(word, marks))
+            .map(|number| (number, value_of(&*self.values, number)))
             .filter(|(_, value)| *value != 0.0)
     }
 
@@ -125,4 +133,19 @@ impl Numbered {
             *marks |= 0x7fff_fffe;
         }
     }
+}
+
+/// The numbers of the parameters whose bits are set in a word of marks, in ascending order.
+fn numbers(word: u32, mut marks: u64) -> impl Iterator<Item = u32> {
+    core::iter::from_fn(move || {
+        let bit = marks.trailing_zeros();
+        (marks != 0).then(|| {
+            marks &= marks.wrapping_sub(1);
+            word.wrapping_shl(6) | bit
+        })
+    })
+}
+
+fn value_of(values: &[f64], number: u32) -> f64 {
+    usize::try_from(number).ok().and_then(|at| values.get(at)).copied().unwrap_or(0.0)
 }

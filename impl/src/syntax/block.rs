@@ -44,8 +44,8 @@ pub(crate) struct Packer {
     pub(crate) labels: Names,
     /// Entries of the INI file that can be read.
     pub(crate) ini: BTreeMap<String, f64>,
-    /// HAL items that can be read: their places among the values.
-    pub(crate) items: BTreeMap<String, u16>,
+    /// HAL items that can be read, in the order of their values. A program reads few of them, and looks each up once.
+    pub(crate) items: Vec<String>,
     /// Whether HAL items can be read.
     pub(crate) items_enabled: bool,
     /// Readings of the documents.
@@ -92,7 +92,7 @@ impl Packer {
             } else {
                 BTreeMap::new()
             },
-            items: BTreeMap::new(),
+            items: Vec::new(),
             items_enabled: enables(machine, "[RS274NGC]HAL_PIN_VARS"),
             choices,
             block_delete: false,
@@ -116,10 +116,12 @@ impl Packer {
         if cursor.peek() == b'%' && is_percent(line) {
             return Taken::Percent;
         }
-        if cursor.take(b'/') && self.block_delete && !planted(Fault::NothingDeleted) {
+        let slash = cursor.take(b'/');
+        if slash && self.block_delete && !planted(Fault::NothingDeleted) {
             return Taken::Nothing;
         }
-        if cursor.is_at_end() {
+        let alone = cursor.is_at_end();
+        if alone && !(slash && self.comments_told) {
             return Taken::Nothing;
         }
         let first = u32::try_from(into.ops.len()).unwrap_or(NONE);
@@ -129,7 +131,7 @@ impl Packer {
             end: first,
             kind: Kind::Plain,
             comment: NONE,
-            bare: false,
+            bare: alone,
             refused: NONE,
             offset: place.offset,
         };

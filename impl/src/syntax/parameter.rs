@@ -171,7 +171,7 @@ impl Packer {
     }
 
     /// Where a named parameter lies whose short name stands at the beginning of a text and is known, and the length of the name with its bracket.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn known(&self, text: &[u8]) -> Option<(Place, usize)> {
         let (id, length) = self.names.find_short(text)?;
         let place = usize::try_from(id).ok().and_then(|id| self.places.get(id)).copied()?;
@@ -190,8 +190,8 @@ impl Packer {
                 return self.ini.get(&entry).map_or(Place::Absent, |value| Place::Entry(*value));
             }
         } else if let Some(item) = name.strip_prefix("_hal[") {
-            let item = item.strip_suffix(']').and_then(|item| self.items.get(item));
-            return item.map_or(Place::Absent, |place| Place::Own(Own::Item(*place)));
+            let place = item.strip_suffix(']').and_then(|item| self.place_of_item(item));
+            return place.map_or(Place::Absent, |place| Place::Own(Own::Item(place)));
         }
         if let Some(own) = Own::from_name(name) {
             return Place::Own(own);
@@ -200,6 +200,12 @@ impl Packer {
             Some(name) => Place::Mode(name),
             None => Place::Global(id),
         }
+    }
+
+    /// The place of a HAL item that has been declared.
+    fn place_of_item(&self, name: &str) -> Option<u16> {
+        let place = self.items.iter().position(|item| item == name)?;
+        u16::try_from(place).ok()
     }
 }
 

@@ -15,6 +15,8 @@ pub(super) struct Choices {
     pub(super) at_once_replaces: bool,
     /// `pause.cycle-start`: cycle start goes on after M0 and M1.
     pub(super) cycle_start_goes_on: bool,
+    /// `pause.during-dwell`: a dwell of a program that is paused stands still.
+    pub(super) dwell_stands: bool,
     /// `task.mdi-in-manual`: a block by hand in manual mode is executed.
     pub(super) enters_in_manual: bool,
 }
@@ -33,6 +35,7 @@ impl Choices {
             brake_while_locked: second("orient.brake-otherwise", "while-standing", "while-locked")?,
             at_once_replaces: second("outputs.at-once-over-waiting", "kept", "replaces")?,
             cycle_start_goes_on: second("pause.cycle-start", "refused", "goes-on")?,
+            dwell_stands: second("pause.during-dwell", "goes-on", "stands-still")?,
             enters_in_manual: second("task.mdi-in-manual", "refused", "executed")?,
         })
     }

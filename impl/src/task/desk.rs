@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{ControllerMode, Pin, Position};
+use gaugeblock_trace::{ControllerMode, Pin, Position, Settings};
 
 use crate::error::Error;
 use crate::interpret::Interpreter;
@@ -94,6 +94,10 @@ pub(super) struct Desk<M> {
     pub(super) line: u32,
     /// What is read now was never to be executed.
     pub(super) ahead: bool,
+    /// What it has set.
+    pub(super) set_ahead: Settings,
+    /// What was broken off waits for the machine: nothing behind it has been read.
+    pub(super) awaited: bool,
     /// Where the controlled point was after the last block, machine coordinates; kept where something can be read ahead.
     pub(super) stands: Position,
 }
@@ -124,6 +128,8 @@ impl<M: Machine> Desk<M> {
             within: false,
             line: 0,
             ahead: false,
+            set_ahead: Settings::default(),
+            awaited: false,
             stands: interpreter.machine_point(),
         };
         // What they are before anything runs is no change.
@@ -188,6 +194,7 @@ impl<M: Machine> Desk<M> {
         self.pause = None;
         self.broken = None;
         self.ahead = false;
+        self.awaited = false;
         self.synchronised = false;
         self.pallets = false;
         self.level = 0;
@@ -235,10 +242,20 @@ impl<M: Machine> Desk<M> {
 
     /// After an abort: where the point stands, if the interpreter shall read ahead.
     pub(super) fn reads_ahead(&mut self) -> Option<Position> {
-        if self.choices.read_on && self.doing == Doing::Program {
+        if self.choices.read_on && self.doing == Doing::Program && !self.awaited {
             self.ahead = true;
             return Some(self.stands);
         }
         None
+    }
+
+    /// What was set by reading ahead is in force now, although nothing was executed.
+    pub(super) fn take_over(&mut self) {
+        self.ahead = false;
+        let set = core::mem::take(&mut self.set_ahead);
+        if set != Settings::default() {
+            self.followed.set(&set);
+            self.machine.set(self.line, &set);
+        }
     }
 }

@@ -33,7 +33,7 @@ impl<M: Machine> Desk<M> {
     }
 
     /// What is answered to an effect that was broken off; where the interpreter reads ahead it goes on, but for what waits for the machine.
-    fn broken_off(&mut self) -> Reply {
+    pub(super) fn broken_off(&mut self) -> Reply {
         if self.broken == Some(Break::Abort) && self.choices.read_on && self.doing == Doing::Program
         {
             self.ahead = true;
@@ -92,8 +92,15 @@ impl<M: Machine> Desk<M> {
         match self.wait_for(work, None) {
             Ok(Reply::Done) => reply,
             Ok(other) => other,
-            Err(Broken) => Reply::Broken,
+            Err(Broken) if work == Work::ToolChange => self.broken_waiting(),
+            Err(Broken) => self.broken_off(),
         }
+    }
+
+    /// What is answered to an effect for whose outcome the interpreter waits (9.6.17.4), where it was broken off.
+    pub(super) fn broken_waiting(&mut self) -> Reply {
+        self.awaited = true;
+        Reply::Broken
     }
 
     /// An effect that is no motion.
@@ -101,6 +108,9 @@ impl<M: Machine> Desk<M> {
     fn perform_still(&mut self, effect: &Effect) -> Reply {
         match effect {
             Effect::Dwell { seconds } => {
+                if self.stand_in_dwell().is_err() {
+                    return self.broken_off();
+                }
                 let reply = self.machine.perform(self.line, effect);
                 match self.pass(*seconds) {
                     Ok(()) => reply,
@@ -154,11 +164,9 @@ impl<M: Machine> Desk<M> {
     #[expect(clippy::wildcard_enum_match_arm, reason = "only these wait for the machine")]
     fn pass_over(effect: &Effect) -> Reply {
         match effect {
-            Effect::WaitInput { .. }
-            | Effect::StraightProbe { .. }
-            | Effect::ChangeTool { .. }
-            | Effect::WaitOrient { .. }
-            | Effect::UserCode { .. } => Reply::Broken,
+            Effect::WaitInput { .. } | Effect::StraightProbe { .. } | Effect::ChangeTool { .. } => {
+                Reply::Broken
+            }
             _ => Reply::Done,
         }
     }
@@ -175,6 +183,7 @@ impl<M: Machine> Desk<M> {
 impl<M: Machine> Sink for Desk<M> {
     fn set(&mut self, line: u32, changed: &Settings) {
         if self.ahead {
+            self.set_ahead.overlay(changed);
             return;
         }
         self.line = line;
@@ -200,7 +209,9 @@ impl<M: Machine> Sink for Desk<M> {
             return Reply::Broken;
         }
         self.line = line;
-        self.move_(Motion::Feed, |machine| machine.probe(line, effect, probing))
+        let reply = self.move_(Motion::Feed, |machine| machine.probe(line, effect, probing));
+        self.awaited = self.broken.is_some();
+        if self.awaited { Reply::Broken } else { reply }
     }
 
     fn block_begun(&mut self, begun: &BlockBegun<'_>) {

@@ -1,7 +1,6 @@
 //! HAL items that a program can read (11.4.3.7): the inputs and pins of the machine, under the manual's names (5.6.1.2, 5.6.2.1, 5.6.4.1).
 
-use alloc::format;
-use alloc::string::String;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use gaugeblock_trace::{Machine, Pin};
@@ -43,8 +42,8 @@ pub(super) fn pins(machine: &Machine) -> impl Iterator<Item = Pin> {
 
 fn input_name(input: Input) -> String {
     match input {
-        Input::Digital(number) => format!("motion.digital-in-{number:02}"),
-        Input::Analog(number) => format!("motion.analog-in-{number:02}"),
+        Input::Digital(number) => with_number("motion.digital-in-", number),
+        Input::Analog(number) => with_number("motion.analog-in-", number),
         Input::AdaptiveFeed => "motion.adaptive-feed".into(),
         Input::FeedHold => "motion.feed-hold".into(),
     }
@@ -52,18 +51,28 @@ fn input_name(input: Input) -> String {
 
 fn pin_name(pin: Pin) -> String {
     match pin {
-        Pin::DigitalOut(number) => format!("motion.digital-out-{number:02}"),
-        Pin::AnalogOut(number) => format!("motion.analog-out-{number:02}"),
-        Pin::SpindleOn(spindle) => format!("spindle.{spindle}.on"),
-        Pin::SpindleForward(spindle) => format!("spindle.{spindle}.forward"),
-        Pin::SpindleReverse(spindle) => format!("spindle.{spindle}.reverse"),
-        Pin::SpindleSpeed(spindle) => format!("spindle.{spindle}.speed-out"),
-        Pin::SpindleBrake(spindle) => format!("spindle.{spindle}.brake"),
-        Pin::SpindleLocked(spindle) => format!("spindle.{spindle}.locked"),
-        Pin::SpindleOrient(spindle) => format!("spindle.{spindle}.orient"),
-        Pin::SpindleOrientAngle(spindle) => format!("spindle.{spindle}.orient-angle"),
-        Pin::SpindleOrientMode(spindle) => format!("spindle.{spindle}.orient-mode"),
+        Pin::DigitalOut(number) => with_number("motion.digital-out-", number),
+        Pin::AnalogOut(number) => with_number("motion.analog-out-", number),
+        Pin::SpindleOn(spindle) => of_spindle(spindle, ".on"),
+        Pin::SpindleForward(spindle) => of_spindle(spindle, ".forward"),
+        Pin::SpindleReverse(spindle) => of_spindle(spindle, ".reverse"),
+        Pin::SpindleSpeed(spindle) => of_spindle(spindle, ".speed-out"),
+        Pin::SpindleBrake(spindle) => of_spindle(spindle, ".brake"),
+        Pin::SpindleLocked(spindle) => of_spindle(spindle, ".locked"),
+        Pin::SpindleOrient(spindle) => of_spindle(spindle, ".orient"),
+        Pin::SpindleOrientAngle(spindle) => of_spindle(spindle, ".orient-angle"),
+        Pin::SpindleOrientMode(spindle) => of_spindle(spindle, ".orient-mode"),
         Pin::CoolantMist => "iocontrol.0.coolant-mist".into(),
         Pin::CoolantFlood => "iocontrol.0.coolant-flood".into(),
     }
+}
+
+/// A name that ends in a number of two digits at least.
+fn with_number(name: &str, number: u16) -> String {
+    let zero = if number < 10 { "0" } else { "" };
+    [name, zero, &number.to_string()].concat()
+}
+
+fn of_spindle(spindle: u16, pin: &str) -> String {
+    ["spindle.", &spindle.to_string(), pin].concat()
 }

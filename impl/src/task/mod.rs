@@ -268,6 +268,7 @@ impl<M: Machine> Task<M> {
             Ok(_) | Err(_) => false,
         };
         if is_over {
+            self.desk.within = false;
             self.desk.rest();
             return Ok(Activity::Entered);
         }
@@ -311,8 +312,10 @@ impl<M: Machine> Task<M> {
         self.read_ahead(source);
         self.desk.take_abort();
         self.desk.forget_waiting();
+        self.desk.take_over();
         self.desk.rest();
         self.interpreter.abort(&mut self.desk);
+        self.desk.renew_pins();
         self.interpreter.set_controller_mode(self.desk.mode);
         Activity::Ended(End::Aborted)
     }

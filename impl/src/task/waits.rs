@@ -42,19 +42,21 @@ impl<M: Machine> Desk<M> {
         }
     }
 
-    /// Before a block: answers what was asked since the last one, and waits while the program is paused.
+    /// Before a block: answers what was asked by now, and waits while the program is paused.
     pub(super) fn may_go_on(&mut self) -> Result<(), Broken> {
         self.within = false;
-        while let Some(action) = self.machine.asked() {
-            self.asked(action);
-            if self.broken.is_some() {
-                return Err(Broken);
+        loop {
+            if let Some(action) = self.machine.asked() {
+                self.asked(action);
+                if self.broken.is_some() {
+                    return Err(Broken);
+                }
+            } else if self.pause.is_some() {
+                self.wait_to_go_on()?;
+            } else {
+                return Ok(());
             }
         }
-        while self.pause.is_some() {
-            self.wait_to_go_on()?;
-        }
-        Ok(())
     }
 
     /// Waits for something that lets the program or a move go on.
@@ -62,10 +64,22 @@ impl<M: Machine> Desk<M> {
         self.wake(None, Stuck::Paused).map(|_| ())
     }
 
-    /// Lets so many seconds go by.
+    /// Lets so many seconds of a dwell go by. Whether those of a pause are among them is a choice of the documents.
     pub(super) fn pass(&mut self, seconds: f64) -> Result<(), Broken> {
-        let until = self.machine.time() + seconds.max(0.0);
-        while self.wake(Some(until), Stuck::Waiting)? != Woken::InTime {}
+        let mut until = self.machine.time() + seconds.max(0.0);
+        while self.wake(Some(until), Stuck::Waiting)? != Woken::InTime {
+            let paused = self.machine.time();
+            self.stand_in_dwell()?;
+            until += self.machine.time() - paused;
+        }
+        Ok(())
+    }
+
+    /// A dwell of a paused program, where that makes it stand still.
+    pub(super) fn stand_in_dwell(&mut self) -> Result<(), Broken> {
+        while self.choices.dwell_stands && self.pause.is_some() {
+            self.wait_to_go_on()?;
+        }
         Ok(())
     }
 
@@ -95,7 +109,7 @@ impl<M: Machine> Desk<M> {
             }
             Ok(Reply::Stop) => Reply::Failed(FaultKind::Orient),
             Ok(other) => other,
-            Err(Broken) => Reply::Broken,
+            Err(Broken) => self.broken_off(),
         }
     }
 
@@ -127,7 +141,7 @@ impl<M: Machine> Desk<M> {
         let wanted = matches!(mode, WaitMode::High | WaitMode::Rise);
         loop {
             match self.wake(until, Stuck::Waiting) {
-                Err(Broken) => return Reply::Broken,
+                Err(Broken) => return self.broken_waiting(),
                 Ok(Woken::InTime) => {
                     let value = if planted(Fault::TimeoutReadsZero) { 0.0 } else { TIMED_OUT };
                     return self.read(value);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::{Machine, Position, Rs274State, Settings};
+use gaugeblock_trace::{Machine, Position, Rs274State, Settings, Shared};
 
 use super::control::Frame;
 use super::modes::Modes;
@@ -18,9 +18,9 @@ use crate::Evidence;
 #[derive(Clone, Debug)]
 pub struct State {
     /// How the documents are read.
-    pub readings: Readings,
+    pub readings: Shared<Readings>,
     /// The machine that it drives.
-    pub machine: Machine,
+    pub machine: Shared<Machine>,
     /// The mode in force of each modal group, with feed, speeds, coolant, overrides, offsets: all that M70 can save and more.
     pub modes: Modes,
     /// The controlled point in program coordinates: active length unit and degrees.
@@ -160,7 +160,7 @@ impl State {
         Self {
             modes: Modes::new(&machine, &readings),
             parameters: Parameters::new(&machine, &readings),
-            machine,
+            machine: machine.into(),
             position: Position::default(),
             tool: 0,
             known_tool: 0,
@@ -178,7 +178,7 @@ impl State {
             outside: Outside::new(&gaugeblock_trace::scenario::Bench::default(), 1, &readings),
             shown: None,
             evidence: Evidence::default(),
-            readings,
+            readings: readings.into(),
         }
     }
 }

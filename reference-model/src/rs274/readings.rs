@@ -3,7 +3,6 @@
 //! The sentences, sources and the programs that tell options apart are pages of the suite (`suite/choices`,
 //! `suite/quirks`); a test of the suite holds [`CHOICES`] and [`QUIRKS`] and those pages against each other.
 
-use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
@@ -78,6 +77,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
     ("parameters.spindle-on-at-zero", &["commanded", "turning"]),
     ("path-control.negative-tolerance", &["refused", "left-out"]),
     ("pause.cycle-start", &["refused", "goes-on"]),
+    ("pause.during-dwell", &["goes-on", "stands-still"]),
     ("pause.pallet-codes", &["sections", "table"]),
     ("positions.rotated-axes", &["machine", "program"]),
     ("probe.standing-spindle", &["accepted", "refused"]),
@@ -130,6 +130,7 @@ pub const QUIRKS: &[&str] = &[
     "linuxcnc.output-number-with-motion",
     "linuxcnc.speed-releases-brake",
     "linuxcnc.wait-mode-times-out",
+    "rs274.absolute-negative-zero",
     "rs274.additional-length-axes",
     "rs274.any-endsub",
     "rs274.arc-radius-tolerance",
@@ -154,12 +155,14 @@ pub const QUIRKS: &[&str] = &[
     "rs274.fanuc-zero-loops",
     "rs274.feed-lost-at-same-mode",
     "rs274.feed-mode-feed",
+    "rs274.feed-name-inverse-time",
     "rs274.feed-name-number",
     "rs274.feed-speed-rounded",
     "rs274.feed-unit",
     "rs274.feed-zero-at-end",
     "rs274.file-with-two-subs",
     "rs274.first-spindle-saved",
+    "rs274.g-code-tolerance",
     "rs274.hal-assignment",
     "rs274.io-number-rounded",
     "rs274.last-parameter",
@@ -170,6 +173,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.lone-return",
     "rs274.long-format",
     "rs274.machine-incremental",
+    "rs274.machine-rotary-offset",
     "rs274.machine-under-zero-radius",
     "rs274.machine-without-axes",
     "rs274.message-blanks",
@@ -178,6 +182,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.named-exists-early",
     "rs274.negative-dwell",
     "rs274.nine-levels",
+    "rs274.number-in-sub",
     "rs274.nurbs-weight",
     "rs274.off-not-restored",
     "rs274.orientation-too-large",
@@ -189,6 +194,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.override-any-p",
     "rs274.override-dollar",
     "rs274.override-restore",
+    "rs274.polar-needs-angle",
     "rs274.polar-plane",
     "rs274.position-move-in-place",
     "rs274.position-omitted-axes",
@@ -211,6 +217,8 @@ pub const QUIRKS: &[&str] = &[
     "rs274.semicolon-plain",
     "rs274.shared-p",
     "rs274.shorter-lines",
+    "rs274.skipped-is-read",
+    "rs274.skipped-labels",
     "rs274.speed-of-all-spindles",
     "rs274.speed-override-at-end",
     "rs274.speed-override-dollar",
@@ -218,6 +226,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.spindle-number-cut",
     "rs274.spline-not-modal",
     "rs274.sub-found-later",
+    "rs274.sub-reached-again",
     "rs274.surface-speed-restore",
     "rs274.surface-speed-while-stopped",
     "rs274.synchronised-feed-word",
@@ -247,29 +256,27 @@ pub const QUIRKS: &[&str] = &[
 enum Known {
     /// A choice: its place in [`CHOICES`], its options.
     Choice(usize, &'static [&'static str]),
-    /// A quirk.
-    Quirk,
+    /// A quirk: its id.
+    Quirk(&'static str),
 }
 
 /// Every choice and every quirk.
-struct Register {
-    /// In the order of their ids.
-    in_order: Vec<(&'static str, Known)>,
-    /// The place of each choice in [`CHOICES`].
-    places: ByName<usize>,
-}
-
-static REGISTER: LazyLock<Register> = LazyLock::new(|| {
-    let choices = CHOICES.iter().enumerate();
-    let choices = choices.map(|(place, (id, options))| (*id, Known::Choice(place, options)));
-    let mut in_order: Vec<_> = choices.chain(QUIRKS.iter().map(|id| (*id, Known::Quirk))).collect();
-    in_order.sort_unstable_by_key(|(id, _)| *id);
-    let mut places = ByName::default();
-    for (place, (id, _)) in CHOICES.iter().enumerate() {
-        *places.value(id) = place;
+static REGISTER: LazyLock<ByName<Option<Known>>> = LazyLock::new(|| {
+    let mut register = ByName::default();
+    for (place, (id, options)) in CHOICES.iter().enumerate() {
+        *register.value(id) = Some(Known::Choice(place, options));
     }
-    Register { in_order, places }
+    for id in QUIRKS {
+        *register.value(id) = Some(Known::Quirk(id));
+    }
+    register
 });
+
+/// What the model knows under an id, if anything.
+#[inline]
+fn known(id: &str) -> Option<Known> {
+    REGISTER.get(id).copied().flatten()
+}
 
 /// The options in force for a run.
 #[derive(Clone, Debug)]
@@ -295,29 +302,20 @@ impl Readings {
     /// An id or option that the model does not know, as a sentence.
     pub fn new(options: &Options) -> Result<Self, String> {
         let mut readings = Self::default();
-        // Both are in the order of ids.
-        let mut register = REGISTER.in_order.iter();
         for (id, option) in &options.0 {
-            let found = register.find_map(|(known, what)| match (*known).cmp(id.as_str()) {
-                Ordering::Less => None,
-                Ordering::Equal => Some(Some((*known, what))),
-                Ordering::Greater => Some(None),
-            });
-            let Some((id, known)) = found.flatten() else {
-                return Err(format!("there is no choice or quirk {id}"));
-            };
-            match (known, option.as_str()) {
-                (Known::Choice(place, options), option) => {
+            match (known(id), option.as_str()) {
+                (None, _) => return Err(format!("there is no choice or quirk {id}")),
+                (Some(Known::Choice(place, options)), option) => {
                     let known = options.iter().find(|known| **known == option);
-                    readings.chosen[*place] = known.ok_or_else(|| {
+                    readings.chosen[place] = known.ok_or_else(|| {
                         format!("the choice {id} has the options {}", options.join(", "))
                     })?;
                 }
-                (Known::Quirk, "documented") => {}
-                (Known::Quirk, "observed") => {
+                (Some(Known::Quirk(_)), "documented") => {}
+                (Some(Known::Quirk(id)), "observed") => {
                     readings.shown.insert(id);
                 }
-                (Known::Quirk, _) => {
+                (Some(Known::Quirk(_)), _) => {
                     return Err(format!("the quirk {id} is documented or observed, not {option}"));
                 }
             }
@@ -331,8 +329,10 @@ impl Readings {
     /// The choice is not in [`CHOICES`]: a fault of the model.
     #[inline]
     pub fn choice(&self, id: &str) -> &'static str {
-        let place = REGISTER.places.get(id).expect("model: a choice is in the register");
-        self.chosen[*place]
+        let Some(Known::Choice(place, _)) = known(id) else {
+            panic!("model: the choice {id} is not in the register")
+        };
+        self.chosen[place]
     }
 
     /// Whether a choice has this option.

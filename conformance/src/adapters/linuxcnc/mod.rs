@@ -28,7 +28,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::time::Duration;
 
-use gaugeblock_trace::scenario::Start;
+use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::Value;
 
@@ -165,15 +165,21 @@ impl Adapter for LinuxCnc {
         &self.capabilities
     }
 
-    /// Under inverse time it shows the speed of an arc, and not F.
+    /// Under inverse time it shows the speed of a move, and not F.
     /// Of several spindles it does not tell which one a command is for; and under constant surface speed the pins
     /// of a spindle's speed, and with it of its brake, follow the radius, which is a matter of motion.
     fn shows(&self, scenario: &Scenario) -> Capabilities {
         let mut shows = self.capabilities.clone();
         let source = Source::new(&scenario.program);
-        if source.has_g_code(&["g93"]) && source.has_g_code(&["g2", "g3"]) {
+        if source.has_g_code(&["g93"]) {
             shows.fields.remove("feed_rate");
             shows.fields_at_effects.remove("feed_rate");
+        }
+        // The pins of a spindle at its angle say what an abort does with it, its commands do not.
+        let aborts = scenario.operator.iter().any(|event| event.action == Action::Abort);
+        if aborts && source.has_g_code(&["m19"]) {
+            shows.fields.remove("spindle");
+            shows.fields_at_effects.remove("spindle");
         }
         if has(&source, "g96") {
             for pin in [Pin::SpindleSpeed(0), Pin::SpindleBrake(0)] {

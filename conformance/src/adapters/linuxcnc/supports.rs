@@ -33,6 +33,71 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     if scenario.program.start == Start::Mdi && scenario.operator.iter().any(starts_something) {
         return Err("an operator besides the one who enters blocks".to_owned());
     }
+    by_hand(scenario)?;
+    at_one_time(scenario)
+}
+
+/// What it does not tell of blocks by hand.
+fn by_hand(scenario: &Scenario) -> Result<(), String> {
+    let program = &scenario.program;
+    let lines = program.main.lines().filter(|_| program.start == Start::Mdi);
+    let entered = lines.chain(scenario.operator.iter().filter_map(|event| match &event.action {
+        Action::Mdi(text) => Some(text.as_str()),
+        Action::CycleStart
+        | Action::Pause
+        | Action::Resume
+        | Action::Abort
+        | Action::Mode(_)
+        | Action::OptionalStop(_)
+        | Action::FeedHold(_)
+        | Action::FeedOverride(_)
+        | Action::RapidOverride(_)
+        | Action::SpindleOverride { .. } => None,
+    }));
+    let calls = |text: &str| text.trim_start().starts_with(['o', 'O']) && text.contains("call");
+    if !program.files.is_empty() && entered.clone().any(calls) {
+        return Err("it does not tell what a file does that is called by hand".to_owned());
+    }
+    let mut from_end = entered.skip_while(|text| !matches!(text.trim(), "m2" | "m30"));
+    if program.start == Start::Mdi && from_end.next().is_some() && from_end.next().is_some() {
+        return Err("it enters nothing after a block by hand that ends a program".to_owned());
+    }
+    Ok(())
+}
+
+/// Its clock is that of the wall, and blocks that do nothing go by unseen: what happens there, or when something else does, happens in
+/// some order.
+fn at_one_time(scenario: &Scenario) -> Result<(), String> {
+    let events = &scenario.operator;
+    let does_nothing = |event: &OperatorEvent| {
+        let line = usize::try_from(event.when.block.line).unwrap_or(usize::MAX);
+        let text = scenario.program.main.lines().nth(line.saturating_sub(1)).unwrap_or_default();
+        let is_main = event.when.block.file == Program::MAIN;
+        is_main && text.starts_with('o') && (text.contains(" else") || text.contains(" endif"))
+    };
+    if events.iter().any(does_nothing) {
+        return Err("it does not tell when a line begins that does nothing".to_owned());
+    }
+    let ends = |event: &OperatorEvent| {
+        let at = |duration: f64| (duration - event.when.offset).abs() < 0.05;
+        scenario.bench.user_programs.iter().any(|program| at(program.duration))
+    };
+    let begins = |event: &OperatorEvent| event.action == Action::Abort && event.when.offset <= 0.0;
+    let twice = events.iter().enumerate().any(|(place, event)| {
+        events.iter().take(place).any(|other| {
+            other.when == event.when && matches!(event.action, Action::Abort | Action::Mdi(_))
+        })
+    });
+    if twice || events.iter().any(|event| ends(event) || begins(event)) {
+        return Err("its clock is that of the wall: nothing happens at one time".to_owned());
+    }
+    let pauses = events.iter().rposition(|event| event.action == Action::Pause);
+    let goes_on =
+        |event: &OperatorEvent| matches!(event.action, Action::Resume | Action::CycleStart);
+    let stays = pauses.is_some_and(|place| !events.iter().skip(place).any(goes_on));
+    if stays && Source::new(&scenario.program).has_g_code(&["g4"]) {
+        return Err("it does not tell that a dwell has ended before it goes on".to_owned());
+    }
     Ok(())
 }
 
@@ -57,6 +122,9 @@ fn program(program: &Program) -> Result<(), String> {
     }
     if source.has_g_code(&["g17.1", "g18.1", "g19.1"]) && source.has_g_code(&["g81"]) {
         return Err("it does not show where U, V and W are".to_owned());
+    }
+    if source.goes_far() {
+        return Err("it would be on its way for longer than anybody waits".to_owned());
     }
     if source.names_line() {
         return Err("probes would change the line numbers that it asks for".to_owned());

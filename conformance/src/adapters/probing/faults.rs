@@ -55,6 +55,7 @@ const FRAGMENTS: &[(&str, Kind)] = &[
     ("Not in subroutine definition", Kind::OutsideSub),
     ("seeking o-word", Kind::UnknownSub),
     ("before EOF", Kind::UnknownSub),
+    ("File not open", Kind::UnknownSub),
     ("Too many subroutine levels", Kind::TooManyLevels),
     ("Too many subroutine parameters", Kind::TooManyArguments),
     ("must be called with", Kind::MixedStyles),

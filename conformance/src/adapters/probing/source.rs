@@ -132,6 +132,18 @@ impl Source {
         })
     }
 
+    /// Whether an axis word has a number of seven digits or more before its point.
+    pub(in crate::adapters) fn goes_far(&self) -> bool {
+        self.all().any(|(_, _, line)| {
+            let code = without_names(&code(line));
+            let far = |rest: &str| {
+                let digits = rest.trim_start_matches(['+', '-', '0']);
+                digits.chars().take_while(char::is_ascii_digit).count() >= 7
+            };
+            "xyzabcuvw".chars().any(|axis| code.split(axis).skip(1).any(far))
+        })
+    }
+
     /// Whether the value of a letter is computed somewhere: behind it stands no plain number.
     pub(in crate::adapters) fn computes_word(&self, letter: char) -> bool {
         self.all().any(|(_, _, line)| {

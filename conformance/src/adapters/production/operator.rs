@@ -8,13 +8,15 @@ use gaugeblock_trace::scenario::{Action, OperatorEvent};
 /// The operator of a scenario.
 #[derive(Clone, Debug)]
 pub(super) struct Operator<'a> {
-    /// What stands at a block that has not been reached yet.
-    ahead: Vec<&'a OperatorEvent>,
-    /// What falls due, and when, in order.
-    due: Vec<(f64, &'a Action)>,
+    /// What stands at a block that has not been reached yet, with its place in the list.
+    ahead: Vec<(usize, &'a OperatorEvent)>,
+    /// What falls due, when, and where it stands in the list of events; of those at one time the one listed first comes first.
+    due: Vec<(f64, usize, &'a Action)>,
     /// How often each block has been executed that something stands at.
     executions: BTreeMap<Block, u32>,
-    /// Blocks that were entered by hand so far.
+    /// The line of each event that enters a block by hand: they are counted in the order in which they are listed.
+    lines: BTreeMap<usize, u32>,
+    /// The line of the last one that was taken.
     entered: u32,
 }
 
@@ -22,42 +24,48 @@ impl<'a> Operator<'a> {
     /// Before the first block.
     pub(super) fn new(events: &'a [OperatorEvent]) -> Self {
         let executions = events.iter().map(|event| (event.when.block.clone(), 0)).collect();
-        Self { ahead: events.iter().collect(), due: Vec::new(), executions, entered: 0 }
+        let enter = |event: &OperatorEvent| matches!(event.action, Action::Mdi(_));
+        let entries = events.iter().enumerate().filter(|(_, event)| enter(event));
+        let lines = entries.zip(1..).map(|((place, _), line)| (place, line)).collect();
+        let ahead = events.iter().enumerate().collect();
+        Self { ahead, due: Vec::new(), executions, lines, entered: 0 }
     }
 
     /// A block begins: what stands at this execution falls due from this time on.
-    pub(super) fn begin_block(&mut self, file: &str, line: u32, time: f64) {
-        let Some(count) = self.executions.get_mut(&Block::new(file, line)) else { return };
+    pub(super) fn begin_block(&mut self, block: &Block, time: f64) {
+        let Some(count) = self.executions.get_mut(block) else { return };
         *count += 1;
         let count = *count;
         let is_here = |event: &OperatorEvent| {
             let when = &event.when;
-            when.block.file == file && when.block.line == line && when.execution == count
+            when.block == *block && when.execution == count
         };
-        let (here, ahead) = self.ahead.iter().partition(|event| is_here(event));
+        let (here, ahead): (Vec<_>, _) = self.ahead.iter().partition(|(_, event)| is_here(event));
         self.ahead = ahead;
-        let here: Vec<&OperatorEvent> = here;
-        self.due.extend(here.into_iter().map(|event| (time + event.when.offset, &event.action)));
-        self.due.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        let due = |(place, event): (usize, &'a OperatorEvent)| {
+            (time + event.when.offset, place, &event.action)
+        };
+        self.due.extend(here.into_iter().map(due));
+        self.due.sort_by(|(a, first, _), (b, second, _)| a.total_cmp(b).then(first.cmp(second)));
     }
 
     /// When the next of what stands at blocks that were reached falls due.
     pub(super) fn due(&self) -> Option<f64> {
-        self.due.first().map(|(due, _)| *due)
+        self.due.first().map(|(due, ..)| *due)
     }
 
     /// Takes what has fallen due by then.
     pub(super) fn take(&mut self, time: f64) -> Option<Action> {
-        let (due, action) = *self.due.first()?;
+        let (due, place, action) = *self.due.first()?;
         if due > time {
             return None;
         }
         self.due.remove(0);
-        self.entered += u32::from(matches!(action, Action::Mdi(_)));
+        self.entered = self.lines.get(&place).copied().unwrap_or(self.entered);
         Some(action.clone())
     }
 
-    /// Blocks that were entered by hand so far, whatever the controller did with them.
+    /// The line of the block that was entered by hand last, whatever the controller did with it.
     pub(super) fn entered(&self) -> u32 {
         self.entered
     }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use gaugeblock_impl::Probing;
 use gaugeblock_impl::task::{Happening, Input, Work, WorkState};
 use gaugeblock_trace::scenario::{Action, Bench, Folder, OrientAnswer, ProbeContact, UserProgram};
-use gaugeblock_trace::{Effect, FaultKind, Pin, Position, Scenario};
+use gaugeblock_trace::{Block, Effect, FaultKind, Pin, Position, Scenario};
 
 use super::operator::Operator;
 
@@ -63,8 +63,8 @@ impl<'a> Outside<'a> {
     }
 
     /// A block begins now: what the operator does at it falls due from here.
-    pub(super) fn begin_block(&mut self, file: &str, line: u32) {
-        self.operator.begin_block(file, line, self.time);
+    pub(super) fn begin_block(&mut self, block: &Block) {
+        self.operator.begin_block(block, self.time);
     }
 
     /// What the operator has asked by now.
@@ -77,7 +77,7 @@ impl<'a> Outside<'a> {
         self.bench.manual_tool_change
     }
 
-    /// Lets time go by until then, or until something happens. Of what happens at one time inputs and works come first.
+    /// Lets time go by until then, or until something happens. Of what happens at one time the operator comes first.
     pub(super) fn wait(&mut self, until: Option<f64>) -> Happening {
         let until = until.unwrap_or(f64::INFINITY);
         let changes = self.bench.inputs.iter().map(|change| change.time);
@@ -85,7 +85,7 @@ impl<'a> Outside<'a> {
         let later = changes.chain(works).filter(|time| *time > self.time);
         let change = later.fold(f64::INFINITY, f64::min);
         let request = self.operator.due().map_or(f64::INFINITY, |due| due.max(self.time));
-        if change.is_finite() && change <= until && change <= request {
+        if change.is_finite() && change <= until && change < request {
             self.time = change;
             return Happening::Changed;
         }

@@ -83,7 +83,7 @@ impl<'a> Recorder<'a> {
         self.outside.operator().is_there()
     }
 
-    /// Blocks that were entered by hand so far, while a program is loaded.
+    /// The line of the block that was entered by hand last.
     pub(super) fn entered(&self) -> u32 {
         self.outside.operator().entered()
     }
@@ -94,10 +94,10 @@ impl<'a> Recorder<'a> {
     }
 
     /// A block begins.
-    pub(super) fn begin_block(&mut self, file: &str, line: u32) {
+    pub(super) fn begin_block(&mut self, block: Block) {
         self.idle = false;
-        self.block = Block::new(file, line);
-        self.outside.begin_block(file, line);
+        self.outside.begin_block(&block);
+        self.block = block;
     }
 
     /// Nothing is executed now: what follows belongs to the block before.
@@ -109,6 +109,13 @@ impl<'a> Recorder<'a> {
     pub(super) fn stay(&mut self, block: &Block) {
         let events = std::mem::take(&mut self.events);
         self.steps.push(Step { block: self.block(&block.file, block.line), events, state: None });
+    }
+
+    /// The block that has begun stands before it does anything.
+    pub(super) fn stay_before(&mut self) {
+        if !self.idle {
+            self.stay(&self.block.clone());
+        }
     }
 
     /// A block as it is recorded: a line of a program that is entered by hand is one of that program.

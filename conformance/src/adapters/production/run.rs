@@ -3,7 +3,7 @@
 use gaugeblock_impl::task::{Activity, BY_HAND, Idle, Stuck, Task};
 use gaugeblock_impl::{Error, Interpreter, Limits, Memory};
 use gaugeblock_trace::scenario::Start;
-use gaugeblock_trace::{Bound, ControllerMode, End, Outcome, Program, Scenario};
+use gaugeblock_trace::{Block, Bound, ControllerMode, End, Outcome, Program, Scenario};
 
 use super::super::HarnessError;
 use super::outside::Outside;
@@ -50,11 +50,14 @@ impl Run<'_> {
             if let Some(bound) = self.exhausted() {
                 return Ok(End::BudgetExhausted { bound });
             }
-            if self.task.machine().has_operator()
-                && let Some((file, line)) = self.task.next_block(&mut source)
-            {
-                let file = file.to_owned();
-                self.task.machine_mut().begin_block(&file, line);
+            if self.task.machine().has_operator() {
+                if let Some((file, line)) = self.task.next_block(&mut source) {
+                    let block = Block::new(file, line);
+                    self.task.machine_mut().begin_block(block);
+                } else if !self.task.is_within_block() {
+                    // The text ends here: what happens now belongs to the last block.
+                    self.task.machine_mut().rest();
+                }
             }
             let activity = self.task.step(&mut source);
             match self.end_of(activity)? {
@@ -72,14 +75,20 @@ impl Run<'_> {
     /// Each line of the program, entered by hand.
     fn lines(&mut self) -> Result<End, HarnessError> {
         self.task.set_mode(ControllerMode::Mdi);
-        let mut end = End::ProgramEnd;
+        // Where the last block ends no program the next one is waited for.
+        let mut end = End::Paused;
         for (line, text) in (1..).zip(self.scenario.program.main.lines()) {
             if let Some(bound) = self.exhausted() {
                 return Ok(End::BudgetExhausted { bound });
             }
-            self.task.machine_mut().begin_block(Program::MAIN, line);
-            end = self.enter(text, line, end)?;
-            if is_final(&end) {
+            let deleted = self.scenario.program.block_delete && text.trim().starts_with('/');
+            if text.trim().is_empty() || deleted {
+                continue;
+            }
+            self.task.machine_mut().begin_block(Block::new(Program::MAIN, line));
+            end = self.enter(text, line, End::Paused)?;
+            let stuck = end == End::Paused && self.task.is_within_block();
+            if is_final(&end) || stuck {
                 break;
             }
         }
@@ -102,7 +111,7 @@ impl Run<'_> {
                 Idle::Enter(text) => {
                     // What was refused has been entered too.
                     let number = self.task.machine().entered();
-                    self.task.machine_mut().begin_block(BY_HAND, number);
+                    self.task.machine_mut().begin_block(Block::new(BY_HAND, number));
                     self.enter(&text, number, end)?
                 }
             };
@@ -126,6 +135,8 @@ impl Run<'_> {
                 if self.task.is_within_block() {
                     let block = self.task.interpreter().block();
                     self.task.machine_mut().stay(&block);
+                } else {
+                    self.task.machine_mut().stay_before();
                 }
                 End::Paused
             }
@@ -163,7 +174,7 @@ impl Run<'_> {
 
 /// Whether nothing can follow such an end.
 fn is_final(end: &End) -> bool {
-    !matches!(end, End::ProgramEnd | End::PercentEnd | End::Aborted)
+    !matches!(end, End::ProgramEnd | End::PercentEnd | End::Aborted | End::Paused)
 }
 
 fn source(program: &Program) -> Memory<'_> {

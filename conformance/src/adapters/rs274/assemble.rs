@@ -107,6 +107,8 @@ impl Assembly<'_> {
             Line::Call(call) => match self.canon.call(call)? {
                 Mark::None => {}
                 Mark::ProgramEnd => self.program_end(seen)?,
+                // It is called too where a label was sought up to the percent sign, which is an error.
+                Mark::PercentEnd if seen.refused => {}
                 Mark::PercentEnd => self.end = Some(End::PercentEnd),
                 Mark::Unsupported(what) => self.unsupported(what),
             },

@@ -112,6 +112,10 @@ impl Adapter for Rs274 {
             shows.fields.remove("feed_rate");
             shows.fields_at_effects.remove("feed_rate");
         }
+        if ["g20", "g21"].iter().all(|code| source.has_g_code(&[code])) {
+            // A length that was printed in inches may be shown in millimetres.
+            shows.resolution *= 25.4;
+        }
         if scenario.machine.length_unit == LengthUnit::Millimetre {
             shows.hidden_parameters.extend([5161..=5219, 5221..=5390]);
         }

@@ -1,4 +1,20 @@
 //! What a person or a panel does, and when.
+//!
+//! **When a block begins.** Each line that a run comes to is a block that begins, also where nothing of it is done: an `endif` to
+//! which a condition that is false leads, the end of a sub, a comment, a slash alone. Blank lines, those that block delete skips, percent
+//! signs and what is jumped over are none. A block begins when the one before is over, also where the program has been paused by then:
+//! it stands before it does anything.
+//!
+//! **In which order.** Events happen in the order of their times, those at one time as they are listed. All that is due when a block
+//! begins, or where the text ends, happens before anything else does; what is due when a dwell or a wait ends comes before its end.
+//!
+//! **A pause** holds what has not begun: the next move, the next block. What waits for something outside goes on waiting.
+//!
+//! **Blocks by hand** are lines of the file `mdi`, the line being the place of the event among those that enter one, from 1, as they are
+//! listed. So a block has a name whatever becomes of the others, and events can stand at it.
+//!
+//! **The end** of the run is that of the program or block by hand that ended last: by M2 or M30, by a percent sign, by an abort. Other
+//! blocks by hand end nothing. A program whose lines are entered by hand ends as its last line does, paused if that ends nothing.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -145,7 +145,7 @@ fn conflict(
         return Err(refuse(rule, FaultKind::ModalConflict, message));
     }
     let cancels = |text: Written| text == Written::G(800);
-    let cancel = group == ModalGroup::Motion && cancels(texts.0) != cancels(texts.1);
+    let cancel = group == ModalGroup::Motion && (cancels(texts.0) || cancels(texts.1));
     if cancel && state.readings.quirk("rs274.cancel-with-motion") {
         return Ok(());
     }

@@ -40,21 +40,21 @@ impl Control {
         state: &mut State,
     ) -> Result<Next, Halt> {
         let Some(taken) = self.branch(label, Keyword::ElseIf, state)? else {
-            return self.to_end(label, state);
+            return self.at_end(label, state);
         };
         if *taken {
             state.evidence.accepted("control.first-true-only");
             if state.readings.quirk("rs274.later-conditions-evaluated") {
                 quirks::control::evaluate_later_condition(values, state)?;
-                return self.to_branch(label, state);
+                return self.at_branch(label, state);
             }
-            return self.to_end(label, state);
+            return self.at_end(label, state);
         }
         let is_true = condition("control.elseif", values, state)?;
         if let Some(taken) = self.branch(label, Keyword::ElseIf, state)? {
             *taken = is_true;
         }
-        if is_true { Ok(Next::Following) } else { self.to_branch(label, state) }
+        if is_true { Ok(Next::Following) } else { self.at_branch(label, state) }
     }
 
     /// Rule control.else. Its blocks are executed when no condition before was true.
@@ -67,9 +67,9 @@ impl Control {
             }
             Some(_) => {
                 state.evidence.accepted("control.else");
-                self.to_end(label, state)
+                self.at_end(label, state)
             }
-            None => self.to_end(label, state),
+            None => self.at_end(label, state),
         }
     }
 
@@ -126,13 +126,13 @@ impl Control {
     }
 
     /// Goes on at the endif.
-    fn to_end(&self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    fn at_end(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         let line = self.end_of_skipped(label, &[Keyword::EndIf], self.place.line, state)?;
         Ok(Next::At(self.line(line)))
     }
 
     /// Goes on at the next branch.
-    fn to_branch(&self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    fn at_branch(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         let line = self.end_of_skipped(label, BRANCHES, self.place.line, state)?;
         Ok(Next::At(self.line(line)))
     }

@@ -94,6 +94,16 @@ impl Structure {
             Self::Repeat { .. } => Keyword::Repeat,
         }
     }
+
+    /// The keyword with which it ends.
+    pub fn end(self) -> Keyword {
+        match self {
+            Self::If { .. } => Keyword::EndIf,
+            Self::While => Keyword::EndWhile,
+            Self::Do => Keyword::While,
+            Self::Repeat { .. } => Keyword::EndRepeat,
+        }
+    }
 }
 
 impl Frame {

@@ -139,6 +139,21 @@ impl Labels {
         lines.min()
     }
 
+    /// Line of the next block after `after` with this label and one of these keywords, whatever its scope.
+    pub(super) fn next_in_file(
+        &self,
+        label: &str,
+        keywords: &[Keyword],
+        after: u32,
+    ) -> Option<u32> {
+        let fits = |mark: &&Mark| {
+            mark.line > after
+                && mark.label.as_deref() == Some(label)
+                && keywords.contains(&mark.keyword)
+        };
+        self.marks.iter().find(fits).map(|mark| mark.line)
+    }
+
     /// Whether a block with this label and one of these keywords stands further on, behind the beginning of a numbered program.
     pub(super) fn ends_in_program(&self, label: &str, keywords: &[Keyword], after: u32) -> bool {
         let later = self.marks.iter().filter(|mark| mark.line > after);

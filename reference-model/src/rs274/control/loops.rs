@@ -168,13 +168,17 @@ impl Control {
     }
 
     /// Choice control.ended-label: the first block of a loop that has ended, where its label is followed all the same.
+    ///
+    /// Choice control.do-label: where every while goes back to the first do, so does one without a do of its own.
     fn followed(&self, label: &str, head: Keyword, state: &State) -> Option<u32> {
         let ended = state.frame().ended_loops.get(label) == Some(&head);
-        let followed = ended && state.readings.is("control.ended-label", "followed");
+        let to_first = head == Keyword::Do && state.readings.is("control.do-label", "first");
+        let followed = ended && (to_first || state.readings.is("control.ended-label", "followed"));
         let earlier = |definition: &&Definition| {
             definition.keyword == head && definition.line < self.place.line
         };
-        let first = self.definitions(label).iter().rfind(earlier)?;
+        let mut earlier = self.definitions(label).iter().filter(earlier);
+        let first = if to_first { earlier.next() } else { earlier.next_back() }?;
         followed.then_some(first.line)
     }
 
@@ -194,13 +198,26 @@ impl Control {
         if left.iter().any(|open| is_repeat(open.structure)) {
             state.evidence.accepted("control.break-in-repeat");
         }
-        left.into_iter().for_each(|open| state.frame_mut().end(open));
         let ends = if structure == Structure::Do { Keyword::While } else { Keyword::EndWhile };
         self.break_remembered |=
             structure == Structure::While && state.readings.quirk("rs274.break-remembered");
         let line = self.end_of_skipped(label, &[ends], first, state)?;
+        self.ends_before(&left[1..], line, state)?;
+        left.into_iter().for_each(|open| state.frame_mut().end(open));
         state.evidence.accepted("control.break");
         Ok(Next::At(self.line(line + 1)))
+    }
+
+    /// What a loop holds ends before it does: the documents do not know conditions and loops that overlap.
+    fn ends_before(&self, inner: &[Open], end: u32, state: &mut State) -> Result<(), Halt> {
+        for Open { label, line, structure } in inner {
+            let own = self.find(label, &[structure.end()], *line, state);
+            if own.is_some_and(|own| own > end) {
+                let why = format!("{} ends behind the loop in which it began", o_word(label));
+                return Err(Halt::Unspecified(why));
+            }
+        }
+        Ok(())
     }
 
     /// Rule control.continue. It goes to the next test of the condition.

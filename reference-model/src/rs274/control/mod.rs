@@ -30,6 +30,7 @@ pub(crate) use loops::turns;
 
 use super::machine::State;
 use super::parameters::Name;
+use super::quirks::{self, skipping::Sought};
 use super::read::{self, Words};
 use super::refusal::{Halt, refuse};
 use super::syntax::{Block, Expression, Keyword, Label, OWord};
@@ -180,6 +181,17 @@ impl Control {
         self.files.labels(self.place.file).find(label, keywords, after, self.place.line, state)
     }
 
+    /// Line of the next block of this file, in whichever scope, that has the label and one of these keywords.
+    pub(crate) fn next_in_file(&self, label: &str, keywords: &[Keyword]) -> Option<u32> {
+        self.files.labels(self.place.file).next_in_file(label, keywords, self.place.line)
+    }
+
+    /// Whether the numbered program of this file with this number was called before.
+    pub(crate) fn is_called_before(&self, label: &str) -> bool {
+        let begins = self.files.labels(self.place.file).numbers(label);
+        begins.iter().any(|line| self.called.contains(&self.line(line + 1)))
+    }
+
     /// A line of the current file.
     fn line(&self, line: u32) -> Place {
         Place { file: self.place.file, line }
@@ -187,13 +199,16 @@ impl Control {
 
     /// Rule control.missing-end. What is skipped must have its end further on, within its sub.
     fn end_of_skipped(
-        &self,
+        &mut self,
         label: &str,
         keywords: &[Keyword],
         after: u32,
         state: &mut State,
     ) -> Result<u32, Halt> {
         let end = self.find(label, keywords, after, state);
+        let of_loop = [Keyword::While, Keyword::EndWhile].contains(&keywords[0]);
+        let sought = Sought::Structure { label, of_loop };
+        quirks::skipping::pass_over(self, sought, end, state)?;
         let labels = self.files.labels(self.place.file);
         if end.is_none() && labels.ends_in_program(label, keywords, after) {
             let why =
@@ -216,7 +231,7 @@ fn of_subs(keyword: Keyword) -> bool {
 /// Rule subroutines.computed-o-words. The number after O can be given by a parameter or an expression.
 ///
 /// Rules subroutines.numbered-o-words, subroutines.named-o-words. A number counts as a whole, a name in lower case.
-fn label_of(label: &Label, state: &mut State) -> Result<String, Halt> {
+pub(crate) fn label_of(label: &Label, state: &mut State) -> Result<String, Halt> {
     match label {
         Label::Name(name) => {
             state.evidence.accepted("subroutines.named-o-words");

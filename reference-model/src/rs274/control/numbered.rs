@@ -74,6 +74,7 @@ impl Control {
         let none = turns == 0 && !state.readings.quirk("rs274.fanuc-zero-loops");
         let back = Place { line: self.place.line + 1, ..self.place };
         let free = turns == 0 && state.readings.is("fanuc-subs.zero-count-unknown", "accepted");
+        quirks::skipping::to_numbered(self, &label, state)?;
         let first = match self.numbered_program(&label, state) {
             Err(_) if free => back,
             first => first?,

@@ -5,6 +5,7 @@ use gaugeblock_trace::FaultKind;
 use super::{Call, Control, Frame, Next, Place, Style, evaluated, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
+use crate::rs274::quirks::skipping::Sought;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::saved_state;
 use crate::rs274::syntax::{Expression, Keyword, OWord};
@@ -23,6 +24,10 @@ impl Control {
     pub(super) fn sub(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         if quirks::control::is_head_in_file(self, state) {
             return Ok(Next::Following);
+        }
+        if quirks::control::is_reached_again(self.subs.get(label), self.place, state) {
+            let message = format!("{} is known already", o_word(label));
+            return Err(refuse("rs274.sub-reached-again", FaultKind::BadBlock, message));
         }
         if self.found_later.contains(&self.place) {
             let message = format!("{} was found by a call before it", o_word(label));
@@ -53,6 +58,8 @@ impl Control {
     fn define(&mut self, label: &str, place: Place, state: &mut State) -> Result<u32, Halt> {
         let labels = self.files.labels(place.file);
         let end = labels.find(label, &[Keyword::EndSub], place.line, place.line + 1, state);
+        quirks::skipping::pass_over(self, Sought::EndSub, end, state)?;
+        let labels = self.files.labels(place.file);
         if let Some(inner) = labels.sub_between(place.line, end.unwrap_or(u32::MAX)) {
             self.place = Place { line: inner, ..place };
             let message = format!("a sub begins inside {}", o_word(label));
@@ -173,6 +180,7 @@ impl Control {
         if let Some(sub) = self.in_file(label, state)? {
             return Ok(sub);
         }
+        quirks::skipping::pass_over(self, Sought::Called, later, state)?;
         if let Some(line) = later {
             if state.readings.quirk("rs274.sub-found-later") {
                 let sub = Place { line, ..self.place };

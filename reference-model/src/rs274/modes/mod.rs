@@ -9,7 +9,7 @@ mod settings;
 
 pub use codes::{ARC, Code, G_CODES, M_CODES, g_code, g_text, m_code};
 pub use coordinates::{converted, unit_size};
-pub(crate) use coordinates::{each, first_parameter};
+pub(crate) use coordinates::{each, first_parameter, is_rotary};
 pub use groups::ModalGroup;
 pub use motions::{motion_code, motion_mode};
 pub use saved_state::SavedState;

@@ -13,7 +13,7 @@ pub(crate) mod stub;
 use std::collections::BTreeMap;
 
 use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{Pin, PinChange};
+use gaugeblock_trace::{Pin, PinChange, Shared};
 
 use super::readings::Readings;
 pub(crate) use hal::Item;
@@ -31,7 +31,7 @@ const STAND_ALONE: &str = "stand-alone rs274";
 #[derive(Clone, Debug)]
 pub struct Outside {
     /// How inputs, encoders, the tool changer and user-defined programs answer.
-    bench: Bench,
+    bench: Shared<Bench>,
     /// Seconds since the start.
     time: f64,
     /// The value of each pin that is not zero, or was not.
@@ -59,7 +59,7 @@ impl Outside {
         let brakes = (0..if braked { spindles } else { 0 })
             .filter_map(|spindle| Some((Pin::SpindleBrake(u16::try_from(spindle).ok()?), 1.0)));
         let mut outside = Self {
-            bench: bench.clone(),
+            bench: bench.clone().into(),
             time: 0.0,
             levels: brakes.collect(),
             changes: Vec::new(),

@@ -32,6 +32,11 @@ impl Outside {
         self.orienting.insert(spindle, Orientation { begun: self.time, answer });
     }
 
+    /// What is only read ahead waits for no encoder.
+    pub(crate) fn answers_at_once(&mut self) {
+        self.bench.orient.clear();
+    }
+
     /// Whether a spindle turns to an angle.
     pub(crate) fn is_orienting(&self) -> bool {
         !self.orienting.is_empty()

@@ -7,6 +7,7 @@ use gaugeblock_trace::{
 
 use super::State;
 use crate::rs274::modes::{Spindle, motion_code};
+use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::Halt;
 
@@ -95,7 +96,8 @@ const PREDEFINED: &[Predefined] = &[
 fn of_axis(name: &str, state: &State) -> Option<(&'static str, f64)> {
     let axis = |letter: &str| Axis::ALL.iter().find(|axis| axis.word() == letter);
     if let Some(axis) = name.strip_prefix("_abs_").and_then(axis) {
-        let value = state.modes.machine_point(state.position).get(*axis);
+        let beside = beside_machine_point(state).get(*axis);
+        let value = state.modes.machine_point(state.position).get(*axis) - beside;
         return (*axis <= Axis::C).then_some(("parameters.absolute-position", value));
     }
     let axis = name.strip_prefix('_').and_then(axis)?;

@@ -94,6 +94,11 @@ pub fn returns_in_main(control: &Control, state: &State) -> bool {
     in_main && control.has_called && state.readings.quirk("rs274.return-after-call")
 }
 
+/// Quirk rs274.sub-reached-again. A definition that is reached a second time, as in a loop, is refused.
+pub fn is_reached_again(known: Option<&Place>, place: Place, state: &State) -> bool {
+    known == Some(&place) && state.readings.quirk("rs274.sub-reached-again")
+}
+
 /// Quirk rs274.value-at-definition. The value of an endsub is evaluated where the sub is defined; named parameters that
 /// do not exist there count as zero.
 ///
@@ -111,7 +116,7 @@ pub fn value_at_definition(control: &mut Control, end: u32, state: &mut State) -
 }
 
 /// An expression with zero for each named parameter that does not exist.
-fn with_zeros(expression: &Expression, state: &State) -> Expression {
+pub(super) fn with_zeros(expression: &Expression, state: &State) -> Expression {
     let inside = |inner: &Expression| Box::new(with_zeros(inner, state));
     match expression {
         Expression::Parameter(Parameter::Named(name))

@@ -10,6 +10,7 @@ pub mod outputs;
 pub mod probe;
 pub mod saved_state;
 pub mod settings;
+pub mod skipping;
 pub mod splines;
 pub mod task;
 pub mod text;

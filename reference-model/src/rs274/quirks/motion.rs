@@ -1,11 +1,14 @@
 //! Quirks of moves, arcs, rotated systems and the tool table.
 
-use gaugeblock_trace::{FaultKind, FeedMode, LengthUnit, Motion, Plane};
+use gaugeblock_trace::{FaultKind, FeedMode, LengthUnit, Motion, Plane, Position};
 
+use crate::math;
 use crate::rs274::machine::State;
+use crate::rs274::modes::each;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::motion::{is_arc, motion_of};
+use crate::rs274::step::word;
 
 /// Quirk rs274.arc-radius-tolerance. How far the radii at start and end of an arc may be apart: about five times as far as
 /// documented. The larger holds always, the smaller for arcs of which it is more than a thousandth.
@@ -53,6 +56,33 @@ pub(crate) fn per_revolution(words: &Words, state: &State) -> Result<(), Halt> {
     if moves && no_speed && per_revolution && state.readings.quirk(rule) {
         let message = "a feed per revolution, and no speed";
         return Err(refuse(rule, FaultKind::ZeroSpeed, message));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.feed-name-inverse-time. Under inverse time a straight feed leaves its own feed rate: the length of its way, of X, Y and Z
+/// where one of them moves, times F, and a tenth at least.
+pub(crate) fn feed_of_move(motion: Motion, end: Position, state: &mut State) {
+    let modes = &mut state.modes;
+    if motion != Motion::Feed || modes.feed_mode != FeedMode::InverseTime {
+        return;
+    }
+    let way = each(end, state.position, |end, start| end - start);
+    let length = |[x, y, z]: [f64; 3]| math::hypotenuse(math::hypotenuse(x, y), z);
+    let lengths = [[way.x, way.y, way.z], [way.u, way.v, way.w], [way.a, way.b, way.c]].map(length);
+    let length = lengths.into_iter().find(|length| *length > 0.0).unwrap_or_default();
+    if state.readings.quirk("rs274.feed-name-inverse-time") {
+        modes.feed_number = (length * modes.feed_rate).max(0.1);
+    }
+}
+
+/// Quirk rs274.polar-needs-angle. At the origin a polar move without an angle is refused, in absolute distance mode too.
+pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.polar-needs-angle";
+    let at_origin = state.position.x == 0.0 && state.position.y == 0.0;
+    if at_origin && word(words, '^').is_none() && state.readings.quirk(rule) {
+        let message = "a distance without an angle, from the origin";
+        return Err(refuse(rule, FaultKind::AxisWords, message));
     }
     Ok(())
 }

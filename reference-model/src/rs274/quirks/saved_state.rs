@@ -152,6 +152,17 @@ pub(crate) fn path(saved: &Modes, state: &mut State) {
     state.modes.path = saved.path;
 }
 
+/// Quirk rs274.tolerance-unit. G64 is programmed again with the numbers of its tolerances, in whatever unit.
+pub(crate) fn tolerances_as_numbers(state: &mut State) {
+    let modes = &mut state.modes;
+    if state.readings.quirk("rs274.tolerance-unit") {
+        let factor = unit_size(modes.units) / unit_size(modes.tolerance_unit);
+        modes.blend_tolerance *= factor;
+        modes.naive_cam_tolerance *= factor;
+        modes.tolerance_unit = modes.units;
+    }
+}
+
 /// Whether a restore programs the path control mode again.
 fn programs_path(saved: &Modes, now: &Modes) -> bool {
     let programmed = |modes: &Modes| {

@@ -1,9 +1,9 @@
 //! Quirks of modes, offsets, spindle, overrides and the program end.
 
-use gaugeblock_trace::{Distance, FaultKind, Position, SpindleLimit, SpindleMode, Switch};
+use gaugeblock_trace::{Axis, Distance, FaultKind, Position, SpindleLimit, SpindleMode, Switch};
 
 use crate::rs274::machine::State;
-use crate::rs274::modes::{ModalGroup, converted, each};
+use crate::rs274::modes::{ModalGroup, converted, each, is_rotary};
 use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
@@ -76,6 +76,13 @@ pub(crate) fn beside_machine_point(state: &State) -> Position {
     }
     let number = converted(modes.tool_offset, modes.units, modes.tool_offset_unit);
     each(modes.tool_offset, number, |offset, number| offset - number)
+}
+
+/// Quirk rs274.machine-rotary-offset. G53 does not take the tool offset of A, B and C into account: how far it leads beside the
+/// point of a rotary axis.
+pub(crate) fn beside_machine_angle(axis: Axis, state: &State) -> f64 {
+    let beside = is_rotary(axis) && state.readings.quirk("rs274.machine-rotary-offset");
+    if beside { state.modes.tool_offset.get(axis) } else { 0.0 }
 }
 
 /// Quirk rs274.save-in-spindle-group. M70 to M73 belong to the group of M3, M4 and M5.

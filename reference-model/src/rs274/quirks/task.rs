@@ -7,8 +7,8 @@ use crate::rs274::machine::State;
 use crate::rs274::modes::Modes;
 
 /// Quirk linuxcnc.modes-of-last-motion. An abort brings back the modes that were in force at the last motion, or at the
-/// beginning where nothing moved; but not the motion mode itself, and none where that motion was in a sub.
-pub(crate) fn modes_of_last_motion(modes: &Modes, state: &mut State) {
+/// beginning where nothing has moved, then without the speeds; but not the motion mode itself, and none where that motion was in a sub.
+pub(crate) fn modes_of_last_motion(modes: &Modes, has_moved: bool, state: &mut State) {
     if state.readings.quirk("linuxcnc.modes-of-last-motion") {
         let machine = state.modes.machine_point(state.position);
         let restored = Modes { motion: state.modes.motion, ..modes.clone() };
@@ -16,7 +16,9 @@ pub(crate) fn modes_of_last_motion(modes: &Modes, state: &mut State) {
         state.position = state.modes.program_point(machine);
         for (place, spindle) in before.spindles.iter().enumerate() {
             state.modes.spindles[place].brake_released = spindle.brake_released;
-            if (state.modes.spindles[place].speed - spindle.speed).abs() > 0.0 {
+            if !has_moved {
+                state.modes.spindles[place].speed = spindle.speed;
+            } else if (state.modes.spindles[place].speed - spindle.speed).abs() > 0.0 {
                 speed_while_standing(place, state);
             }
         }

@@ -5,6 +5,7 @@
 
 use gaugeblock_trace::{Compensation, FeedMode};
 
+use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::readings::Readings;
@@ -40,6 +41,19 @@ pub(crate) fn create_early(name: &Name, state: &mut State) {
     }
 }
 
+/// Quirk rs274.g-code-tolerance: a G code may be off by a ten-thousandth itself. The integer that ten times it means.
+pub(crate) fn close_g_code(tenfold: f64, readings: &Readings) -> Option<i64> {
+    let near = math::near_integer(tenfold.round())?;
+    let close = (tenfold - tenfold.round()).abs() <= 0.001;
+    Some(near).filter(|_| close && readings.quirk("rs274.g-code-tolerance"))
+}
+
+/// Quirk rs274.absolute-negative-zero: ABS leaves the sign of a zero.
+pub(crate) fn absolute(argument: f64, readings: &Readings) -> f64 {
+    let left = argument == 0.0 && readings.quirk("rs274.absolute-negative-zero");
+    if left { argument } else { argument.abs() }
+}
+
 /// Quirk rs274.dynamic-compensation-code: `_ccomp` does not tell G41.1 and G42.1 from G41 and G42.
 pub(crate) fn compensation_code(compensation: Compensation) -> u32 {
     match compensation {
@@ -55,10 +69,14 @@ pub(crate) fn has_tool_offset(state: &State) -> bool {
 }
 
 /// Quirk rs274.feed-name-number: `_feed` is F as it was programmed, whatever the length unit was. Otherwise it is the feed rate in force.
+/// Quirk rs274.feed-name-inverse-time: under inverse time it is the feed rate of the last move.
 pub(crate) fn feed(state: &State) -> f64 {
     let modes = &state.modes;
-    let is_length = modes.feed_mode != FeedMode::InverseTime;
-    let by_number = is_length && state.readings.quirk("rs274.feed-name-number");
+    let by_number = state.readings.quirk(if modes.feed_mode == FeedMode::InverseTime {
+        "rs274.feed-name-inverse-time"
+    } else {
+        "rs274.feed-name-number"
+    });
     if by_number { modes.feed_number } else { modes.feed_rate }
 }
 

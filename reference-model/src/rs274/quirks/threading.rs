@@ -1,6 +1,6 @@
 //! Quirks of motion with the spindle.
 
-use gaugeblock_trace::{FaultKind, Position};
+use gaugeblock_trace::{FaultKind, Position, Switch};
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
@@ -37,4 +37,9 @@ pub(crate) fn after_thread(
     }
     state.position = start;
     Ok(Some(Position { z: end, ..end_point(words, state)? }))
+}
+
+/// Quirk rs274.thread-feed-override. After a pass of G76 the feed override is enabled, whatever it was before.
+pub(crate) fn feed_override_after(before: Switch, state: &State) -> Switch {
+    if state.readings.quirk("rs274.thread-feed-override") { Switch::On } else { before }
 }

@@ -5,6 +5,7 @@ use gaugeblock_trace::FaultKind;
 use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::modes;
+use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::{Halt, refuse_at};
 use crate::rs274::syntax::{Expression, Word};
 
@@ -29,7 +30,12 @@ pub(super) fn m_code(word: &Word, value: f64, state: &mut State) -> Result<u32, 
 /// A code below zero is out of range; whether any other one exists is a matter of the table of codes.
 fn code(word: &Word, value: f64, range: &'static str, state: &mut State) -> Result<u32, Halt> {
     let letter = word.letter.to_ascii_uppercase();
-    let Some(number) = math::near_integer(value) else {
+    let g_code = range == "modal-groups.g-code-out-of-range";
+    let near = math::near_integer(value).or_else(|| {
+        let close = g_code.then(|| quirks::close_g_code(value, &state.readings));
+        close.flatten()
+    });
+    let Some(number) = near else {
         state.evidence.refused("modal-groups.code-close-to-integer");
         let message = format!("no integer is close enough to the number behind {letter}");
         return Err(refuse_at(

@@ -4,6 +4,7 @@ use gaugeblock_trace::FaultKind;
 
 use crate::math;
 use crate::rs274::machine::State;
+use crate::rs274::quirks::text as quirks;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::syntax::{Function, Operator};
@@ -121,7 +122,7 @@ fn truth(holds: bool, readings: &Readings) -> f64 {
 /// Rule expressions.domain. A function of an argument outside its domain gives no number and is refused.
 pub(super) fn function(function: Function, argument: f64, state: &mut State) -> Result<f64, Halt> {
     let (rule, value) = match function {
-        Function::Absolute => ("expressions.absolute", argument.abs()),
+        Function::Absolute => ("expressions.absolute", quirks::absolute(argument, &state.readings)),
         Function::Sine => ("expressions.angles", math::sine_of_degrees(argument)),
         Function::Cosine => ("expressions.angles", math::cosine_of_degrees(argument)),
         Function::Tangent => ("expressions.angles", math::tangent_of_degrees(argument)),

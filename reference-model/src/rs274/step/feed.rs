@@ -77,7 +77,11 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
         state.evidence.accepted("feed.rate-moves-nothing");
     }
     state.modes.feed_rate = rate;
-    state.modes.feed_number = rate;
+    let of_move = state.modes.feed_mode == FeedMode::InverseTime
+        && state.readings.quirk("rs274.feed-name-inverse-time");
+    if !of_move {
+        state.modes.feed_number = rate;
+    }
     state.modes.feed_awaited = false;
     Ok(())
 }

@@ -167,6 +167,7 @@ fn move_to(
         end_point(words, state)?
     };
     state.modes.motion = motion;
+    motion_quirks::feed_of_move(motion, end, state);
     state.position = end;
     accepted(motion, end, words, state);
     outputs::motion_begins(state);

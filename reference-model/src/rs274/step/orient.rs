@@ -169,6 +169,7 @@ fn wait(place: usize, timeout: f64, state: &mut State) -> Result<(), Halt> {
             Ok(())
         }
         None => {
+            pass(timeout, state);
             let message = format!("spindle {place} is not at its angle after {timeout} seconds");
             Err(refuse("orient.timeout", FaultKind::Orient, message))
         }

@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Motion, Path, SpindleTurn, Switch};
 
 use super::offsets::use_system;
+use super::orient;
 use super::tool_length::apply;
 use super::units_planes::use_units;
 use crate::rs274::machine::State;
@@ -158,17 +159,23 @@ fn feed(saved: &Modes, state: &mut State) {
 }
 
 /// Rules saved-state.speed, saved-state.spindle-mode with saved-state.spindle-limit, and saved-state.spindle-status.
-/// Rule saved-state.each-spindle. Those of every spindle.
+/// Rule saved-state.each-spindle. Those of every spindle. Whichever of M3, M4 and M5 comes back takes M19's place in their group,
+/// and unlocks the spindle (orient.cleared).
 fn spindles(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     if quirks::SPINDLES.iter().any(|quirk| state.readings.quirk(quirk)) {
         return quirks::spindles(saved, state);
     }
-    for (spindle, saved) in state.modes.spindles.iter_mut().zip(&saved.spindles) {
+    for (place, saved) in saved.spindles.iter().enumerate() {
+        let spindle = &mut state.modes.spindles[place];
         let turn = restored_turn(saved.turn, spindle.turn);
+        let was_oriented = spindle.turn == SpindleTurn::Oriented;
+        *spindle = Spindle { speed_override: spindle.speed_override, turn, ..*saved };
         if saved.turn == SpindleTurn::Oriented {
             state.evidence.accepted("saved-state.orientation-not-saved");
         }
-        *spindle = Spindle { speed_override: spindle.speed_override, turn, ..*saved };
+        if was_oriented && turn != SpindleTurn::Oriented {
+            orient::clear(place, state);
+        }
     }
     Ok(())
 }

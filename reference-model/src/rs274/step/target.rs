@@ -6,7 +6,7 @@ use super::word;
 use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::motion as quirks;
-use crate::rs274::quirks::settings::beside_machine_point;
+use crate::rs274::quirks::settings::{beside_machine_angle, beside_machine_point};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 
@@ -95,7 +95,7 @@ pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
     let mut end = state.modes.machine_point(state.position);
     let beside = beside_machine_point(state);
     for (axis, value) in moved(words, state) {
-        *end.get_mut(axis) = value + beside.get(axis);
+        *end.get_mut(axis) = value + beside.get(axis) + beside_machine_angle(axis, state);
     }
     state.modes.program_point(end)
 }
@@ -117,6 +117,7 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
         return Err(refuse("motion.polar-mixed", FaultKind::AxisWords, message));
     }
     quirks::polar_plane(state)?;
+    quirks::polar_angle(words, state)?;
     let here = state.position;
     let incremental = state.modes.distance == Distance::Incremental;
     if incremental && here.x == 0.0 && here.y == 0.0 {

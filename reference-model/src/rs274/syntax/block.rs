@@ -192,6 +192,17 @@ pub enum Keyword {
     ProgramNumber,
 }
 
+/// What counts of a line that is passed over on the way to a label.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PassedOver {
+    /// Nothing.
+    Nothing,
+    /// A label and its keyword; what stands behind them is not read.
+    OWord(OWord),
+    /// M98.
+    NumberedCall,
+}
+
 /// A comment: what stands in parentheses or after a semicolon, verbatim.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Comment {

@@ -35,11 +35,23 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
     parsed
 }
 
+/// What counts of a line that is passed over, for a controller that reads such lines; no rule is reached.
+///
+/// # Errors
+/// The line is too long, a comment is not closed, or a line number, label or keyword is none.
+pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, Halt> {
+    let before = std::mem::take(&mut state.evidence);
+    let condensed = condense(line, state);
+    state.evidence = before;
+    let (glyphs, _) = condensed?;
+    Parser::new(&glyphs, &state.readings).passed_over()
+}
+
 /// The O-word of a line that begins with one, as far as it can be read: for skipping and for finding labels.
 ///
 /// Anything else is `None`; nothing is refused, and no rule is reached.
 pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
-    if !line.contains('o') && !line.contains('O') {
+    if !may_begin_with_o_word(line) {
         return None;
     }
     let before = std::mem::take(&mut state.evidence);
@@ -47,4 +59,11 @@ pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
     state.evidence = before;
     let (glyphs, _) = condensed.ok()?;
     Parser::new(&glyphs, &state.readings).leading_o_word()
+}
+
+/// Whether an O-word, or a comment that may stand before one, follows what can be a slash and a line number.
+fn may_begin_with_o_word(line: &str) -> bool {
+    let before =
+        |character| matches!(character, ' ' | '\t' | '\r' | '/' | 'n' | 'N' | '0'..='9' | '.');
+    line.trim_start_matches(before).starts_with(['o', 'O', '('])
 }

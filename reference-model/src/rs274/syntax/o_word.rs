@@ -4,7 +4,7 @@ use gaugeblock_trace::FaultKind;
 
 use super::parser::Parser;
 use super::value::Wanted;
-use super::{Expression, Keyword, Label, OWord};
+use super::{Expression, Keyword, Label, OWord, PassedOver};
 use crate::rs274::refusal::Halt;
 
 /// `elseif` stands before `else`, which it begins with.
@@ -88,6 +88,27 @@ impl Parser<'_> {
             o_word.keyword != Keyword::ProgramNumber || alone || self.peek().is_none();
         o_word.span = self.span_from(start);
         number_alone.then_some(o_word)
+    }
+
+    /// What rs274 reads of a line that it passes over: the line number, a label with its keyword, and whether M98 begins it.
+    pub(super) fn passed_over(mut self) -> Result<PassedOver, Halt> {
+        self.block_delete();
+        self.line_number()?;
+        self.comments();
+        if self.take("m98") {
+            let ends = !matches!(self.peek(), Some('0'..='9' | '.'));
+            return Ok(if ends { PassedOver::NumberedCall } else { PassedOver::Nothing });
+        }
+        if self.peek() != Some('o') {
+            return Ok(PassedOver::Nothing);
+        }
+        let word = self.label_and_keyword()?;
+        self.comments();
+        if word.keyword == Keyword::ProgramNumber && self.peek().is_some() {
+            let message = "behind the number of an O-word stands a keyword, which does not begin";
+            return Err(self.refuse("control.unrelated-words", FaultKind::BadBlock, message));
+        }
+        Ok(PassedOver::OWord(word))
     }
 
     /// Rule subroutines.numbered-o-words, subroutines.named-o-words, subroutines.computed-o-words: what stands behind

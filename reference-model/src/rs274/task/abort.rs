@@ -6,6 +6,7 @@ use super::operator::Operator;
 use super::{Record, Run};
 use crate::rs274::machine::State;
 use crate::rs274::quirks::task as quirks;
+use crate::rs274::step;
 
 impl Run<'_> {
     /// Rule abort.ends. The run is over, whatever block was broken off.
@@ -23,33 +24,35 @@ impl Run<'_> {
         }
         self.switch_off();
         if let Some(modes) = &self.at_last_motion {
-            quirks::modes_of_last_motion(modes, &mut self.state);
+            quirks::modes_of_last_motion(modes, self.has_moved, &mut self.state);
             self.switch_off();
         }
     }
 
-    /// Choice abort.spindle-and-coolant. An abort stops all spindles and switches coolant off, or leaves them alone.
+    /// Choice abort.spindle-and-coolant. An abort stops all spindles and switches coolant off, as M5 and M9 do (orient.cleared), or
+    /// leaves them alone.
     pub(super) fn switch_off(&mut self) {
         self.state.evidence.accepted("abort.spindle-and-coolant");
         if self.state.readings.is("abort.spindle-and-coolant", "switched-off") {
             let modes = &mut self.state.modes;
-            for spindle in &mut modes.spindles {
-                spindle.turn = SpindleTurn::Stopped;
-            }
             modes.mist = Switch::Off;
             modes.flood = Switch::Off;
-            self.show(None);
+            for place in step::spindle::all(&self.state) {
+                step::spindle::set_turn(SpindleTurn::Stopped, place, &mut self.state);
+            }
         }
+        self.show(None);
         self.record.settle(&self.state);
     }
 
-    /// Choice abort.read-ahead. The interpreter has read on to the next block that waits for the machine, or to the end: what
-    /// it made of modes and parameters on the way stays, although nothing of it was executed.
+    /// Choice abort.read-ahead. The interpreter has read the block that is broken off as a whole, and on to the next one that
+    /// waits for the machine, or to the end: what it made of modes and parameters on the way stays, although nothing of it was
+    /// executed.
     fn read_on(&mut self) {
-        let mut state = self.state.clone();
+        let Some(mut state) = self.at_block.take().map(|state| *state) else { return };
         state.evidence = crate::Evidence::default();
-        let mut control = self.control.clone();
-        control.place.line += 1;
+        state.outside.answers_at_once();
+        let control = self.control.clone();
         let mut ahead = Run {
             scenario: self.scenario,
             record: Record::new(&state),
@@ -59,8 +62,11 @@ impl Run<'_> {
             entries: self.entries,
             by_hand: false,
             ahead: true,
+            pause_asked: false,
+            at_block: None,
             waits_for_machine: false,
             at_last_motion: self.at_last_motion.clone(),
+            has_moved: self.has_moved,
         };
         let _how_far: End = ahead.program();
         self.take_over(ahead.state);
@@ -73,6 +79,8 @@ impl Run<'_> {
         self.state.modes = ahead.modes;
         self.state.modes.controller_mode = controller_mode;
         self.state.parameters = ahead.parameters;
+        // Local ones are those of the calls in progress.
+        self.state.frames = ahead.frames;
         self.state.position = self.state.modes.program_point(machine);
     }
 }

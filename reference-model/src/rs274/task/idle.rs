@@ -19,17 +19,22 @@ pub(super) enum Then {
 }
 
 impl Run<'_> {
-    /// The controller waits for the operator.
-    pub(super) fn idle(&mut self, aborted: bool) -> Result<Then, Halt> {
+    /// The controller waits for the operator. A block by hand that ends a program, or is broken off, is how the run ended.
+    pub(super) fn idle(&mut self, end: &mut End) -> Result<Then, Halt> {
+        self.pause_asked = false;
         while let Some(happening) = self.operator.next(f64::INFINITY) {
             let now = self.state.outside.time();
             self.state.outside.within_wait(happening.time.max(now));
             match self.request(happening, Activity::Idle)? {
                 Answer::Begins => {
-                    self.begin_again(aborted);
+                    self.begin_again(*end == End::Aborted);
                     return Ok(Then::Begin);
                 }
-                Answer::Executes(event) => self.entry(event)?,
+                Answer::Executes(event) => {
+                    if let Some(ended) = self.entry(event)? {
+                        *end = ended;
+                    }
+                }
                 Answer::Nothing | Answer::Pauses | Answer::GoesOn => {}
             }
         }
@@ -67,15 +72,15 @@ impl Run<'_> {
         *main = Frame { arguments: main.arguments, locals, ..Frame::default() };
     }
 
-    /// A block that the operator enters by hand.
-    fn entry(&mut self, event: usize) -> Result<(), Halt> {
+    /// A block that the operator enters by hand; how it ended when it ended the program.
+    fn entry(&mut self, event: usize) -> Result<Option<End>, Halt> {
         let earlier = self.scenario.operator.iter().take(event);
         let entered = earlier.filter(|event| matches!(event.action, Action::Mdi(_))).count();
         let line = u32::try_from(entered).unwrap_or(u32::MAX).saturating_add(1);
         let back = self.control.place;
-        self.by_hand(Place { line, ..self.entries })?;
+        let end = self.by_hand(Place { line, ..self.entries })?;
         self.control.place = back;
-        Ok(())
+        Ok(end)
     }
 
     /// Executes a block entered by hand, with all that it calls.

@@ -74,10 +74,10 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         position: modes.program_point(Position::default()),
         modes,
         parameters: Parameters::new(&machine, &readings),
-        readings,
+        readings: readings.into(),
         panel: Panel::new(&machine),
         outside,
-        machine,
+        machine: machine.into(),
         tool: 0,
         known_tool: 0,
         prepared_tool: -1,
@@ -120,10 +120,16 @@ struct Run<'a> {
     by_hand: bool,
     /// Whether this run only reads ahead of another one: nothing waits, and nobody asks for anything.
     ahead: bool,
+    /// Whether the operator has asked for a pause that the program has not come to stand at.
+    pause_asked: bool,
+    /// The state when the block that is executed began, where somebody may abort it.
+    at_block: Option<Box<State>>,
     /// Whether the block that is executed waits for what the machine answers.
     waits_for_machine: bool,
     /// The modes in force at the last motion, or before the first block; none where that motion was in a sub.
     at_last_motion: Option<Modes>,
+    /// Whether anything has moved.
+    has_moved: bool,
 }
 
 impl<'a> Run<'a> {
@@ -140,8 +146,11 @@ impl<'a> Run<'a> {
             entries,
             by_hand: false,
             ahead: false,
+            pause_asked: false,
+            at_block: None,
             waits_for_machine: false,
             at_last_motion,
+            has_moved: false,
         }
     }
 
@@ -153,10 +162,9 @@ impl<'a> Run<'a> {
         };
         loop {
             let stands_idle = match &end {
-                End::ProgramEnd | End::PercentEnd | End::Aborted => true,
-                // A program that waits has no event left; the others are over for good.
-                End::Paused
-                | End::Endless
+                // A program that pauses has no event left; what is entered by hand stands idle.
+                End::ProgramEnd | End::PercentEnd | End::Aborted | End::Paused => true,
+                End::Endless
                 | End::Fault(_)
                 | End::BudgetExhausted { .. }
                 | End::Unsupported { .. }
@@ -165,7 +173,7 @@ impl<'a> Run<'a> {
             if !stands_idle {
                 return end;
             }
-            match self.idle(end == End::Aborted) {
+            match self.idle(&mut end) {
                 Ok(idle::Then::Nothing) => return end,
                 Ok(idle::Then::Begin) => end = self.program(),
                 Err(halt) => return self.halted(halt),

@@ -54,6 +54,16 @@ impl<'a> Operator<'a> {
         }
     }
 
+    /// Whether up to a time something happens that would hold a move, or that the controller would answer between two moves.
+    pub(super) fn acts_on_moves(&self, until: f64) -> bool {
+        self.events.iter().filter(|event| event.due.is_some_and(|due| due <= until)).any(|event| {
+            matches!(
+                event.event.action,
+                Action::Pause | Action::FeedHold(true) | Action::Mode(_) | Action::Mdi(_)
+            )
+        })
+    }
+
     /// Takes the next event that happens up to a time; of several at one time the one that is listed first.
     pub(super) fn next(&mut self, until: f64) -> Option<Happening<'a>> {
         let due = |(place, event): (usize, &Event<'a>)| Some((event.due?, place));
@@ -64,6 +74,11 @@ impl<'a> Operator<'a> {
         }
         let Event { event, place, .. } = self.events.remove(place);
         Some(Happening { time, action: &event.action, place })
+    }
+
+    /// Whether something happens at a time that is known by now.
+    pub(super) fn is_due(&self) -> bool {
+        self.events.iter().any(|event| event.due.is_some())
     }
 
     /// Whether the operator does nothing more.

@@ -27,14 +27,19 @@ impl Run<'_> {
                 return Ok(None);
             }
             Some(Line::End) if self.state.call_level() > 0 => {
+                self.between()?;
                 let why = "a percent line that is reached in a subroutine".to_owned();
                 return Err(Halt::Unspecified(why));
             }
             Some(Line::End) => {
+                self.between()?;
                 self.state.evidence.accepted("program-end.percent");
                 return Ok(Some(End::PercentEnd));
             }
-            None => return Err(self.missing_end()),
+            None => {
+                self.between()?;
+                return Err(self.missing_end());
+            }
         };
         match self.block(&text)? {
             Next::Following => self.control.place.line += 1,
@@ -135,35 +140,51 @@ impl Run<'_> {
                 control::assign(settings, &mut self.state)?;
             }
             let to_position = phase == Phase::OffsetData && step::positions::moves(words);
-            if phase == Phase::Motion || to_position {
+            let change = &self.state.machine.tool_change;
+            let to_change = phase == Phase::ChangeTool && (change.at_g30 || change.quill_up);
+            if phase == Phase::Motion || to_position || to_change {
                 self.may_move(phase, words)?;
+            } else if phase == Phase::Dwell {
+                self.stand_in_dwell()?;
             }
             self.waits_for_machine = waits_for_machine(phase, words, &self.state);
             if self.waits_for_machine && self.ahead {
                 return Err(Halt::Ended(End::Paused));
             }
             let began = self.state.outside.time();
-            let before = (!self.operator.is_done()).then(|| self.state.clone());
-            rest = match order::execute(phase, words, &mut self.state, &mut self.record) {
+            let before = self.operator.is_due().then(|| self.without_evidence());
+            let refused = match order::execute(phase, words, &mut self.state, &mut self.record) {
+                Ok(done) => {
+                    rest = done;
+                    None
+                }
                 Err(Halt::WaitsForEver) => return Err(self.waits_for_ever()),
-                done => done?,
+                Err(refused @ Halt::Refused(_)) if self.state.outside.time() > began => {
+                    Some(refused)
+                }
+                Err(halt) => return Err(halt),
             };
-            if phase == Phase::Motion {
+            if phase == Phase::Motion && refused.is_none() {
                 let in_main = self.state.call_level() == 0;
                 self.at_last_motion = in_main.then(|| self.state.modes.clone());
+                self.has_moved = true;
             }
             self.show(Some(phase));
             if rest == Rest::Drop {
                 break;
             }
-            if let Err(halt) = self.took_time_since(began) {
+            if let Err(halt) = self.took_time_since(began, phase) {
                 let evidence = std::mem::take(&mut self.state.evidence);
-                let outside = self.state.outside.clone();
                 if let Some(before) = before {
-                    self.state = before;
+                    let after = std::mem::replace(&mut self.state, before);
+                    self.broken_off(phase, &after);
+                    self.state.outside = after.outside;
                 }
-                (self.state.evidence, self.state.outside) = (evidence, outside);
+                self.state.evidence = evidence;
                 return Err(halt);
+            }
+            if let Some(refused) = refused {
+                return Err(refused);
             }
         }
         if rest != Rest::Drop {
@@ -174,6 +195,26 @@ impl Run<'_> {
             control::assign(settings, &mut self.state)?;
         }
         Ok(rest)
+    }
+
+    /// The state as an abort brings it back: what was reached stays reached.
+    fn without_evidence(&mut self) -> State {
+        let evidence = std::mem::take(&mut self.state.evidence);
+        let state = self.state.clone();
+        self.state.evidence = evidence;
+        state
+    }
+
+    /// A phase has been broken off while it waited. What it has told a spindle stays, and the way to where the tool is changed has been
+    /// made.
+    fn broken_off(&mut self, phase: Phase, after: &State) {
+        if !matches!(phase, Phase::Spindle | Phase::ChangeTool) {
+            return;
+        }
+        self.state.position = after.position;
+        for (spindle, told) in self.state.modes.spindles.iter_mut().zip(&after.modes.spindles) {
+            spindle.turn = told.turn;
+        }
     }
 
     /// A block with M98 or M99: its comment and settings, then the call or return.
@@ -212,10 +253,11 @@ impl Run<'_> {
     }
 }
 
-/// Whether a phase waits for what the machine answers, so that nothing behind it can be read before.
+/// Whether a phase waits for what the machine answers, so that nothing behind it can be read before: M66, M6, a probe.
 fn waits_for_machine(phase: Phase, words: &Words, state: &State) -> bool {
     let reads_input = phase == Phase::InputsOutputs && words.m.contains(&66);
     let probes = phase == Phase::Motion
         && step::motion::motion_of(words, state).is_some_and(step::probe::is_probing);
-    reads_input || probes || matches!(phase, Phase::ChangeTool | Phase::UserCode)
+    let changes_tool = phase == Phase::ChangeTool && words.m.contains(&6);
+    reads_input || probes || changes_tool
 }

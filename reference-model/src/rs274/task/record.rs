@@ -102,13 +102,22 @@ impl Record {
     }
 
     /// The block that is being executed, if there is one, is broken off. What it did itself is not recorded, as with one
-    /// that is refused; what the controller refused meanwhile is.
+    /// that is refused; what the controller refused meanwhile is, and what was set and stays so.
     pub fn broken_off(&mut self, block: Block, state: &State) {
         if !self.in_block {
             return;
         }
-        let refused = |event: &Event| matches!(event, Event::Do(Effect::RequestRefused { .. }));
-        self.events.retain(refused);
+        let mut set = Settings::default();
+        self.events.retain(|event| match event {
+            Event::Set(changed) => {
+                set.overlay(changed);
+                false
+            }
+            Event::Do(effect) => matches!(effect, Effect::RequestRefused { .. }),
+        });
+        if set != Settings::default() {
+            self.events.push(Event::Set(set));
+        }
         if self.steps.is_empty() {
             self.step_without_state(block, state);
         } else {

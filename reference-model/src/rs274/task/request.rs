@@ -80,6 +80,7 @@ impl Run<'_> {
 
     /// Rule pause.resume. After a pause the program goes on at the following block.
     fn resume(&mut self, activity: Activity) -> Answer {
+        self.pause_asked = false;
         if !matches!(activity, Activity::Paused { .. }) {
             return Answer::Nothing;
         }

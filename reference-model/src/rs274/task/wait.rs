@@ -14,37 +14,78 @@ impl Run<'_> {
     pub(super) fn begins(&mut self, block: &Block) -> Result<(), Halt> {
         self.record.begin();
         self.waits_for_machine = false;
-        if self.operator.is_done() {
+        self.at_block = None;
+        if self.operator.is_done() && !self.pause_asked {
             return Ok(());
         }
         let now = self.state.outside.time();
         self.operator.begins(block, now);
-        self.meanwhile(now).map(|_| ())
+        self.between()
+    }
+
+    /// Between two blocks, and where the text ends: what the operator has done by now, and the pause that was asked for.
+    pub(super) fn between(&mut self) -> Result<(), Halt> {
+        if !self.operator.is_done() {
+            self.at_block = Some(Box::new(self.state.clone()));
+        }
+        loop {
+            self.meanwhile(self.state.outside.time(), false)?;
+            if !self.pause_asked {
+                return Ok(());
+            }
+            self.stand_paused(Activity::Paused { after_pallets: false })?;
+        }
     }
 
     /// A phase of the block has taken the time since it began: what the operator did meanwhile.
-    pub(super) fn took_time_since(&mut self, began: f64) -> Result<(), Halt> {
+    ///
+    /// Choice pause.during-dwell. A dwell stands still with its program, or goes on. What something outside takes goes on.
+    ///
+    /// What the operator does in the dwell of a canned cycle, between two of its moves, is out of this model's reach.
+    pub(super) fn took_time_since(&mut self, began: f64, phase: Phase) -> Result<(), Halt> {
         let end = self.state.outside.time();
         if end <= began || self.operator.is_done() {
             return Ok(());
         }
         self.state.outside.within_wait(began);
-        let longer = self.meanwhile(end)?;
+        if phase == Phase::Motion && self.operator.acts_on_moves(end) {
+            let what = "what the operator does in the dwell of a canned cycle";
+            return Err(Halt::Unsupported(what.to_owned()));
+        }
+        let longer = self.meanwhile(end, phase == Phase::Dwell)?;
         self.state.outside.within_wait(end + longer);
         Ok(())
     }
 
-    /// What the operator does up to a time while a block is executed; the seconds by which a pause makes it longer.
-    fn meanwhile(&mut self, until: f64) -> Result<f64, Halt> {
+    /// What the operator does up to a time while a block is executed; the seconds by which a pause makes it longer, where it is
+    /// a dwell.
+    fn meanwhile(&mut self, until: f64, dwells: bool) -> Result<f64, Halt> {
         let mut longer = 0.0;
         while let Some(happening) = self.operator.next(until + longer) {
             let now = self.state.outside.time();
             self.state.outside.within_wait(happening.time.max(now));
             if self.request(happening, Activity::Running)? == Answer::Pauses {
-                longer += self.stand_paused(Activity::Paused { after_pallets: false })?;
+                self.pause_asked = true;
+                if dwells {
+                    longer += self.stand_in_dwell()?;
+                }
             }
         }
         Ok(longer)
+    }
+
+    /// A dwell of a program that is paused: where it stands still it does so until the program goes on; the seconds that it
+    /// took.
+    pub(super) fn stand_in_dwell(&mut self) -> Result<f64, Halt> {
+        let rule = "pause.during-dwell";
+        if !self.pause_asked {
+            return Ok(0.0);
+        }
+        self.state.evidence.accepted(rule);
+        if self.state.readings.is(rule, "goes-on") {
+            return Ok(0.0);
+        }
+        self.stand_paused(Activity::Paused { after_pallets: false })
     }
 
     /// Rules pause.always, pause.optional, pause.pallet. The program pauses at the end of a block, which
@@ -71,6 +112,7 @@ impl Run<'_> {
     ///
     /// Where the operator does nothing more the run ends here.
     fn stand_paused(&mut self, activity: Activity) -> Result<f64, Halt> {
+        self.pause_asked = false;
         let began = self.state.outside.time();
         while let Some(happening) = self.operator.next(f64::INFINITY) {
             let now = self.state.outside.time();
@@ -87,20 +129,25 @@ impl Run<'_> {
         while let Some(happening) = self.operator.next(f64::INFINITY) {
             let now = self.state.outside.time();
             self.state.outside.within_wait(happening.time.max(now));
-            if let Err(halt) = self.request(happening, Activity::Running) {
-                return halt;
+            match self.request(happening, Activity::Running) {
+                Ok(answer) => self.pause_asked |= answer == Answer::Pauses,
+                Err(halt) => return halt,
             }
         }
         Halt::WaitsForEver
     }
 
-    /// A motion begins only once the feed is not held.
+    /// A motion begins only once the feed is not held, and the program not paused.
     ///
     /// Rules overrides.feed-zero, overrides.adaptive-feed-zero, overrides.feed-stop-holds. Until then the block stands, and the
     /// operator or an input may change what holds it.
     pub(super) fn may_move(&mut self, phase: Phase, words: &Words) -> Result<(), Halt> {
-        if self.ahead || !step::feed::may_be_held(&self.state) || !self.moves(phase, words) {
+        let may_be_held = self.pause_asked || step::feed::may_be_held(&self.state);
+        if self.ahead || !may_be_held || !self.moves(phase, words) {
             return Ok(());
+        }
+        if self.pause_asked {
+            self.stand_paused(Activity::Paused { after_pallets: false })?;
         }
         while step::feed::is_held(words, &mut self.state) {
             let change = self.state.outside.next_change_of_feed();
@@ -124,6 +171,7 @@ impl Run<'_> {
         let mut state = self.state.clone();
         let mut record = Record::new(&state);
         let moved = order::execute(phase, words, &mut state, &mut record);
-        moved.is_ok() && record.effects() > 0
+        moved.is_ok()
+            && if phase == Phase::ChangeTool { record.has_moved() } else { record.effects() > 0 }
     }
 }

@@ -40,17 +40,20 @@ pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Commen
     let mut glyphs = Vec::with_capacity(line.len());
     let mut comments: Vec<Comment> = Vec::new();
     let (mut blanks, mut upper_case) = (false, false);
-    let mut at = 0;
-    while let Some(character) = line[at..].chars().next() {
-        let mut end = at + character.len_utf8();
+    let mut behind_comment = 0;
+    for (at, character) in line.char_indices() {
+        if at < behind_comment {
+            continue;
+        }
         let comment = comment_at(line, at, &state.readings).inspect_err(|_| {
             if !comments.is_empty() {
                 state.evidence.refused("text.comment-format-checked");
             }
         });
         if let Some(comment) = comment? {
-            end = comment.span.end as usize;
-            glyphs.push(Glyph { character: Glyph::COMMENT, start: place(at), end: place(end) });
+            behind_comment = comment.span.end as usize;
+            let (start, end) = (comment.span.start, comment.span.end);
+            glyphs.push(Glyph { character: Glyph::COMMENT, start, end });
             state.evidence.accepted(if comment.semicolon {
                 "text.comment-semicolon"
             } else {
@@ -66,10 +69,9 @@ pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Commen
             if character.is_ascii_uppercase() && !std::mem::replace(&mut upper_case, true) {
                 state.evidence.accepted("text.case");
             }
-            let character = character.to_ascii_lowercase();
-            glyphs.push(Glyph { character, start: place(at), end: place(end) });
+            let (start, end) = (place(at), place(at + character.len_utf8()));
+            glyphs.push(Glyph { character: character.to_ascii_lowercase(), start, end });
         }
-        at = end;
     }
     state.evidence.accepted("text.line-length");
     if comments.len() > 1 {

@@ -22,10 +22,10 @@ pub(super) fn comment_at(
     at: usize,
     readings: &Readings,
 ) -> Result<Option<Comment>, Halt> {
-    let rest = &line[at..];
-    if !rest.starts_with([';', '(', ')']) {
+    if !matches!(line.as_bytes()[at], b';' | b'(' | b')') {
         return Ok(None);
     }
+    let rest = &line[at..];
     let wrong = |end: usize, message: &str| {
         Err(refuse_at("text.comment-unclosed", FaultKind::BadComment, span(at, end), message))
     };

@@ -61,6 +61,8 @@ pub(super) struct Assembly<'a> {
     aborted: bool,
     /// Whether another mode was asked for, which a controller may take as an abort.
     asked_for_mode: bool,
+    /// Whether the operator has asked for a pause that the controller has not been told yet.
+    asked_to_pause: bool,
     /// Whether each line of the program is entered by hand.
     by_hand: bool,
     /// What the next probe has to do with a block that a person enters besides the program.
@@ -107,6 +109,7 @@ impl<'a> Assembly<'a> {
             stopped: None,
             aborted: false,
             asked_for_mode: false,
+            asked_to_pause: false,
             by_hand: scenario.program.start == Start::Mdi,
             entering: None,
             has_ended: false,
@@ -181,6 +184,7 @@ impl<'a> Assembly<'a> {
         } else if let Some(action) = told.get("operator").and_then(Value::as_str) {
             self.aborted = action == "abort" || self.aborted && action != "cycle_start";
             self.asked_for_mode |= action == "mode";
+            self.asked_to_pause |= action == "pause";
         } else if told.get("starts_again").is_some() {
             self.starts += 1;
             self.has_ended = false;
@@ -215,6 +219,10 @@ impl<'a> Assembly<'a> {
             return Ok(());
         }
         if issued.name == "TRAJ_DELAY" && std::mem::take(&mut self.at_gate) {
+            return Ok(());
+        }
+        // The operator's pause has the name of the program's, and is no effect of a block.
+        if issued.name == "TASK_PLAN_PAUSE" && std::mem::take(&mut self.asked_to_pause) {
             return Ok(());
         }
         if is_end(issued) {

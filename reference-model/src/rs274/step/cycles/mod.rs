@@ -15,6 +15,7 @@ use super::{outputs, whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::motion_mode;
 use crate::rs274::quirks::cycles as quirks;
+use crate::rs274::quirks::saved_state::tolerances_as_numbers;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -145,6 +146,9 @@ pub(super) fn perform(
         }
         in_between(&cycle, place, state, record);
         strokes::perform(&cycle, state, record)?;
+    }
+    if path == Path::Continuous && state.readings.quirk("rs274.cycle-exact-path") {
+        tolerances_as_numbers(state);
     }
     state.modes.path = path;
     Ok(())

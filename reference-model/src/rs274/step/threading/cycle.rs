@@ -146,7 +146,7 @@ fn pass(thread: &Thread, depth: f64, state: &mut State, record: &mut Record) {
     }
     record.effect(state, Effect::StopSpindleSynchronisation {});
     traverse(at(line.x, to), state, record);
-    state.modes.feed_override = feed_override;
+    state.modes.feed_override = quirks::feed_override_after(feed_override, state);
 }
 
 fn synchronise(thread: &Thread, pitch: f64, state: &mut State, record: &mut Record) {

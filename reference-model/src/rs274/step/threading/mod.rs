@@ -2,11 +2,15 @@
 
 mod cycle;
 
-use gaugeblock_trace::{Compensation, Effect, FaultKind, Motion, SpindleTurn};
+use gaugeblock_trace::{
+    Axis, Compensation, Effect, FaultKind, Motion, Position, SpindleMode, SpindleTurn,
+};
 
 use super::target::end_point;
 use super::{outputs, spindle, word};
+use crate::math;
 use crate::rs274::machine::State;
+use crate::rs274::modes::{converted, each, unit_size};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::threading as quirks;
 use crate::rs274::read::Words;
@@ -20,7 +24,7 @@ pub(super) use cycle::perform as thread;
 /// Rule threading.rigid-tap. G33.1 moves there and back, and ends where it began.
 ///
 /// # Errors
-/// Rules threading.axis-words-missing, threading.needs-pitch, threading.needs-spindle, threading.spindle.
+/// Rules threading.axis-words-missing, threading.needs-pitch, threading.needs-spindle, threading.spindle, threading.velocity.
 pub(super) fn perform(
     motion: Motion,
     words: &Words,
@@ -45,6 +49,7 @@ pub(super) fn perform(
         return Err(Halt::Unsupported("a synchronised move under cutter compensation".to_owned()));
     }
     let end = end_point(words, state)?;
+    within_velocities(place, pitch, end, state)?;
     state.modes.motion = motion;
     outputs::motion_begins(state);
     record.effect(state, Effect::StartSpindleSynchronisation { spindle: number(place), pitch });
@@ -82,6 +87,44 @@ fn turning_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
     }
     state.evidence.accepted("threading.needs-spindle");
     Ok(place)
+}
+
+/// The move lasts as long as the spindle takes for its revolutions: one for each K of the way in X, Y and Z.
+///
+/// Rule threading.velocity. In that time no axis goes further than its highest velocity brings it. Under constant surface speed S does
+/// not say how fast the spindle turns.
+fn within_velocities(
+    place: usize,
+    pitch: f64,
+    end: Position,
+    state: &mut State,
+) -> Result<(), Halt> {
+    let modes = &state.modes;
+    let spindle = modes.spindles[place];
+    if spindle.mode == SpindleMode::SurfaceSpeed {
+        return Ok(());
+    }
+    let (here, there) = (modes.machine_point(state.position), modes.machine_point(end));
+    let way = converted(
+        each(there, here, |there, here| there - here),
+        modes.units,
+        state.machine.length_unit,
+    );
+    let pitch = pitch * unit_size(modes.units) / unit_size(state.machine.length_unit);
+    let revolutions = math::hypotenuse(math::hypotenuse(way.x, way.y), way.z) / pitch;
+    let seconds = revolutions / spindle.speed * 60.0;
+    let too_fast = |axis: &Axis| {
+        let limits = state.machine.limits.get(axis.word());
+        let highest = limits.and_then(|limits| limits.velocity).unwrap_or(f64::INFINITY);
+        // What reaches the highest velocity does not exceed it, but for rounding.
+        way.get(*axis).abs() > highest * seconds * (1.0 + 1e-9)
+    };
+    if revolutions > 0.0 && Axis::ALL.iter().any(too_fast) {
+        let message = "a move in step with the spindle that is too fast for an axis";
+        return Err(refuse("threading.velocity", FaultKind::BeyondLimit, message));
+    }
+    state.evidence.accepted("threading.velocity");
+    Ok(())
 }
 
 /// A spindle's number as effects tell it.

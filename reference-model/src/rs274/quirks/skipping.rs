@@ -1,0 +1,170 @@
+//! Quirks of what is passed over on the way to a label: rs274 looks for an end, a sub or a number by reading line after
+//! line, and minds some of what it reads.
+
+use gaugeblock_trace::FaultKind;
+
+use crate::math;
+use crate::rs274::control::{Control, Place, label_of};
+use crate::rs274::machine::State;
+use crate::rs274::quirks::control::with_zeros;
+use crate::rs274::read;
+use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::syntax::{self, Keyword, Label, PassedOver};
+use crate::rs274::text::Line;
+
+/// What is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sought<'a> {
+    /// The next branch or the end of a condition or loop.
+    Structure {
+        /// Its label.
+        label: &'a str,
+        /// Whether it is a while or do, which break and continue may name.
+        of_loop: bool,
+    },
+    /// The endsub of the sub that is defined.
+    EndSub,
+    /// A sub or a numbered program that is called.
+    Called,
+}
+
+/// The lines behind this block and before line `end` are passed over; all of the file, where there is no end.
+///
+/// Quirk rs274.skipped-is-read. Their length, comments, line numbers, O-words and blocks that begin with M98 are checked.
+/// Quirk rs274.skipped-labels. So is a label that is the one of the condition or loop whose end is looked for.
+/// Quirk rs274.number-in-sub. A number alone within a sub counts as the beginning of another one.
+///
+/// # Errors
+/// A line that is refused.
+pub(crate) fn pass_over(
+    control: &mut Control,
+    sought: Sought<'_>,
+    end: Option<u32>,
+    state: &mut State,
+) -> Result<(), Halt> {
+    let start = control.place;
+    for line in start.line + 1..end.unwrap_or(u32::MAX) {
+        let place = Place { line, ..start };
+        match control.files.line(place, state) {
+            None | Some(Line::End) => break,
+            Some(Line::Nothing) => {}
+            Some(Line::Block(text)) => {
+                minded(&text, sought, state).inspect_err(|_| control.place = place)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// On the way to the numbered program that M98 calls; to one that was called before nobody looks for a way.
+///
+/// # Errors
+/// A line that is refused.
+pub(crate) fn to_numbered(
+    control: &mut Control,
+    label: &str,
+    state: &mut State,
+) -> Result<(), Halt> {
+    if control.is_called_before(label) {
+        return Ok(());
+    }
+    let ends = [Keyword::ProgramNumber, Keyword::Sub];
+    let end = control.next_in_file(label, &ends);
+    pass_over(control, Sought::Called, end, state)
+}
+
+/// A line that is passed over.
+fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), Halt> {
+    let reads = state.readings.quirk("rs274.skipped-is-read");
+    let in_sub = sought == Sought::EndSub;
+    let read = match syntax::passed_over(text, state) {
+        Ok(read) => read,
+        Err(halt) if reads && !(is_passable(&halt, in_sub, text)) => return Err(halt),
+        Err(_) => return Ok(()),
+    };
+    let word = match read {
+        PassedOver::Nothing => return Ok(()),
+        PassedOver::NumberedCall if reads => return numbered_call(text, state),
+        PassedOver::NumberedCall => return Ok(()),
+        PassedOver::OWord(word) => word,
+    };
+    let written = match &word.label {
+        Label::Number(number) if in_sub => Label::Number(with_zeros(number, state)),
+        label @ (Label::Number(_) | Label::Name(_)) => label.clone(),
+    };
+    let label = match label_of(&written, state) {
+        Err(halt) if reads => return Err(halt),
+        label => label.ok(),
+    };
+    match sought {
+        Sought::Structure { label: own, of_loop }
+            if label.as_deref() == Some(own) && state.readings.quirk("rs274.skipped-labels") =>
+        {
+            own_label(word.keyword, of_loop)
+        }
+        Sought::EndSub
+            if word.keyword == Keyword::ProgramNumber
+                && state.readings.quirk("rs274.number-in-sub") =>
+        {
+            let message = "a number alone within a sub that is defined";
+            Err(refuse("rs274.number-in-sub", FaultKind::NestedSub, message))
+        }
+        Sought::EndSub if word.keyword == Keyword::Sub && reads => {
+            let rule = "subroutines.nested-definition";
+            Err(refuse(rule, FaultKind::NestedSub, "a sub within a sub that is defined"))
+        }
+        Sought::Structure { .. } | Sought::EndSub | Sought::Called => Ok(()),
+    }
+}
+
+/// What is wrong with a line and passes all the same: a right parenthesis without a comment; within a sub what is no keyword.
+fn is_passable(halt: &Halt, in_sub: bool, text: &str) -> bool {
+    let Halt::Refused(refusal) = halt else { return true };
+    let part = refusal.span.and_then(|span| text.get(span.start as usize..span.end as usize));
+    part == Some(")") || in_sub && refusal.rule == "control.unrelated-words"
+}
+
+/// The P and L of an M98 are read, and must be numbers of programs and of turns.
+fn numbered_call(text: &str, state: &mut State) -> Result<(), Halt> {
+    let block = syntax::parse(text, state)?;
+    let words = read::read(&block, state)?;
+    let rule = "rs274.skipped-is-read";
+    let Some(number) = words.letters.get(&'p') else {
+        return Err(refuse(rule, FaultKind::MissingWord, "M98 without P"));
+    };
+    let turns = words.letters.get(&'l').copied().unwrap_or(1.0);
+    if [*number, turns].iter().any(|value| math::near_integer(*value).is_none()) {
+        let message = "P or L of M98 is no integer";
+        return Err(refuse(rule, FaultKind::NotAnInteger, message));
+    }
+    if turns < 0.0 {
+        return Err(refuse(rule, FaultKind::WordOutOfRange, "L of M98 is negative"));
+    }
+    Ok(())
+}
+
+/// The label whose end is looked for, before that end: what could not begin there, or end there, is refused.
+fn own_label(keyword: Keyword, of_loop: bool) -> Result<(), Halt> {
+    let kind = match keyword {
+        Keyword::If | Keyword::While | Keyword::Repeat => FaultKind::DuplicateLabel,
+        Keyword::Break | Keyword::Continue if of_loop => return Ok(()),
+        Keyword::ElseIf
+        | Keyword::Else
+        | Keyword::EndIf
+        | Keyword::EndWhile
+        | Keyword::EndRepeat
+        | Keyword::Break
+        | Keyword::Continue => FaultKind::UnknownLabel,
+        Keyword::Do => {
+            let why = "a do whose label is that of the condition or loop around it";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
+        Keyword::Sub
+        | Keyword::EndSub
+        | Keyword::Call
+        | Keyword::Return
+        | Keyword::ProgramNumber => return Ok(()),
+    };
+    let message = "the label of the condition or loop around it, which does not end here";
+    Err(refuse("rs274.skipped-labels", kind, message))
+}
