@@ -268,6 +268,7 @@ fn push(piece: &Piece, queue: &mut Queue<'_>) {
             && piece.ceiling > most
         {
             piece.ceiling = most;
+            piece.fastest = length / queue.limits.cycle;
             queue.changed = queue.changed.min(place);
         }
     }

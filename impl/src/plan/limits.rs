@@ -55,6 +55,7 @@ impl Limits {
             Some(circle) if !bends => self.rule_round(piece, &circle),
             Some(circle) => self.rule_bent_arc(piece, &circle),
         }
+        piece.fastest = math::sqrt(piece.ceiling);
     }
 
     /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may need.

@@ -320,15 +320,11 @@ impl Planner {
         }
         let sense = if motion.backwards { -1.0 } else { 1.0 };
         let (speed, change) = (sense * motion.speed, sense * motion.acceleration);
-        let square = squared(motion.speed);
-        let used = if piece.axes <= 3 { 3 } else { 9 };
-        let mut sum = 0.0;
-        let shown = output.velocity.iter_mut().zip(&mut output.acceleration).take(used);
-        for (first, second) in shown {
-            *second = *first * change + *second * square;
-            *first *= speed;
-            sum += *first * *first;
-        }
+        let sum = if piece.axes <= 3 {
+            timed::<3>(output, speed, change)
+        } else {
+            timed::<9>(output, speed, change)
+        };
         output.speed = crate::math::sqrt(sum);
     }
 
@@ -371,4 +367,17 @@ impl Planner {
         self.aborting = false;
         self.retraced = None;
     }
+}
+
+/// Makes p' and p'' a velocity and an acceleration; the square of the speed.
+#[inline]
+fn timed<const N: usize>(output: &mut OutputParameter, speed: f64, change: f64) -> f64 {
+    let square = squared(speed);
+    let mut sum = 0.0;
+    for (first, second) in output.velocity.iter_mut().zip(&mut output.acceleration).take(N) {
+        *second = *first * change + *second * square;
+        *first *= speed;
+        sum += *first * *first;
+    }
+    sum
 }

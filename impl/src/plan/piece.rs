@@ -66,6 +66,8 @@ pub(super) struct Piece {
     pub(super) law: Law,
     /// Highest square of the parameter's speed that the axes allow.
     pub(super) ceiling: f64,
+    /// Its root.
+    pub(super) fastest: f64,
     /// Programmed speed of the parameter, per second or per turn.
     pub(super) feed: f64,
     pub(super) pace: Pace,

@@ -10,6 +10,10 @@ use super::reach::along;
 use super::ring::Ring;
 use crate::math;
 
+/// Half of what lies between a limit and what is planned with.
+const HARDLY: f64 = 1.0 + 0.5 * (1.0 - PLANNED);
+/// The share of an axis in a direction below which it takes no part.
+const SMALL: f64 = 1e-9;
 /// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
 const TOUCHED: u32 = 12;
 
@@ -62,12 +66,12 @@ impl Motion {
     pub(super) fn cycle(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) {
         let mut left = limits.cycle;
         self.acceleration = 0.0;
+        let Some(mut piece) = ring.get(self.at) else { return };
         for _ in 0..TOUCHED {
-            let Some(piece) = ring.get(self.at) else { return };
-            if self.remaining(piece) <= 0.0 && !self.over(ring, piece, &mut left) {
-                return;
+            if self.remaining(piece) <= 0.0 {
+                let Some(next) = self.over(ring, piece, &mut left) else { return };
+                piece = next;
             }
-            let Some(piece) = ring.get(self.at) else { return };
             if let Law::Dwell(_) = piece.law {
                 if left > 0.0 && !wish.rest {
                     continue;
@@ -102,35 +106,38 @@ impl Motion {
         }
     }
 
-    /// Goes over to the next piece; false where there is none, or where a dwell uses up the cycle.
-    fn over(&mut self, ring: &Ring<Piece>, piece: &Piece, left: &mut f64) -> bool {
-        if let (Law::Dwell(seconds), false) = (piece.law, self.backwards) {
+    /// Goes over to the next piece; none where there is none, or where a dwell uses up the cycle.
+    fn over<'a>(
+        &mut self,
+        ring: &'a Ring<Piece>,
+        piece: &Piece,
+        left: &mut f64,
+    ) -> Option<&'a Piece> {
+        if self.backwards {
+            let before = self.at.wrapping_sub(1);
+            let earlier = ring.get(before)?;
+            self.at = before;
+            self.speed /= earlier.exit;
+            self.x = earlier.length;
+            return Some(earlier);
+        }
+        if let Law::Dwell(seconds) = piece.law {
             let rest = seconds - self.dwelt;
             if rest > *left {
                 self.dwelt += *left;
                 *left = 0.0;
-                return false;
+                return None;
             }
             *left -= rest.max(0.0);
             self.dwelt = seconds;
         }
-        if self.backwards {
-            let before = self.at.wrapping_sub(1);
-            let Some(earlier) = ring.get(before) else { return false };
-            self.at = before;
-            self.speed /= earlier.exit;
-            self.x = earlier.length;
-        } else {
-            let after = self.at.wrapping_add(1);
-            if ring.get(after).is_none() {
-                return false;
-            }
-            self.at = after;
-            self.speed *= piece.exit;
-            self.x = 0.0;
-            self.dwelt = 0.0;
-        }
-        true
+        let after = self.at.wrapping_add(1);
+        let later = ring.get(after)?;
+        self.at = after;
+        self.speed *= piece.exit;
+        self.x = 0.0;
+        self.dwelt = 0.0;
+        Some(later)
     }
 
     /// A segment has begun if its start was passed.
@@ -205,7 +212,15 @@ impl Motion {
         }
     }
 
-    fn bend(
+    fn bend(&mut self, piece: &Piece, exit: f64, asked: (&Limits, &Wish), left: f64) -> f64 {
+        if piece.axes <= 3 {
+            self.bend_of::<3>(piece, exit, asked, left)
+        } else {
+            self.bend_of::<9>(piece, exit, asked, left)
+        }
+    }
+
+    fn bend_of<const N: usize>(
         &mut self,
         piece: &Piece,
         exit: f64,
@@ -217,84 +232,89 @@ impl Motion {
         if !wish.rest {
             let met = (wish.ease * exit - squared(self.speed)) / (2.0 * remaining);
             most = math::lesser((wanted(piece, wish) - self.speed) / left, met);
-            if self.allows(piece, most, limits) {
+            if most > 0.0 {
+                let (high, calm) = self.greatest::<N>(piece, limits);
+                most = math::lesser(most, high);
+                if calm {
+                    return self.go(piece, math::greater(most, 0.0), exit, left);
+                }
+            } else if self.allows::<N>(piece, most, limits) {
                 return self.go(piece, most, exit, left);
             }
         }
-        let (low, high) = self.allowed(piece, remaining, limits);
-        most = math::lesser(most, high);
+        let low = self.least::<N>(piece, remaining, limits);
         if most >= low {
+            most = math::lesser(most, math::greater(self.greatest::<N>(piece, limits).0, low));
             return self.go(piece, most, exit, left);
         }
         // More than can be kept up to the end of the piece may be possible within this cycle.
         let near = (self.speed * left).min(remaining);
-        let (now, _) = self.allowed(piece, near, limits);
+        let now = self.least::<N>(piece, near, limits);
         self.go(piece, most.max(now.min(low)), exit, left)
     }
 
     /// Whether all axes allow an acceleration up to the end of a bend: what is asked for mostly is.
-    fn allows(&self, piece: &Piece, acceleration: f64, limits: &Limits) -> bool {
+    fn allows<const N: usize>(&self, piece: &Piece, acceleration: f64, limits: &Limits) -> bool {
         let y = squared(self.speed);
-        let sense = if self.backwards { -acceleration } else { acceleration };
         let later = 3.0 * self.remaining(piece) * acceleration;
-        let used = if piece.axes <= 3 { 3 } else { 9 };
-        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(used);
+        let along = if self.backwards { -acceleration } else { acceleration };
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
         let mut allows = true;
         for ((rate, bend), limit) in axes {
-            let here = sense * (rate + self.x * bend) + bend * y;
+            let here = along * (rate + self.x * bend) + bend * y;
             allows &= here.abs() <= *limit && (here + later * bend).abs() <= *limit;
         }
         allows
     }
 
-    /// The least acceleration that all axes allow from here to so far ahead, and the greatest that is planned with. They
-    /// leave a gap between them, so that a speed that rounding has made too high comes down again.
-    fn allowed(&self, piece: &Piece, ahead: f64, limits: &Limits) -> (f64, f64) {
-        if piece.axes <= 3 {
-            self.allowed_over::<3>(piece, ahead, limits)
-        } else {
-            self.allowed_over::<9>(piece, ahead, limits)
-        }
-    }
-
-    fn allowed_over<const N: usize>(
-        &self,
-        piece: &Piece,
-        ahead: f64,
-        limits: &Limits,
-    ) -> (f64, f64) {
-        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        let (Some(rates), Some(bends), Some(limits), Some(planned)) = (
-            piece.rate.first_chunk::<N>(),
-            piece.bend.first_chunk::<N>(),
-            limits.acceleration.first_chunk::<N>(),
-            limits.planned.first_chunk::<N>(),
-        ) else {
-            return (low, high);
-        };
-        let y = squared(self.speed);
-        let (x, thrice) = (self.x, 3.0 * ahead);
+    /// The greatest acceleration that is planned with up to the end of a bend; and whether none is allowed too.
+    fn greatest<const N: usize>(&self, piece: &Piece, limits: &Limits) -> (f64, bool) {
+        let (mut high, mut calm) = (f64::INFINITY, true);
+        let (y, thrice) = (squared(self.speed), 3.0 * self.remaining(piece));
         let sense = if self.backwards { -1.0 } else { 1.0 };
-        for ((rate, bend), (limit, planned)) in
-            rates.iter().zip(bends).zip(limits.iter().zip(planned))
-        {
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
+        for ((rate, bend), limit) in axes {
             let across = bend * y;
-            let here = sense * (rate + x * bend);
+            calm &= across.abs() <= HARDLY * limit;
+            let here = sense * (rate + self.x * bend);
             for share in [here, here + thrice * bend] {
                 // Towards the greater acceleration an axis has what p''·y leaves it.
-                let signed = across.copysign(across * share);
-                let inverse = 1.0 / math::greater(share.abs(), 1e-9);
-                high = math::lesser(high, (planned - signed) * inverse);
-                low = math::greater(low, (-limit - signed) * inverse);
+                let used = across.copysign(across * share);
+                high = math::lesser(high, (limit - used) / math::greater(share.abs(), SMALL));
             }
         }
-        (low, high)
+        (high, calm)
+    }
+
+    /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is planned
+    /// with, so that a speed that rounding has made too high comes down again.
+    fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
+        let mut low = f64::NEG_INFINITY;
+        let (y, thrice) = (squared(self.speed), 3.0 * ahead);
+        let sense = if self.backwards { -1.0 } else { 1.0 };
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.acceleration).take(N);
+        for ((rate, bend), limit) in axes {
+            let across = bend * y;
+            let here = sense * (rate + self.x * bend);
+            for share in [here, here + thrice * bend] {
+                let used = across.copysign(across * share);
+                low = math::greater(low, (-limit - used) / math::greater(share.abs(), SMALL));
+            }
+        }
+        low
     }
 
     /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
     fn go(&mut self, piece: &Piece, acceleration: f64, exit: f64, left: f64) -> f64 {
         let remaining = self.remaining(piece);
         self.acceleration = acceleration;
+        let end = self.speed + acceleration * left;
+        let travel = 0.5 * (self.speed + end) * left;
+        if end > 0.0 && travel < remaining {
+            self.travel(travel);
+            self.speed = end;
+            return left;
+        }
         let y = squared(self.speed);
         let mut last = y + 2.0 * acceleration * remaining;
         if exit <= 0.0 && last.abs() <= y * 1e-6 {
@@ -310,14 +330,14 @@ impl Motion {
                 self.speed = if exit > 0.0 { end } else { 0.0 };
                 return time;
             }
-        } else if self.speed + acceleration * left <= 0.0 {
+        } else if end <= 0.0 {
             let travel = -0.5 * y / acceleration;
             self.travel(travel.min(remaining));
             self.speed = 0.0;
             return left;
         }
-        self.travel((self.speed + 0.5 * acceleration * left) * left);
-        self.speed = (self.speed + acceleration * left).max(0.0);
+        self.travel(travel.min(remaining));
+        self.speed = end.max(0.0);
         left
     }
 
@@ -336,9 +356,9 @@ impl Motion {
         let ahead = exit(ring, piece, self.at);
         match piece.law {
             Law::Bent => {
-                let (low, high) = self.allowed(piece, remaining, limits);
-                let most = (ahead - y) / (2.0 * remaining);
-                low <= high.min(most) + 1e-9 * (1.0 - low)
+                let low = self.least::<9>(piece, remaining, limits);
+                let high = self.greatest::<9>(piece, limits).0.min((ahead - y) / (2.0 * remaining));
+                low <= high + 1e-9 * (1.0 - low)
             }
             Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
                 y <= along(piece.law, &piece.circle, ahead, remaining) * (1.0 + 1e-9)
@@ -349,10 +369,9 @@ impl Motion {
 
 /// The speed that a piece is asked to have.
 fn wanted(piece: &Piece, wish: &Wish) -> f64 {
-    let most = math::sqrt(piece.ceiling);
     match piece.pace {
-        Pace::Rapid => most * wish.rapid,
-        Pace::Second => most.min(piece.feed * wish.feed),
-        Pace::Turn => most.min(piece.feed * wish.turns),
+        Pace::Rapid => piece.fastest * wish.rapid,
+        Pace::Second => math::lesser(piece.fastest, piece.feed * wish.feed),
+        Pace::Turn => math::lesser(piece.fastest, piece.feed * wish.turns),
     }
 }
