@@ -31,7 +31,8 @@
 //!
 //! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes, straight moves, arcs, canned
 //! cycles, probes, splines and threads, the task all that an operator can ask; moves under cutter compensation end a run as [`gaugeblock_trace::End::Unsupported`], and what the documents leave
-//! undefined as [`gaugeblock_trace::End::Unspecified`]. [`Planner::new`] answers [`Error::NotYet`].
+//! undefined as [`gaugeblock_trace::End::Unspecified`]. The planner is limited in velocity and acceleration; for limits of jerk [`Planner::new`]
+//! answers [`Error::NotYet`].
 //!
 //! **Invariants.**
 //! * It is written from the documents, without reading the reference model, and shares only the vocabulary with it.

@@ -111,3 +111,17 @@ pub(crate) fn arccosine(value: f64) -> f64 {
 pub(crate) fn arctangent(y: f64, x: f64) -> f64 {
     libm::atan2(y, x).to_degrees()
 }
+/// The lesser of two numbers, the first where one is none; an instruction, which `f64::min` is not.
+#[inline]
+pub(crate) fn lesser(one: f64, other: f64) -> f64 {
+    if other < one { other } else { one }
+}
+/// The greater of two numbers, the first where one is none.
+#[inline]
+pub(crate) fn greater(one: f64, other: f64) -> f64 {
+    if other > one { other } else { one }
+}
+/// Sine and cosine of an angle in radians.
+pub(crate) fn turned(radians: f64) -> (f64, f64) {
+    libm::sincos(radians)
+}

@@ -3,17 +3,55 @@
 //! A caller queues [`Segment`]s while the planner runs, and calls [`Planner::update`] once per servo cycle with what the
 //! outside wants now ([`InputParameter`]); it gets where the machine shall be next ([`OutputParameter`]).
 //!
+//! ```text
+//! Segment
+//!   leg         a segment as one piece of path, by the distance                    leg
+//!   course      the end of the path: legs are cut, corners put between them        course, corner
+//! Piece         a part of the path with one law for speed and acceleration         piece, limits
+//!   ahead       how fast each piece may be entered, from the end of the queue back ahead, reach
+//!   step        a cycle of motion along the pieces                                 step
+//! OutputParameter
+//! ```
+//!
+//! Each stage sees the one before it through [`piece::Piece`] alone, so that another profile is another `reach` and `step`.
+//!
 //! **Invariants.** No limit of an axis is broken, whatever the feed of segments, overrides, holds or aborts. A cycle's work is
 //! bounded and allocates nothing: all memory is taken by [`Planner::new`]. When the queue runs short, the machine stops
-//! on its path.
+//! on its path. Samples depend on segments and inputs alone, and on the time of queueing only where the queue is so short that the machine
+//! could not go faster for it.
 
+mod ahead;
+mod corner;
+mod course;
+mod leg;
+mod limits;
 mod parameters;
+mod piece;
+mod reach;
+mod ring;
 mod segment;
+mod step;
 
 pub use parameters::{Axes, Hold, InputParameter, OutputParameter, Phase};
 pub use segment::{Blend, Feed, OutputSwitch, Path, Segment};
 
 use crate::error::Error;
+use ahead::Ahead;
+use course::{Course, Queue};
+use leg::{Resolved, resolve};
+use limits::{Limits, squared};
+use piece::{Law, Pace, Piece};
+use reach::{Scale, backward, cap};
+use ring::Ring;
+use step::{Motion, Wish};
+
+/// How many pieces behind the motion are remembered at least, for running back.
+const REMEMBERED: u64 = 128;
+/// Pieces of look-ahead for a queued segment, and for a cycle.
+const WORK_QUEUED: u32 = 8;
+const WORK_CYCLE: u32 = 2;
+/// The slowest override that look-ahead plans for; below, it plans for this one and eases.
+const SLOWEST: f64 = 0.01;
 
 /// What the machine can do, and how the planner is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,27 +72,69 @@ pub struct Dynamics {
 #[derive(Debug)]
 pub struct Planner {
     dynamics: Dynamics,
+    limits: Limits,
+    ring: Ring<Piece>,
+    course: Course,
+    ahead: Ahead,
+    motion: Motion,
+    /// Where the machine is while there are no pieces.
+    position: Axes,
+    /// Outputs that wait for the segment of that number.
+    switches: Ring<(u64, OutputSwitch)>,
+    /// How many segments that move have been queued.
+    queued: u64,
+    aborting: bool,
+    /// The next piece whose speed for running back is to be computed, while the motion is to run back.
+    retraced: Option<u64>,
+    turns: f64,
+    probe: bool,
 }
 
 /// Why a segment was not queued.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotQueued {
-    /// The queue is full; try again after the next cycle.
+    /// The queue is full, or is being forgotten; try again after the next cycle.
     Full,
-    /// A number is not finite, a feed not positive, or a radius is zero.
+    /// A number is not finite, a feed not positive, a radius is zero, or an axis that cannot move is asked to.
     Malformed,
-    /// This version plans nothing.
-    NotYet,
 }
 
 impl Planner {
     /// A planner that stands still at a position, with all its memory taken.
     ///
     /// # Errors
-    /// [`Error::NotYet`], always, in this version.
+    /// [`Error::NotYet`] for limits of jerk, [`Error::Configuration`] for limits that are no numbers above 0.
     pub fn new(dynamics: Dynamics, position: Axes) -> Result<Self, Error> {
-        let (_dynamics, _position) = (dynamics, position);
-        Err(Error::NotYet("the trajectory planner"))
+        if dynamics.jerk.is_some() {
+            return Err(Error::NotYet("a planner that is limited in jerk"));
+        }
+        let mut limits = dynamics.velocity.iter().chain(&dynamics.acceleration);
+        if !limits.all(|limit| *limit > 0.0 && limit.is_finite()) {
+            return Err(Error::Configuration("a limit of an axis is no number above 0"));
+        }
+        if !(dynamics.cycle > 0.0 && dynamics.cycle.is_finite()) {
+            return Err(Error::Configuration("a servo cycle lasts longer than 0"));
+        }
+        if !position.iter().all(|place| place.is_finite()) {
+            return Err(Error::Configuration("the position is no number"));
+        }
+        let queue = usize::try_from(dynamics.queue.max(4)).unwrap_or(usize::MAX);
+        let remembered = usize::try_from(REMEMBERED).unwrap_or(0).saturating_mul(2);
+        Ok(Self {
+            dynamics,
+            limits: Limits::new(&dynamics),
+            ring: Ring::new(queue.saturating_mul(3).saturating_add(remembered)),
+            course: Course::new(position),
+            ahead: Ahead::new(Scale { feed: 1.0, rapid: 1.0 }),
+            motion: Motion::default(),
+            position,
+            switches: Ring::new(queue),
+            queued: 0,
+            aborting: false,
+            retraced: None,
+            turns: 0.0,
+            probe: false,
+        })
     }
 
     /// Queues a segment that begins where the last one ends.
@@ -62,14 +142,71 @@ impl Planner {
     /// # Errors
     /// The queue is full, or the segment is none.
     pub fn queue(&mut self, segment: &Segment) -> Result<(), NotQueued> {
-        let _segment = segment;
-        Err(NotQueued::NotYet)
+        self.make_room();
+        let waiting = self.queued.saturating_sub(self.motion.begun);
+        if self.aborting || self.ring.room() < 8 || waiting > u64::from(self.dynamics.queue) {
+            return Err(NotQueued::Full);
+        }
+        let resolved = resolve(segment, self.course.new_leg(), &self.limits)?;
+        let mut queue = Queue {
+            ring: &mut self.ring,
+            ahead: &mut self.ahead,
+            motion: &self.motion,
+            limits: &self.limits,
+            changed: u64::MAX,
+        };
+        match resolved {
+            Resolved::Nowhere if segment.blend == Blend::ExactStop => self.course.stop(),
+            Resolved::Nowhere => {}
+            Resolved::Dwell(seconds) => self.course.dwell(seconds, &mut queue),
+            Resolved::Leg => {
+                self.queued = self.queued.saturating_add(1);
+                self.course.new_leg().0.whole.index = self.queued;
+                if segment.probing {
+                    self.course.stop();
+                }
+                self.course.add(&mut queue);
+            }
+        }
+        self.ahead.work(&mut self.ring, self.motion.at, &self.limits, (WORK_QUEUED, false));
+        Ok(())
+    }
+
+    /// Lets an output switch when the next segment that moves, and that is not queued yet, begins: in the cycle in which the
+    /// commanded point passes the start of the segment, or on a blend its middle. Without such a segment it never switches.
+    ///
+    /// # Errors
+    /// As many wait as the queue holds segments.
+    pub fn switch(&mut self, switch: OutputSwitch) -> Result<(), NotQueued> {
+        if self.aborting || self.switches.room() == 0 {
+            return Err(NotQueued::Full);
+        }
+        self.switches.push(&(self.queued.saturating_add(1), switch));
+        Ok(())
+    }
+
+    /// The next output that has switched, in the order of queueing; to be asked after each cycle until there is none.
+    pub fn switched(&mut self) -> Option<OutputSwitch> {
+        let (segment, switch) = *self.switches.get(self.switches.first())?;
+        if segment > self.motion.begun {
+            return None;
+        }
+        self.switches.drop_first();
+        Some(switch)
     }
 
     /// Moves on by one servo cycle.
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
-        let _input = input;
-        output.phase = Phase::Idle;
+        let wish = self.wish(input);
+        self.look(&wish, input);
+        self.motion.cycle(&self.ring, &self.limits, &wish);
+        output.tripped = self.probed(input.probe);
+        self.aborting |= output.tripped;
+        self.show(output);
+        output.phase = self.phase(&wish);
+        if self.aborting && self.motion.speed <= 0.0 {
+            self.forget(&output.position);
+        }
         output.phase
     }
 
@@ -77,4 +214,170 @@ impl Planner {
     pub fn dynamics(&self) -> &Dynamics {
         &self.dynamics
     }
+
+    /// Forgets pieces that lie far behind the motion, if there is need.
+    fn make_room(&mut self) {
+        while self.ring.room() < 16
+            && self.retraced.is_none()
+            && !self.motion.backwards
+            && self.ring.first().saturating_add(REMEMBERED) < self.motion.at
+        {
+            self.ring.drop_first();
+        }
+    }
+
+    /// What the outside asks for.
+    fn wish(&mut self, input: &InputParameter) -> Wish {
+        let adaptive = input.adaptive_feed.clamp(-1.0, 1.0);
+        let (feed, rapid) = (
+            (input.feed_override * adaptive.abs()).max(0.0),
+            (input.rapid_override * adaptive.abs()).clamp(0.0, 1.0),
+        );
+        let turns = (input.spindle_turns - self.turns).abs() / self.limits.cycle;
+        self.turns = input.spindle_turns;
+        self.aborting |= input.hold == Hold::Abort;
+        self.turn_round(adaptive < 0.0);
+        let planned = self.ahead.scale;
+        let ease = squared((feed / planned.feed).min(rapid / planned.rapid).min(1.0));
+        let turning = self.motion.backwards != (adaptive < 0.0);
+        let rest =
+            self.aborting || input.hold != Hold::Run || turning || feed <= 0.0 && rapid <= 0.0;
+        Wish { feed, rapid, turns, rest, ease }
+    }
+
+    /// Turns the motion round when it is at rest and knows how fast it may go.
+    fn turn_round(&mut self, back: bool) {
+        if back && !self.motion.backwards {
+            let next = *self.retraced.get_or_insert(self.ring.first());
+            if self.motion.speed <= 0.0 && next > self.motion.at {
+                self.motion.backwards = true;
+            }
+        } else if !back && (self.motion.speed <= 0.0 || !self.motion.backwards) {
+            self.motion.backwards = false;
+            self.retraced = None;
+        }
+    }
+
+    /// Look-ahead, and look-back while the motion is to run back.
+    fn look(&mut self, wish: &Wish, input: &InputParameter) {
+        let at = self.motion.at;
+        self.ahead.refresh(&self.ring, at);
+        if self.ahead.pressing(at) {
+            self.ahead.work(&mut self.ring, at, &self.limits, (WORK_CYCLE, true));
+        } else {
+            let scale = Scale { feed: wish.feed.max(SLOWEST), rapid: wish.rapid.max(SLOWEST) };
+            if input.adaptive_feed >= 0.0 && scale != self.ahead.scale {
+                self.ahead.rescale(scale, &self.ring, at);
+            }
+        }
+        for _ in 0..WORK_CYCLE {
+            let Some(place) = self.retraced.filter(|place| *place <= at) else { return };
+            self.retrace(place);
+            self.retraced = Some(place.saturating_add(1));
+        }
+    }
+
+    /// How fast a piece may be entered from its end, running back.
+    fn retrace(&mut self, place: u64) {
+        let before = place.checked_sub(1).and_then(|before| self.ring.get(before));
+        let Some(piece) = self.ring.get(place) else { return };
+        let exit = match before {
+            Some(before) if !piece.from_rest => before.back * squared(before.exit),
+            Some(_) | None => 0.0,
+        };
+        let back = backward(piece, exit, cap(piece, self.ahead.scale), &self.limits);
+        if let Some(piece) = self.ring.get_mut(place) {
+            piece.back = back;
+        }
+    }
+
+    /// Whether the probe has changed in a probing segment.
+    fn probed(&mut self, probe: bool) -> bool {
+        let changed = probe != self.probe;
+        self.probe = probe;
+        changed && self.ring.get(self.motion.at).is_some_and(|piece| piece.probing)
+    }
+
+    fn show(&self, output: &mut OutputParameter) {
+        let motion = &self.motion;
+        output.segment = motion.number;
+        (output.velocity, output.acceleration) = (Axes::default(), Axes::default());
+        output.speed = 0.0;
+        let Some(piece) = self.ring.get(motion.at) else {
+            output.position = self.position;
+            return;
+        };
+        // Axes that take no part lie where the piece ends.
+        output.position = piece.end;
+        piece.motion(
+            motion.x,
+            &mut output.position,
+            &mut output.velocity,
+            &mut output.acceleration,
+        );
+        if motion.x.to_bits() == piece.length.to_bits() {
+            output.position = piece.end;
+        }
+        let sense = if motion.backwards { -1.0 } else { 1.0 };
+        let (speed, change) = (sense * motion.speed, sense * motion.acceleration);
+        let sum = if piece.axes <= 3 {
+            timed::<3>(output, speed, change)
+        } else {
+            timed::<9>(output, speed, change)
+        };
+        output.speed = crate::math::sqrt(sum);
+    }
+
+    fn phase(&self, wish: &Wish) -> Phase {
+        let motion = &self.motion;
+        if motion.speed > 0.0 {
+            return if wish.rest { Phase::Holding } else { Phase::Moving };
+        }
+        let Some(piece) = self.ring.get(motion.at) else { return Phase::Idle };
+        let (dwells, over) = match piece.law {
+            Law::Dwell(seconds) => (true, motion.dwelt >= seconds),
+            Law::Even { .. } | Law::Bent | Law::Round { .. } => {
+                (false, motion.remaining(piece) <= 0.0)
+            }
+        };
+        if over && !motion.backwards && motion.at.saturating_add(1) == self.ring.end() {
+            return Phase::Idle;
+        }
+        match piece.pace {
+            _ if wish.rest => Phase::Holding,
+            _ if dwells => Phase::Waiting,
+            Pace::Turn if wish.turns <= 0.0 => Phase::Waiting,
+            Pace::Turn | Pace::Second | Pace::Rapid => Phase::Moving,
+        }
+    }
+
+    /// Forgets the queue, at rest.
+    fn forget(&mut self, position: &Axes) {
+        self.position = *position;
+        self.ring.clear();
+        self.switches.clear();
+        self.ahead = Ahead::new(self.ahead.scale);
+        self.motion = Motion {
+            at: self.ring.end(),
+            begun: self.queued,
+            number: self.motion.number,
+            ..Motion::default()
+        };
+        self.course = Course::new(self.position);
+        self.aborting = false;
+        self.retraced = None;
+    }
+}
+
+/// Makes p' and p'' a velocity and an acceleration; the square of the speed.
+#[inline]
+fn timed<const N: usize>(output: &mut OutputParameter, speed: f64, change: f64) -> f64 {
+    let square = squared(speed);
+    let mut sum = 0.0;
+    for (first, second) in output.velocity.iter_mut().zip(&mut output.acceleration).take(N) {
+        *second = *first * change + *second * square;
+        *first *= speed;
+        sum += *first * *first;
+    }
+    sum
 }

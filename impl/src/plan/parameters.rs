@@ -22,7 +22,7 @@ pub struct InputParameter {
     pub feed_override: f64,
     /// Rapid override, 0 to 1.
     pub rapid_override: f64,
-    /// Adaptive feed, -1 to 1; negative runs back along the path.
+    /// Adaptive feed, -1 to 1, on top of both; negative runs back along the path, as far as the planner remembers it.
     pub adaptive_feed: f64,
     /// Feed hold, or abort.
     pub hold: Hold,
@@ -48,7 +48,7 @@ impl Default for InputParameter {
 /// What the planner is doing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Phase {
-    /// At rest, and the queue is empty.
+    /// At rest at the end of all that was queued.
     #[default]
     Idle,
     /// Moving along the path.
@@ -57,8 +57,6 @@ pub enum Phase {
     Waiting,
     /// Coming to rest or at rest by hold or abort, on the path.
     Holding,
-    /// At rest because the queue ran short; it goes on when a segment comes.
-    Starved,
 }
 
 /// Where the machine shall be at the end of this cycle.
@@ -72,10 +70,10 @@ pub struct OutputParameter {
     pub acceleration: Axes,
     /// What the planner is doing.
     pub phase: Phase,
-    /// Caller's number of the segment that is being executed.
+    /// Caller's number of the segment that is being executed, or was last.
     pub segment: u64,
-    /// Feed along the path after all overrides, millimetres or degrees per second.
-    pub actual_feed: f64,
-    /// Millimetres or degrees that are left of the segment.
-    pub to_go: f64,
+    /// Speed along the path of all nine axes, millimetres or degrees per second.
+    pub speed: f64,
+    /// Whether the probe has changed in a probing segment; the motion comes to rest and the queue is forgotten.
+    pub tripped: bool,
 }

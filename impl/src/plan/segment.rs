@@ -10,7 +10,8 @@ pub enum Path {
         /// End point.
         end: Axes,
     },
-    /// An arc or helix about an axis through the centre; all other axes move evenly with it.
+    /// An arc or helix about an axis through the centre; all other axes move evenly with it. Where the end point does not lie on
+    /// the circle, the difference is spread evenly over the arc.
     Arc {
         /// End point.
         end: Axes,
@@ -21,7 +22,7 @@ pub enum Path {
         /// Angle about the normal, radians; positive is counterclockwise.
         angle: f64,
     },
-    /// No motion.
+    /// No motion; the corner before it is a stop.
     Dwell {
         /// Seconds.
         seconds: f64,
@@ -29,31 +30,37 @@ pub enum Path {
 }
 
 /// How fast a segment is asked to be.
+///
+/// Along the path is along X Y Z where those move, else along U V W, else in degrees along A B C.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Feed {
     /// As fast as the axes allow; the rapid override applies.
     Rapid,
     /// Millimetres or degrees per second along the path; feed override and adaptive feed apply.
     PerSecond(f64),
-    /// The whole segment in so many seconds.
+    /// The whole segment in so many seconds, were it not for acceleration.
     InTime(f64),
-    /// Millimetres per turn of the spindle.
+    /// Millimetres or degrees per turn of the spindle. Look-ahead knows no spindle: such a segment is entered as fast as the axes
+    /// and the segments around it allow, and then slows down to the spindle.
     PerTurn(f64),
 }
 
-/// What may happen at the corner after a segment.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// What may happen at the corner after a segment. Between a line and another is a parabola, otherwise the path itself bent.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Blend {
     /// G61.1: come to rest.
+    #[default]
     ExactStop,
     /// G61: touch the end point, without rest where the path goes on smoothly.
     ExactPath,
-    /// G64: leave the path by this much at most, millimetres.
+    /// G64 with a tolerance: leave the path by this much at most, in the length of all nine axes, millimetres.
     Within(f64),
+    /// G64 without one: leave the path between the midpoints of the two segments.
+    BetweenMidpoints,
 }
 
-/// An output that switches with the start of a segment.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// An output that switches with the start of the next motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OutputSwitch {
     /// Output number.
     pub output: u16,
@@ -72,8 +79,6 @@ pub struct Segment {
     pub feed: Feed,
     /// What may happen at its end.
     pub blend: Blend,
-    /// What switches at its start.
-    pub output: Option<OutputSwitch>,
-    /// Whether it ends at the first change of the probe.
+    /// Whether it ends, and the queue with it, at the first change of the probe. The segments around it come to rest.
     pub probing: bool,
 }

@@ -1,0 +1,154 @@
+//! Look-ahead: keeps `reach` of all queued pieces true, and raises it when more is queued.
+//!
+//! What is stored may be lower than it could be, never higher. So a lower value must reach all pieces that rely on it at
+//! once ([`Ahead::settle`]), and a higher one may run back through the queue a few pieces at a time ([`Ahead::work`]).
+
+use super::limits::Limits;
+use super::piece::Piece;
+use super::reach::{Scale, cap, forward};
+use super::ring::Ring;
+
+/// Pieces before the one in execution that a change of override is planned for; and how near unplanned ones may come.
+const HORIZON: u64 = 256;
+/// How near the motion may come to pieces that could be raised, beyond what it takes to stop.
+const MARGIN: u64 = 32;
+
+/// The run of a raise through the queue, from new pieces to old.
+#[derive(Clone, Copy, Debug)]
+struct Wave {
+    next: u64,
+    /// Down to here all are computed; below, as far as something changes.
+    floor: u64,
+    /// Where it began.
+    from: u64,
+}
+
+/// What look-ahead has still to do.
+#[derive(Debug)]
+pub(super) struct Ahead {
+    pub(super) scale: Scale,
+    wave: Option<Wave>,
+    /// Pieces from the first to the second, whose raise no wave has taken up.
+    pending: Option<(u64, u64)>,
+    /// From here on pieces are planned for another scale.
+    stale: u64,
+    /// How many pieces the last wave changed, which the next one has to be worth.
+    touched: u64,
+}
+
+impl Ahead {
+    pub(super) fn new(scale: Scale) -> Self {
+        Self { scale, wave: None, pending: None, stale: u64::MAX, touched: 0 }
+    }
+
+    /// Computes the pieces from `changed` on, and lowers those before them that relied on more. Gives back the first piece
+    /// that is another now. A lower value runs back through as many pieces as it takes to stop, at most.
+    pub(super) fn settle(
+        &mut self,
+        ring: &mut Ring<Piece>,
+        changed: u64,
+        at: u64,
+        limits: &Limits,
+    ) -> u64 {
+        let mut place = ring.end();
+        let mut first = changed;
+        while place > at.max(ring.first()) {
+            place = place.wrapping_sub(1);
+            let new = computed(ring, place, self.scale, limits);
+            let Some(piece) = ring.get_mut(place) else { break };
+            if place < changed {
+                if new >= piece.reach {
+                    break;
+                }
+                first = place;
+            }
+            piece.reach = new;
+        }
+        let below = changed.saturating_sub(1);
+        let low = self.pending.map_or(below, |(low, _)| low.min(below));
+        self.pending = Some((low, below));
+        first
+    }
+
+    /// Raises up to so many pieces. With `eager` it begins as soon as there is something to raise, otherwise when it is worth it.
+    pub(super) fn work(
+        &mut self,
+        ring: &mut Ring<Piece>,
+        at: u64,
+        limits: &Limits,
+        (steps, eager): (u32, bool),
+    ) {
+        for _ in 0..steps {
+            let Some(mut wave) = self.wave.take().or_else(|| self.begin(at, eager)) else { return };
+            wave.next = wave.next.min(ring.end().saturating_sub(1));
+            if wave.next < at.max(ring.first()) {
+                self.touched = wave.from.saturating_sub(wave.next);
+                continue;
+            }
+            let new = computed(ring, wave.next, self.scale, limits);
+            let Some(piece) = ring.get_mut(wave.next) else { continue };
+            let same = new.to_bits() == piece.reach.to_bits();
+            piece.reach = new;
+            if same && wave.next < wave.floor || wave.next == 0 {
+                self.touched = wave.from.saturating_sub(wave.next);
+                continue;
+            }
+            wave.next = wave.next.wrapping_sub(1);
+            self.wave = Some(wave);
+        }
+    }
+
+    /// Whether there is something to raise that the motion will soon come to.
+    pub(super) fn pressing(&self, at: u64) -> bool {
+        let soon = self.soon(at);
+        self.wave.is_some_and(|wave| wave.floor < soon)
+            || self.pending.is_some_and(|(low, _)| low < soon)
+    }
+
+    /// Up to where the motion may soon be: what the last wave changed is what it takes to stop.
+    fn soon(&self, at: u64) -> u64 {
+        at.saturating_add(self.touched).saturating_add(MARGIN)
+    }
+
+    fn begin(&mut self, at: u64, eager: bool) -> Option<Wave> {
+        let (low, high) = self.pending?;
+        if !eager && high.saturating_sub(low) < self.touched && low > self.soon(at) {
+            return None;
+        }
+        self.pending = None;
+        Some(Wave { next: high, floor: low, from: high })
+    }
+
+    /// Plans for other overrides from now on: what lies next is planned anew, the rest when the motion comes near.
+    pub(super) fn rescale(&mut self, scale: Scale, ring: &Ring<Piece>, at: u64) {
+        self.scale = scale;
+        self.stale = at;
+        self.refresh(ring, at);
+    }
+
+    /// Takes up pieces that are planned for another scale when the motion comes near.
+    pub(super) fn refresh(&mut self, ring: &Ring<Piece>, at: u64) {
+        if self.stale > at.saturating_add(HORIZON) {
+            return;
+        }
+        let newest = ring.end().saturating_sub(1);
+        let high = at.saturating_add(HORIZON.saturating_mul(2)).min(newest);
+        let low = self.stale.min(high).max(at);
+        self.wave = None;
+        self.pending = Some(self.pending.map_or((low, high), |(old, _)| (old.min(low), high)));
+        self.stale = if high >= newest { u64::MAX } else { high };
+    }
+}
+
+/// The square of the speed at which a piece may be left, by its own parameter.
+pub(super) fn exit(ring: &Ring<Piece>, piece: &Piece, place: u64) -> f64 {
+    match ring.get(place.wrapping_add(1)) {
+        Some(next) if !next.from_rest => next.reach / (piece.exit * piece.exit),
+        Some(_) | None => 0.0,
+    }
+}
+
+fn computed(ring: &Ring<Piece>, place: u64, scale: Scale, limits: &Limits) -> f64 {
+    let Some(piece) = ring.get(place) else { return 0.0 };
+    forward(piece, exit(ring, piece, place), cap(piece, scale), limits)
+}

@@ -1,0 +1,275 @@
+//! From segments to pieces: what a new segment does to the end of the path that is queued.
+//!
+//! The last two legs are open. A corner gets what it can use of its legs, at least half of each; how much the corner after it
+//! leaves is known when that one is, and the corner is then made anew. A path that has been promised to the motion
+//! is never changed so that it could not be kept to: then the corner keeps the form it has, a stop at worst.
+
+use super::ahead::Ahead;
+use super::corner::{Corner, bent_end, bent_start, parabola, share, turn};
+use super::leg::Leg;
+use super::limits::{Limits, squared};
+use super::parameters::Axes;
+use super::piece::{Law, Piece};
+use super::ring::Ring;
+use super::segment::Blend;
+use super::step::Motion;
+
+/// So many pieces may be touched in a cycle, by a limit of speed where they are short.
+const CROWD: u64 = 4;
+/// A leg that is shorter when its corners have taken theirs is left out, millimetres.
+const NOTHING: f64 = 1e-12;
+/// How much of a leg that begins smoothly or at rest its end may take.
+const FIRST: f64 = 0.96875;
+
+/// A leg whose end may still change.
+#[derive(Clone, Copy, Debug, Default)]
+struct Open {
+    leg: Leg,
+    /// The number of its first own piece, and whether the corners have left it one.
+    main: u64,
+    own: bool,
+    /// The corner before it.
+    corner: Corner,
+    /// How much of the leg before it and of itself that corner has.
+    given: (f64, f64),
+}
+
+/// The end of the path.
+#[derive(Debug)]
+pub(super) struct Course {
+    /// Where the last segment ends.
+    pub(super) end: Axes,
+    /// The last two legs, and room for a new one.
+    legs: [Open; 3],
+    /// How many of them there are since the path last closed.
+    open: u8,
+}
+
+/// What a change of the path is made with.
+#[derive(Debug)]
+pub(super) struct Queue<'a> {
+    pub(super) ring: &'a mut Ring<Piece>,
+    pub(super) ahead: &'a mut Ahead,
+    pub(super) motion: &'a Motion,
+    pub(super) limits: &'a Limits,
+    /// The first piece that has been changed.
+    pub(super) changed: u64,
+}
+
+impl Course {
+    pub(super) fn new(end: Axes) -> Self {
+        Self { end, legs: [Open::default(); 3], open: 0 }
+    }
+
+    /// The path ends at rest here, for what comes next.
+    pub(super) fn close(&mut self) {
+        self.open = 0;
+    }
+
+    /// The corner after the last leg comes to rest, if it is not made yet.
+    pub(super) fn stop(&mut self) {
+        let [_, last, _] = &mut self.legs;
+        last.leg.blend = Blend::ExactStop;
+    }
+
+    /// Seconds of rest at the end of the path.
+    pub(super) fn dwell(&mut self, seconds: f64, queue: &mut Queue<'_>) {
+        let mut rest = Piece { origin: self.end, end: self.end, exit: 1.0, ..Piece::default() };
+        rest.law = Law::Dwell(seconds);
+        rest.axes = self.end.len();
+        rest.from_rest = true;
+        queue.ring.push(&rest);
+        self.close();
+    }
+
+    /// Where the next leg is to be written, and where it begins.
+    pub(super) fn new_leg(&mut self) -> (&mut Leg, &Axes) {
+        let [_, _, next] = &mut self.legs;
+        (&mut next.leg, &self.end)
+    }
+
+    /// Adds the leg that was written.
+    pub(super) fn add(&mut self, queue: &mut Queue<'_>) {
+        queue.changed = u64::MAX;
+        let [before, last, next] = &mut self.legs;
+        self.end = next.leg.whole.end;
+        next.corner = Corner::Stop;
+        if self.open > 0 {
+            next.corner = Corner::between(&last.leg, &next.leg, queue.limits);
+        }
+        let made = match next.corner {
+            Corner::Stop => false,
+            Corner::Smooth | Corner::Blend { .. } => {
+                self.open > 1 && revised(before, last, next, queue) || blended(last, next, queue)
+            }
+        };
+        if !made {
+            next.corner = Corner::Stop;
+            next.given = (0.0, 0.0);
+            next.leg.taken = 0.0;
+            next.main = queue.ring.end();
+            push_main(next, 0.0, queue);
+            settle(queue);
+        }
+        self.legs.rotate_left(1);
+        self.open = self.open.saturating_add(1).min(2);
+    }
+}
+
+/// Makes the corner before the last leg anew where it may have more, and then the one before the next.
+fn revised(before: &mut Open, last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
+    let Corner::Blend { most, half: false } = last.corner else { return false };
+    let length = last.leg.whole.length;
+    let left = match next.corner {
+        Corner::Blend { most, .. } => length - most,
+        Corner::Stop | Corner::Smooth => length * FIRST,
+    };
+    let after = left.max(0.5 * length);
+    let given = share(most, (room(before), after), lines(&before.leg, &last.leg));
+    if given.0 <= last.given.0 * (1.0 + 1e-9) || !fits(before, given.0, queue) {
+        return false;
+    }
+    let old = last.given;
+    last.given = given;
+    join(before, last, queue);
+    follow(last, next, queue);
+    if accepted(queue) {
+        return true;
+    }
+    last.given = old;
+    join(before, last, queue);
+    push_main(last, 0.0, queue);
+    settle(queue);
+    false
+}
+
+/// Makes the corner between the last leg and the next.
+fn blended(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
+    let given = provisional(last, next);
+    if !fits(last, given.0, queue) {
+        return false;
+    }
+    follow(last, next, queue);
+    if accepted(queue) {
+        return true;
+    }
+    push_main(last, 0.0, queue);
+    settle(queue);
+    false
+}
+
+fn settle(queue: &mut Queue<'_>) -> u64 {
+    let at = queue.motion.at;
+    queue.ahead.settle(queue.ring, queue.changed, at, queue.limits)
+}
+
+/// Whether the motion can keep to a changed path.
+fn accepted(queue: &mut Queue<'_>) -> bool {
+    let first = settle(queue);
+    first > queue.motion.at.saturating_add(1) || queue.motion.permits(queue.ring, queue.limits)
+}
+
+/// Whether a leg can end so much earlier: it must not be over.
+fn fits(open: &Open, given: f64, queue: &Queue<'_>) -> bool {
+    let left = open.leg.whole.length - open.leg.taken - given;
+    let motion = queue.motion;
+    motion.at < open.main || motion.at == open.main && open.own && motion.x < left - NOTHING
+}
+
+/// How much of a leg is left for the corner at its end.
+fn room(open: &Open) -> f64 {
+    match open.corner {
+        Corner::Blend { .. } => open.leg.whole.length - open.leg.taken,
+        Corner::Stop | Corner::Smooth => open.leg.whole.length * FIRST,
+    }
+}
+
+fn lines(before: &Leg, after: &Leg) -> bool {
+    before.whole.circle.is_none() && after.whole.circle.is_none()
+}
+
+/// The lengths that a corner has before the one after it is known.
+fn provisional(last: &Open, next: &Open) -> (f64, f64) {
+    match next.corner {
+        Corner::Stop | Corner::Smooth => (0.0, 0.0),
+        Corner::Blend { most, half } => {
+            let most = if half { most.min(0.5 * last.leg.whole.length) } else { most };
+            let rooms = (room(last), 0.5 * next.leg.whole.length);
+            share(most, rooms, lines(&last.leg, &next.leg))
+        }
+    }
+}
+
+/// Makes the end of a leg anew and the corner after it.
+fn join(before: &mut Open, last: &mut Open, queue: &mut Queue<'_>) {
+    push_main(before, last.given.0, queue);
+    push_corner(&before.leg, last, queue);
+}
+
+/// Makes the end of the last leg anew, the corner after it, and the next leg.
+fn follow(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) {
+    next.given = provisional(last, next);
+    join(last, next, queue);
+    push_main(next, 0.0, queue);
+}
+
+/// The leg's own piece, from its first corner to so much before its end; whatever lies from there on is forgotten.
+fn push_main(open: &mut Open, given: f64, queue: &mut Queue<'_>) {
+    queue.ring.truncate(open.main);
+    queue.changed = queue.changed.min(open.main);
+    let whole = &mut open.leg.whole;
+    let (from, to) = (open.leg.taken, whole.length - given);
+    open.own = to - from > NOTHING;
+    if !open.own {
+        return;
+    }
+    whole.from_rest = open.corner == Corner::Stop;
+    whole.begins = match open.corner {
+        Corner::Stop | Corner::Smooth => Some(0.0),
+        Corner::Blend { .. } => None,
+    };
+    if from > 0.0 || given > 0.0 {
+        let part = whole.part(from, to);
+        push(&part, queue);
+    } else {
+        push(whole, queue);
+    }
+}
+
+fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
+    after.leg.taken = 0.0;
+    if let Corner::Blend { .. } = after.corner {
+        let (d, e) = after.given;
+        if lines(before, &after.leg) {
+            push(&parabola(before, &after.leg, (d, e), queue.limits), queue);
+        } else {
+            let turn = turn(before, &after.leg);
+            push(&bent_end(before, &turn, d, queue.limits), queue);
+            push(&bent_start(&after.leg, &turn, d, queue.limits), queue);
+        }
+        after.leg.taken = e;
+    }
+    after.main = queue.ring.end();
+}
+
+/// Appends a piece, and limits the speed where too many would fit into a cycle.
+fn push(piece: &Piece, queue: &mut Queue<'_>) {
+    queue.ring.push(piece);
+    let end = queue.ring.end();
+    let first = end.saturating_sub(CROWD);
+    let mut length = 0.0;
+    for place in first..end {
+        // Without so many before it there is no crowd.
+        length += queue.ring.get(place).map_or(f64::INFINITY, |piece| piece.length);
+    }
+    let most = squared(length / queue.limits.cycle);
+    for place in first.max(queue.motion.at.saturating_add(1))..end {
+        if let Some(piece) = queue.ring.get_mut(place)
+            && piece.ceiling > most
+        {
+            piece.ceiling = most;
+            piece.fastest = length / queue.limits.cycle;
+            queue.changed = queue.changed.min(place);
+        }
+    }
+}

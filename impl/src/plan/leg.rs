@@ -1,0 +1,194 @@
+//! A queued segment as a whole piece of path, before its corners are known.
+
+use super::NotQueued;
+use super::limits::{Limits, squared};
+use super::parameters::Axes;
+use super::piece::{Circle, Pace, Piece};
+use super::segment::Blend;
+use super::segment::{Feed, Path, Segment};
+use crate::math;
+
+/// A segment from corner to corner.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Leg {
+    /// All of it, with its law.
+    pub(super) whole: Piece,
+    /// p' at its ends.
+    pub(super) first: Axes,
+    pub(super) last: Axes,
+    /// What may happen at its end.
+    pub(super) blend: Blend,
+    /// How much of it the corner at its start has taken.
+    pub(super) taken: f64,
+}
+
+/// What a segment is once its end is known.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Resolved {
+    Leg,
+    /// It moves nothing.
+    Nowhere,
+    /// Seconds of rest.
+    Dwell(f64),
+}
+
+/// Reads a segment that begins at a position, into a leg if it is one.
+pub(super) fn resolve(
+    segment: &Segment,
+    (leg, start): (&mut Leg, &Axes),
+    limits: &Limits,
+) -> Result<Resolved, NotQueued> {
+    let whole = &mut leg.whole;
+    *whole = Piece { origin: *start, exit: 1.0, ..Piece::default() };
+    match segment.path {
+        Path::Dwell { seconds } if seconds >= 0.0 && seconds.is_finite() => {
+            return Ok(Resolved::Dwell(seconds));
+        }
+        Path::Dwell { .. } => return Err(NotQueued::Malformed),
+        Path::Straight { end } => straight(whole, &end)?,
+        Path::Arc { end, centre, normal, angle } => arc(whole, &end, &centre, &normal, angle)?,
+    }
+    let tolerated = match segment.blend {
+        Blend::Within(tolerance) => tolerance >= 0.0,
+        Blend::ExactStop | Blend::ExactPath | Blend::BetweenMidpoints => true,
+    };
+    if !tolerated || !pace(whole, segment.feed) {
+        return Err(NotQueued::Malformed);
+    }
+    if whole.length <= 0.0 {
+        return Ok(Resolved::Nowhere);
+    }
+    whole.number = segment.number;
+    whole.probing = segment.probing;
+    limits.rule(whole);
+    if whole.ceiling <= 0.0 || !whole.ceiling.is_finite() {
+        return Err(NotQueued::Malformed);
+    }
+    (leg.first, leg.last) = match whole.circle {
+        Some(_) => (whole.tangent(0.0), whole.tangent(whole.length)),
+        None => (whole.rate, whole.rate),
+    };
+    leg.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
+    leg.taken = 0.0;
+    Ok(Resolved::Leg)
+}
+
+fn straight(whole: &mut Piece, end: &Axes) -> Result<(), NotQueued> {
+    if !end.iter().all(|value| value.is_finite()) {
+        return Err(NotQueued::Malformed);
+    }
+    whole.end = *end;
+    let mut sum = 0.0;
+    let motion = whole.rate.iter_mut().zip(&whole.origin).zip(end);
+    for ((rate, start), end) in motion {
+        *rate = end - start;
+        sum += *rate * *rate;
+    }
+    whole.length = math::sqrt(sum);
+    if sum > 0.0 {
+        let inverse = 1.0 / whole.length;
+        whole.rate = whole.rate.map(|value| value * inverse);
+    }
+    whole.axes = in_use(&whole.rate);
+    Ok(())
+}
+
+/// The circle is the one through the start; where the end departs from it, an even motion makes up for it.
+fn arc(
+    whole: &mut Piece,
+    end: &Axes,
+    centre: &[f64; 3],
+    normal: &[f64; 3],
+    angle: f64,
+) -> Result<(), NotQueued> {
+    let start = whole.origin;
+    let numbers = end.iter().chain(centre).chain(normal);
+    if !numbers.chain([&angle]).all(|value| value.is_finite()) {
+        return Err(NotQueued::Malformed);
+    }
+    let mut radius = [0.0; 3];
+    for ((radius, start), centre) in radius.iter_mut().zip(&start).zip(centre) {
+        *radius = start - centre;
+    }
+    let height = dot(&radius, normal);
+    for (radius, normal) in radius.iter_mut().zip(normal) {
+        *radius -= height * normal;
+    }
+    let sense = if angle < 0.0 { -1.0 } else { 1.0 };
+    let across = cross(normal, &radius).map(|value| sense * value);
+    let (sine, cosine) = math::turned(angle.abs());
+    // What the circle does not do: the helix, other axes, and what is wrong with the end point.
+    let mut even = *end;
+    for (even, start) in even.iter_mut().zip(&start) {
+        *even -= start;
+    }
+    for ((even, along), across) in even.iter_mut().zip(&radius).zip(&across) {
+        *even -= along * (cosine - 1.0) + across * sine;
+    }
+    let turned = math::sqrt(dot(&radius, &radius)) * angle.abs();
+    if turned <= 0.0 {
+        return Err(NotQueued::Malformed);
+    }
+    let length = math::hypotenuse(turned, norm(&even));
+    for (origin, radius) in whole.origin.iter_mut().zip(&radius) {
+        *origin -= radius;
+    }
+    whole.rate = even.map(|value| value / length);
+    whole.circle = Some(Circle { cosine: radius, sine: across, turn: angle.abs() / length });
+    whole.axes = in_use(&whole.rate);
+    (whole.end, whole.length) = (*end, length);
+    Ok(())
+}
+
+/// The speed of the parameter that a feed asks for; whether it is one.
+fn pace(whole: &mut Piece, feed: Feed) -> bool {
+    let (pace, speed) = match feed {
+        Feed::Rapid => (Pace::Rapid, f64::INFINITY),
+        Feed::PerSecond(feed) => (Pace::Second, feed * whole.length / felt(whole)),
+        Feed::InTime(seconds) => (Pace::Second, whole.length / seconds),
+        Feed::PerTurn(feed) => (Pace::Turn, feed * whole.length / felt(whole)),
+    };
+    whole.pace = pace;
+    whole.feed = speed;
+    let nowhere = whole.length <= 0.0;
+    nowhere || speed > 0.0
+}
+
+/// The length that a feed is measured along.
+fn felt(whole: &Piece) -> f64 {
+    let turning = whole
+        .circle
+        .map_or(0.0, |circle| circle.turn * math::sqrt(dot(&circle.cosine, &circle.cosine)));
+    let [x, y, z, a, b, c, u, v, w] = whole.rate;
+    let linear = squared(x) + squared(y) + squared(z) + squared(turning);
+    let second = squared(u) + squared(v) + squared(w);
+    let rotary = squared(a) + squared(b) + squared(c);
+    let share = [linear, second, rotary].into_iter().find(|share| *share > 0.0);
+    whole.length * math::sqrt(share.unwrap_or(1.0))
+}
+
+/// How many leading axes cover those that move.
+fn in_use(rate: &Axes) -> usize {
+    let last = rate.iter().rposition(|rate| rate.abs() > 0.0);
+    last.map_or(0, |last| last.saturating_add(1)).max(3)
+}
+
+pub(super) fn norm(vector: &Axes) -> f64 {
+    let mut sum = 0.0;
+    for value in vector {
+        sum += value * value;
+    }
+    math::sqrt(sum)
+}
+
+fn dot(left: &[f64; 3], right: &[f64; 3]) -> f64 {
+    let [x, y, z] = *left;
+    let [u, v, w] = *right;
+    x * u + y * v + z * w
+}
+
+fn cross(left: &[f64; 3], right: &[f64; 3]) -> [f64; 3] {
+    let [x, y, z] = *left;
+    let [u, v, w] = *right;
+    [y * w - z * v, z * u - x * w, x * v - y * u]
+}

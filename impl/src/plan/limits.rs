@@ -1,0 +1,124 @@
+//! What the axes can do, as the planner works with it, and the laws that follow for a piece.
+
+use super::Dynamics;
+use super::parameters::Axes;
+use super::piece::{Circle, Law, Piece};
+use crate::math;
+
+/// What is kept of each limit: a sample is rounded, and a break of direction below [`SMOOTH`] is not seen as one.
+const ACCELERATION_KEPT: f64 = 1.0 - 1e-7;
+/// What is planned with, of that: so that a plan that rounding has missed can be come back to.
+pub(super) const PLANNED: f64 = 1.0 - 1e-7;
+const VELOCITY_KEPT: f64 = 1.0 - 1e-9;
+/// A break of direction as small as this is none: at 1000 mm/s and 1 ms it costs 1e-4 mm/s².
+pub(super) const SMOOTH: f64 = 1e-10;
+/// How much of an acceleration limit an arc that is bent may use across the path; the rest is kept for along it.
+const ACROSS: f64 = 0.95;
+
+/// Limits per axis, with what rounding needs taken off.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    pub(super) velocity: Axes,
+    pub(super) acceleration: Axes,
+    /// What may be used of it where all goes to plan.
+    pub(super) planned: Axes,
+    /// Seconds.
+    pub(super) cycle: f64,
+}
+
+impl Limits {
+    pub(super) fn new(dynamics: &Dynamics) -> Self {
+        let acceleration = dynamics.acceleration.map(|limit| limit * ACCELERATION_KEPT);
+        Self {
+            velocity: dynamics.velocity.map(|limit| limit * VELOCITY_KEPT),
+            acceleration,
+            planned: acceleration.map(|limit| limit * PLANNED),
+            cycle: dynamics.cycle,
+        }
+    }
+
+    /// Gives a piece its law and its ceiling. A bend without a circle is looked at exactly, all else by bounds over the piece.
+    pub(super) fn rule(&self, piece: &mut Piece) {
+        let axes = piece.axes;
+        let bends = piece.bend.iter().any(|bend| bend.abs() > 0.0);
+        match piece.circle {
+            None if !bends => {
+                piece.law = Law::Even { acceleration: least(&self.planned, &piece.rate, axes) };
+                piece.ceiling = squared(least(&self.velocity, &piece.rate, axes));
+            }
+            None => {
+                piece.law = Law::Bent;
+                let start = least(&self.velocity, &piece.rate, axes);
+                piece.ceiling =
+                    squared(start.min(least(&self.velocity, &piece.tangent(piece.length), axes)));
+            }
+            Some(circle) if !bends => self.rule_round(piece, &circle),
+            Some(circle) => self.rule_bent_arc(piece, &circle),
+        }
+        piece.fastest = math::sqrt(piece.ceiling);
+    }
+
+    /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may need.
+    fn rule_round(&self, piece: &mut Piece, circle: &Circle) {
+        let axes = piece.axes;
+        let most = greatest(piece, circle);
+        let acceleration = least(&self.acceleration, &most, axes);
+        // While the speed falls along the curve that is planned, a cycle begins faster than its mean: by a share of its angle.
+        let angle = math::sqrt(circle.turn * acceleration) * self.cycle;
+        let planned = acceleration * math::sqrt((1.0 - angle).max(0.25));
+        piece.law = Law::Round { acceleration, planned };
+        piece.ceiling = squared(least(&self.velocity, &most, axes)).min(planned / circle.turn);
+    }
+
+    fn rule_bent_arc(&self, piece: &mut Piece, circle: &Circle) {
+        let axes = piece.axes;
+        let mut along = greatest(piece, circle);
+        let mut across = piece.bend.map(f64::abs);
+        let turning = amplitudes(circle).map(|amplitude| amplitude * circle.turn);
+        for (across, turning) in across.iter_mut().zip(&turning) {
+            *across += turning;
+        }
+        for (along, bend) in along.iter_mut().zip(&piece.bend) {
+            *along += bend.abs() * piece.length;
+        }
+        let ceiling = ACROSS * least(&self.acceleration, &across, axes);
+        piece.ceiling = ceiling.min(squared(least(&self.velocity, &along, axes)));
+        let mut left = self.planned;
+        for (left, across) in left.iter_mut().zip(&across) {
+            *left -= across * piece.ceiling;
+        }
+        piece.law = Law::Even { acceleration: least(&left, &along, axes) };
+    }
+}
+
+/// The most of each axis in p' on an arc.
+fn greatest(piece: &Piece, circle: &Circle) -> Axes {
+    let mut greatest = piece.rate.map(f64::abs);
+    for (most, amplitude) in greatest.iter_mut().zip(&amplitudes(circle)) {
+        *most += amplitude;
+    }
+    greatest
+}
+
+/// How far p' swings on X, Y and Z.
+fn amplitudes(circle: &Circle) -> [f64; 3] {
+    let mut amplitudes = [0.0; 3];
+    for ((amplitude, along), across) in amplitudes.iter_mut().zip(&circle.cosine).zip(&circle.sine)
+    {
+        *amplitude = circle.turn * math::hypotenuse(*along, *across);
+    }
+    amplitudes
+}
+
+/// The least of limit / use over the leading axes.
+pub(super) fn least(limits: &Axes, uses: &Axes, axes: usize) -> f64 {
+    let mut least = f64::INFINITY;
+    for (limit, used) in limits.iter().zip(uses).take(axes) {
+        least = math::lesser(least, limit / used.abs());
+    }
+    least
+}
+
+pub(super) fn squared(value: f64) -> f64 {
+    value * value
+}

@@ -1,0 +1,169 @@
+//! Pieces of the commanded path, by a parameter that runs like the distance.
+//!
+//! A piece is p(x) = origin + rate·x + bend·x²/2, and on arcs a circle about it. Its parameter x runs from 0 to `length`, and
+//! |p'| is 1 at its start: so the speed of x is the path's speed wherever pieces meet. Lines have no bend, blends of two
+//! lines are bends alone, and a blend with an arc is that arc with a bend added, which takes the break out of its direction.
+
+use super::parameters::Axes;
+use crate::math;
+
+/// The part of a position that turns: cosine·cos(turn·x) + sine·sin(turn·x) on X, Y and Z.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Circle {
+    /// From the centre to where the piece begins.
+    pub(super) cosine: [f64; 3],
+    /// A quarter turn further.
+    pub(super) sine: [f64; 3],
+    /// Radians per unit of the parameter; never negative, since `sine` has the sense of the turn.
+    pub(super) turn: f64,
+}
+
+/// What keeps speed and acceleration of a piece within the limits of all axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum Law {
+    /// The parameter may be accelerated by so much anywhere.
+    Even {
+        /// Per second squared.
+        acceleration: f64,
+    },
+    /// Limits are looked at axis by axis: exact for a piece that is a bend and nothing else.
+    #[default]
+    Bent,
+    /// On an arc acceleration along the path and towards the centre share a limit: u² + (turn·v²)² ≤ acceleration².
+    Round {
+        /// Per second squared, of whichever axis has least.
+        acceleration: f64,
+        /// What is planned with: less by what a speed that changes in steps of a cycle loses.
+        planned: f64,
+    },
+    /// No motion for so many seconds.
+    Dwell(f64),
+}
+
+/// What a feed is measured by, and so which override applies to it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Pace {
+    #[default]
+    Rapid,
+    Second,
+    Turn,
+}
+
+/// A part of the path with one law.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Piece {
+    pub(super) origin: Axes,
+    pub(super) rate: Axes,
+    pub(super) bend: Axes,
+    pub(super) circle: Option<Circle>,
+    /// p(length), as programmed where it was.
+    pub(super) end: Axes,
+    pub(super) length: f64,
+    /// |p'| at the end: how much faster than its parameter the next one's runs.
+    pub(super) exit: f64,
+    /// How many of the leading axes take part.
+    pub(super) axes: usize,
+    pub(super) law: Law,
+    /// Highest square of the parameter's speed that the axes allow.
+    pub(super) ceiling: f64,
+    /// Its root.
+    pub(super) fastest: f64,
+    /// Programmed speed of the parameter, per second or per turn.
+    pub(super) feed: f64,
+    pub(super) pace: Pace,
+    /// The square of the speed at which this piece may be entered so that all that is queued can be kept to.
+    pub(super) reach: f64,
+    /// The same for entering it from its end, running back.
+    pub(super) back: f64,
+    /// Whether it may be entered at rest only.
+    pub(super) from_rest: bool,
+    /// Where in it a segment begins.
+    pub(super) begins: Option<f64>,
+    /// Whether it ends where the probe changes.
+    pub(super) probing: bool,
+    /// Which segment that is, or which was under way: the caller's number and the planner's.
+    pub(super) number: u64,
+    pub(super) index: u64,
+}
+
+impl Piece {
+    /// p, p' and p'' at x, of the axes that take part.
+    pub(super) fn motion(&self, x: f64, position: &mut Axes, first: &mut Axes, second: &mut Axes) {
+        if self.axes <= 3 {
+            self.motion_of::<3>(x, position, first, second);
+        } else {
+            self.motion_of::<9>(x, position, first, second);
+        }
+        if let Some(circle) = &self.circle {
+            let (sine, cosine) = math::turned(circle.turn * x);
+            let vectors = circle.cosine.iter().zip(&circle.sine);
+            let places = position.iter_mut().zip(first).zip(second);
+            for (((place, first), second), (start, quarter)) in places.zip(vectors) {
+                let along = start * cosine + quarter * sine;
+                *place += along;
+                *first += circle.turn * (quarter * cosine - start * sine);
+                *second -= circle.turn * circle.turn * along;
+            }
+        }
+    }
+
+    /// The part of it that does not turn.
+    #[inline]
+    fn motion_of<const N: usize>(
+        &self,
+        x: f64,
+        position: &mut Axes,
+        first: &mut Axes,
+        second: &mut Axes,
+    ) {
+        let half = 0.5 * x;
+        let terms = self.origin.iter().zip(&self.rate).zip(&self.bend).take(N);
+        let places = position.iter_mut().zip(first.iter_mut()).zip(second.iter_mut());
+        for (((place, first), second), ((origin, rate), bend)) in places.zip(terms) {
+            *place = origin + x * (rate + half * bend);
+            *first = rate + x * bend;
+            *second = *bend;
+        }
+    }
+
+    /// p(x).
+    pub(super) fn position(&self, x: f64) -> Axes {
+        let (mut position, mut first, mut second) = (self.end, Axes::default(), Axes::default());
+        self.motion(x, &mut position, &mut first, &mut second);
+        position
+    }
+
+    /// p'(x).
+    pub(super) fn tangent(&self, x: f64) -> Axes {
+        let (mut position, mut first, mut second) = (self.end, Axes::default(), Axes::default());
+        self.motion(x, &mut position, &mut first, &mut second);
+        first
+    }
+
+    /// The part of it from one place to another, without law.
+    pub(super) fn part(&self, from: f64, to: f64) -> Self {
+        let mut part = *self;
+        let motion = self.rate.iter().zip(&self.bend);
+        for ((origin, rate), (old_rate, bend)) in
+            part.origin.iter_mut().zip(&mut part.rate).zip(motion)
+        {
+            *origin += from * (old_rate + 0.5 * from * bend);
+            *rate += from * bend;
+        }
+        if let (Some(circle), Some(old)) = (&mut part.circle, &self.circle) {
+            let (sine, cosine) = math::turned(old.turn * from);
+            let turned = old.cosine.iter().zip(&old.sine);
+            for ((along, across), (was_along, was_across)) in
+                circle.cosine.iter_mut().zip(&mut circle.sine).zip(turned)
+            {
+                *along = was_along * cosine + was_across * sine;
+                *across = was_across * cosine - was_along * sine;
+            }
+        }
+        part.length = to - from;
+        if to < self.length {
+            part.end = self.position(to);
+        }
+        part
+    }
+}

@@ -1,0 +1,85 @@
+//! A queue of fixed size whose elements keep their number while they lie in it.
+
+use alloc::boxed::Box;
+use alloc::vec;
+
+/// Elements `first..end`, numbered since the planner was made.
+#[derive(Debug)]
+pub(super) struct Ring<T> {
+    slots: Box<[T]>,
+    /// One less than how many slots there are, a power of two.
+    mask: u64,
+    first: u64,
+    end: u64,
+}
+
+impl<T: Copy + Default> Ring<T> {
+    /// Room for at least so many elements, taken now.
+    pub(super) fn new(room: usize) -> Self {
+        let slots = room.max(1).checked_next_power_of_two().unwrap_or(1);
+        let mask = u64::try_from(slots).unwrap_or(u64::MAX).saturating_sub(1);
+        Self { slots: vec![T::default(); slots].into_boxed_slice(), mask, first: 0, end: 0 }
+    }
+
+    pub(super) fn first(&self) -> u64 {
+        self.first
+    }
+
+    /// The number that the next element gets.
+    pub(super) fn end(&self) -> u64 {
+        self.end
+    }
+
+    pub(super) fn room(&self) -> u64 {
+        self.mask.saturating_add(1).saturating_sub(self.end.wrapping_sub(self.first))
+    }
+
+    #[inline]
+    pub(super) fn get(&self, number: u64) -> Option<&T> {
+        if self.holds(number) { self.slots.get(self.slot(number)) } else { None }
+    }
+
+    #[inline]
+    pub(super) fn get_mut(&mut self, number: u64) -> Option<&mut T> {
+        let slot = self.slot(number);
+        if self.holds(number) { self.slots.get_mut(slot) } else { None }
+    }
+
+    /// Appends an element; without room it is lost, so ask first.
+    pub(super) fn push(&mut self, element: &T) {
+        if self.room() > 0 {
+            let slot = self.slot(self.end);
+            if let Some(place) = self.slots.get_mut(slot) {
+                *place = *element;
+                self.end = self.end.wrapping_add(1);
+            }
+        }
+    }
+
+    /// Forgets the oldest element.
+    pub(super) fn drop_first(&mut self) {
+        if self.first < self.end {
+            self.first = self.first.wrapping_add(1);
+        }
+    }
+
+    /// Forgets the elements from a number on.
+    pub(super) fn truncate(&mut self, end: u64) {
+        self.end = end.clamp(self.first, self.end);
+    }
+
+    /// Forgets all; the numbers go on.
+    pub(super) fn clear(&mut self) {
+        self.first = self.end;
+    }
+
+    #[inline]
+    fn holds(&self, number: u64) -> bool {
+        number.wrapping_sub(self.first) < self.end.wrapping_sub(self.first)
+    }
+
+    #[inline]
+    fn slot(&self, number: u64) -> usize {
+        usize::try_from(number & self.mask).unwrap_or(0)
+    }
+}

@@ -1,0 +1,377 @@
+//! The motion itself: a cycle at a time along the pieces, never faster than look-ahead says.
+//!
+//! Within a piece and a cycle the acceleration of the parameter is constant, so that the speed has no jumps and each axis
+//! keeps its limits at every instant. Differences of samples are means of such accelerations, whatever their period.
+
+use super::ahead::exit;
+use super::limits::{Limits, PLANNED, squared};
+use super::piece::{Law, Pace, Piece};
+use super::reach::along;
+use super::ring::Ring;
+use crate::math;
+
+/// Half of what lies between a limit and what is planned with.
+const HARDLY: f64 = 1.0 + 0.5 * (1.0 - PLANNED);
+/// The share of an axis in a direction below which it takes no part.
+const SMALL: f64 = 1e-9;
+/// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
+const TOUCHED: u32 = 12;
+
+/// What is asked for in a cycle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wish {
+    /// Share of the programmed feed.
+    pub(super) feed: f64,
+    /// Share of the rapid speed.
+    pub(super) rapid: f64,
+    /// Turns of the spindle per second.
+    pub(super) turns: f64,
+    /// Whether to come to rest.
+    pub(super) rest: bool,
+    /// What speeds of look-ahead are multiplied by, squared, where it has planned for more than is asked for.
+    pub(super) ease: f64,
+}
+
+/// Where the motion is.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Motion {
+    /// The piece.
+    pub(super) at: u64,
+    /// Its parameter.
+    pub(super) x: f64,
+    /// Speed of the parameter, never negative.
+    pub(super) speed: f64,
+    /// Its acceleration in the last part of the cycle, along the direction of motion.
+    pub(super) acceleration: f64,
+    /// Whether it runs back.
+    pub(super) backwards: bool,
+    /// Seconds of a dwell that are over.
+    pub(super) dwelt: f64,
+    /// The segment under way: planner's number and caller's.
+    pub(super) begun: u64,
+    pub(super) number: u64,
+}
+
+/// Least and greatest acceleration, and the square of the speed that look-ahead allows: `bound`, and `slope` more per unit.
+#[derive(Clone, Copy, Debug)]
+struct Ramp {
+    low: f64,
+    high: f64,
+    bound: f64,
+    slope: f64,
+}
+
+impl Motion {
+    /// Moves on by a cycle.
+    pub(super) fn cycle(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) {
+        let mut left = limits.cycle;
+        self.acceleration = 0.0;
+        let Some(mut piece) = ring.get(self.at) else { return };
+        for _ in 0..TOUCHED {
+            if self.remaining(piece) <= 0.0 {
+                let Some(next) = self.over(ring, piece, &mut left) else { return };
+                piece = next;
+            }
+            if let Law::Dwell(_) = piece.law {
+                if left > 0.0 && !wish.rest {
+                    continue;
+                }
+                return;
+            }
+            let exit = self.exit(ring, piece);
+            let from = self.x;
+            left -= self.within(piece, exit, (limits, wish), left);
+            if !self.backwards {
+                self.note(piece, from);
+            }
+            if left <= 0.0 || self.remaining(piece) > 0.0 {
+                return;
+            }
+        }
+    }
+
+    /// What is left of the piece in the direction of motion.
+    pub(super) fn remaining(&self, piece: &Piece) -> f64 {
+        if self.backwards { self.x } else { piece.length - self.x }
+    }
+
+    /// Square of the speed at which the piece may be left.
+    fn exit(&self, ring: &Ring<Piece>, piece: &Piece) -> f64 {
+        if !self.backwards {
+            return exit(ring, piece, self.at);
+        }
+        match ring.get(self.at.wrapping_sub(1)) {
+            Some(before) if !piece.from_rest => before.back * squared(before.exit),
+            Some(_) | None => 0.0,
+        }
+    }
+
+    /// Goes over to the next piece; none where there is none, or where a dwell uses up the cycle.
+    fn over<'a>(
+        &mut self,
+        ring: &'a Ring<Piece>,
+        piece: &Piece,
+        left: &mut f64,
+    ) -> Option<&'a Piece> {
+        if self.backwards {
+            let before = self.at.wrapping_sub(1);
+            let earlier = ring.get(before)?;
+            self.at = before;
+            self.speed /= earlier.exit;
+            self.x = earlier.length;
+            return Some(earlier);
+        }
+        if let Law::Dwell(seconds) = piece.law {
+            let rest = seconds - self.dwelt;
+            if rest > *left {
+                self.dwelt += *left;
+                *left = 0.0;
+                return None;
+            }
+            *left -= rest.max(0.0);
+            self.dwelt = seconds;
+        }
+        let after = self.at.wrapping_add(1);
+        let later = ring.get(after)?;
+        self.at = after;
+        self.speed *= piece.exit;
+        self.x = 0.0;
+        self.dwelt = 0.0;
+        Some(later)
+    }
+
+    /// A segment has begun if its start was passed.
+    fn note(&mut self, piece: &Piece, from: f64) {
+        if piece.begins.is_some_and(|begins| from <= begins && begins <= self.x) {
+            self.begun = self.begun.max(piece.index);
+            self.number = piece.number;
+        }
+    }
+
+    /// Moves within a piece for as long as there is time and path; how long that was.
+    fn within(&mut self, piece: &Piece, exit: f64, asked: (&Limits, &Wish), left: f64) -> f64 {
+        match piece.law {
+            Law::Bent => self.bend(piece, exit, asked, left),
+            Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
+                self.along(piece, exit, asked, left)
+            }
+        }
+    }
+
+    fn along(&mut self, piece: &Piece, exit: f64, (_, wish): (&Limits, &Wish), left: f64) -> f64 {
+        let remaining = self.remaining(piece);
+        let ramp = self.ramp(piece, exit, wish.ease, left);
+        if wish.rest {
+            return self.go(piece, ramp.low, exit, left);
+        }
+        let wanted = wanted(piece, wish);
+        // The speed at the end of the cycle at which look-ahead's bound is just met.
+        let half = 0.5 * ramp.slope * left;
+        let met = half * half + 4.0 * (ramp.bound + half * self.speed);
+        let met = if met > 0.0 { 0.5 * (half + math::sqrt(met)) } else { 0.0 };
+        let acceleration =
+            ((math::lesser(wanted, met) - self.speed) / left).max(ramp.low).min(ramp.high);
+        let travel = (self.speed + 0.5 * acceleration * left) * left;
+        if met > 0.0 && travel < remaining {
+            return self.go(piece, acceleration, exit, left);
+        }
+        // The end comes first.
+        let y = squared(self.speed);
+        let mut most = (wish.ease * exit - y) / (2.0 * remaining);
+        if self.speed > wanted {
+            most = most.min((wanted - self.speed) / left);
+        } else {
+            most = most.min((squared(wanted) - y) / (2.0 * remaining));
+        }
+        self.go(piece, most.min(ramp.high).max(ramp.low), exit, left)
+    }
+
+    fn ramp(&self, piece: &Piece, exit: f64, ease: f64, left: f64) -> Ramp {
+        let remaining = self.remaining(piece);
+        match (piece.law, &piece.circle) {
+            (Law::Round { acceleration, .. }, Some(circle)) => {
+                let y = squared(self.speed);
+                let across = squared(acceleration);
+                let rest = |y: f64| math::sqrt((across - squared(circle.turn * y)).max(0.0));
+                let most = rest(y);
+                let far = ((self.speed + 0.5 * most * left) * left).min(remaining);
+                let high = rest((y + 2.0 * most * far).min(piece.ceiling));
+                let bound = ease * along(piece.law, &piece.circle, exit, remaining);
+                let later = ease * along(piece.law, &piece.circle, exit, remaining - far);
+                let slope = if far > 0.0 { (later - bound) / far } else { 0.0 };
+                Ramp { low: -most, high, bound, slope }
+            }
+            (Law::Even { acceleration }, _) => {
+                let slope = -2.0 * acceleration * ease;
+                let bound = ease * exit - slope * remaining;
+                Ramp { low: -acceleration / PLANNED, high: acceleration, bound, slope }
+            }
+            (Law::Round { .. } | Law::Bent | Law::Dwell(_), _) => {
+                Ramp { low: 0.0, high: 0.0, bound: 0.0, slope: 0.0 }
+            }
+        }
+    }
+
+    fn bend(&mut self, piece: &Piece, exit: f64, asked: (&Limits, &Wish), left: f64) -> f64 {
+        if piece.axes <= 3 {
+            self.bend_of::<3>(piece, exit, asked, left)
+        } else {
+            self.bend_of::<9>(piece, exit, asked, left)
+        }
+    }
+
+    fn bend_of<const N: usize>(
+        &mut self,
+        piece: &Piece,
+        exit: f64,
+        (limits, wish): (&Limits, &Wish),
+        left: f64,
+    ) -> f64 {
+        let remaining = self.remaining(piece);
+        let mut most = f64::NEG_INFINITY;
+        if !wish.rest {
+            let met = (wish.ease * exit - squared(self.speed)) / (2.0 * remaining);
+            most = math::lesser((wanted(piece, wish) - self.speed) / left, met);
+            if most > 0.0 {
+                let (high, calm) = self.greatest::<N>(piece, limits);
+                most = math::lesser(most, high);
+                if calm {
+                    return self.go(piece, math::greater(most, 0.0), exit, left);
+                }
+            } else if self.allows::<N>(piece, most, limits) {
+                return self.go(piece, most, exit, left);
+            }
+        }
+        let low = self.least::<N>(piece, remaining, limits);
+        if most >= low {
+            most = math::lesser(most, math::greater(self.greatest::<N>(piece, limits).0, low));
+            return self.go(piece, most, exit, left);
+        }
+        // More than can be kept up to the end of the piece may be possible within this cycle.
+        let near = (self.speed * left).min(remaining);
+        let now = self.least::<N>(piece, near, limits);
+        self.go(piece, most.max(now.min(low)), exit, left)
+    }
+
+    /// Whether all axes allow an acceleration up to the end of a bend: what is asked for mostly is.
+    fn allows<const N: usize>(&self, piece: &Piece, acceleration: f64, limits: &Limits) -> bool {
+        let y = squared(self.speed);
+        let later = 3.0 * self.remaining(piece) * acceleration;
+        let along = if self.backwards { -acceleration } else { acceleration };
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
+        let mut allows = true;
+        for ((rate, bend), limit) in axes {
+            let here = along * (rate + self.x * bend) + bend * y;
+            allows &= here.abs() <= *limit && (here + later * bend).abs() <= *limit;
+        }
+        allows
+    }
+
+    /// The greatest acceleration that is planned with up to the end of a bend; and whether none is allowed too.
+    fn greatest<const N: usize>(&self, piece: &Piece, limits: &Limits) -> (f64, bool) {
+        let (mut high, mut calm) = (f64::INFINITY, true);
+        let (y, thrice) = (squared(self.speed), 3.0 * self.remaining(piece));
+        let sense = if self.backwards { -1.0 } else { 1.0 };
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
+        for ((rate, bend), limit) in axes {
+            let across = bend * y;
+            calm &= across.abs() <= HARDLY * limit;
+            let here = sense * (rate + self.x * bend);
+            for share in [here, here + thrice * bend] {
+                // Towards the greater acceleration an axis has what p''·y leaves it.
+                let used = across.copysign(across * share);
+                high = math::lesser(high, (limit - used) / math::greater(share.abs(), SMALL));
+            }
+        }
+        (high, calm)
+    }
+
+    /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is planned
+    /// with, so that a speed that rounding has made too high comes down again.
+    fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
+        let mut low = f64::NEG_INFINITY;
+        let (y, thrice) = (squared(self.speed), 3.0 * ahead);
+        let sense = if self.backwards { -1.0 } else { 1.0 };
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.acceleration).take(N);
+        for ((rate, bend), limit) in axes {
+            let across = bend * y;
+            let here = sense * (rate + self.x * bend);
+            for share in [here, here + thrice * bend] {
+                let used = across.copysign(across * share);
+                low = math::greater(low, (-limit - used) / math::greater(share.abs(), SMALL));
+            }
+        }
+        low
+    }
+
+    /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
+    fn go(&mut self, piece: &Piece, acceleration: f64, exit: f64, left: f64) -> f64 {
+        let remaining = self.remaining(piece);
+        self.acceleration = acceleration;
+        let end = self.speed + acceleration * left;
+        let travel = 0.5 * (self.speed + end) * left;
+        if end > 0.0 && travel < remaining {
+            self.travel(travel);
+            self.speed = end;
+            return left;
+        }
+        let y = squared(self.speed);
+        let mut last = y + 2.0 * acceleration * remaining;
+        if exit <= 0.0 && last.abs() <= y * 1e-6 {
+            // The square of the last speed is the difference of two numbers that should be equal.
+            last = 0.0;
+        }
+        if last >= 0.0 {
+            let end = math::sqrt(last);
+            let both = self.speed + end;
+            let time = if remaining > 0.0 { 2.0 * remaining / both } else { 0.0 };
+            if time <= left {
+                self.x = if self.backwards { 0.0 } else { piece.length };
+                self.speed = if exit > 0.0 { end } else { 0.0 };
+                return time;
+            }
+        } else if end <= 0.0 {
+            let travel = -0.5 * y / acceleration;
+            self.travel(travel.min(remaining));
+            self.speed = 0.0;
+            return left;
+        }
+        self.travel(travel.min(remaining));
+        self.speed = end.max(0.0);
+        left
+    }
+
+    fn travel(&mut self, distance: f64) {
+        self.x += if self.backwards { -distance } else { distance };
+    }
+
+    /// Whether a piece that was changed at its end can still be kept to from here.
+    pub(super) fn permits(&self, ring: &Ring<Piece>, limits: &Limits) -> bool {
+        let Some(piece) = ring.get(self.at) else { return true };
+        let y = squared(self.speed);
+        if y <= 0.0 || self.backwards {
+            return true;
+        }
+        let remaining = self.remaining(piece);
+        let ahead = exit(ring, piece, self.at);
+        match piece.law {
+            Law::Bent => {
+                let low = self.least::<9>(piece, remaining, limits);
+                let high = self.greatest::<9>(piece, limits).0.min((ahead - y) / (2.0 * remaining));
+                low <= high + 1e-9 * (1.0 - low)
+            }
+            Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
+                y <= along(piece.law, &piece.circle, ahead, remaining) * (1.0 + 1e-9)
+            }
+        }
+    }
+}
+
+/// The speed that a piece is asked to have.
+fn wanted(piece: &Piece, wish: &Wish) -> f64 {
+    match piece.pace {
+        Pace::Rapid => piece.fastest * wish.rapid,
+        Pace::Second => math::lesser(piece.fastest, piece.feed * wish.feed),
+        Pace::Turn => math::lesser(piece.fastest, piece.feed * wish.turns),
+    }
+}

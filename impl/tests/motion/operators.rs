@@ -1,0 +1,187 @@
+//! What an operator does to a motion, and what else is asked of it while it runs.
+
+use gaugeblock_impl::Planner;
+use gaugeblock_impl::plan::{
+    Axes, Blend, Hold, InputParameter, OutputParameter, OutputSwitch, Path, Phase, Segment,
+};
+use proptest::prelude::*;
+
+use super::check::{Feeding, Run, dynamics, farthest, programmed, run_with};
+use super::programs::{FEED, at, distance, line, segment, zig};
+use super::random::{Chance, chance};
+
+const ORIGIN: Axes = [0.0; 9];
+
+fn operated(program: &[Segment], wants: impl FnMut(usize) -> InputParameter) -> Run {
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    run_with(&mut planner, ORIGIN, program, Feeding::Full, wants)
+}
+
+#[track_caller]
+fn keeps_limits(run: &Run) {
+    let (speed, change) = run.worst(&dynamics());
+    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+}
+
+#[test]
+fn hold_stops_within_the_stopping_distance_and_goes_on() {
+    let program = [line(at(100.0, 0.0, 0.0), Blend::ExactStop)];
+    let run = operated(&program, |cycle| InputParameter {
+        hold: if (500..700).contains(&cycle) { Hold::Hold } else { Hold::Run },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    let (before, after) = (run.samples[500][0], run.samples[699][0]);
+    let stopping = FEED * FEED / (2.0 * 2000.0);
+    assert!(after - before <= stopping + 2.0 * FEED * 0.001, "{}", after - before);
+    assert_eq!(run.outputs[698].phase, Phase::Holding);
+    assert_eq!(run.samples.last(), Some(&at(100.0, 0.0, 0.0)));
+}
+
+#[test]
+fn adaptive_feed_below_zero_retraces_the_path() {
+    let program = zig(Blend::Within(0.1));
+    let run = operated(&program, |cycle| InputParameter {
+        adaptive_feed: if (400..700).contains(&cycle) { -1.0 } else { 1.0 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    let (turning, back) = (run.samples[400], run.samples[690]);
+    assert!(back[0] < turning[0] - 4.0, "{} {}", turning[0], back[0]);
+    let (path, _) = programmed(ORIGIN, &program);
+    assert!(farthest(&run.samples, &path) <= 0.1);
+    assert_eq!(run.samples.last(), Some(&at(100.0, 0.0, 0.0)));
+}
+
+#[test]
+fn abort_forgets_the_queue_at_rest() {
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    let mut output = OutputParameter::default();
+    for segment in zig(Blend::Within(0.1)) {
+        planner.queue(&segment).expect("room");
+    }
+    let mut samples = vec![ORIGIN];
+    for cycle in 0..400 {
+        let hold = if cycle == 300 { Hold::Abort } else { Hold::Run };
+        planner.update(&InputParameter { hold, ..InputParameter::default() }, &mut output);
+        samples.push(output.position);
+    }
+    assert_eq!(output.phase, Phase::Idle);
+    let rest = output.position;
+    let end = at(rest[0] + 10.0, 0.0, 0.0);
+    let rest_of =
+        run_with(&mut planner, rest, &[line(end, Blend::ExactStop)], Feeding::Full, |_| {
+            InputParameter::default()
+        });
+    samples.extend(rest_of.samples);
+    let run = Run { samples, outputs: Vec::new() };
+    keeps_limits(&run);
+    assert_eq!(run.samples.last(), Some(&end));
+}
+
+#[test]
+fn feed_override_scales_the_speed() {
+    for (feed_override, speed) in [(0.5, 50.0), (1.0, 100.0), (2.0, 200.0)] {
+        let program = [line(at(100.0, 0.0, 0.0), Blend::ExactStop)];
+        let input = InputParameter { feed_override, ..InputParameter::default() };
+        let run = operated(&program, |_| input);
+        let most = run.outputs.iter().map(|output| output.speed).fold(0.0, f64::max);
+        assert!((most - speed).abs() < 1e-6, "{most}");
+    }
+}
+
+#[test]
+fn slower_segment_is_entered_at_its_own_feed() {
+    for feed_override in [0.3, 1.0, 1.7] {
+        let mut program = vec![
+            line(at(20.0, 0.0, 0.0), Blend::Within(0.01)),
+            line(at(40.0, 0.0, 0.0), Blend::ExactStop),
+        ];
+        program[1].feed = gaugeblock_impl::plan::Feed::PerSecond(10.0);
+        let input = InputParameter { feed_override, ..InputParameter::default() };
+        let run = operated(&program, |_| input);
+        let late = run.outputs.iter().filter(|output| output.position[0] > 20.0);
+        let most = late.map(|output| output.speed).fold(0.0, f64::max);
+        assert!(most <= 10.0 * feed_override + 1e-6, "{most}");
+    }
+}
+
+#[test]
+fn dwell_rests_to_the_cycle() {
+    let program = [
+        line(at(10.0, 0.0, 0.0), Blend::Within(0.1)),
+        segment(Path::Dwell { seconds: 0.25 }, Blend::Within(0.1)),
+        line(at(20.0, 0.0, 0.0), Blend::Within(0.1)),
+    ];
+    let run = operated(&program, |_| InputParameter::default());
+    let rests = run.samples.windows(2).filter(|two| distance(&two[0], &two[1]) <= 0.0).count();
+    assert!((249..=251).contains(&rests), "{rests}");
+}
+
+#[test]
+fn outputs_switch_in_order_where_their_segment_begins() {
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    let mut output = OutputParameter::default();
+    let mut seen = Vec::new();
+    for number in 0..3_u16 {
+        for value in [0.0, 1.0] {
+            planner.switch(OutputSwitch { output: number, value }).expect("room");
+        }
+        let x = 10.0 * f64::from(number + 1);
+        planner.queue(&line(at(x, 0.0, 0.0), Blend::Within(0.01))).expect("room");
+    }
+    planner.switch(OutputSwitch { output: 9, value: 1.0 }).expect("room");
+    for _ in 0..1000 {
+        planner.update(&InputParameter::default(), &mut output);
+        while let Some(switch) = planner.switched() {
+            seen.push((switch.output, switch.value.to_bits(), output.position[0]));
+        }
+    }
+    let order: Vec<_> = seen.iter().map(|(output, value, _)| (*output, *value)).collect();
+    let one = 1.0_f64.to_bits();
+    assert_eq!(order, [(0, 0), (0, one), (1, 0), (1, one), (2, 0), (2, one)]);
+    for (output, _, x) in seen {
+        let begins = 10.0 * f64::from(output);
+        assert!((begins..=begins + 0.1).contains(&x), "{output} at {x}");
+    }
+}
+
+#[test]
+fn probe_ends_the_motion() {
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    let mut output = OutputParameter::default();
+    let mut probing = line(at(0.0, 0.0, -50.0), Blend::ExactStop);
+    probing.probing = true;
+    planner.queue(&probing).expect("room");
+    let mut tripped = 0;
+    for cycle in 0..400 {
+        let input = InputParameter { probe: cycle >= 200, ..InputParameter::default() };
+        planner.update(&input, &mut output);
+        tripped += u32::from(output.tripped);
+    }
+    assert_eq!((tripped, output.phase), (1, Phase::Idle));
+    assert!(output.position[2] > -25.0, "{}", output.position[2]);
+}
+
+fn last_end(chance: &Chance) -> Axes {
+    let ends = chance.program.iter().rev().filter_map(|segment| match segment.path {
+        Path::Straight { end } | Path::Arc { end, .. } => Some(end),
+        Path::Dwell { .. } => None,
+    });
+    ends.into_iter().next().unwrap_or(chance.start)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(150) })]
+
+    #[test]
+    fn no_limit_is_broken_by_anything(seed in any::<u64>(), with_operator in any::<bool>()) {
+        let chance = chance(seed, with_operator);
+        let mut planner = Planner::new(chance.dynamics, chance.start).expect("limits");
+        let wants = |cycle: usize| chance.operator.get(cycle).copied().unwrap_or_default();
+        let run = run_with(&mut planner, chance.start, &chance.program, chance.feeding, wants);
+        let (speed, change) = run.worst(&chance.dynamics);
+        prop_assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{} {}", speed, change);
+        prop_assert_eq!(run.samples.last(), Some(&last_end(&chance)));
+    }
+}

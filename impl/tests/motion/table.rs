@@ -1,0 +1,115 @@
+//! The programs whose times on LinuxCNC are known: never slower than it, and near what is possible.
+
+use gaugeblock_impl::plan::{Axes, Blend, Segment};
+
+use super::check::{Feeding, Run, dynamics, farthest, programmed, run};
+use super::programs::{arcs, arcs_with_corners, at, dense, helix, line, square, zig};
+
+const ORIGIN: Axes = [0.0; 9];
+const FEEDINGS: [Feeding; 6] = [
+    Feeding::Full,
+    Feeding::Every(0, 1),
+    Feeding::Every(0, 5),
+    Feeding::Every(0, 20),
+    Feeding::Every(0, 31),
+    Feeding::Every(0, 80),
+];
+
+fn time(program: &[Segment]) -> f64 {
+    run(ORIGIN, program, Feeding::Full).time()
+}
+
+/// Within so much of a time that is known to be the least, and at most what LinuxCNC takes.
+#[track_caller]
+fn takes(program: &[Segment], least: f64, share: f64, linuxcnc: f64) {
+    let time = time(program);
+    assert!(time <= linuxcnc, "{time} s, LinuxCNC {linuxcnc} s");
+    assert!(time <= least * (1.0 + share) + 0.001, "{time} s, possible {least} s");
+}
+
+#[test]
+fn zig_zag_is_near_the_bound_of_its_axes() {
+    takes(&zig(Blend::Within(0.01)), 6.197, 0.002, 6.447);
+    takes(&zig(Blend::Within(0.1)), 4.899, 0.004, 5.476);
+    takes(&zig(Blend::BetweenMidpoints), 4.509, 0.0, 4.509);
+}
+
+#[test]
+fn stops_take_what_the_closed_form_says() {
+    takes(&zig(Blend::ExactStop), 6.325, 0.005, 6.402);
+    takes(&zig(Blend::ExactPath), 6.325, 0.005, 6.802);
+    takes(&square(Blend::ExactStop), 1.8, 0.005, 1.802);
+    takes(&[line(at(100.0, 0.0, 0.0), Blend::Within(0.01))], 1.05, 0.005, 1.102);
+}
+
+#[test]
+fn arcs_and_corners_are_faster_than_on_linuxcnc() {
+    takes(&square(Blend::Within(0.1)), 1.83, 0.0, 1.83);
+    takes(&arcs(Blend::Within(0.01)), 2.543, 0.0, 2.543);
+    takes(&helix(Blend::Within(0.01)), 3.193, 0.02, 3.564);
+}
+
+#[test]
+fn dense_polyline_is_near_the_smooth_curve() {
+    takes(&dense(Blend::Within(0.01)), 2.075, 0.02, 2.148);
+    takes(&dense(Blend::Within(0.1)), 2.075, 0.02, 2.151);
+    takes(&dense(Blend::BetweenMidpoints), 2.075, 0.02, 2.312);
+    takes(&dense(Blend::ExactPath), 23.636, 0.0, 23.636);
+}
+
+#[test]
+fn blending_is_never_slower_than_stopping() {
+    for program in [zig, square, arcs, dense, helix] {
+        let stopping = time(&program(Blend::ExactStop));
+        for tolerance in [0.0001, 0.001, 0.01, 0.1, 1.0] {
+            let blending = time(&program(Blend::Within(tolerance)));
+            assert!(blending <= stopping, "{tolerance}: {blending} s, stopping {stopping} s");
+        }
+    }
+}
+
+#[track_caller]
+fn keeps_limits(run: &Run) {
+    let (speed, change) = run.worst(&dynamics());
+    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+}
+
+#[test]
+fn no_limit_is_broken_at_any_feeding() {
+    let (start, corners) = arcs_with_corners(Blend::Within(0.1));
+    let programs = [
+        (0.01, ORIGIN, zig(Blend::Within(0.01))),
+        (0.1, ORIGIN, zig(Blend::Within(0.1))),
+        (0.0, ORIGIN, zig(Blend::ExactStop)),
+        (0.1, ORIGIN, square(Blend::Within(0.1))),
+        (0.01, ORIGIN, arcs(Blend::Within(0.01))),
+        (0.1, start, corners),
+    ];
+    for (tolerance, start, program) in &programs {
+        for feeding in FEEDINGS {
+            let run = run(*start, program, feeding);
+            keeps_limits(&run);
+            let (path, vertices) = programmed(*start, program);
+            assert_eq!(run.samples.last(), vertices.last(), "{feeding:?}");
+            if matches!(feeding, Feeding::Full | Feeding::Every(0, 31)) {
+                // Chords of arcs lie 0.01² r/8 within them; between samples the path bends by an eighth of a cycle's square.
+                let (arcs, chord) = (1.3e-4, 2000.0 * 1.5 * 1e-6 / 8.0);
+                let (far, missed) =
+                    (farthest(&run.samples, &path), farthest(&vertices, &run.samples));
+                assert!(far <= tolerance + arcs, "{feeding:?}: {far}");
+                assert!(missed <= tolerance + chord, "{feeding:?}: {missed}");
+            }
+        }
+    }
+}
+
+#[test]
+fn samples_do_not_depend_on_how_segments_come() {
+    for program in [zig(Blend::Within(0.1)), arcs(Blend::Within(0.01)), square(Blend::Within(0.1))]
+    {
+        let all = run(ORIGIN, &program, Feeding::Full);
+        for feeding in [Feeding::Every(5, 1), Feeding::Every(50, 3), Feeding::Every(3, 5)] {
+            assert!(run(ORIGIN, &program, feeding).samples == all.samples, "{feeding:?}");
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! The trajectory planner, held to what it promises by its samples.
+
+#[path = "motion/check.rs"]
+mod check;
+#[path = "motion/operators.rs"]
+mod operators;
+#[path = "motion/programs.rs"]
+mod programs;
+#[path = "motion/random.rs"]
+mod random;
+#[path = "motion/table.rs"]
+mod table;
