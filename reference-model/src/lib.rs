@@ -10,6 +10,7 @@
 mod by_name;
 mod evidence;
 mod math;
+pub mod motion;
 pub mod rs274;
 
 pub use evidence::{Evidence, RuleOutcome, Tally};

@@ -35,6 +35,16 @@ pub(crate) fn degrees_of_signed(opposite: f64, adjacent: f64) -> f64 {
     libm::atan2(opposite, adjacent).to_degrees()
 }
 
+/// Sine of an angle in radians.
+pub(crate) fn sine(radians: f64) -> f64 {
+    libm::sin(radians)
+}
+
+/// Cosine of an angle in radians.
+pub(crate) fn cosine(radians: f64) -> f64 {
+    libm::cos(radians)
+}
+
 /// The square root of a number that is not negative.
 pub(crate) fn square_root(number: f64) -> f64 {
     libm::sqrt(number)

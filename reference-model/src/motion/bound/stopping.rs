@@ -1,0 +1,117 @@
+//! How far and how long a motion goes on at least when it is asked to stop.
+
+use crate::motion::curve::Curve;
+use crate::motion::envelope::Envelope;
+use crate::motion::route::{Passing, Route};
+use crate::motion::vector::{direction, distance, length};
+
+/// The angle of an arc in one step, radians.
+const STEP: f64 = 0.005;
+
+/// Distance along the path, and time, until rest.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::motion) struct Stop {
+    /// Millimetres, and degrees alike.
+    pub(in crate::motion) distance: f64,
+    /// Seconds.
+    pub(in crate::motion) seconds: f64,
+}
+
+/// The least distance in which a motion at a point of a route can stop on it, from a speed.
+///
+/// Rule trajectory.stopping-distance. The point brakes as hard as the axis that is loaded most allows, with what turning leaves
+/// of its acceleration. A corner that may be rounded is passed at a steady speed for as long as its longest blend: the blend
+/// may take all of the acceleration. Beyond the end of the route there is nothing to stop on.
+pub(in crate::motion) fn stopping(
+    route: &Route<'_>,
+    envelope: &Envelope,
+    from: (usize, f64),
+    speed: f64,
+) -> Stop {
+    along(route, envelope, from, speed, blend)
+}
+
+/// The same if no corner costs anything: no motion near the route stops in less.
+pub(in crate::motion) fn shortest_stopping(
+    route: &Route<'_>,
+    envelope: &Envelope,
+    from: (usize, f64),
+    speed: f64,
+) -> Stop {
+    along(route, envelope, from, speed, |_, _| 0.0)
+}
+
+fn along(
+    route: &Route<'_>,
+    envelope: &Envelope,
+    from: (usize, f64),
+    speed: f64,
+    blend: impl Fn(&Route<'_>, usize) -> f64,
+) -> Stop {
+    let mut stop = Stop::default();
+    let (mut speed, mut part) = (speed, from.1);
+    for (number, leg) in route.legs.iter().enumerate().skip(from.0) {
+        let blend = if number > from.0 { blend(route, number) } else { 0.0 };
+        if blend > 0.0 {
+            stop.distance += blend;
+            stop.seconds += blend / speed;
+        }
+        speed = brake(&leg.curve, envelope, part, speed, &mut stop);
+        if speed == 0.0 {
+            break;
+        }
+        part = 0.0;
+    }
+    stop
+}
+
+/// Brakes on one curve from a parameter on; the speed at its end.
+fn brake(curve: &Curve, envelope: &Envelope, from: f64, speed: f64, stop: &mut Stop) -> f64 {
+    let steps = (curve.angle().abs() * (1.0 - from) / STEP).ceil().max(1.0);
+    let (mut speed, mut done) = (speed, 0.0);
+    while done < steps {
+        let part = from + (1.0 - from) * done / steps;
+        let (first, second) = curve.derivatives(part);
+        let scale = length(&first);
+        if scale == 0.0 {
+            return speed;
+        }
+        let square = (speed / scale) * (speed / scale);
+        let (low, high) = envelope.rates(&first, &second, square);
+        let rate = if low <= high && low < 0.0 { -low * scale } else { 0.0 };
+        let way = scale * (1.0 - from) / steps;
+        if 2.0 * rate * way >= speed * speed {
+            stop.distance += speed * speed / (2.0 * rate);
+            stop.seconds += speed / rate;
+            return 0.0;
+        }
+        let after = crate::math::square_root(speed * speed - 2.0 * rate * way);
+        stop.distance += way;
+        stop.seconds += 2.0 * way / (speed + after);
+        speed = after;
+        done += 1.0;
+    }
+    speed
+}
+
+/// How long the blend at the start of a leg may be, at most: what the tolerance allows of a parabola that is tangent to both
+/// legs, and no more than the legs.
+fn blend(route: &Route<'_>, number: usize) -> f64 {
+    let legs = (&route.legs[number - usize::from(number > 0)], &route.legs[number]);
+    let reach = match route.corners[number].passing {
+        Passing::Rest | Passing::Exact => return 0.0,
+        Passing::BetweenMidpoints => f64::INFINITY,
+        Passing::Within(tolerance) => {
+            let before = direction(&legs.0.curve.derivatives(1.0).0);
+            let after = direction(&legs.1.curve.derivatives(0.0).0);
+            match (before, after) {
+                (Some(before), Some(after)) => 4.0 * tolerance / distance(&before, &after),
+                _ => f64::INFINITY,
+            }
+        }
+    };
+    if !route.breaks(number) {
+        return 0.0;
+    }
+    reach.min(legs.0.curve.length()) + reach.min(legs.1.curve.length())
+}

@@ -1,0 +1,351 @@
+//! Where an element leads: place, speed and curvature over its parameter, which runs from 0 to 1.
+
+use gaugeblock_trace::Position;
+use gaugeblock_trace::motion::Shape;
+
+use super::bound::Bounds;
+use super::vector::{self, Nine, distance, from_segment, minus, plus};
+use crate::math;
+
+/// Which coordinates a feed counts (manual of 2.9, section 2.5.2.5).
+///
+/// Rule trajectory.feed-coordinates. X, Y, Z if any of them moves; else U, V, W if any of them does; else A, B, C.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Counted {
+    /// X, Y, Z.
+    First,
+    /// U, V, W.
+    Second,
+    /// A, B, C, in degrees.
+    Rotary,
+}
+
+impl Counted {
+    fn of(change: &Nine, is_arc: bool) -> Self {
+        let moves = |place: usize| change[place] != 0.0;
+        if is_arc || (0..3).any(moves) {
+            Self::First
+        } else if (6..9).any(moves) {
+            Self::Second
+        } else {
+            Self::Rotary
+        }
+    }
+
+    /// The length of a vector in these coordinates.
+    pub(super) fn length(self, vector: &Nine) -> f64 {
+        let first = match self {
+            Self::First => 0,
+            Self::Rotary => 3,
+            Self::Second => 6,
+        };
+        let parts = &vector[first..first + 3];
+        math::square_root(parts.iter().map(|part| part * part).sum())
+    }
+}
+
+/// The part of an arc that is not a straight line: a turn about an axis of space.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    /// A point of the axis, at the height of the start.
+    centre: [f64; 3],
+    /// From the axis to the start: a unit vector.
+    outward: [f64; 3],
+    /// Square to it and to the axis: where the start goes if the angle is positive.
+    onward: [f64; 3],
+    /// Distance from the axis at the start, and what it gains on the way.
+    radius: (f64, f64),
+    /// Along the axis, on the whole way.
+    rise: [f64; 3],
+    /// Radians, on the whole way.
+    angle: f64,
+}
+
+/// A moving element.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Curve {
+    start: Nine,
+    end: Nine,
+    turn: Option<Turn>,
+}
+
+impl Curve {
+    /// A straight line.
+    pub(super) fn straight(start: Nine, end: Nine) -> Self {
+        Self { start, end, turn: None }
+    }
+
+    /// What a shape is from a start; `None` for what does not move or is not known.
+    pub(super) fn of(start: Position, shape: &Shape) -> Option<Self> {
+        let start = start.to_array();
+        match shape {
+            Shape::Straight { end } | Shape::Probe { end, contact: None } => {
+                Some(Self::straight(start, end.to_array()))
+            }
+            Shape::Arc { end, centre, normal, angle } => {
+                let end = end.to_array();
+                let turn = turn(&start, &end, *centre, *normal, angle.to_radians());
+                Some(Self { start, end, turn: Some(turn) })
+            }
+            Shape::Probe { .. }
+            | Shape::Curve { .. }
+            | Shape::Dwell { .. }
+            | Shape::Wait { .. }
+            | Shape::AtOnce(_) => None,
+        }
+    }
+
+    /// Where it starts.
+    pub(super) fn start(&self) -> Nine {
+        self.start
+    }
+
+    /// Where it ends.
+    pub(super) fn end(&self) -> Nine {
+        self.end
+    }
+
+    /// Whether it is a straight line.
+    pub(super) fn is_straight(&self) -> bool {
+        self.turn.is_none()
+    }
+
+    /// How far it goes about its axis, radians; zero for a line.
+    pub(super) fn angle(&self) -> f64 {
+        self.turn.map_or(0.0, |turn| turn.angle)
+    }
+
+    /// How far an arc is from the line between its ends, at least; zero for a line.
+    pub(super) fn rise_over_chord(&self) -> f64 {
+        from_segment(&self.start, &self.end, &self.at(0.5))
+    }
+
+    /// Whether it leads nowhere.
+    pub(super) fn is_empty(&self) -> bool {
+        self.turn.is_none() && distance(&self.start, &self.end) == 0.0
+    }
+
+    /// The point at a parameter; exactly its ends at 0 and 1.
+    pub(super) fn at(&self, part: f64) -> Nine {
+        if part <= 0.0 {
+            return self.start;
+        }
+        if part >= 1.0 {
+            return self.end;
+        }
+        let mut point = plus(&self.start, &minus(&self.end, &self.start), part);
+        if let Some(turn) = &self.turn {
+            let (sine, cosine) = (math::sine(turn.angle * part), math::cosine(turn.angle * part));
+            let radius = turn.radius.0 + turn.radius.1 * part;
+            for (axis, place) in point[..3].iter_mut().enumerate() {
+                let round = turn.outward[axis] * cosine + turn.onward[axis] * sine;
+                *place = turn.centre[axis] + turn.rise[axis] * part + radius * round;
+            }
+        }
+        point
+    }
+
+    /// First and second derivative over the parameter.
+    pub(super) fn derivatives(&self, part: f64) -> (Nine, Nine) {
+        let mut first = minus(&self.end, &self.start);
+        let mut second = [0.0; 9];
+        if let Some(turn) = &self.turn {
+            let (sine, cosine) = (math::sine(turn.angle * part), math::cosine(turn.angle * part));
+            let (radius, gain) = (turn.radius.0 + turn.radius.1 * part, turn.radius.1);
+            for axis in 0..3 {
+                let outward = turn.outward[axis] * cosine + turn.onward[axis] * sine;
+                let onward = (turn.onward[axis] * cosine - turn.outward[axis] * sine) * turn.angle;
+                first[axis] = turn.rise[axis] + gain * outward + radius * onward;
+                second[axis] = 2.0 * gain * onward - radius * turn.angle * turn.angle * outward;
+            }
+        }
+        (first, second)
+    }
+
+    /// Third derivative over the parameter.
+    pub(super) fn third(&self, part: f64) -> Nine {
+        let mut third = [0.0; 9];
+        if let Some(turn) = &self.turn {
+            let (sine, cosine) = (math::sine(turn.angle * part), math::cosine(turn.angle * part));
+            let (radius, square) = (turn.radius.0 + turn.radius.1 * part, turn.angle * turn.angle);
+            for (axis, value) in third[..3].iter_mut().enumerate() {
+                let outward = turn.outward[axis] * cosine + turn.onward[axis] * sine;
+                let onward = turn.onward[axis] * cosine - turn.outward[axis] * sine;
+                *value = -square * (3.0 * turn.radius.1 * outward + radius * turn.angle * onward);
+            }
+        }
+        third
+    }
+
+    /// Bounds of its third and fourth derivative.
+    pub(super) fn bounds(&self) -> Bounds {
+        let mut bounds = Bounds { third: [0.0; 9], fourth: [0.0; 9] };
+        if let Some(turn) = &self.turn {
+            let (angle, gain) = (turn.angle.abs(), turn.radius.1.abs());
+            let radius = turn.radius.0.max(turn.radius.0 + turn.radius.1);
+            let (square, cube) = (angle * angle, angle * angle * angle);
+            for axis in 0..3 {
+                let share = math::hypotenuse(turn.outward[axis], turn.onward[axis]);
+                bounds.third[axis] = share * (3.0 * gain * square + radius * cube);
+                bounds.fourth[axis] = share * (4.0 * gain * cube + radius * square * square);
+            }
+        }
+        bounds
+    }
+
+    /// Whether its speed over the parameter is the same everywhere: no spiral.
+    pub(super) fn is_even(&self) -> bool {
+        self.turn.is_none_or(|turn| turn.radius.1 == 0.0)
+    }
+
+    /// Which coordinates its feed counts.
+    pub(super) fn counted(&self) -> Counted {
+        Counted::of(&minus(&self.end, &self.start), self.turn.is_some())
+    }
+
+    /// Its length in the coordinates that its feed counts. That of a spiral is taken at its mean radius.
+    pub(super) fn feed_length(&self) -> f64 {
+        self.counted().length(&self.derivatives(0.5).0)
+    }
+
+    /// Its length in all nine.
+    pub(super) fn length(&self) -> f64 {
+        vector::length(&self.derivatives(0.5).0)
+    }
+
+    /// The parameter from `from` to `to` that is nearest to a point: of a line exactly, of an arc of at most a quarter by
+    /// halving.
+    pub(super) fn nearest(&self, point: &Nine, from: f64, to: f64) -> f64 {
+        if self.is_straight() {
+            return vector::nearest_part(&self.start, &self.end, point).clamp(from, to);
+        }
+        let slope = |part: f64| {
+            let away = minus(&self.at(part), point);
+            vector::dot(&away, &self.derivatives(part).0)
+        };
+        if slope(from) >= 0.0 || slope(to) <= 0.0 {
+            let (first, last) = (distance(&self.at(from), point), distance(&self.at(to), point));
+            return if first <= last { from } else { to };
+        }
+        boundary(from, to, |part| slope(part) < 0.0)
+    }
+
+    /// The parameters from `from` to `to` at which it is within a tolerance of a point, if there are any.
+    pub(super) fn within(
+        &self,
+        point: &Nine,
+        tolerance: f64,
+        from: f64,
+        to: f64,
+    ) -> Option<(f64, f64)> {
+        let nearest = self.nearest(point, from, to);
+        let near = |part: f64| distance(&self.at(part), point) <= tolerance;
+        if !near(nearest) {
+            return None;
+        }
+        let first = if near(from) { from } else { boundary(nearest, from, near) };
+        let last = if near(to) { to } else { boundary(nearest, to, near) };
+        Some((first, last))
+    }
+}
+
+/// The last place on the way from `inside` to `outside` where something still holds.
+fn boundary(inside: f64, outside: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let (mut inside, mut outside) = (inside, outside);
+    for _ in 0..54 {
+        let middle = inside + (outside - inside) / 2.0;
+        if holds(middle) { inside = middle } else { outside = middle }
+    }
+    inside
+}
+
+fn turn(start: &Nine, end: &Nine, centre: [f64; 3], normal: [f64; 3], angle: f64) -> Turn {
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let from = |point: &Nine| -> ([f64; 3], f64) {
+        let away: [f64; 3] = std::array::from_fn(|axis| point[axis] - centre[axis]);
+        let height = dot(away, normal);
+        (std::array::from_fn(|axis| away[axis] - normal[axis] * height), height)
+    };
+    let ((outward, start_height), (end_outward, end_height)) = (from(start), from(end));
+    let radius = math::square_root(dot(outward, outward));
+    let gain = math::square_root(dot(end_outward, end_outward)) - radius;
+    // What rounding leaves of equal radii is no spiral.
+    let gain = if gain.abs() <= 1e-12 * radius { 0.0 } else { gain };
+    let outward = if radius > 0.0 { outward.map(|part| part / radius) } else { [0.0; 3] };
+    let onward = [
+        normal[1] * outward[2] - normal[2] * outward[1],
+        normal[2] * outward[0] - normal[0] * outward[2],
+        normal[0] * outward[1] - normal[1] * outward[0],
+    ];
+    Turn {
+        centre: std::array::from_fn(|axis| centre[axis] + normal[axis] * start_height),
+        outward,
+        onward,
+        radius: (radius, gain),
+        rise: normal.map(|part| part * (end_height - start_height)),
+        angle,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn helix() -> Curve {
+        let end = Position { z: -10.0, a: 90.0, ..Position::default() };
+        let shape =
+            Shape::Arc { end, centre: [5.0, 0.0, 3.0], normal: [0.0, 0.0, 1.0], angle: -3600.0 };
+        Curve::of(Position::default(), &shape).expect("an arc moves")
+    }
+
+    #[test]
+    fn a_helix_goes_round_its_axis_and_along_it() {
+        let quarter = helix().at(0.025);
+        for (place, wanted) in [(0, 5.0), (1, 5.0), (2, -0.25), (3, 2.25)] {
+            assert!((quarter[place] - wanted).abs() < 1e-12, "{quarter:?}");
+        }
+        assert!(
+            (helix().feed_length() - (100.0 * std::f64::consts::PI).hypot_of(10.0)).abs() < 1e-9
+        );
+    }
+
+    trait Hypot {
+        fn hypot_of(self, other: f64) -> f64;
+    }
+
+    impl Hypot for f64 {
+        fn hypot_of(self, other: f64) -> f64 {
+            math::hypotenuse(self, other)
+        }
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_point() {
+        let (curve, step) = (helix(), 1e-5);
+        for part in [0.1, 0.37, 0.9] {
+            let (first, second) = curve.derivatives(part);
+            let (before, here, after) =
+                (curve.at(part - step), curve.at(part), curve.at(part + step));
+            for axis in 0..9 {
+                let slope = (after[axis] - before[axis]) / (2.0 * step);
+                let bend = (after[axis] - 2.0 * here[axis] + before[axis]) / (step * step);
+                assert!((slope - first[axis]).abs() < 1e-3, "{axis}");
+                assert!((bend - second[axis]).abs() < 1e-1, "{axis}");
+                let (earlier, later) =
+                    (curve.derivatives(part - step).1, curve.derivatives(part + step).1);
+                let third = (later[axis] - earlier[axis]) / (2.0 * step);
+                assert!((third - curve.third(part)[axis]).abs() < 1.0, "{axis}");
+                assert!(third.abs() <= curve.bounds().third[axis] + 1.0);
+            }
+        }
+    }
+
+    #[test]
+    fn the_nearest_point_of_a_quarter_is_found() {
+        let curve = helix();
+        for part in [0.001, 0.01, 0.02] {
+            let found = curve.nearest(&curve.at(part), 0.0, 0.025);
+            assert!((found - part).abs() < 1e-12);
+        }
+    }
+}

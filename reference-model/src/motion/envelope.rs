@@ -1,0 +1,63 @@
+//! The limits of all nine axes, and what they leave of a motion along a curve.
+
+use gaugeblock_trace::Axis;
+use gaugeblock_trace::motion::MotionLimits;
+
+use super::vector::Nine;
+
+/// Velocity and acceleration that each axis can have; infinite where nothing is stated.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Envelope {
+    pub(super) velocity: Nine,
+    pub(super) acceleration: Nine,
+    /// Whether some axis has a limit of its jerk too.
+    pub(super) jerk: bool,
+}
+
+impl Envelope {
+    pub(super) fn of(limits: &MotionLimits) -> Self {
+        let mut envelope =
+            Self { velocity: [f64::INFINITY; 9], acceleration: [f64::INFINITY; 9], jerk: false };
+        for (axis, limit) in &limits.axes {
+            let place = axis.place();
+            envelope.velocity[place] = limit.velocity.unwrap_or(f64::INFINITY);
+            envelope.acceleration[place] = limit.acceleration.unwrap_or(f64::INFINITY);
+            envelope.jerk |= limit.jerk.is_some();
+        }
+        envelope
+    }
+
+    /// The first axis that moves and of which velocity or acceleration is not stated.
+    pub(super) fn unstated(&self, moves: impl Fn(usize) -> bool) -> Option<Axis> {
+        Axis::ALL.iter().copied().find(|axis| {
+            let place = axis.place();
+            let stated = self.velocity[place].is_finite() && self.acceleration[place].is_finite();
+            moves(place) && !stated
+        })
+    }
+
+    /// The lowest and highest second derivative of the parameter that the accelerations allow at a point with these
+    /// derivatives, at the square `speed` of the parameter's first derivative. The first may be above the second: then
+    /// there is none.
+    pub(super) fn rates(&self, first: &Nine, second: &Nine, speed: f64) -> (f64, f64) {
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for axis in 0..9 {
+            let (slope, bend) = (first[axis], second[axis] * speed);
+            if slope == 0.0 {
+                continue;
+            }
+            let (one, other) = (
+                (-self.acceleration[axis] - bend) / slope,
+                (self.acceleration[axis] - bend) / slope,
+            );
+            low = low.max(one.min(other));
+            high = high.min(one.max(other));
+        }
+        (low, high)
+    }
+
+    /// The lowest acceleration of all axes that have one.
+    pub(super) fn least(&self) -> f64 {
+        self.acceleration.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+}

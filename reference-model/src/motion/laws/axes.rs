@@ -1,0 +1,102 @@
+//! Velocity, acceleration and jerk of each axis, by differences of samples.
+//!
+//! A motion whose k-th derivative is bounded has k-th differences, over the k-th power of the period, within the same
+//! bound, whatever the period: the difference is a mean of the derivative. What is added to a limit is what numbers lose:
+//! 1e-9 of it, last places of the positions, and what a recorded position may be off.
+
+use gaugeblock_trace::Axis;
+use gaugeblock_trace::motion::Column;
+use gaugeblock_trace::scenario::AxisLimits;
+
+use super::record::Record;
+use super::verdict::{Findings, Law, Verdict};
+use crate::motion::vector::last_place;
+
+const RELATIVE: f64 = 1e-9;
+
+/// A difference of samples and what rounding adds to it.
+struct Order {
+    law: Law,
+    /// Factors of a position and of those before it.
+    weights: &'static [f64],
+    /// How many last places of a position it may be off.
+    places: f64,
+    limit: fn(&AxisLimits) -> Option<f64>,
+    unit: &'static str,
+}
+
+/// Rule trajectory.velocity. The first difference of an axis is within its velocity (manual of 2.9, section 2.3.1.1: maximum
+/// velocity and acceleration of an axis must be obeyed).
+pub(super) fn velocity(record: &Record<'_>) -> Verdict {
+    let limit = |limits: &AxisLimits| limits.velocity;
+    differences(
+        record,
+        &Order { law: Law::Velocity, weights: &[1.0, -1.0], places: 1.0, limit, unit: "/s" },
+    )
+}
+
+/// Rule trajectory.acceleration. The second difference of an axis is within its acceleration.
+pub(super) fn acceleration(record: &Record<'_>) -> Verdict {
+    let limit = |limits: &AxisLimits| limits.acceleration;
+    let weights = &[1.0, -2.0, 1.0];
+    differences(record, &Order { law: Law::Acceleration, weights, places: 2.0, limit, unit: "/s²" })
+}
+
+/// Rule trajectory.jerk. The third difference of an axis is within its jerk, where it has such a limit.
+pub(super) fn jerk(record: &Record<'_>) -> Verdict {
+    let limit = |limits: &AxisLimits| limits.jerk;
+    if record.limits.axes.values().all(|limits| limits.jerk.is_none()) {
+        return Verdict::NothingAsked;
+    }
+    let weights = &[1.0, -3.0, 3.0, -1.0];
+    differences(record, &Order { law: Law::Jerk, weights, places: 4.0, limit, unit: "/s³" })
+}
+
+fn differences(record: &Record<'_>, order: &Order) -> Verdict {
+    let mut findings = Findings::of(order.law);
+    for axis in Axis::ALL.iter().copied() {
+        let place = axis.place();
+        let first = record.points[0][place].to_bits();
+        let stands = record.points.iter().all(|point| point[place].to_bits() == first);
+        let recorded = record.samples.has(Column::Position(axis));
+        let asked = record.path.elements.iter().filter_map(|element| element.end());
+        if !recorded && asked.into_iter().any(|end| end.get(axis).to_bits() != first) {
+            return Verdict::NotJudged(format!("{axis} moves and is not recorded"));
+        }
+        if stands {
+            continue;
+        }
+        let Some(limit) = record.limits.axes.get(&axis).and_then(order.limit) else {
+            if order.law == Law::Jerk {
+                continue;
+            }
+            return Verdict::NotJudged(format!("{axis} moves and no limit of it is stated"));
+        };
+        one_axis(record, order, (axis, limit), &mut findings);
+    }
+    findings.verdict()
+}
+
+fn one_axis(
+    record: &Record<'_>,
+    order: &Order,
+    (axis, limit): (Axis, f64),
+    findings: &mut Findings,
+) {
+    let place = axis.place();
+    let rate = order.weights[1..].iter().fold(1.0, |rate, _| rate / record.period);
+    let written: f64 = order.weights.iter().map(|weight| weight.abs()).sum();
+    let unit = if matches!(axis, Axis::A | Axis::B | Axis::C) { "degrees" } else { "mm" };
+    for (cycle, window) in record.points.windows(order.weights.len()).enumerate() {
+        let values = window.iter().rev().map(|point| point[place]);
+        let measured: f64 = values.zip(order.weights).map(|(value, weight)| value * weight).sum();
+        let measured = measured.abs() * rate;
+        let size = window.iter().map(|point| last_place(point[place])).fold(0.0, f64::max);
+        let off = (order.places * size + written * record.samples.resolution()) * rate;
+        let allowed = limit * (1.0 + RELATIVE) + off;
+        let words =
+            || format!("{axis} has {measured} {unit}{} where {limit} are allowed", order.unit);
+        let at = cycle + order.weights.len() / 2;
+        findings.at_most(at, Some(axis), (measured, allowed), (limit, &words));
+    }
+}

@@ -1,0 +1,174 @@
+//! Whether the path is followed: deviation, corners, order, progress.
+
+use gaugeblock_trace::motion::{Column, PathMode};
+
+use super::matching::{Matching, Miss, Missed};
+use super::record::Record;
+use super::verdict::{Findings, Law, Verdict};
+use crate::motion::route::Route;
+use crate::motion::vector::{Nine, dot, minus, plus};
+
+type Matched<'a> = (Route<'a>, Matching);
+
+fn matched<'r, 'a>(record: &'r Record<'a>) -> Result<&'r Matched<'a>, Verdict> {
+    record.matched.as_ref().map_err(|why| Verdict::NotJudged(why.clone()))
+}
+
+fn missed(
+    record: &Record<'_>,
+    law: Law,
+    words: impl Fn(&Route<'_>, &Miss) -> Option<String>,
+) -> Result<Findings, Verdict> {
+    let (route, matching) = matched(record)?;
+    let mut findings = Findings::of(law);
+    for miss in &matching.missed {
+        if let Some(words) = words(route, miss) {
+            findings.breaks(miss.sample, None, (miss.distance, miss.allowed), words);
+        }
+    }
+    Ok(findings)
+}
+
+/// Rule trajectory.deviation. Every commanded point is within P of the programmed path (G64 P, section 2.3.1.3: the tool path
+/// can stay within the tolerance); on it where the path is exact (G61, G61.1: followed exactly). A row of lines that may be
+/// merged is Q wider.
+pub(super) fn deviation(record: &Record<'_>) -> Verdict {
+    let words = |_: &Route<'_>, miss: &Miss| {
+        let far = miss.what == Missed::Path;
+        far.then(|| {
+            format!("{} mm from the path where {} are allowed", miss.distance, miss.allowed)
+        })
+    };
+    let findings = match missed(record, Law::Deviation, words) {
+        Ok(findings) => findings,
+        Err(verdict) => return verdict,
+    };
+    findings.verdict()
+}
+
+/// Rule trajectory.vertex. The commanded path passes every programmed corner within P (section 2.3.1.3: no more than P from
+/// the actual endpoints), exactly where a leg is exact. A corner that may be merged is passed within P + Q. Between two samples
+/// a motion can be a·h²/8 from their chord, and that much is granted.
+pub(super) fn vertex(record: &Record<'_>) -> Verdict {
+    let words = |route: &Route<'_>, miss: &Miss| match miss.what {
+        Missed::Corner(corner) => {
+            let block = &route.legs[corner - 1].element.block;
+            Some(format!(
+                "the end of {block} is passed at {} mm where {} are allowed",
+                miss.distance, miss.allowed
+            ))
+        }
+        Missed::Path | Missed::Leg(_) | Missed::Middle(_) | Missed::Order => None,
+    };
+    match missed(record, Law::Vertex, words) {
+        Ok(findings) => findings.verdict(),
+        Err(verdict) => verdict,
+    }
+}
+
+/// Rule trajectory.order. Every element that leads somewhere is passed, in the order of the program; one that leads nowhere
+/// changes nothing. Where a controller records which element or line it executes, it names none that comes before one that it
+/// named already, but while it runs backwards.
+pub(super) fn order(record: &Record<'_>) -> Verdict {
+    let last = record.points.len() - 1;
+    let unfinished = |miss: &Miss| record.requests.aborted.is_some() && miss.sample == last;
+    let words = |route: &Route<'_>, miss: &Miss| match miss.what {
+        // What an abort leaves out is not lost.
+        Missed::Leg(_) if unfinished(miss) => None,
+        Missed::Leg(leg) => Some(format!("{} is not passed", route.legs[leg].element.block)),
+        Missed::Path | Missed::Corner(_) | Missed::Middle(_) | Missed::Order => None,
+    };
+    let mut findings = match missed(record, Law::Order, words) {
+        Ok(findings) => findings,
+        Err(verdict) => return verdict,
+    };
+    let runs_back = record.requests.adaptive.iter().any(|factor| *factor < 0.0);
+    if let Some(elements) = record.samples.column(Column::Element)
+        && !runs_back
+    {
+        for (sample, pair) in elements.windows(2).enumerate() {
+            if pair[1] < pair[0] {
+                let words = format!("element {} is named after element {}", pair[1], pair[0]);
+                findings.breaks(sample + 1, None, (pair[1], pair[0]), words);
+            }
+        }
+    }
+    findings.verdict()
+}
+
+/// Rule trajectory.progress. The path is followed forwards, but that a negative adaptive feed runs it backwards (M52, section
+/// 11.6.12), exactly as it came.
+pub(super) fn progress(record: &Record<'_>) -> Verdict {
+    let words = |_: &Route<'_>, miss: &Miss| {
+        let back = miss.what == Missed::Order;
+        back.then(|| {
+            format!("the path is followed backwards, {} mm from the sample before", miss.distance)
+        })
+    };
+    match missed(record, Law::Progress, words) {
+        Ok(findings) => findings.verdict(),
+        Err(verdict) => verdict,
+    }
+}
+
+/// Rule trajectory.midpoints. Without a tolerance (G64 alone) a corner is rounded between the middles of its legs: the middle
+/// of each leg is passed, and between two of them the commanded point stays in the triangle of middle, corner and middle. The
+/// manual says that each movement is touched at one point at least.
+pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
+    let (route, matching) = match matched(record) {
+        Ok(matched) => matched,
+        Err(verdict) => return verdict,
+    };
+    if !route.legs.iter().any(|leg| leg.element.mode == PathMode::BetweenMidpoints) {
+        return Verdict::NothingAsked;
+    }
+    let mut findings = Findings::of(Law::Midpoints);
+    for miss in &matching.missed {
+        if let Missed::Middle(leg) = miss.what {
+            let block = &route.legs[leg].element.block;
+            let words = format!("the middle of {block} is passed at {} mm", miss.distance);
+            findings.breaks(miss.sample, None, (miss.distance, miss.allowed), words);
+        }
+    }
+    for (sample, place) in matching.places.iter().enumerate() {
+        let leg = &route.legs[place.leg];
+        let other = if place.part < 0.5 { place.leg.checked_sub(1) } else { Some(place.leg + 1) };
+        let other = other.and_then(|other| route.legs.get(other)).unwrap_or(leg);
+        if leg.element.mode != PathMode::BetweenMidpoints
+            || !leg.curve.is_straight()
+            || !other.curve.is_straight()
+        {
+            continue;
+        }
+        let corner = if place.part < 0.5 { leg.curve.start() } else { leg.curve.end() };
+        let away = from_triangle(
+            [&leg.curve.at(0.5), &corner, &other.curve.at(0.5)],
+            &record.points[sample],
+        );
+        let words = || format!("{away} mm outside of the triangle at {}", leg.element.block);
+        findings.at_most(sample, None, (away, record.slack), (0.0, &words));
+    }
+    findings.verdict()
+}
+
+/// The distance of a point from a triangle, in as many dimensions as there are.
+fn from_triangle([a, b, c]: [&Nine; 3], point: &Nine) -> f64 {
+    use crate::motion::vector::{distance, from_segment};
+    let edges = [(a, b), (b, c), (c, a)];
+    let edge = edges
+        .iter()
+        .map(|(one, other)| from_segment(one, other, point))
+        .fold(f64::INFINITY, f64::min);
+    let (ab, ac, ap) = (minus(b, a), minus(c, a), minus(point, a));
+    let (bb, bc, cc) = (dot(&ab, &ab), dot(&ab, &ac), dot(&ac, &ac));
+    let area = bb * cc - bc * bc;
+    if area <= 1e-12 * bb * cc {
+        return edge;
+    }
+    let (pb, pc) = (dot(&ap, &ab), dot(&ap, &ac));
+    let (beta, gamma) = ((cc * pb - bc * pc) / area, (bb * pc - bc * pb) / area);
+    if beta < 0.0 || gamma < 0.0 || beta + gamma > 1.0 {
+        return edge;
+    }
+    distance(&plus(&plus(a, &ab, beta), &ac, gamma), point).min(edge)
+}

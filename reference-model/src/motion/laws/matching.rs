@@ -1,0 +1,422 @@
+//! Which point of the path a sample stands for.
+//!
+//! Samples are matched by progress: a sample stands for a point that is within tolerance of it and not before the point of the
+//! sample before, and each corner on the way is within tolerance of the chord between two samples. So a path that
+//! crosses itself or goes to and fro is followed, and not the nearest of all its points. For each sample the set of all such
+//! points is kept, as an interval on each piece of the path (the free space of two curves, of which the Fréchet distance
+//! is read off); if it becomes empty, something was missed, and matching goes on from the nearest point.
+//!
+//! The work is linear in samples times pieces within tolerance of a sample.
+
+use crate::motion::curve::Curve;
+use crate::motion::route::{Passing, Route};
+use crate::motion::vector::{Nine, distance, from_segment};
+use gaugeblock_trace::motion::PathMode;
+
+/// How many pieces ahead and behind a lost sample is looked for.
+const AHEAD: usize = 256;
+const BEHIND: usize = 16;
+
+/// A stretch of a leg: a line, half of one, or at most a quarter of a circle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    /// The leg.
+    pub(super) leg: usize,
+    /// Its parameter where the piece starts and ends.
+    from: f64,
+    to: f64,
+    /// How far a sample may be from it.
+    tolerance: f64,
+    /// How far its end may be from the chord that passes it.
+    gate: f64,
+}
+
+/// A point of the path: a leg and its parameter.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub(super) struct Place {
+    pub(super) leg: usize,
+    pub(super) part: f64,
+}
+
+/// What was missed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Missed {
+    /// A sample is too far from the path.
+    Path,
+    /// No sample is near a corner, whose number this is.
+    Corner(usize),
+    /// A leg was left out, whose number this is.
+    Leg(usize),
+    /// The middle of a leg was left out, from which no corner may be rounded.
+    Middle(usize),
+    /// The path was followed backwards.
+    Order,
+}
+
+/// Something that was missed: when, what, by how much, and how much was allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Miss {
+    pub(super) sample: usize,
+    pub(super) what: Missed,
+    pub(super) distance: f64,
+    pub(super) allowed: f64,
+}
+
+/// The points of a piece for which a sample can stand.
+#[derive(Clone, Copy, Debug)]
+struct Reach {
+    piece: usize,
+    low: f64,
+    high: f64,
+}
+
+/// Samples matched to a route.
+#[derive(Clone, Debug)]
+pub(super) struct Matching {
+    /// The point for which each sample stands.
+    pub(super) places: Vec<Place>,
+    /// What was missed, in order.
+    pub(super) missed: Vec<Miss>,
+    /// First and last leg that each sample can stand for.
+    pub(super) legs: Vec<(usize, usize)>,
+}
+
+/// What matching goes by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Measure<'a> {
+    /// The samples' positions.
+    pub(super) points: &'a [Nine],
+    /// How far a position may be off because of how it is written.
+    pub(super) slack: f64,
+    /// How far a motion can be from the chord between two samples.
+    pub(super) bulge: f64,
+    /// Whether the path may be followed backwards at a sample.
+    pub(super) backwards: &'a [bool],
+}
+
+struct Matcher<'a> {
+    measure: Measure<'a>,
+    curves: Vec<Curve>,
+    pieces: Vec<Piece>,
+    /// The least distance of each piece's end to the chords so far.
+    closest: Vec<f64>,
+    rows: Vec<Vec<Reach>>,
+    missed: Vec<Miss>,
+}
+
+/// Matches samples to a route that has a leg.
+pub(super) fn matched(route: &Route<'_>, measure: Measure<'_>) -> Matching {
+    let pieces = pieces(route);
+    let mut matcher = Matcher {
+        curves: route.legs.iter().map(|leg| leg.curve).collect(),
+        closest: vec![f64::INFINITY; pieces.len()],
+        pieces,
+        measure,
+        rows: Vec::new(),
+        missed: Vec::new(),
+    };
+    matcher.forward();
+    let places = matcher.backward();
+    let legs = matcher.rows.iter().map(|row| {
+        let leg = |reach: Option<&Reach>| reach.map_or(0, |reach| matcher.pieces[reach.piece].leg);
+        (leg(row.first()), leg(row.last()))
+    });
+    Matching { places, legs: legs.collect(), missed: matcher.missed.clone() }
+}
+
+/// Whether points lead along curves in order, within a tolerance, and pass each of their ends.
+pub(in crate::motion) fn follows(points: &[Nine], curves: &[Curve], tolerance: f64) -> bool {
+    let piece = |leg: usize| Piece { leg, from: 0.0, to: 1.0, tolerance, gate: tolerance };
+    let quarters = |leg: usize, curve: &Curve| {
+        let quarters = (curve.angle().abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
+        let mut parts = Vec::new();
+        let mut done = 0.0;
+        while done < quarters {
+            let (from, to) = (done / quarters, (done + 1.0) / quarters);
+            parts.push(Piece { from, to, ..piece(leg) });
+            done += 1.0;
+        }
+        parts
+    };
+    let pieces: Vec<Piece> =
+        curves.iter().enumerate().flat_map(|(leg, curve)| quarters(leg, curve)).collect();
+    // An arc is farther from the chord between two points than its ends are.
+    let bulge = tolerance;
+    let measure = Measure { points, slack: 0.0, bulge, backwards: &[] };
+    let closest = vec![f64::INFINITY; pieces.len()];
+    let curves = curves.to_vec();
+    let mut matcher =
+        Matcher { measure, curves, pieces, closest, rows: Vec::new(), missed: Vec::new() };
+    let starts = matcher.free(0, &points[0]).is_some_and(|reach| reach.low <= 0.0);
+    matcher.forward();
+    starts && matcher.missed.is_empty()
+}
+
+fn pieces(route: &Route<'_>) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    for (number, leg) in route.legs.iter().enumerate() {
+        let between = leg.element.mode == PathMode::BetweenMidpoints;
+        let quarters = (leg.curve.angle().abs() / std::f64::consts::FRAC_PI_2).ceil();
+        let quarters =
+            if between { 2.0 * (quarters / 2.0).ceil().max(1.0) } else { quarters.max(1.0) };
+        let mut done = 0.0;
+        while done < quarters {
+            let to = (done + 1.0) / quarters;
+            let gate = if to >= 1.0 {
+                gate(route, number + 1)
+            } else if between && (to - 0.5).abs() < 1e-9 {
+                0.0
+            } else {
+                leg.tolerance
+            };
+            let from = done / quarters;
+            pieces.push(Piece { leg: number, from, to, tolerance: leg.tolerance, gate });
+            done += 1.0;
+        }
+    }
+    pieces
+}
+
+fn gate(route: &Route<'_>, corner: usize) -> f64 {
+    match route.corners[corner].passing {
+        Passing::Rest | Passing::Exact => 0.0,
+        Passing::Within(tolerance) => tolerance,
+        Passing::BetweenMidpoints => {
+            let near = |leg: usize| route.legs.get(leg).map_or(0.0, |leg| leg.curve.length());
+            near(corner - 1).max(near(corner))
+        }
+    }
+}
+
+impl Matcher<'_> {
+    fn forward(&mut self) {
+        let Some(first) = self.measure.points.first() else { return };
+        let start = self.free(0, first).filter(|reach| reach.low <= self.pieces[0].from);
+        let start = start.unwrap_or(Reach { piece: 0, low: 0.0, high: 0.0 });
+        self.rows.push(vec![start]);
+        for sample in 1..self.measure.points.len() {
+            let mut row = self.step(sample);
+            if row.is_empty() {
+                row = vec![self.recover(sample)];
+            }
+            self.rows.push(row);
+        }
+        self.end();
+    }
+
+    /// The points of a piece that are within tolerance of a point.
+    fn free(&self, piece: usize, point: &Nine) -> Option<Reach> {
+        let at = &self.pieces[piece];
+        let tolerance = at.tolerance + self.measure.slack;
+        let (low, high) = self.curves[at.leg].within(point, tolerance, at.from, at.to)?;
+        Some(Reach { piece, low, high })
+    }
+
+    /// The points for which a sample can stand, from those of the sample before.
+    fn step(&mut self, sample: usize) -> Vec<Reach> {
+        let before = &self.rows[sample - 1];
+        let (point, from) = (&self.measure.points[sample], &self.measure.points[sample - 1]);
+        let mut row: Vec<Reach> = Vec::new();
+        let mut known = before.iter().peekable();
+        let first = before.first().map_or(0, |reach| reach.piece);
+        let mut enters = false;
+        for piece in first..self.pieces.len() {
+            let here = known.next_if(|reach| reach.piece == piece);
+            let start =
+                if enters { Some(self.pieces[piece].from) } else { here.map(|reach| reach.low) };
+            if start.is_none() && known.peek().is_none() {
+                break;
+            }
+            if let Some(low) = start {
+                let free = self.free(piece, point).filter(|reach| reach.high >= low);
+                row.extend(free.map(|reach| Reach { low: reach.low.max(low), ..reach }));
+            }
+            enters = start.is_some()
+                && passes(
+                    &self.pieces[piece],
+                    &self.curves,
+                    &mut self.closest[piece],
+                    (from, point),
+                    &self.measure,
+                );
+        }
+        if self.measure.backwards.get(sample).copied().unwrap_or(false) {
+            let back = self.step_back(sample);
+            row.extend(back);
+            row.sort_by(|a, b| {
+                (a.piece, a.low).partial_cmp(&(b.piece, b.low)).unwrap_or(std::cmp::Ordering::Equal)
+            });
+            row.dedup_by(|later, earlier| {
+                let same = later.piece == earlier.piece;
+                if same {
+                    earlier.high = earlier.high.max(later.high);
+                }
+                same
+            });
+        }
+        row
+    }
+
+    /// The same where the path is followed backwards.
+    fn step_back(&self, sample: usize) -> Vec<Reach> {
+        let before = &self.rows[sample - 1];
+        let (point, from) = (&self.measure.points[sample], &self.measure.points[sample - 1]);
+        let mut row = Vec::new();
+        let mut known = before.iter().rev().peekable();
+        let last = before.last().map_or(0, |reach| reach.piece);
+        let mut enters = false;
+        for piece in (0..=last).rev() {
+            let here = known.next_if(|reach| reach.piece == piece);
+            let start =
+                if enters { Some(self.pieces[piece].to) } else { here.map(|reach| reach.high) };
+            if start.is_none() && known.peek().is_none() {
+                break;
+            }
+            if let Some(high) = start {
+                let free = self.free(piece, point).filter(|reach| reach.low <= high);
+                row.extend(free.map(|reach| Reach { high: reach.high.min(high), ..reach }));
+            }
+            let mut closest = f64::INFINITY;
+            enters = start.is_some()
+                && piece > 0
+                && passes(
+                    &self.pieces[piece - 1],
+                    &self.curves,
+                    &mut closest,
+                    (from, point),
+                    &self.measure,
+                );
+        }
+        row
+    }
+
+    /// A sample that stands for no point: says what was missed, and goes on from the nearest point.
+    fn recover(&mut self, sample: usize) -> Reach {
+        let (point, from) = (self.measure.points[sample], self.measure.points[sample - 1]);
+        let before = &self.rows[sample - 1];
+        let (first, last) = (before[0], before[before.len() - 1]);
+        let mut best = (f64::INFINITY, last);
+        let ahead = (last.piece + AHEAD).min(self.pieces.len() - 1);
+        let order =
+            (first.piece..=ahead).chain((first.piece.saturating_sub(BEHIND)..first.piece).rev());
+        for piece in order {
+            let at = &self.pieces[piece];
+            let part = self.curves[at.leg].nearest(&point, at.from, at.to);
+            let away = distance(&self.curves[at.leg].at(part), &point);
+            let excess = (away - at.tolerance - self.measure.slack).max(0.0);
+            let steps = 1e-12 * away.max(1.0);
+            if excess < best.0 - steps {
+                best = (excess, Reach { piece, low: part, high: part });
+            }
+        }
+        let (excess, reach) = best;
+        let at = self.pieces[reach.piece];
+        let back = (reach.piece, reach.high) < (first.piece, first.low);
+        if excess > 0.0 {
+            let allowed = at.tolerance;
+            let near = self.curves[at.leg].at(reach.low);
+            self.missed.push(Miss {
+                sample,
+                what: Missed::Path,
+                distance: distance(&near, &point),
+                allowed,
+            });
+            if back {
+                // It strays from the path and is judged for that alone; progress is not lost by it.
+                return Reach { piece: first.piece, low: first.low, high: first.low };
+            }
+        } else if back {
+            let moved = distance(&from, &point);
+            self.missed.push(Miss { sample, what: Missed::Order, distance: moved, allowed: 0.0 });
+        }
+        for piece in first.piece..reach.piece {
+            self.skip(sample, piece, first.piece);
+        }
+        reach
+    }
+
+    /// Says that the end of a piece was passed too far away, unless a chord was near it before.
+    fn skip(&mut self, sample: usize, piece: usize, first: usize) {
+        let at = self.pieces[piece];
+        let chord = (&self.measure.points[sample - 1], &self.measure.points[sample]);
+        let end = self.curves[at.leg].at(at.to);
+        self.closest[piece] = self.closest[piece].min(from_segment(chord.0, chord.1, &end));
+        let allowed = at.gate;
+        let distance = (self.closest[piece] - self.measure.bulge).max(0.0);
+        if distance <= allowed + self.measure.slack {
+            return;
+        }
+        let what = if at.to < 1.0 {
+            if at.gate == 0.0 { Missed::Middle(at.leg) } else { return }
+        } else if piece > first {
+            Missed::Leg(at.leg)
+        } else {
+            Missed::Corner(at.leg + 1)
+        };
+        self.missed.push(Miss { sample, what, distance, allowed });
+    }
+
+    /// Whatever lies between the last sample and the end of the path was left out.
+    fn end(&mut self) {
+        let sample = self.measure.points.len() - 1;
+        let Some(last) = self.rows[sample].last().copied() else { return };
+        let point = self.measure.points[sample];
+        for piece in last.piece..self.pieces.len() {
+            let at = self.pieces[piece];
+            let away = distance(&self.curves[at.leg].end(), &point);
+            let allowed = at.gate + self.measure.slack + self.measure.bulge;
+            if at.to >= 1.0 && away > allowed {
+                let what = Missed::Leg(at.leg);
+                self.missed.push(Miss { sample, what, distance: away, allowed: 0.0 });
+            }
+        }
+    }
+
+    /// One point for each sample: from the last one backwards, the nearest that is not behind the next sample's.
+    fn backward(&self) -> Vec<Place> {
+        let mut next = Place { leg: usize::MAX, part: 1.0 };
+        let mut places = vec![next; self.rows.len()];
+        for sample in (0..self.rows.len()).rev() {
+            let free = self.measure.backwards.get(sample + 1).copied().unwrap_or(false);
+            let limit = if free { Place { leg: usize::MAX, part: 1.0 } } else { next };
+            next = self.nearest(sample, limit);
+            places[sample] = next;
+        }
+        places
+    }
+
+    fn nearest(&self, sample: usize, limit: Place) -> Place {
+        let point = &self.measure.points[sample];
+        let mut best: Option<(f64, Place)> = None;
+        for reach in self.rows[sample].iter().rev() {
+            let leg = self.pieces[reach.piece].leg;
+            let high = if leg == limit.leg { reach.high.min(limit.part) } else { reach.high };
+            if leg > limit.leg || high < reach.low {
+                continue;
+            }
+            let part = self.curves[leg].nearest(point, reach.low, high);
+            let away = distance(&self.curves[leg].at(part), point);
+            if best.is_none_or(|(nearest, _)| away < nearest - 1e-12) {
+                best = Some((away, Place { leg, part }));
+            }
+        }
+        let first = self.rows[sample]
+            .first()
+            .map(|reach| Place { leg: self.pieces[reach.piece].leg, part: reach.low });
+        best.map(|(_, place)| place).or(first).unwrap_or(Place { leg: 0, part: 0.0 })
+    }
+}
+
+/// Whether a chord passes the end of a piece within tolerance.
+fn passes(
+    piece: &Piece,
+    curves: &[Curve],
+    closest: &mut f64,
+    chord: (&Nine, &Nine),
+    measure: &Measure<'_>,
+) -> bool {
+    let end = curves[piece.leg].at(piece.to);
+    let away = from_segment(chord.0, chord.1, &end);
+    *closest = closest.min(away);
+    away <= piece.gate + measure.bulge + measure.slack
+}

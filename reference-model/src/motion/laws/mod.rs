@@ -1,0 +1,70 @@
+//! The laws of motion: what every trajectory must satisfy, whoever planned it.
+//!
+//! Samples of any controller are held against the programmed path, the limits of the machine, and what an operator did. Each
+//! law is a section with the id of its rule; it answers with what is broken, where and by how much, or with why it cannot be
+//! judged. A law accuses only where every reading of the documents does.
+//!
+//! | read | laws |
+//! | --- | --- |
+//! | `axes` | velocity, acceleration, jerk |
+//! | `feed` | how fast the path is passed |
+//! | `following` | deviation, corners, middles, order, progress |
+//! | `rest` | exact stops, ends, dwells |
+//! | `outputs` | when outputs switch |
+//! | `operator` | hold, abort, and what is left to stop on |
+//! | `record`, `matching`, `visits` | what is judged; which point of the path a sample stands for; when corners are passed |
+
+mod axes;
+mod feed;
+mod following;
+mod matching;
+mod operator;
+mod outputs;
+mod record;
+mod rest;
+mod verdict;
+mod visits;
+
+use gaugeblock_trace::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
+
+pub(in crate::motion) use matching::follows;
+use record::Record;
+pub use verdict::{Judgement, Law, Verdict, Violation};
+
+/// Holds samples to all laws.
+///
+/// The work is linear in samples times pieces of path that lie within tolerance of one.
+pub fn judge(
+    samples: &Samples,
+    path: &ProgrammedPath,
+    limits: &MotionLimits,
+    script: &MotionScript,
+) -> Judgement {
+    if samples.is_empty() {
+        let why = || Verdict::NotJudged("there is no sample".to_owned());
+        return Judgement(Law::ALL.iter().map(|law| (*law, why())).collect());
+    }
+    let record = Record::new(samples, path, limits, script);
+    let verdict = |law: &Law| match law {
+        Law::Velocity => axes::velocity(&record),
+        Law::Acceleration => axes::acceleration(&record),
+        Law::Jerk => axes::jerk(&record),
+        Law::Feed => feed::feed(&record),
+        Law::Deviation => following::deviation(&record),
+        Law::Vertex => following::vertex(&record),
+        Law::Midpoints => following::midpoints(&record),
+        Law::Stop => rest::stop(&record),
+        Law::Ends => rest::ends(&record),
+        Law::Order => following::order(&record),
+        Law::Progress => following::progress(&record),
+        Law::Outputs => outputs::outputs(&record),
+        Law::Dwell => rest::dwell(&record),
+        Law::Hold => operator::hold(&record),
+        Law::Abort => operator::abort(&record),
+        Law::Reserve => operator::reserve(&record),
+    };
+    Judgement(Law::ALL.iter().map(|law| (*law, verdict(law))).collect())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,151 @@
+//! Hold, abort, and what is left to stop on.
+
+use gaugeblock_trace::motion::Column;
+
+use super::matching::Matching;
+use super::record::Record;
+use super::verdict::{Findings, Law, Verdict};
+use crate::motion::bound::{shortest_stopping, stopping};
+use crate::motion::route::Route;
+use crate::motion::vector::distance;
+
+/// Within so many cycles what was asked for is in force.
+const CYCLES: usize = 2;
+
+impl Record<'_> {
+    /// Whether something holds the motion at a sample: the operator, the feed stop where M53 lets it, an override or an adaptive
+    /// feed of zero where M50 and M52 let them (section 11.6.12: zero is as good as a feed hold).
+    pub(super) fn holds(&self, sample: usize) -> bool {
+        let requests = &self.requests;
+        let Ok((route, matching)) = &self.matched else { return requests.hold[sample] };
+        let controls = route.legs[matching.places[sample].leg].element.controls;
+        requests.hold[sample]
+            || controls.feed_stop && requests.feed_stop[sample]
+            || controls.feed_override && requests.feed_override[sample] <= 0.0
+            || controls.adaptive_feed && requests.adaptive[sample] == 0.0
+    }
+}
+
+/// Rule trajectory.hold. A hold stops the motion on the path, within the distance in which it can stop and two cycles, and it
+/// rests until nothing holds it any more. That it goes on along the path, deviation and progress say.
+pub(super) fn hold(record: &Record<'_>) -> Verdict {
+    let (route, matching) = match &record.matched {
+        Ok(matched) => matched,
+        Err(why) => return Verdict::NotJudged(why.clone()),
+    };
+    let mut findings = Findings::of(Law::Hold);
+    let (mut asked, mut sample) = (false, 0);
+    while sample < record.points.len() {
+        if !record.holds(sample) {
+            sample += 1;
+            continue;
+        }
+        let from = sample;
+        while sample < record.points.len() && record.holds(sample) {
+            sample += 1;
+        }
+        asked = true;
+        if let Some(why) = record.stopping_unknown() {
+            return Verdict::NotJudged(why);
+        }
+        if from > 0 && record.requests.adaptive[from - 1] < 0.0 {
+            return Verdict::NotJudged("a hold while the path is run backwards".to_owned());
+        }
+        stops(record, (route, matching), (from, sample), &mut findings);
+    }
+    if asked { findings.verdict() } else { Verdict::NothingAsked }
+}
+
+/// Rule trajectory.abort. An abort stops the motion like a hold, and it never goes on.
+pub(super) fn abort(record: &Record<'_>) -> Verdict {
+    let Some(from) = record.requests.aborted else { return Verdict::NothingAsked };
+    let (route, matching) = match &record.matched {
+        Ok(matched) => matched,
+        Err(why) => return Verdict::NotJudged(why.clone()),
+    };
+    if let Some(why) = record.stopping_unknown() {
+        return Verdict::NotJudged(why);
+    }
+    let mut findings = Findings::of(Law::Abort);
+    stops(record, (route, matching), (from, record.points.len()), &mut findings);
+    let last = record.points.len() - 1;
+    if !record.rests(last) {
+        let speed = record.speed(last);
+        let words = format!("the motion still makes {speed} mm/s when the record ends");
+        findings.breaks(last, None, (speed, 0.0), words);
+    }
+    findings.verdict()
+}
+
+/// The motion stops from a sample on, and rests until another one.
+fn stops(
+    record: &Record<'_>,
+    (route, matching): (&Route<'_>, &Matching),
+    (from, until): (usize, usize),
+    findings: &mut Findings,
+) {
+    let latest = (from + CYCLES).min(record.points.len() - 1);
+    let speed = (from..=latest).map(|sample| record.speed(sample)).fold(0.0, f64::max);
+    let place = matching.places[from];
+    let least = stopping(route, &record.envelope, (place.leg, place.part), speed);
+    let two_cycles = 2.0 * speed * record.period;
+    let allowed = least.distance * (1.0 + 1e-6) + two_cycles + record.bulge + record.slack;
+    let (mut way, mut rested) = (0.0, false);
+    for sample in from + 1..until {
+        let step = distance(&record.points[sample - 1], &record.points[sample]);
+        way += step;
+        let words = || {
+            format!(
+                "the motion goes on for {way} mm from {speed} mm/s where {} mm suffice",
+                least.distance
+            )
+        };
+        findings.at_most(sample, None, (way, allowed), (0.0, &words));
+        if rested && step > record.slack {
+            let words = format!("the motion goes on by {step} mm while it is held");
+            findings.breaks(sample, None, (step, 0.0), words);
+        }
+        rested |= sample > latest && step <= record.slack;
+    }
+}
+
+/// Rule trajectory.reserve. At each instant the elements that the planner was given suffice to stop on, so that it may be
+/// starved at any cycle (section 2.3.1.3: never at such a speed that it cannot come to an exact stop).
+pub(super) fn reserve(record: &Record<'_>) -> Verdict {
+    let Some(queued) = record.samples.column(Column::Queued) else {
+        return Verdict::NotJudged("what was queued is not recorded".to_owned());
+    };
+    let (route, matching) = match &record.matched {
+        Ok(matched) => matched,
+        Err(why) => return Verdict::NotJudged(why.clone()),
+    };
+    if let Some(why) = record.stopping_unknown() {
+        return Verdict::NotJudged(why);
+    }
+    let mut ends = vec![0.0];
+    let mut way = 0.0;
+    for leg in &route.legs {
+        way += leg.curve.length();
+        ends.push(way);
+    }
+    let mut findings = Findings::of(Law::Reserve);
+    for (sample, queued) in queued.iter().enumerate() {
+        let place = matching.places[sample];
+        let legs =
+            route.legs.partition_point(|leg| crate::motion::vector::count(leg.place) < *queued);
+        let leg = &route.legs[place.leg];
+        let here = ends[place.leg] + place.part * leg.curve.length();
+        let left = (ends[legs] - here).max(0.0);
+        let speed = record.speed(sample);
+        let off = speed * record.period + record.bulge + record.slack + leg.tolerance;
+        if speed * speed <= 2.0 * record.envelope.least() * left {
+            continue;
+        }
+        let needed =
+            shortest_stopping(route, &record.envelope, (place.leg, place.part), speed).distance;
+        let words =
+            || format!("{needed} mm are needed to stop from {speed} mm/s and {left} mm are queued");
+        findings.at_most(sample, None, (needed, left * (1.0 + 1e-9) + off), (0.0, &words));
+    }
+    findings.verdict()
+}

@@ -1,0 +1,191 @@
+//! What the laws say.
+
+use std::fmt;
+
+use gaugeblock_trace::Axis;
+
+macro_rules! laws {
+    ($($(#[$about:meta])* $id:literal $name:ident,)*) => {
+        /// A law of motion.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Law {
+            $($(#[$about])* $name,)*
+        }
+
+        impl Law {
+            /// All of them, in the order in which they are judged.
+            pub const ALL: &'static [Self] = &[$(Self::$name),*];
+
+            /// The id of the law's rule.
+            pub fn id(self) -> &'static str {
+                match self {
+                    $(Self::$name => $id,)*
+                }
+            }
+        }
+    };
+}
+
+laws! {
+    /// No axis is faster than it can be.
+    "trajectory.velocity" Velocity,
+    /// No axis accelerates more than it can.
+    "trajectory.acceleration" Acceleration,
+    /// No axis changes its acceleration faster than it can.
+    "trajectory.jerk" Jerk,
+    /// The path is passed no faster than it is programmed and overridden.
+    "trajectory.feed" Feed,
+    /// The commanded point is nowhere farther from the path than allowed.
+    "trajectory.deviation" Deviation,
+    /// The commanded path passes no corner farther away than allowed.
+    "trajectory.vertex" Vertex,
+    /// Without a tolerance corners are rounded between the middles of their legs.
+    "trajectory.midpoints" Midpoints,
+    /// The motion rests at each corner that asks for it.
+    "trajectory.stop" Stop,
+    /// The motion starts and ends at the programmed points, at rest.
+    "trajectory.ends" Ends,
+    /// Each element is passed, in the order of the program.
+    "trajectory.order" Order,
+    /// The path is not followed backwards unless that is asked for.
+    "trajectory.progress" Progress,
+    /// Outputs switch where the program says, in its order, and only those.
+    "trajectory.outputs" Outputs,
+    /// A dwell lasts as long as it says.
+    "trajectory.dwell" Dwell,
+    /// A hold stops the motion on the path, and it stays at rest until it may go on.
+    "trajectory.hold" Hold,
+    /// An abort stops the motion for good.
+    "trajectory.abort" Abort,
+    /// At each instant what is queued suffices to stop.
+    "trajectory.reserve" Reserve,
+}
+
+impl fmt::Display for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id())
+    }
+}
+
+/// A law that was broken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Violation {
+    /// Which one.
+    pub law: Law,
+    /// The first sample at which it is broken, from 0.
+    pub cycle: usize,
+    /// At how many samples in a row it is broken.
+    pub cycles: usize,
+    /// The axis, where it is one.
+    pub axis: Option<Axis>,
+    /// What was measured where it is worst, in the unit that the words name.
+    pub measured: f64,
+    /// What is allowed.
+    pub allowed: f64,
+    /// What is wrong, for a person.
+    pub words: String,
+}
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} at cycle {}: {}", self.law, self.cycle, self.words)?;
+        if self.cycles > 1 {
+            write!(f, " ({} cycles)", self.cycles)?;
+        }
+        Ok(())
+    }
+}
+
+/// What a law says of a record.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// It holds; how much of what it allows was used at most, 1 for all of it, where that can be said.
+    Held {
+        /// The largest share.
+        share: Option<f64>,
+    },
+    /// The program asks for nothing that it could be held to.
+    NothingAsked,
+    /// It does not hold.
+    Broken(Vec<Violation>),
+    /// It cannot be judged: why.
+    NotJudged(String),
+}
+
+/// What all laws say of a record, in their order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judgement(pub Vec<(Law, Verdict)>);
+
+impl Judgement {
+    /// What one law says.
+    pub fn of(&self, law: Law) -> Option<&Verdict> {
+        self.0.iter().find(|(known, _)| *known == law).map(|(_, verdict)| verdict)
+    }
+
+    /// Everything that is broken.
+    pub fn violations(&self) -> impl Iterator<Item = &Violation> {
+        self.0.iter().flat_map(|(_, verdict)| match verdict {
+            Verdict::Broken(violations) => violations.as_slice(),
+            Verdict::Held { .. } | Verdict::NothingAsked | Verdict::NotJudged(_) => &[],
+        })
+    }
+}
+
+/// Findings of one law as they are made, cycle by cycle; those at neighbouring cycles become one.
+#[derive(Clone, Debug)]
+pub(super) struct Findings {
+    law: Law,
+    share: Option<f64>,
+    broken: Vec<Violation>,
+}
+
+impl Findings {
+    pub(super) fn of(law: Law) -> Self {
+        Self { law, share: None, broken: Vec::new() }
+    }
+
+    /// A measured value that must not be above another one. `words` says what it is.
+    pub(super) fn at_most(
+        &mut self,
+        cycle: usize,
+        axis: Option<Axis>,
+        (measured, allowed): (f64, f64),
+        (limit, words): (f64, &dyn Fn() -> String),
+    ) {
+        if limit > 0.0 {
+            self.share = Some(self.share.unwrap_or(0.0).max(measured / limit));
+        }
+        if measured > allowed {
+            self.breaks(cycle, axis, (measured, limit), words());
+        }
+    }
+
+    /// The law is broken.
+    pub(super) fn breaks(
+        &mut self,
+        cycle: usize,
+        axis: Option<Axis>,
+        (measured, allowed): (f64, f64),
+        words: String,
+    ) {
+        let new = Violation { law: self.law, cycle, cycles: 1, axis, measured, allowed, words };
+        let goes_on = |old: &&mut Violation| old.axis == axis && old.cycle + old.cycles == cycle;
+        let Some(old) = self.broken.iter_mut().rev().take(9).find(goes_on) else {
+            self.broken.push(new);
+            return;
+        };
+        let (first, cycles) = (old.cycle, old.cycles + 1);
+        if measured - allowed > old.measured - old.allowed {
+            *old = new;
+        }
+        (old.cycle, old.cycles) = (first, cycles);
+    }
+
+    pub(super) fn verdict(self) -> Verdict {
+        if self.broken.is_empty() {
+            Verdict::Held { share: self.share }
+        } else {
+            Verdict::Broken(self.broken)
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! Motion: what a program asks of the axes, what every trajectory must satisfy, and how fast it could be at best.
+//!
+//! | read | to learn |
+//! | --- | --- |
+//! | [`path`] | the path that an outcome asks for, in machine coordinates, and when two paths are the same |
+//! | [`laws`] | samples held against path, limits and operator script: a law a section |
+//! | [`bound`] | a lower bound on the time of a path, and the distance in which a motion can stop |
+//! | `curve`, `route`, `vector` | the geometry below: lines, arcs and helices; legs and corners; nine coordinates |
+//!
+//! **Invariants.** It reads its arguments and nothing else. It is written from the documents and from mechanics, without a look
+//! at any planner. What it cannot know it does not judge, and says so.
+
+pub mod bound;
+mod curve;
+mod envelope;
+pub mod laws;
+pub mod path;
+mod route;
+mod vector;

@@ -1,0 +1,210 @@
+//! Legs and corners: a path as its moving elements and the points between them.
+//!
+//! Elements that lead nowhere are no legs; what they ask for belongs to the corner where they stand.
+
+use gaugeblock_trace::Position;
+use gaugeblock_trace::motion::{Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
+
+use super::curve::Curve;
+use super::vector::{Nine, direction, dot, from_segment};
+
+/// A moving element.
+#[derive(Clone, Debug)]
+pub(super) struct Leg<'a> {
+    /// Its place among the elements of the path.
+    pub(super) place: usize,
+    /// What the program says of it.
+    pub(super) element: &'a Element,
+    /// Where it leads.
+    pub(super) curve: Curve,
+    /// How far a commanded point may be from it, millimetres; zero where it is exact.
+    pub(super) tolerance: f64,
+}
+
+/// How a corner may be passed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Passing {
+    /// At rest, and exactly.
+    Rest,
+    /// Exactly.
+    Exact,
+    /// At a distance, millimetres.
+    Within(f64),
+    /// Between the middles of the two legs.
+    BetweenMidpoints,
+}
+
+/// What is done at a corner before the next leg starts, in order.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Task {
+    /// Rest for so many seconds.
+    Dwell(f64),
+    /// Rest until something is done.
+    Wait(String),
+    /// An output at once.
+    AtOnce(Switching),
+    /// Outputs with the start of a motion.
+    WithMotion(Vec<Switching>),
+}
+
+/// The point where a leg ends or the first one starts.
+#[derive(Clone, Debug)]
+pub(super) struct Corner {
+    /// Where it is.
+    pub(super) at: Nine,
+    /// How it may be passed.
+    pub(super) passing: Passing,
+    /// What is done there.
+    pub(super) tasks: Vec<Task>,
+}
+
+/// A path as legs and corners; there is one corner more than legs.
+#[derive(Clone, Debug)]
+pub(super) struct Route<'a> {
+    pub(super) legs: Vec<Leg<'a>>,
+    pub(super) corners: Vec<Corner>,
+}
+
+impl<'a> Route<'a> {
+    /// The route of a path.
+    ///
+    /// # Errors
+    /// Why it is not known: an element of which only the end is.
+    pub(super) fn of(path: &'a ProgrammedPath) -> Result<Self, String> {
+        let mut here = path.start;
+        let start = Corner { at: here.to_array(), passing: Passing::Rest, tasks: Vec::new() };
+        let mut route = Self { legs: Vec::new(), corners: vec![start] };
+        for (place, element) in path.elements.iter().enumerate() {
+            here = route.add(place, element, here)?;
+        }
+        for corner in 1..route.legs.len() {
+            if route.corners[corner].passing != Passing::Rest {
+                route.corners[corner].passing = route.passing(corner);
+            }
+        }
+        route.last_corner().passing = Passing::Rest;
+        for leg in 0..route.legs.len() {
+            route.legs[leg].tolerance = route.tolerance(leg);
+        }
+        Ok(route)
+    }
+
+    fn last_corner(&mut self) -> &mut Corner {
+        self.corners.last_mut().expect("route: there is a first corner")
+    }
+
+    fn add(
+        &mut self,
+        place: usize,
+        element: &'a Element,
+        here: Position,
+    ) -> Result<Position, String> {
+        let corner = self.last_corner();
+        match &element.shape {
+            Shape::Dwell { seconds } => corner.tasks.push(Task::Dwell(*seconds)),
+            Shape::Wait { for_what } => corner.tasks.push(Task::Wait(for_what.clone())),
+            Shape::AtOnce(switching) => corner.tasks.push(Task::AtOnce(*switching)),
+            Shape::Straight { .. }
+            | Shape::Arc { .. }
+            | Shape::Probe { .. }
+            | Shape::Curve { .. } => {
+                let Some(curve) = Curve::of(here, &element.shape) else {
+                    let what = "an element of which only the end is known";
+                    return Err(format!("{what} at {}", element.block));
+                };
+                if !element.switches.is_empty() {
+                    corner.tasks.push(Task::WithMotion(element.switches.clone()));
+                }
+                let rests = matches!(element.shape, Shape::Probe { .. });
+                if rests || element.mode == PathMode::ExactStop && curve.is_empty() {
+                    corner.passing = Passing::Rest;
+                }
+                if !curve.is_empty() {
+                    let exact = rests || element.mode == PathMode::ExactStop;
+                    let passing = if exact { Passing::Rest } else { Passing::Exact };
+                    self.legs.push(Leg { place, element, curve, tolerance: 0.0 });
+                    self.corners.push(Corner { at: curve.end(), passing, tasks: Vec::new() });
+                }
+                return Ok(element.end().unwrap_or(here));
+            }
+        }
+        corner.passing = Passing::Rest;
+        Ok(here)
+    }
+
+    /// How the corner between two legs may be passed where nobody asks for rest.
+    ///
+    /// Rule trajectory.mode-at-corner. A corner is exact if either leg is: exact path asks for each programmed point, and what
+    /// follows must follow its own path from the start. Of two tolerances the larger one counts: no sentence says which, and a
+    /// law accuses only where every reading does.
+    fn passing(&self, corner: usize) -> Passing {
+        let (before, after) = (&self.legs[corner - 1], &self.legs[corner]);
+        match (before.element.mode, after.element.mode) {
+            (PathMode::ExactPath | PathMode::ExactStop, _)
+            | (_, PathMode::ExactPath | PathMode::ExactStop) => Passing::Exact,
+            (PathMode::BetweenMidpoints, _) | (_, PathMode::BetweenMidpoints) => {
+                Passing::BetweenMidpoints
+            }
+            (
+                PathMode::Within { tolerance: one, merge },
+                PathMode::Within { tolerance: other, merge: other_merge },
+            ) => {
+                let merged = merge.min(other_merge);
+                let merged = if self.can_be_merged(corner, merged) { merged } else { 0.0 };
+                Passing::Within(one.max(other) + merged)
+            }
+        }
+    }
+
+    /// How far a commanded point may be from a leg.
+    ///
+    /// Rule trajectory.deviation. By P; where the leg may be part of a merged row, which is Q away itself, by P + Q.
+    fn tolerance(&self, leg: usize) -> f64 {
+        match self.legs[leg].element.mode {
+            PathMode::ExactStop | PathMode::ExactPath => 0.0,
+            PathMode::BetweenMidpoints => self.legs[leg].curve.length(),
+            PathMode::Within { tolerance, merge } => {
+                let inner = |corner: &usize| (1..self.legs.len()).contains(corner);
+                let merged = [leg, leg + 1]
+                    .iter()
+                    .filter(|corner| inner(corner))
+                    .any(|corner| self.can_be_merged(*corner, merge));
+                tolerance + if merged { merge } else { 0.0 }
+            }
+        }
+    }
+
+    /// Whether a row of lines that is merged into one line can have this corner inside.
+    ///
+    /// Rule trajectory.merging. Lines at one feed that move X, Y, Z alone are merged where they are less than Q away from
+    /// one line; so are the halves of an arc in XY. Whatever row it is, the neighbours of the corner are within Q of its line, so
+    /// that the corner is within 2 Q of the line between them. What fails that is no corner of a merged row.
+    fn can_be_merged(&self, corner: usize, merge: f64) -> bool {
+        let (before, after) = (&self.legs[corner - 1], &self.legs[corner]);
+        let plain = |leg: &Leg<'_>| {
+            let (start, end) = (leg.curve.start(), leg.curve.end());
+            let spatial = (3..9).all(|axis| start[axis].to_bits() == end[axis].to_bits());
+            spatial && leg.curve.rise_over_chord() <= merge && leg.element.feed != Feed::Rapid
+        };
+        let away = from_segment(&before.curve.start(), &after.curve.end(), &after.curve.start());
+        let level = away <= 2.0 * merge;
+        merge > 0.0
+            && plain(before)
+            && plain(after)
+            && before.element.feed == after.element.feed
+            && level
+    }
+
+    /// Whether the direction of the path breaks at a corner, so that it can be passed exactly at rest alone.
+    pub(super) fn breaks(&self, corner: usize) -> bool {
+        if corner == 0 || corner == self.legs.len() {
+            return true;
+        }
+        let before = direction(&self.legs[corner - 1].curve.derivatives(1.0).0);
+        let after = direction(&self.legs[corner].curve.derivatives(0.0).0);
+        match (before, after) {
+            (Some(before), Some(after)) => dot(&before, &after) < 1.0 - 1e-12,
+            _ => true,
+        }
+    }
+}
