@@ -171,7 +171,7 @@ impl Adapter for LinuxCnc {
     fn shows(&self, scenario: &Scenario) -> Capabilities {
         let mut shows = self.capabilities.clone();
         let source = Source::new(&scenario.program);
-        if source.has_g_code(&["g93"]) {
+        if source.has_g_code(&["g93"]) && source.has_g_code(&["g1", "g2", "g3"]) {
             shows.fields.remove("feed_rate");
             shows.fields_at_effects.remove("feed_rate");
         }
