@@ -17,6 +17,7 @@ pub mod explain;
 pub mod fingerprint;
 pub mod fuzz;
 pub mod judge;
+pub mod motion;
 pub mod observe;
 pub mod report;
 pub mod rs274;

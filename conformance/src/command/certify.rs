@@ -176,7 +176,7 @@ fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Refused> {
     let xml = junit::junit(report)
         .map_err(|error| Refused::unfinished(error, "this is a fault of gaugeblock"))?;
     let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();
-    place::write_whole(&folder.join("report.json"), &format!("{:#}\n", json::json(report)))?;
+    place::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
     place::write_whole(&folder.join("junit.xml"), &xml)?;
     place::write_whole(&folder.join("report.txt"), &text)
 }

@@ -123,8 +123,8 @@ impl Report<'_> {
 
     /// Writes report.json, report.txt and a folder for each divergence.
     pub(super) fn write(&self, folder: &Path) -> Result<(), Refused> {
-        place::write_whole(&folder.join("report.json"), &format!("{:#}\n", self.json()))?;
-        place::write_whole(&folder.join("report.txt"), &self.text(true))?;
+        place::write_whole(&folder.join("report.json"), format!("{:#}\n", self.json()))?;
+        place::write_whole(&folder.join("report.txt"), self.text(true))?;
         for (at, find) in self.finds.iter().enumerate() {
             let name: String = find
                 .signature
@@ -145,7 +145,7 @@ impl Report<'_> {
                 Refused::unfinished(error.message, "this is a fault of gaugeblock")
             })?;
             place::write_whole(&folder.join("scenario.toml"), &scenario)?;
-            place::write_whole(&folder.join("divergence.txt"), &describe(at + 1, find))?;
+            place::write_whole(&folder.join("divergence.txt"), describe(at + 1, find))?;
         }
         Ok(())
     }

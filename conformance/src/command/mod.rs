@@ -8,8 +8,10 @@ mod faults;
 mod fingerprint;
 mod fuzz;
 mod fuzz_report;
+mod judge;
 mod matrix;
 mod place;
+mod plan;
 mod rs274;
 mod rules;
 mod run;
@@ -87,6 +89,10 @@ enum Command {
     Fuzz(fuzz::Arguments),
     /// Make a program on which two controllers differ as small as it can be
     Shrink(shrink::Arguments),
+    /// Turn a program into servo samples: time, laws, picture
+    Plan(plan::Arguments),
+    /// Hold recorded servo samples of any controller to the laws of motion
+    Judge(judge::Arguments),
     /// Tell which option of each choice, and which quirk, a controller shows
     Fingerprint(fingerprint::Arguments),
     /// List the rules: sentences, sources, cases; check or bless the suite
@@ -116,6 +122,12 @@ pub fn main() -> ExitCode {
         Command::Fuzz(arguments) => suite(&call).and_then(|suite| fuzz::fuzz(arguments, &suite)),
         Command::Shrink(arguments) => {
             suite(&call).and_then(|suite| shrink::shrink(arguments, &suite))
+        }
+        Command::Plan(arguments) => {
+            suite(&call).and_then(|suite| plan::plan_program(arguments, &suite))
+        }
+        Command::Judge(arguments) => {
+            suite(&call).and_then(|suite| judge::judge_samples(arguments, &suite))
         }
         Command::Fingerprint(arguments) => {
             suite(&call).and_then(|suite| fingerprint::fingerprint(arguments, &suite))

@@ -37,7 +37,7 @@ pub(super) fn program(path: &Path) -> Result<String, Refused> {
 }
 
 /// Writes a file whole or not at all.
-pub(super) fn write_whole(path: &Path, text: &str) -> Result<(), Refused> {
+pub(super) fn write_whole(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Refused> {
     let name = path.display();
     let refused = |error: std::io::Error| {
         Refused::wrong(
@@ -47,7 +47,7 @@ pub(super) fn write_whole(path: &Path, text: &str) -> Result<(), Refused> {
     };
     let mut partial = path.as_os_str().to_owned();
     partial.push(".partial");
-    std::fs::write(&partial, text).map_err(refused)?;
+    std::fs::write(&partial, content).map_err(refused)?;
     std::fs::rename(&partial, path).map_err(refused)
 }
 

@@ -181,14 +181,17 @@ impl Resolver {
     fn segment(&mut self, line: u32, path: Path, end: Axes, feed: Feed, probing: bool) -> Asked {
         self.at = end;
         let blend = self.blend();
-        Asked::Move(Segment { number: line.into(), path, feed, blend, output: None, probing })
+        Asked::Move(Segment { number: line.into(), path, feed, blend, probing })
     }
 
     fn blend(&self) -> Blend {
         match self.path {
             PathMode::ExactStop => Blend::ExactStop,
             PathMode::ExactPath => Blend::ExactPath,
-            PathMode::Continuous => Blend::Within(self.frame.millimetres(self.tolerance)),
+            PathMode::Continuous if self.tolerance > 0.0 => {
+                Blend::Within(self.frame.millimetres(self.tolerance))
+            }
+            PathMode::Continuous => Blend::BetweenMidpoints,
         }
     }
 

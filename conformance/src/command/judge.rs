@@ -1,0 +1,72 @@
+//! `gaugeblock judge`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use gaugeblock_trace::motion::{MotionScript, Samples};
+
+use super::{Refused, place, plan, run, write_out};
+use crate::motion::Summary;
+use crate::suite::Suite;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock judge part.csv --program part.ngc --machine mill.toml
+  gaugeblock judge part.bin --program part.ngc --machine mill.toml --script hold.toml
+
+Samples are a table with a line that says how long a servo cycle is, and a line that names the columns:
+  # gaugeblock samples 0 period=0.001 resolution=0
+  x,y,z,line
+  0,0,0,1
+or the compact form that `gaugeblock plan --samples part.bin` writes. What they do not show is not judged.
+
+Exit status: 0 where all laws of motion hold that can be judged, 1 where one is broken.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// Recorded samples
+    #[arg(value_name = "SAMPLES")]
+    samples: PathBuf,
+    /// The program that was run
+    #[arg(long, value_name = "FILE")]
+    program: PathBuf,
+    /// What the machine's axes can do, a TOML file (`gaugeblock plan --help`)
+    #[arg(long, value_name = "FILE")]
+    machine: PathBuf,
+    /// What the operator did, by servo cycle, a TOML file
+    #[arg(long, value_name = "FILE")]
+    script: Option<PathBuf>,
+    #[command(flatten)]
+    how: run::How,
+}
+
+pub(super) fn judge_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let limits = plan::limits(&arguments.machine)?;
+    let samples = read(&arguments.samples)?;
+    let script = match &arguments.script {
+        None => MotionScript::default(),
+        Some(file) => MotionScript::from_text(&place::program(file)?).map_err(|error| {
+            let message = format!("{}: {}", file.display(), error.message.trim_end());
+            Refused::wrong(message, "a list of events, each with its cycle and its action")
+        })?,
+    };
+    let scenario = arguments.how.scenario(suite, &arguments.program)?;
+    let path = plan::path(&scenario, &arguments.program)?;
+    let summary = Summary::of(&samples, &path, &limits, &script);
+    write_out(&summary.to_string());
+    Ok(u8::from(!summary.holds()))
+}
+
+fn read(file: &Path) -> Result<Samples, Refused> {
+    let name = file.display();
+    let bytes = std::fs::read(file).map_err(|error| {
+        Refused::wrong(format!("{name}: {error}"), "check the path of the samples")
+    })?;
+    let samples = match std::str::from_utf8(&bytes) {
+        Ok(text) if text.starts_with('#') => Samples::from_csv(text),
+        Ok(_) | Err(_) => Samples::from_bytes(&bytes),
+    };
+    samples.map_err(|error| {
+        Refused::wrong(format!("{name}: {error}"), "`gaugeblock judge --help` shows the form")
+    })
+}

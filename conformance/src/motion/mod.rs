@@ -1,0 +1,19 @@
+//! Motion: a program becomes servo samples, and samples of any controller are held to the laws.
+//!
+//! ```text
+//! Outcome of production ─► drive: resolver, planner ─► Samples ──┐
+//! Outcome of the model ──► programmed path ──────────────────────┼─► laws, bound ─► summary, picture
+//! machine: limits of the axes ───────────────────────────────────┘
+//! ```
+//!
+//! Laws and bound are the model's, planner and resolver are production's: what one of them misreads the other shows.
+
+mod drawn;
+mod drive;
+mod picture;
+mod summary;
+
+pub use drawn::drawn;
+pub use drive::{Planned, Stopped, plan};
+pub use picture::Picture;
+pub use summary::Summary;

@@ -1,0 +1,116 @@
+//! What the laws and the bound say of a motion, for a person.
+
+use std::fmt;
+
+use gaugeblock_reference::motion::bound::{Kind, least_time};
+use gaugeblock_reference::motion::laws::{Judgement, Verdict, judge};
+use gaugeblock_trace::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
+
+/// Most violations that are shown.
+const SHOWN: usize = 12;
+
+/// A motion, held to the laws and to the least time.
+#[derive(Clone, Debug)]
+pub struct Summary {
+    /// Seconds from the first to the last moving sample.
+    pub time: f64,
+    /// No lawful motion takes less; or why that is not known.
+    pub least: Result<f64, String>,
+    /// Which bounds it rests on, in words.
+    pub kinds: Vec<&'static str>,
+    /// What each law says.
+    pub judgement: Judgement,
+}
+
+impl Summary {
+    /// Holds samples to a path under limits.
+    pub fn of(
+        samples: &Samples,
+        path: &ProgrammedPath,
+        limits: &MotionLimits,
+        script: &MotionScript,
+    ) -> Self {
+        // Overrides above 100 % would make a shorter time lawful: the bound then is that of the axes.
+        let fastest = if script.events.is_empty() { 1.0 } else { f64::INFINITY };
+        let bound = least_time(path, limits, fastest);
+        let mut kinds = Vec::new();
+        for stretch in bound.iter().flat_map(|bound| &bound.stretches) {
+            let kind = in_words(stretch.kind);
+            if !kinds.contains(&kind) {
+                kinds.push(kind);
+            }
+        }
+        Self {
+            time: moving_time(samples),
+            least: bound.map(|bound| bound.least),
+            kinds,
+            judgement: judge(samples, path, limits, script),
+        }
+    }
+
+    /// Whether every law holds that can be judged.
+    pub fn holds(&self) -> bool {
+        self.judgement.violations().next().is_none()
+    }
+
+    /// The time, and how it compares, in a line.
+    pub fn headline(&self) -> String {
+        match &self.least {
+            Ok(least) if *least > 0.0 => format!(
+                "{:.3} s; at best {least:.3} s ({}), {:.4} times of that",
+                self.time,
+                self.kinds.join(", "),
+                self.time / least
+            ),
+            Ok(_) => format!("{:.3} s", self.time),
+            Err(why) => format!("{:.3} s; how fast it could be is not known: {why}", self.time),
+        }
+    }
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", self.headline())?;
+        for (law, verdict) in &self.judgement.0 {
+            match verdict {
+                Verdict::Held { share: Some(share) } => {
+                    writeln!(f, "  holds       {law} (at most {:.2} % of it)", share * 100.0)?;
+                }
+                Verdict::Held { share: None } => writeln!(f, "  holds       {law}")?,
+                Verdict::NothingAsked => writeln!(f, "  not asked   {law}")?,
+                Verdict::NotJudged(why) => writeln!(f, "  not judged  {law}: {why}")?,
+                Verdict::Broken(violations) => {
+                    writeln!(f, "  broken      {law}, {} times", violations.len())?;
+                }
+            }
+        }
+        let mut violations = self.judgement.violations();
+        for violation in violations.by_ref().take(SHOWN) {
+            writeln!(f, "{violation}")?;
+        }
+        match violations.count() {
+            0 => Ok(()),
+            more => writeln!(f, "… {more} more"),
+        }
+    }
+}
+
+fn in_words(kind: Kind) -> &'static str {
+    match kind {
+        Kind::ExactStop => "closed form of straight ways",
+        Kind::Reachability => "reachability along the curve",
+        Kind::Axis => "one axis alone",
+        Kind::Length => "the shortest way at the highest feed",
+    }
+}
+
+/// Seconds from where the position first changes to where it last does.
+fn moving_time(samples: &Samples) -> f64 {
+    let positions = samples.positions(gaugeblock_trace::Position::default());
+    let mut moving = positions.windows(2).enumerate().filter(|(_, two)| two[0] != two[1]);
+    let first = moving.next().map(|(at, _)| at);
+    let last = moving.next_back().map(|(at, _)| at).or(first);
+    let cycles = first.zip(last).map_or(0, |(first, last)| last + 1 - first);
+    let cycles = u32::try_from(cycles).unwrap_or(u32::MAX);
+    f64::from(cycles) * samples.period()
+}
