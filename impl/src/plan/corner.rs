@@ -14,6 +14,8 @@ const EXACT: f64 = 1e-6;
 const BREAK: f64 = 0.05;
 /// The share of the acceleration that a blend may cost where it has the length to choose.
 const COST: f64 = 0.05;
+/// The angle of an arc that is bent for a corner at most, radians: its acceleration is bounded over the whole of that.
+const ROUND: f64 = 0.1;
 /// How much of a tolerance is used: rounding has the rest.
 const KEPT: f64 = 1.0 - 1e-9;
 /// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one.
@@ -58,8 +60,14 @@ impl Corner {
         let fastest = pressing(before).min(pressing(after));
         let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, turn.len()));
         let most = (4.0 * KEPT * tolerance / break_).min(enough);
+        let most = most.min(round(before)).min(round(after));
         if most > 0.0 { Self::Blend { most, half } } else { Self::Stop }
     }
+}
+
+/// The most of an arc that is bent for a corner.
+fn round(leg: &Leg) -> f64 {
+    leg.whole.circle.map_or(f64::INFINITY, |circle| ROUND / circle.turn)
 }
 
 /// The highest square of speed that a leg is ever run at, overrides up to 2.

@@ -15,7 +15,7 @@ use super::segment::Blend;
 use super::step::Motion;
 
 /// So many pieces may be touched in a cycle, by a limit of speed where they are short.
-const CROWD: u64 = 4;
+const CROWD: u64 = 3;
 /// A leg that is shorter when its corners have taken theirs is left out, millimetres.
 const NOTHING: f64 = 1e-12;
 /// How much of a leg that begins smoothly or at rest its end may take.
@@ -39,8 +39,9 @@ struct Open {
 pub(super) struct Course {
     /// Where the last segment ends.
     pub(super) end: Axes,
-    /// The last two legs, and room for a new one.
+    /// The last two legs and room for a new one; `turn` is where the older one lies.
     legs: [Open; 3],
+    turn: u8,
     /// How many of them there are since the path last closed.
     open: u8,
 }
@@ -58,7 +59,7 @@ pub(super) struct Queue<'a> {
 
 impl Course {
     pub(super) fn new(end: Axes) -> Self {
-        Self { end, legs: [Open::default(); 3], open: 0 }
+        Self { end, legs: [Open::default(); 3], turn: 0, open: 0 }
     }
 
     /// The path ends at rest here, for what comes next.
@@ -68,7 +69,7 @@ impl Course {
 
     /// The corner after the last leg comes to rest, if it is not made yet.
     pub(super) fn stop(&mut self) {
-        let [_, last, _] = &mut self.legs;
+        let (_, last, _) = turned(&mut self.legs, self.turn);
         last.leg.blend = Blend::ExactStop;
     }
 
@@ -84,14 +85,14 @@ impl Course {
 
     /// Where the next leg is to be written, and where it begins.
     pub(super) fn new_leg(&mut self) -> (&mut Leg, &Axes) {
-        let [_, _, next] = &mut self.legs;
+        let (_, _, next) = turned(&mut self.legs, self.turn);
         (&mut next.leg, &self.end)
     }
 
     /// Adds the leg that was written.
     pub(super) fn add(&mut self, queue: &mut Queue<'_>) {
         queue.changed = u64::MAX;
-        let [before, last, next] = &mut self.legs;
+        let (before, last, next) = turned(&mut self.legs, self.turn);
         self.end = next.leg.whole.end;
         next.corner = Corner::Stop;
         if self.open > 0 {
@@ -111,8 +112,18 @@ impl Course {
             push_main(next, 0.0, queue);
             settle(queue);
         }
-        self.legs.rotate_left(1);
+        self.turn = if self.turn == 2 { 0 } else { self.turn.saturating_add(1) };
         self.open = self.open.saturating_add(1).min(2);
+    }
+}
+
+/// The leg before the last, the last and the next.
+fn turned(legs: &mut [Open; 3], turn: u8) -> (&mut Open, &mut Open, &mut Open) {
+    let [one, two, three] = legs;
+    match turn {
+        0 => (one, two, three),
+        1 => (two, three, one),
+        _ => (three, one, two),
     }
 }
 
@@ -193,8 +204,9 @@ fn provisional(last: &Open, next: &Open) -> (f64, f64) {
     match next.corner {
         Corner::Stop | Corner::Smooth => (0.0, 0.0),
         Corner::Blend { most, half } => {
-            let most = if half { most.min(0.5 * last.leg.whole.length) } else { most };
-            let rooms = (room(last), 0.5 * next.leg.whole.length);
+            let before = room(last);
+            let before = if half { before.min(0.5 * last.leg.whole.length) } else { before };
+            let rooms = (before, 0.5 * next.leg.whole.length);
             share(most, rooms, lines(&last.leg, &next.leg))
         }
     }
@@ -255,6 +267,10 @@ fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
 /// Appends a piece, and limits the speed where too many would fit into a cycle.
 fn push(piece: &Piece, queue: &mut Queue<'_>) {
     queue.ring.push(piece);
+    // A piece that takes a cycle by itself is no part of a crowd.
+    if piece.length >= piece.fastest * queue.limits.cycle {
+        return;
+    }
     let end = queue.ring.end();
     let first = end.saturating_sub(CROWD);
     let mut length = 0.0;

@@ -12,8 +12,12 @@ pub(super) const PLANNED: f64 = 1.0 - 1e-7;
 const VELOCITY_KEPT: f64 = 1.0 - 1e-9;
 /// A break of direction as small as this is none: at 1000 mm/s and 1 ms it costs 1e-4 mm/s².
 pub(super) const SMOOTH: f64 = 1e-10;
-/// How much of an acceleration limit an arc that is bent may use across the path; the rest is kept for along it.
+/// How much of an acceleration limit an arc that is bent may use across the path; the rest is kept for along it. Where it hardly
+/// bends it is mostly passed at an even speed, where it bends much the motion slows down towards its corner.
 const ACROSS: f64 = 0.95;
+const ACROSS_CORNER: f64 = 0.8;
+/// The change of direction from which a bend is a corner, radians.
+const CORNER: f64 = 0.1;
 
 /// Limits per axis, with what rounding needs taken off.
 #[derive(Clone, Copy, Debug)]
@@ -81,7 +85,9 @@ impl Limits {
         for (along, bend) in along.iter_mut().zip(&piece.bend) {
             *along += bend.abs() * piece.length;
         }
-        let ceiling = ACROSS * least(&self.acceleration, &across, axes);
+        let turned: f64 = piece.bend.iter().map(|bend| squared(2.0 * bend * piece.length)).sum();
+        let share = if turned < squared(CORNER) { ACROSS } else { ACROSS_CORNER };
+        let ceiling = share * least(&self.acceleration, &across, axes);
         piece.ceiling = ceiling.min(squared(least(&self.velocity, &along, axes)));
         let mut left = self.planned;
         for (left, across) in left.iter_mut().zip(&across) {

@@ -36,6 +36,7 @@ pub use parameters::{Axes, Hold, InputParameter, OutputParameter, Phase};
 pub use segment::{Blend, Feed, OutputSwitch, Path, Segment};
 
 use crate::error::Error;
+use crate::math;
 use ahead::Ahead;
 use course::{Course, Queue};
 use leg::{Resolved, resolve};
@@ -198,8 +199,8 @@ impl Planner {
     /// Moves on by one servo cycle.
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
         let wish = self.wish(input);
-        self.look(&wish, input);
-        self.motion.cycle(&self.ring, &self.limits, &wish);
+        let passed = self.motion.cycle(&self.ring, &self.limits, &wish);
+        self.look(&wish, input, passed);
         output.tripped = self.probed(input.probe);
         self.aborting |= output.tripped;
         self.show(output);
@@ -228,18 +229,21 @@ impl Planner {
 
     /// What the outside asks for.
     fn wish(&mut self, input: &InputParameter) -> Wish {
-        let adaptive = input.adaptive_feed.clamp(-1.0, 1.0);
-        let (feed, rapid) = (
-            (input.feed_override * adaptive.abs()).max(0.0),
-            (input.rapid_override * adaptive.abs()).clamp(0.0, 1.0),
-        );
+        let back = input.adaptive_feed < 0.0;
+        // What is no number is 0.
+        let adaptive = math::lesser(1.0, math::greater(0.0, input.adaptive_feed.abs()));
+        let feed = math::greater(0.0, input.feed_override * adaptive);
+        let rapid = math::lesser(1.0, math::greater(0.0, input.rapid_override)) * adaptive;
         let turns = (input.spindle_turns - self.turns).abs() / self.limits.cycle;
         self.turns = input.spindle_turns;
         self.aborting |= input.hold == Hold::Abort;
-        self.turn_round(adaptive < 0.0);
+        self.turn_round(back);
         let planned = self.ahead.scale;
-        let ease = squared((feed / planned.feed).min(rapid / planned.rapid).min(1.0));
-        let turning = self.motion.backwards != (adaptive < 0.0);
+        // Below the slowest that is planned for, a piece is left no slower: what it is asked to have then brings it to rest.
+        let share = |asked: f64, planned: f64| math::greater(SLOWEST, asked) / planned;
+        let ease = math::lesser(share(feed, planned.feed), share(rapid, planned.rapid));
+        let ease = squared(math::lesser(1.0, ease));
+        let turning = self.motion.backwards != back;
         let rest =
             self.aborting || input.hold != Hold::Run || turning || feed <= 0.0 && rapid <= 0.0;
         Wish { feed, rapid, turns, rest, ease }
@@ -258,19 +262,27 @@ impl Planner {
         }
     }
 
-    /// Look-ahead, and look-back while the motion is to run back.
-    fn look(&mut self, wish: &Wish, input: &InputParameter) {
+    /// Look-ahead, and look-back while the motion is to run back: less where the motion itself has had more to do.
+    fn look(&mut self, wish: &Wish, input: &InputParameter, passed: u64) {
+        let steps = match passed {
+            0 => WORK_CYCLE,
+            1 => 1,
+            _ => 0,
+        };
         let at = self.motion.at;
         self.ahead.refresh(&self.ring, at);
         if self.ahead.pressing(at) {
-            self.ahead.work(&mut self.ring, at, &self.limits, (WORK_CYCLE, true));
+            self.ahead.work(&mut self.ring, at, &self.limits, (steps, true));
         } else {
-            let scale = Scale { feed: wish.feed.max(SLOWEST), rapid: wish.rapid.max(SLOWEST) };
+            let scale = Scale {
+                feed: math::greater(SLOWEST, wish.feed),
+                rapid: math::greater(SLOWEST, wish.rapid),
+            };
             if input.adaptive_feed >= 0.0 && scale != self.ahead.scale {
                 self.ahead.rescale(scale, &self.ring, at);
             }
         }
-        for _ in 0..WORK_CYCLE {
+        for _ in 0..steps {
             let Some(place) = self.retraced.filter(|place| *place <= at) else { return };
             self.retrace(place);
             self.retraced = Some(place.saturating_add(1));
@@ -325,7 +337,7 @@ impl Planner {
         } else {
             timed::<9>(output, speed, change)
         };
-        output.speed = crate::math::sqrt(sum);
+        output.speed = math::sqrt(sum);
     }
 
     fn phase(&self, wish: &Wish) -> Phase {

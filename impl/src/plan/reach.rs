@@ -28,7 +28,7 @@ pub(super) fn cap(piece: &Piece, scale: Scale) -> f64 {
         Pace::Second => piece.feed * scale.feed,
         Pace::Turn => return piece.ceiling,
     };
-    piece.ceiling.min(feed * feed)
+    math::lesser(piece.ceiling, feed * feed)
 }
 
 /// The highest y at a piece's start from which y at its end is at most `exit`.
@@ -36,19 +36,19 @@ pub(super) fn forward(piece: &Piece, exit: f64, cap: f64, limits: &Limits) -> f6
     if piece.from_rest {
         return 0.0;
     }
-    let exit = exit.min(cap);
+    let exit = math::lesser(exit, cap);
     let entry = match piece.law {
         Law::Bent => bent(piece, (&piece.rate, &last(piece)), (exit, cap), limits),
         Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
             along(piece.law, &piece.circle, exit, piece.length)
         }
     };
-    entry.min(cap)
+    math::lesser(entry, cap)
 }
 
 /// The highest y at its end from which, running back, y at its start is at most `exit`.
 pub(super) fn backward(piece: &Piece, exit: f64, cap: f64, limits: &Limits) -> f64 {
-    let exit = exit.min(cap);
+    let exit = math::lesser(exit, cap);
     let entry = match piece.law {
         Law::Bent => {
             let (first, last) = (last(piece).map(|rate| -rate), piece.rate.map(|rate| -rate));
@@ -58,7 +58,7 @@ pub(super) fn backward(piece: &Piece, exit: f64, cap: f64, limits: &Limits) -> f
             along(piece.law, &piece.circle, exit, piece.length)
         }
     };
-    entry.min(cap)
+    math::lesser(entry, cap)
 }
 
 /// The highest y some way before an exit, where that has a closed form.

@@ -62,8 +62,14 @@ struct Ramp {
 }
 
 impl Motion {
-    /// Moves on by a cycle.
-    pub(super) fn cycle(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) {
+    /// Moves on by a cycle; over how many ends of pieces.
+    pub(super) fn cycle(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) -> u64 {
+        let first = self.at;
+        self.run(ring, limits, wish);
+        self.at.abs_diff(first)
+    }
+
+    fn run(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) {
         let mut left = limits.cycle;
         self.acceleration = 0.0;
         let Some(mut piece) = ring.get(self.at) else { return };
@@ -128,7 +134,7 @@ impl Motion {
                 *left = 0.0;
                 return None;
             }
-            *left -= rest.max(0.0);
+            *left -= math::greater(0.0, rest);
             self.dwelt = seconds;
         }
         let after = self.at.wrapping_add(1);
@@ -169,8 +175,7 @@ impl Motion {
         let half = 0.5 * ramp.slope * left;
         let met = half * half + 4.0 * (ramp.bound + half * self.speed);
         let met = if met > 0.0 { 0.5 * (half + math::sqrt(met)) } else { 0.0 };
-        let acceleration =
-            ((math::lesser(wanted, met) - self.speed) / left).max(ramp.low).min(ramp.high);
+        let acceleration = within_bounds((math::lesser(wanted, met) - self.speed) / left, &ramp);
         let travel = (self.speed + 0.5 * acceleration * left) * left;
         if met > 0.0 && travel < remaining {
             return self.go(piece, acceleration, exit, left);
@@ -179,11 +184,11 @@ impl Motion {
         let y = squared(self.speed);
         let mut most = (wish.ease * exit - y) / (2.0 * remaining);
         if self.speed > wanted {
-            most = most.min((wanted - self.speed) / left);
+            most = math::lesser(most, (wanted - self.speed) / left);
         } else {
-            most = most.min((squared(wanted) - y) / (2.0 * remaining));
+            most = math::lesser(most, (squared(wanted) - y) / (2.0 * remaining));
         }
-        self.go(piece, most.min(ramp.high).max(ramp.low), exit, left)
+        self.go(piece, within_bounds(most, &ramp), exit, left)
     }
 
     fn ramp(&self, piece: &Piece, exit: f64, ease: f64, left: f64) -> Ramp {
@@ -194,8 +199,8 @@ impl Motion {
                 let across = squared(acceleration);
                 let rest = |y: f64| math::sqrt((across - squared(circle.turn * y)).max(0.0));
                 let most = rest(y);
-                let far = ((self.speed + 0.5 * most * left) * left).min(remaining);
-                let high = rest((y + 2.0 * most * far).min(piece.ceiling));
+                let far = math::lesser((self.speed + 0.5 * most * left) * left, remaining);
+                let high = rest(math::lesser(y + 2.0 * most * far, piece.ceiling));
                 let bound = ease * along(piece.law, &piece.circle, exit, remaining);
                 let later = ease * along(piece.law, &piece.circle, exit, remaining - far);
                 let slope = if far > 0.0 { (later - bound) / far } else { 0.0 };
@@ -248,9 +253,9 @@ impl Motion {
             return self.go(piece, most, exit, left);
         }
         // More than can be kept up to the end of the piece may be possible within this cycle.
-        let near = (self.speed * left).min(remaining);
+        let near = math::lesser(self.speed * left, remaining);
         let now = self.least::<N>(piece, near, limits);
-        self.go(piece, most.max(now.min(low)), exit, left)
+        self.go(piece, math::greater(most, math::lesser(now, low)), exit, left)
     }
 
     /// Whether all axes allow an acceleration up to the end of a bend: what is asked for mostly is.
@@ -332,12 +337,12 @@ impl Motion {
             }
         } else if end <= 0.0 {
             let travel = -0.5 * y / acceleration;
-            self.travel(travel.min(remaining));
+            self.travel(math::lesser(travel, remaining));
             self.speed = 0.0;
             return left;
         }
-        self.travel(travel.min(remaining));
-        self.speed = end.max(0.0);
+        self.travel(math::lesser(travel, remaining));
+        self.speed = math::greater(0.0, end);
         left
     }
 
@@ -365,6 +370,10 @@ impl Motion {
             }
         }
     }
+}
+
+fn within_bounds(acceleration: f64, ramp: &Ramp) -> f64 {
+    math::greater(math::lesser(acceleration, ramp.high), ramp.low)
 }
 
 /// The speed that a piece is asked to have.

@@ -91,6 +91,15 @@ fn feed_override_scales_the_speed() {
 }
 
 #[test]
+fn feed_does_not_wait_for_the_rapid_override() {
+    let program = zig(Blend::Within(0.1));
+    let input = InputParameter { rapid_override: 0.0, ..InputParameter::default() };
+    let run = operated(&program, |_| input);
+    keeps_limits(&run);
+    assert!(run.time() < 5.2, "{}", run.time());
+}
+
+#[test]
 fn slower_segment_is_entered_at_its_own_feed() {
     for feed_override in [0.3, 1.0, 1.7] {
         let mut program = vec![

@@ -1,6 +1,6 @@
 //! The programs whose times on LinuxCNC are known: never slower than it, and near what is possible.
 
-use gaugeblock_impl::plan::{Axes, Blend, Segment};
+use gaugeblock_impl::plan::{Axes, Blend, Path, Segment};
 
 use super::check::{Feeding, Run, dynamics, farthest, programmed, run};
 use super::programs::{arcs, arcs_with_corners, at, dense, helix, line, square, zig};
@@ -111,5 +111,52 @@ fn samples_do_not_depend_on_how_segments_come() {
         for feeding in [Feeding::Every(5, 1), Feeding::Every(50, 3), Feeding::Every(3, 5)] {
             assert!(run(ORIGIN, &program, feeding).samples == all.samples, "{feeding:?}");
         }
+    }
+}
+
+#[test]
+fn more_tolerance_never_costs_time() {
+    for program in [zig, square, arcs, dense] {
+        let mut last = f64::INFINITY;
+        for tolerance in [0.0001, 0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0] {
+            let time = time(&program(Blend::Within(tolerance)));
+            // A corner with an arc may lose a little by being longer: its acceleration is bounded over the whole of it.
+            assert!(time <= last * 1.005 + 0.002, "{tolerance}: {time} s after {last} s");
+            last = time;
+        }
+    }
+}
+
+/// A program somewhere else, and with its axes in another order, or the other way round.
+fn moved(program: &[Segment], place: impl Fn(&Axes) -> Axes) -> Vec<Segment> {
+    let moved = |segment: &Segment| {
+        let path = match segment.path {
+            Path::Straight { end } => Path::Straight { end: place(&end) },
+            other @ (Path::Arc { .. } | Path::Dwell { .. }) => other,
+        };
+        Segment { path, ..*segment }
+    };
+    program.iter().map(moved).collect()
+}
+
+#[test]
+fn place_order_and_sense_of_axes_cost_no_time() {
+    for program in
+        [zig(Blend::Within(0.05)), square(Blend::Within(0.2)), dense(Blend::Within(0.01))]
+    {
+        let there = time(&program);
+        let mirrored = moved(&program, |end| end.map(|value| -value));
+        let turned =
+            moved(&program, |[x, y, z, a, b, c, u, v, w]| [*z, *x, *y, *a, *b, *c, *u, *v, *w]);
+        let others =
+            moved(&program, |[x, y, z, a, b, c, _, _, _]| [0.0, 0.0, 0.0, *a, *b, *c, *x, *y, *z]);
+        for other in [mirrored, turned, others] {
+            let time = time(&other);
+            assert!((time - there).abs() <= 0.0021, "{time} s, {there} s");
+        }
+        let start = [3.0, -700.0, 11.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let far = moved(&program, |end| std::array::from_fn(|axis| end[axis] + start[axis]));
+        let time = run(start, &far, Feeding::Full).time();
+        assert!((time - there).abs() <= 0.0021, "{time} s, {there} s");
     }
 }

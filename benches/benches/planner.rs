@@ -1,0 +1,204 @@
+//! How many instructions the planner executes for a servo cycle and for a segment, against `budgets.toml`.
+//!
+//! `cargo bench -p gaugeblock-benches --bench planner`
+//!
+//! It runs itself under callgrind for each program, and fails where one costs more than its budget allows. Counted are the mean of all
+//! cycles, the largest cycle, and the mean of all segments queued. Without valgrind it says so and measures nothing.
+#![expect(clippy::print_stdout, reason = "a measurement is printed")]
+
+use std::env;
+use std::fs;
+use std::io::{Error, Result};
+use std::process::{Command, ExitCode};
+
+use gaugeblock_impl::Planner;
+use gaugeblock_impl::plan::{
+    Axes, Blend, Dynamics, Feed, InputParameter, OutputParameter, Path, Phase, Segment,
+};
+
+/// How far above its budget a program may be: compilers differ a little.
+const TOLERANCE: f64 = 1.02;
+/// The copying functions of the C library are chosen by processor; without these features they are the same on each.
+const PLAIN_PROCESSOR: &str =
+    "glibc.cpu.hwcaps=-AVX2_Usable,-AVX2,-AVX_Fast_Unaligned_Load,-AVX512VL,-ERMS,-FSRM";
+/// Programs, and how many segments lie in the queue.
+const PROGRAMS: [(&str, u32); 8] = [
+    ("zig-zag", 200),
+    ("stops", 200),
+    ("arcs", 200),
+    ("dense", 10),
+    ("dense", 1000),
+    ("dense", 10_000),
+    ("crowded", 1000),
+    ("nine axes", 1000),
+];
+
+fn main() -> Result<ExitCode> {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    if let [run, name, queue] = arguments.as_slice()
+        && run == "run"
+    {
+        let queue = queue.parse().map_err(Error::other)?;
+        println!("{} cycles", executed(&program(name), queue)?);
+        return Ok(ExitCode::SUCCESS);
+    }
+    if Command::new("valgrind").arg("--version").output().is_err() {
+        println!("valgrind is not installed: no instructions are counted.");
+        return Ok(ExitCode::SUCCESS);
+    }
+    let budgets: toml::Table = include_str!("../budgets.toml")
+        .parse()
+        .map_err(|error| Error::other(format!("{error}")))?;
+    let mut kept = true;
+    for (name, queue) in PROGRAMS {
+        let title = format!("{name}, queue {queue}");
+        let budget = budgets.get(&title).and_then(toml::Value::as_array);
+        let budget = budget.ok_or_else(|| Error::other(format!("no budget for {title}")))?;
+        let counted = count(name, queue)?;
+        print!("{title:22}");
+        for ((number, unit), budget) in
+            counted.into_iter().zip(["a cycle", "the largest", "a segment"]).zip(budget)
+        {
+            let budget = budget.as_integer().and_then(|budget| i32::try_from(budget).ok());
+            let budget = f64::from(budget.unwrap_or(0));
+            let within = number <= budget * TOLERANCE;
+            kept &= within;
+            let verdict = if within { "" } else { " TOO MANY" };
+            print!("  {number:7.1} of {budget:5} {unit}{verdict}");
+        }
+        println!();
+    }
+    Ok(if kept { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Instructions for a cycle in the mean, for the largest cycle, and for a segment.
+fn count(name: &str, queue: u32) -> Result<[f64; 3]> {
+    let cycles = dumps(name, queue, "planner::cycle")?;
+    let queued = dumps(name, queue, "planner::queued")?;
+    let mean = |counts: &[f64], number: usize| {
+        counts.iter().sum::<f64>() / f64::from(u32::try_from(number).unwrap_or(u32::MAX))
+    };
+    let largest = cycles.iter().copied().fold(0.0, f64::max);
+    // Calls that find the queue full are paid by the segments.
+    Ok([mean(&cycles, cycles.len()), largest, mean(&queued, program(name).len())])
+}
+
+/// What each call of a function costs.
+fn dumps(name: &str, queue: u32, function: &str) -> Result<Vec<f64>> {
+    let kept = env::temp_dir().join(format!("gaugeblock-planner-{}", std::process::id()));
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--combine-dumps=yes"])
+        .arg(format!("--callgrind-out-file={}", kept.display()))
+        .arg(format!("--toggle-collect={function}"))
+        .arg(format!("--dump-after={function}"))
+        .arg(env::current_exe()?)
+        .args(["run", name, &queue.to_string()])
+        .env("GLIBC_TUNABLES", PLAIN_PROCESSOR)
+        .output()?;
+    let told = fs::read_to_string(&kept)?;
+    fs::remove_file(&kept)?;
+    let totals = told.lines().filter_map(|line| line.strip_prefix("totals: "));
+    let counts: Vec<f64> = totals
+        .filter_map(|number| number.trim().parse().ok())
+        .filter(|count| *count > 0.0)
+        .collect();
+    if counts.is_empty() {
+        let told = String::from_utf8_lossy(&output.stderr);
+        return Err(Error::other(format!("callgrind did not count {name}: {told}")));
+    }
+    Ok(counts)
+}
+
+/// Keeps the queue full until the program is over; how many cycles there were.
+fn executed(program: &[Segment], queue: u32) -> Result<u64> {
+    let dynamics = Dynamics {
+        velocity: [250.0; 9],
+        acceleration: [2000.0; 9],
+        jerk: None,
+        cycle: 0.001,
+        queue,
+    };
+    let mut planner = Planner::new(dynamics, [0.0; 9]).map_err(Error::other)?;
+    let (input, mut output) = (InputParameter::default(), OutputParameter::default());
+    let (mut cycles, mut next) = (0, 0);
+    loop {
+        while next < program.len() && queued(&mut planner, &program[next]) {
+            next += 1;
+        }
+        cycles += 1;
+        if cycle(&mut planner, &input, &mut output) == Phase::Idle && next == program.len() {
+            return Ok(cycles);
+        }
+    }
+}
+
+/// Callgrind counts within this function.
+#[inline(never)]
+fn cycle(planner: &mut Planner, input: &InputParameter, output: &mut OutputParameter) -> Phase {
+    planner.update(input, output)
+}
+
+/// Callgrind counts within this function.
+#[inline(never)]
+fn queued(planner: &mut Planner, segment: &Segment) -> bool {
+    planner.queue(segment).is_ok()
+}
+
+fn program(name: &str) -> Vec<Segment> {
+    match name {
+        "zig-zag" => zig_zag(Blend::Within(0.1)),
+        "stops" => zig_zag(Blend::ExactStop),
+        "arcs" => arcs(),
+        "crowded" => curve(0.03, 3),
+        "nine axes" => curve(0.1, 9),
+        _ => curve(0.1, 3),
+    }
+}
+
+fn segment(path: Path, blend: Blend) -> Segment {
+    Segment { number: 0, path, feed: Feed::PerSecond(100.0), blend, probing: false }
+}
+
+fn zig_zag(blend: Blend) -> Vec<Segment> {
+    let corner = |i: u32| {
+        let mut end: Axes = [0.0; 9];
+        (end[0], end[1]) = (0.5 * f64::from(i), 0.5 * f64::from(i % 2));
+        segment(Path::Straight { end }, blend)
+    };
+    (1..=200).map(corner).collect()
+}
+
+/// Half circles of 2 mm that meet smoothly.
+fn arcs() -> Vec<Segment> {
+    let half = |i: u32| {
+        let mut end: Axes = [0.0; 9];
+        end[0] = 4.0 * f64::from(i + 1);
+        let sense = if i % 2 == 0 { 1.0 } else { -1.0 };
+        let path = Path::Arc {
+            end,
+            centre: [end[0] - 2.0, 0.0, 0.0],
+            normal: [0.0, 0.0, 1.0],
+            angle: sense * std::f64::consts::PI,
+        };
+        segment(path, Blend::Within(0.01))
+    };
+    (0..20).map(half).collect()
+}
+
+/// About two metres of a curve in chords, of as many axes.
+fn curve(chord: f64, axes: u32) -> Vec<Segment> {
+    let mut t = 0.0;
+    let mut program = Vec::new();
+    while program.len() < 3000 {
+        let speed = |axis: u32| 20.0 * libm::cos(f64::from(axis + 2) * t);
+        let sum: f64 = (0..axes).map(|axis| speed(axis) * speed(axis)).sum();
+        t += chord / libm::sqrt(sum).max(1.0);
+        let mut end: Axes = [0.0; 9];
+        for (place, axis) in end.iter_mut().zip(0..axes) {
+            let turns = f64::from(axis + 2);
+            *place = 20.0 / turns * libm::sin(turns * t);
+        }
+        program.push(segment(Path::Straight { end }, Blend::Within(0.01)));
+    }
+    program
+}
