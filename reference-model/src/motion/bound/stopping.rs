@@ -115,3 +115,82 @@ fn blend(route: &Route<'_>, number: usize) -> f64 {
     }
     reach.min(legs.0.curve.length()) + reach.min(legs.1.curve.length())
 }
+
+#[cfg(test)]
+mod tests {
+    use gaugeblock_trace::motion::{
+        Controls, Element, Feed, MotionLimits, PathMode, ProgrammedPath, Shape,
+    };
+    use gaugeblock_trace::scenario::AxisLimits;
+    use gaugeblock_trace::{Axis, Block, Position};
+
+    use super::*;
+
+    fn stop(mode: PathMode, shapes: Vec<Shape>, speed: f64) -> (Stop, Stop) {
+        let element = |shape| Element {
+            block: Block::new("main.ngc", 1),
+            shape,
+            feed: Feed::PerSecond(200.0),
+            mode,
+            controls: Controls::default(),
+            switches: Vec::new(),
+        };
+        let elements = shapes.into_iter().map(element).collect();
+        let path = ProgrammedPath { elements, ..ProgrammedPath::default() };
+        let limit = AxisLimits {
+            velocity: Some(250.0),
+            acceleration: Some(2000.0),
+            ..AxisLimits::default()
+        };
+        let axes = [Axis::X, Axis::Y].map(|axis| (axis, limit)).into();
+        let envelope = Envelope::of(&MotionLimits { period: 0.001, axes });
+        let route = Route::of(&path).expect("lines and arcs are known");
+        let from = (0, 0.0);
+        let stops = |stopping: fn(&Route<'_>, &Envelope, (usize, f64), f64) -> Stop| {
+            stopping(&route, &envelope, from, speed)
+        };
+        (stops(stopping), stops(shortest_stopping))
+    }
+
+    fn line(x: f64, y: f64) -> Shape {
+        Shape::Straight { end: Position { x, y, ..Position::default() } }
+    }
+
+    fn close(found: f64, wanted: f64) {
+        assert!((found - wanted).abs() < 1e-9, "{found} is not {wanted}");
+    }
+
+    #[test]
+    fn on_a_line_the_axis_that_is_loaded_most_decides() {
+        let (stop, _) = stop(PathMode::ExactPath, vec![line(100.0, 0.0)], 100.0);
+        close(stop.distance, 2.5);
+        close(stop.seconds, 0.05);
+        let (stop, _) = self::stop(PathMode::ExactPath, vec![line(60.0, 80.0)], 100.0);
+        close(stop.distance, 100.0 * 100.0 / 2.0 / 2500.0);
+    }
+
+    #[test]
+    fn an_arc_leaves_less_to_brake_with() {
+        let end = Position { x: 40.0, ..Position::default() };
+        let arc =
+            Shape::Arc { end, centre: [20.0, 0.0, 0.0], normal: [0.0, 0.0, 1.0], angle: -180.0 };
+        let (stop, _) = stop(PathMode::ExactPath, vec![arc], 180.0);
+        let straight = 180.0 * 180.0 / 2.0 / 2000.0;
+        assert!(stop.distance > straight && stop.distance < 2.0 * straight, "{stop:?}");
+    }
+
+    #[test]
+    fn a_rounded_corner_may_take_its_longest_blend() {
+        let shapes = vec![line(1.0, 0.0), line(1.0, 50.0)];
+        let mode = PathMode::Within { tolerance: 0.1, merge: 0.0 };
+        let (stop, least) = stop(mode, shapes, 100.0);
+        close(least.distance, 2.5);
+        close(stop.distance, 2.5 + 2.0 * 0.4 / std::f64::consts::SQRT_2);
+    }
+
+    #[test]
+    fn beyond_the_end_there_is_nothing_to_stop_on() {
+        let (stop, _) = stop(PathMode::ExactPath, vec![line(1.0, 0.0)], 100.0);
+        close(stop.distance, 1.0);
+    }
+}

@@ -5,8 +5,8 @@ use gaugeblock_trace::motion::{Column, PathMode};
 use super::matching::{Matching, Miss, Missed};
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
-use crate::motion::route::Route;
-use crate::motion::vector::{Nine, dot, minus, plus};
+use crate::motion::route::{Leg, Route};
+use crate::motion::vector::{Nine, distance, dot, from_segment, minus, plus};
 
 type Matched<'a> = (Route<'a>, Matching);
 
@@ -130,30 +130,33 @@ pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
             findings.breaks(miss.sample, None, (miss.distance, miss.allowed), words);
         }
     }
-    for (sample, place) in matching.places.iter().enumerate() {
-        let leg = &route.legs[place.leg];
-        let other = if place.part < 0.5 { place.leg.checked_sub(1) } else { Some(place.leg + 1) };
-        let other = other.and_then(|other| route.legs.get(other)).unwrap_or(leg);
-        if leg.element.mode != PathMode::BetweenMidpoints
-            || !leg.curve.is_straight()
-            || !other.curve.is_straight()
-        {
+    for (sample, (first, last)) in matching.legs.iter().enumerate() {
+        let plain = |leg: &Leg<'_>| {
+            leg.element.mode == PathMode::BetweenMidpoints && leg.curve.is_straight()
+        };
+        if !route.legs[*first..=*last].iter().all(plain) {
             continue;
         }
-        let corner = if place.part < 0.5 { leg.curve.start() } else { leg.curve.end() };
-        let away = from_triangle(
-            [&leg.curve.at(0.5), &corner, &other.curve.at(0.5)],
-            &record.points[sample],
-        );
-        let words = || format!("{away} mm outside of the triangle at {}", leg.element.block);
+        let away = (*first..=last + 1)
+            .map(|corner| from_corner(route, corner, &record.points[sample]))
+            .fold(f64::INFINITY, f64::min);
+        let block = &route.legs[*first].element.block;
+        let words = || format!("{away} mm outside of the triangle at {block}");
         findings.at_most(sample, None, (away, record.slack), (0.0, &words));
     }
     findings.verdict()
 }
 
+/// The distance of a point from the triangle of a corner and the middles of its legs.
+fn from_corner(route: &Route<'_>, corner: usize, point: &Nine) -> f64 {
+    let at = route.corners[corner].at;
+    let middle = |leg: Option<&Leg<'_>>| leg.map_or(at, |leg| leg.curve.at(0.5));
+    let before = corner.checked_sub(1).and_then(|leg| route.legs.get(leg));
+    from_triangle([&middle(before), &at, &middle(route.legs.get(corner))], point)
+}
+
 /// The distance of a point from a triangle, in as many dimensions as there are.
 fn from_triangle([a, b, c]: [&Nine; 3], point: &Nine) -> f64 {
-    use crate::motion::vector::{distance, from_segment};
     let edges = [(a, b), (b, c), (c, a)];
     let edge = edges
         .iter()

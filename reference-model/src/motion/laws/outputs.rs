@@ -63,7 +63,9 @@ fn ask(
     match task {
         Task::Dwell(_) | Task::Wait(_) => (),
         Task::AtOnce(switching) => {
-            let (first, last) = visit.at.unwrap_or((visit.before, visit.after));
+            // A moment of rest between two samples may be seen in either.
+            let near = visit.nearest(record, &corner.at);
+            let (first, last) = visit.at.unwrap_or((near.saturating_sub(1), near + 1));
             let new = Expected { value: switching.value, first, last };
             expected.entry(switching.pin).or_default().push(new);
         }

@@ -4,7 +4,7 @@ use gaugeblock_trace::Axis;
 
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
-use super::visits::{Visit, visits};
+use super::visits::{EARLY, Visit, visits};
 use crate::math;
 use crate::motion::route::{Passing, Task};
 use crate::motion::vector::{Nine, count, distance};
@@ -35,7 +35,7 @@ pub(super) fn stop(record: &Record<'_>) -> Verdict {
         asked = true;
         let Some(visit) = visit else { continue };
         let corner = &route.corners[number].at;
-        let needed = (visit.before..visit.after.max(visit.before + 1))
+        let needed = (visit.before.saturating_sub(EARLY)..=visit.after + EARLY)
             .filter(|sample| sample + 1 < record.points.len())
             .map(|sample| time_away(record, corner, sample))
             .fold(f64::INFINITY, f64::min);

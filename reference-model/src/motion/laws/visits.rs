@@ -5,6 +5,9 @@ use super::record::Record;
 use crate::motion::route::Route;
 use crate::motion::vector::distance;
 
+/// By so many samples a corner may seem to be passed too early: what a motion can be from a chord is granted to it.
+pub(super) const EARLY: usize = 3;
+
 /// How a corner is passed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Visit {
@@ -54,6 +57,14 @@ pub(super) fn visits(
         };
         while after <= last && !beyond(after) {
             after += 1;
+        }
+        // Where legs cover each other a sample shortly before the corner stands for a point behind it as well.
+        let near = after..=(after + EARLY).min(last);
+        if let Some(at) = near.rev().find(|sample| record.is_at(*sample, &corner.at)) {
+            after = at;
+            while after <= last && record.is_at(after, &corner.at) {
+                after += 1;
+            }
         }
         let mut before = after.min(last + 1);
         while before > 0 && record.is_at(before - 1, &corner.at) {

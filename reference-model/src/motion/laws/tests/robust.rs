@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use super::*;
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn no_record_is_a_panic(
@@ -28,6 +28,55 @@ proptest! {
         let judgement = judged(&points, &path);
         prop_assert_eq!(judgement.0.len(), Law::ALL.len());
     }
+
+    /// Lines to and fro over a small grid cross and cover each other, and some lead nowhere.
+    #[test]
+    fn who_stops_at_every_corner_is_lawful_in_every_mode(
+        ends in prop::collection::vec((-3_i32..4, -3_i32..4), 1..12),
+        mode in 0_u8..4,
+        speed in 5.0..50.0,
+    ) {
+        let modes = [PathMode::ExactStop, PathMode::ExactPath, within(0.1), PathMode::BetweenMidpoints];
+        let ends: Vec<(f64, f64)> = ends.into_iter().map(|(x, y)| (f64::from(x), f64::from(y))).collect();
+        let shapes = ends.iter().map(|(x, y)| line(*x, *y)).collect();
+        let path = path(modes[usize::from(mode)], Feed::PerSecond(50.0), shapes);
+        let mut motion = Motion::default();
+        for (x, y) in &ends {
+            if distance(&motion.at, &xy(*x, *y).to_array()) > 0.0 {
+                motion.to(*x, *y, speed);
+            }
+        }
+        let judgement = judged(&motion.samples(), &path);
+        let broken: Vec<_> = judgement.violations().map(ToString::to_string).collect();
+        prop_assert!(broken.is_empty(), "{}", broken.join("\n"));
+    }
+
+    /// Parabolas that miss each corner by all of P, or use half of the shorter leg, with or without a tolerance.
+    #[test]
+    fn who_rounds_corners_as_far_as_allowed_is_lawful(
+        ends in prop::collection::vec((-3_i32..4, -3_i32..4), 2..12),
+        tolerance in 0.001..0.5,
+        between in any::<bool>(),
+    ) {
+        let ends: Vec<Nine> =
+            ends.into_iter().map(|(x, y)| xy(f64::from(x), f64::from(y)).to_array()).collect();
+        let mode = if between { PathMode::BetweenMidpoints } else { within(tolerance) };
+        let tolerance = if between { f64::INFINITY } else { tolerance };
+        let (shapes, points) = rounded(&ends, tolerance);
+        let judgement = judged(&points, &path(mode, Feed::PerSecond(50.0), shapes));
+        let broken: Vec<_> = judgement.violations().map(ToString::to_string).collect();
+        prop_assert!(broken.is_empty(), "{}", broken.join("\n"));
+    }
+
+    /// A point beside the path is found wherever it is.
+    #[test]
+    fn a_point_beside_the_path_is_found(place in 2_usize..200, away in 0.011..0.1) {
+        let path = path(within(0.01), Feed::PerSecond(50.0), vec![line(10.0, 0.0)]);
+        let mut points = Motion::default().to(10.0, 0.0, 50.0).samples();
+        points[place][2] += away;
+        let judgement = judged(&points, &path);
+        prop_assert!(judgement.violations().any(|violation| violation.law == Law::Deviation));
+    }
 }
 
 #[test]
@@ -44,4 +93,46 @@ fn a_long_record_is_judged() {
     let points = motion.samples();
     assert!(points.len() > 20_000, "{}", points.len());
     lawful(&judged(&points, &path));
+}
+
+/// Lines from the origin through points, and a motion along them that rounds corners by constant acceleration.
+fn rounded(ends: &[Nine], tolerance: f64) -> (Vec<Shape>, Vec<Nine>) {
+    let mut corners = vec![[0.0; 9]];
+    corners.extend(ends);
+    let shapes = ends.iter().map(|end| line(end[0], end[1])).collect();
+    corners.dedup_by(|later, earlier| distance(later, earlier) == 0.0);
+    let legs: Vec<(Nine, f64)> = corners
+        .windows(2)
+        .map(|pair| {
+            let way = distance(&pair[1], &pair[0]);
+            (minus(&pair[1], &pair[0]).map(|part| part / way), way)
+        })
+        .collect();
+    // How far from each corner its blend starts, and the speed at which the sharpest one uses all of the acceleration.
+    let turn = |pair: &[(Nine, f64)]| distance(&pair[1].0, &pair[0].0);
+    let reach = |pair: &[(Nine, f64)]| {
+        (4.0 * tolerance / turn(pair)).min(pair[0].1 / 2.0).min(pair[1].1 / 2.0)
+    };
+    let fastest = |pair: &[(Nine, f64)]| (2.0 * reach(pair) * 1900.0 / turn(pair)).sqrt();
+    let speed = legs.windows(2).map(fastest).fold(40.0, f64::min);
+    let mut motion = Motion::default();
+    for (number, (unit, _)) in legs.iter().enumerate() {
+        let next = legs.get(number..number + 2);
+        let before = next.map_or(0.0, reach);
+        let end = plus(&corners[number + 1], unit, -before);
+        let speeds = (
+            if number == 0 { 0.0 } else { speed },
+            speed,
+            if next.is_none() { 0.0 } else { speed },
+        );
+        if distance(&end, &motion.at) > 1e-9 {
+            motion.line(Position::from(end), speeds, 1900.0);
+        }
+        if let Some(pair) = next {
+            motion.velocity = unit.map(|part| part * speed);
+            let seconds = 2.0 * before / speed;
+            motion.push(seconds, minus(&pair[1].0, unit).map(|part| part * speed / seconds));
+        }
+    }
+    (shapes, motion.samples())
 }
