@@ -3,6 +3,7 @@
 //! ```text
 //! Source ─► Interpreter ─► Sink        program text to settings and effects, a block at a time
 //! Source ─► Task ─► Machine             the same within a controller: modes, pauses, requests, inputs, outputs, pins
+//! Effect ─► Resolver ─► Segment            effects in machine coordinates: offsets, units, planes, feeds
 //! Segment ─► Planner ─► OutputParameter    canonical moves to servo samples, a cycle at a time
 //! ```
 //!

@@ -1,0 +1,115 @@
+//! `gaugeblock plan` and `gaugeblock judge`: samples of our planner keep the laws, broken ones are found, wrong calls are told.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A mill with three axes of 250 mm/s and 2000 mm/s².
+const MILL: &str = "period = 0.001
+[axes]
+x = { velocity = 250, acceleration = 2000 }
+y = { velocity = 250, acceleration = 2000 }
+z = { velocity = 250, acceleration = 2000 }
+";
+
+/// Corners, an arc, a helix, a dwell, outputs, an offset, in inches and at rapid speed.
+const PART: &str = "g21 g90 g17 g64 p0.05 f6000
+g10 l2 p1 x1 y-2 z3 r30
+g54 g0 x5 y5
+g1 x10 y0
+m62 p0
+x20 y10
+g3 x10 y20 i-10 j0
+g4 p0.05
+m65 p0
+g2 x10 y20 z-5 i3 j0 p2
+g61.1 g1 x0 y0
+g20 g64 x1 f100
+g43.1 z0.5
+z0
+m2
+";
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&folder).expect("a folder for the test");
+    std::fs::write(folder.join("mill.toml"), MILL).expect("a file for the test");
+    std::fs::write(folder.join("part.ngc"), PART).expect("a file for the test");
+    folder
+}
+
+fn gaugeblock(folder: &Path, arguments: &str) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
+        .args(arguments.split_whitespace())
+        .current_dir(folder)
+        .env("NO_COLOR", "1")
+        .output()
+        .expect("the command runs")
+}
+
+#[track_caller]
+fn says(output: &Output, status: i32, words: &[&str]) {
+    let text = String::from_utf8_lossy(&output.stdout).into_owned()
+        + &String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(status), "{text}");
+    for word in words {
+        assert!(text.contains(word), "{word:?} is not in: {text}");
+    }
+}
+
+#[test]
+fn a_planned_program_keeps_the_laws_however_it_is_fed() {
+    let folder = folder("planned");
+    for every in ["", "--every 1", "--every 31", "--every 80"] {
+        let planned = gaugeblock(&folder, &format!("plan part.ngc --machine mill.toml {every}"));
+        says(&planned, 0, &["holds       trajectory.acceleration", "holds       trajectory.ends"]);
+        says(&planned, 0, &["holds       trajectory.outputs", "holds       trajectory.dwell"]);
+    }
+}
+
+#[test]
+fn samples_come_back_in_both_forms_and_one_wrong_number_is_found() {
+    let folder = folder("samples");
+    for file in ["part.csv", "part.bin"] {
+        let plan = format!("plan part.ngc --machine mill.toml --samples {file} --svg part.svg");
+        let planned = gaugeblock(&folder, &plan);
+        let judged =
+            gaugeblock(&folder, &format!("judge {file} --program part.ngc --machine mill.toml"));
+        assert_eq!(planned.stdout, judged.stdout);
+    }
+    let svg = std::fs::read_to_string(folder.join("part.svg")).expect("a picture");
+    assert!(svg.starts_with("<svg"), "{svg:.80}");
+
+    let samples = std::fs::read_to_string(folder.join("part.csv")).expect("samples");
+    let mut lines: Vec<String> = samples.lines().map(str::to_owned).collect();
+    let middle = lines.len() / 2;
+    let (x, rest) = lines[middle].split_once(',').expect("a row");
+    let x: f64 = x.parse().expect("a number");
+    lines[middle] = format!("{},{rest}", x + 0.01);
+    std::fs::write(folder.join("bent.csv"), lines.join("\n") + "\n").expect("a file");
+    let judged = gaugeblock(&folder, "judge bent.csv --program part.ngc --machine mill.toml");
+    says(&judged, 1, &["broken      trajectory.acceleration", "trajectory.acceleration at cycle"]);
+}
+
+#[test]
+fn wrong_calls_are_told_with_their_place() {
+    let folder = folder("wrong");
+    std::fs::write(folder.join("bad.toml"), "period = 0.001\n[axes]\nx = { velocity = -1 }\n")
+        .expect("a file");
+    std::fs::write(
+        folder.join("bad.csv"),
+        "# gaugeblock samples 0 period=0.001 resolution=0\nx\n1e\n",
+    )
+    .expect("a file");
+    std::fs::write(folder.join("far.ngc"), "g1 f1 a5\nm2\n").expect("a file");
+    std::fs::write(folder.join("torn.ngc"), "g1 f1 x5\ng1 x\nm2\n").expect("a file");
+    let says = |arguments, status, words: &[&str]| {
+        let output = gaugeblock(&folder, arguments);
+        assert!(output.stdout.is_empty());
+        says(&output, status, words);
+    };
+    says("plan part.ngc --machine bad.toml", 2, &["bad.toml", "velocity"]);
+    says("plan part.ngc --machine none.toml", 2, &["none.toml", "hint"]);
+    says("plan far.ngc --machine mill.toml", 3, &["far.ngc", "main.ngc:1", "limits are not known"]);
+    says("plan torn.ngc --machine mill.toml", 2, &["torn.ngc", "does not come to its end"]);
+    says("judge bad.csv --program part.ngc --machine mill.toml", 2, &["bad.csv", "line 3"]);
+}
