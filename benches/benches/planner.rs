@@ -173,7 +173,7 @@ fn arcs() -> Vec<Segment> {
     let half = |i: u32| {
         let mut end: Axes = [0.0; 9];
         end[0] = 4.0 * f64::from(i + 1);
-        let sense = if i % 2 == 0 { 1.0 } else { -1.0 };
+        let sense = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
         let path = Path::Arc {
             end,
             centre: [end[0] - 2.0, 0.0, 0.0],
