@@ -45,11 +45,12 @@ impl Corner {
     /// A parabola that takes d of both legs misses the corner by d·|turn|/4, and so does an arc that is bent.
     pub(super) fn between(before: &Leg, after: &Leg, limits: &Limits) -> Self {
         let turn = turn(before, after);
+        let blend = stricter(before.blend, after.blend);
         let break_ = norm(&turn);
         if break_ < SMOOTH {
-            return if before.blend == Blend::ExactStop { Self::Stop } else { Self::Smooth };
+            return if blend == Blend::ExactStop { Self::Stop } else { Self::Smooth };
         }
-        let (tolerance, half) = match before.blend {
+        let (tolerance, half) = match blend {
             Blend::ExactStop => return Self::Stop,
             Blend::ExactPath if break_ > BREAK => return Self::Stop,
             Blend::ExactPath => (EXACT, false),
@@ -145,6 +146,16 @@ fn finish(piece: &mut Piece, turn: &Axes, d: f64, limits: &Limits) {
     let turned = piece.circle.map_or(0.0, |circle| circle.turn * d);
     piece.feed /= math::sqrt(1.0 + turned * norm(turn));
     limits.rule(piece);
+}
+
+/// What may happen at a corner between two modes: a leg that is to be exact is so from its beginning.
+fn stricter(before: Blend, after: Blend) -> Blend {
+    match (before, after) {
+        (Blend::Within(_) | Blend::BetweenMidpoints, Blend::ExactStop | Blend::ExactPath) => {
+            Blend::ExactPath
+        }
+        _ => before,
+    }
 }
 
 /// A blend has the slower of both feeds.
