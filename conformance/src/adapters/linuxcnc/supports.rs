@@ -69,11 +69,14 @@ fn by_hand(scenario: &Scenario) -> Result<(), String> {
 /// some order.
 fn at_one_time(scenario: &Scenario) -> Result<(), String> {
     let events = &scenario.operator;
-    let does_nothing = |event: &OperatorEvent| {
+    let text = |event: &OperatorEvent| {
         let line = usize::try_from(event.when.block.line).unwrap_or(usize::MAX);
-        let text = scenario.program.main.lines().nth(line.saturating_sub(1)).unwrap_or_default();
-        let is_main = event.when.block.file == Program::MAIN;
-        is_main && text.starts_with('o') && (text.contains(" else") || text.contains(" endif"))
+        let text = scenario.program.main.lines().nth(line.saturating_sub(1));
+        text.filter(|_| event.when.block.file == Program::MAIN).unwrap_or_default()
+    };
+    let does_nothing = |event: &OperatorEvent| {
+        let text = text(event);
+        text.starts_with('o') && (text.contains(" else") || text.contains(" endif"))
     };
     if events.iter().any(does_nothing) {
         return Err("it does not tell when a line begins that does nothing".to_owned());
@@ -82,7 +85,10 @@ fn at_one_time(scenario: &Scenario) -> Result<(), String> {
         let at = |duration: f64| (duration - event.when.offset).abs() < 0.05;
         scenario.bench.user_programs.iter().any(|program| at(program.duration))
     };
-    let begins = |event: &OperatorEvent| event.action == Action::Abort && event.when.offset <= 0.0;
+    // A block that only sets parameters is over before anybody can act.
+    let begins = |event: &OperatorEvent| {
+        event.action == Action::Abort && event.when.offset <= 0.0 && text(event).starts_with('#')
+    };
     let twice = events.iter().enumerate().any(|(place, event)| {
         events.iter().take(place).any(|other| {
             other.when == event.when && matches!(event.action, Action::Abort | Action::Mdi(_))
