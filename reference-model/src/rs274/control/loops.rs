@@ -172,15 +172,18 @@ impl Control {
     ///
     /// Choice control.do-label: where every while goes back to the first do, so does one without a do of its own.
     fn followed(&self, label: &str, head: Keyword, state: &State) -> Option<u32> {
-        let ended = state.frame().ended_loops.get(label) == Some(&head);
+        let last = state.frame().ended_loops.get(label).copied();
+        let last = last.filter(|(keyword, _)| *keyword == head).map(|(_, line)| line);
         let to_first = head == Keyword::Do && state.readings.is("control.do-label", "first");
-        let followed = ended && (to_first || state.readings.is("control.ended-label", "followed"));
+        let followed = to_first || state.readings.is("control.ended-label", "followed");
+        // The text tells nothing of a label that must be computed.
+        let last = last.filter(|_| followed)?;
         let earlier = |definition: &&Definition| {
             definition.keyword == head && definition.line < self.place.line
         };
         let mut earlier = self.definitions(label).iter().filter(earlier);
-        let first = if to_first { earlier.next() } else { earlier.next_back() }?;
-        followed.then_some(first.line)
+        let first = if to_first { earlier.next() } else { earlier.next_back() };
+        Some(first.map_or(last, |definition| definition.line))
     }
 
     /// The refusal of an endwhile or endrepeat without its head.
