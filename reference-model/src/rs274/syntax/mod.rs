@@ -55,13 +55,11 @@ pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
         return None;
     }
     let before = std::mem::take(&mut state.evidence);
-    let condensed = condense(line, state).or_else(|halt| match halt {
+    let mut condensed = condense(line, state);
+    if let Err(Halt::Refused(Refusal { span: Some(span), .. })) = &condensed {
         // What stands before a comment that is not closed can be read.
-        Halt::Refused(Refusal { span: Some(span), .. }) => {
-            condense(&line[..span.start as usize], state)
-        }
-        halt => Err(halt),
-    });
+        condensed = condense(&line[..span.start as usize], state);
+    }
     state.evidence = before;
     let (glyphs, _) = condensed.ok()?;
     Parser::new(&glyphs, &state.readings).leading_o_word()
