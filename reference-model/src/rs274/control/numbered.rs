@@ -116,12 +116,17 @@ impl Control {
     ///
     /// Rule fanuc-subs.sub-follows. It stands later in the file than its call.
     ///
-    /// Rule fanuc-subs.mixed-m98. A sub that begins with sub is called by an O-word only.
+    /// Rule fanuc-subs.mixed-m98. A sub that begins with sub is called by an O-word only, and a numbered program cannot take its number.
     ///
     /// Choice fanuc-subs.call-itself: whether it is enough that it follows an earlier call.
     fn numbered_program(&self, label: &str, state: &mut State) -> Result<Place, Halt> {
         let labels = self.files.labels(self.place.file);
         let begins = labels.numbers(label);
+        let is_sub = self.subs.contains_key(label);
+        if is_sub || begins.is_empty() && !labels.subs(label).is_empty() {
+            let message = format!("{} begins with sub: M98 does not call it", o_word(label));
+            return Err(refuse("fanuc-subs.mixed-m98", FaultKind::MixedStyles, message));
+        }
         if begins.len() > 1 {
             let why = format!("which one M98 calls where the number {label} stands several times");
             return Err(Halt::Unspecified(why));
@@ -142,10 +147,6 @@ impl Control {
             }
             let message = format!("the subprogram {label} stands before its call");
             return Err(refuse("fanuc-subs.sub-follows", FaultKind::UnknownSub, message));
-        }
-        if self.subs.contains_key(label) || !labels.subs(label).is_empty() {
-            let message = format!("{} begins with sub: M98 does not call it", o_word(label));
-            return Err(refuse("fanuc-subs.mixed-m98", FaultKind::MixedStyles, message));
         }
         let message = format!("the file defines no subprogram {label}");
         Err(refuse("fanuc-subs.unknown-number", FaultKind::UnknownSub, message))

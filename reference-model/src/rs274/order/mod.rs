@@ -101,9 +101,12 @@ fn perform(
     Ok(Rest::Execute)
 }
 
-/// M62 to M68, where a block may hold several of them in the order of the text.
+/// M62 to M68. Where a block may hold several of them they come as the list names them, wherever they stand (order.words-in-any-order).
 fn inputs_outputs(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
-    for code in words.m.iter().copied().filter(|code| (62..=68).contains(code)) {
+    let mut codes: Vec<u32> =
+        words.m.iter().copied().filter(|code| (62..=68).contains(code)).collect();
+    codes.sort_unstable();
+    for code in codes {
         match code {
             62..=65 => step::outputs::digital(code, words, state, record)?,
             66 => step::inputs::perform(words, state, record)?,

@@ -6,6 +6,7 @@ use gaugeblock_trace::{ControllerMode, End};
 use super::request::{Activity, Answer};
 use super::{MAIN, Run, open_entries};
 use crate::rs274::control::{Control, Frame, Place};
+use crate::rs274::quirks::task as quirks;
 use crate::rs274::refusal::Halt;
 use crate::rs274::text::Line;
 
@@ -43,6 +44,7 @@ impl Run<'_> {
 
     /// Rule program-end.restart. Cycle start starts the program at the beginning of the file, in auto mode.
     /// Rule abort.restart. After an abort too.
+    /// Rule parameters.returned-value. What the last program's subs have returned is 0 then.
     fn begin_again(&mut self, aborted: bool) {
         let rule = if aborted { "abort.restart" } else { "program-end.restart" };
         self.state.evidence.accepted(rule);
@@ -52,6 +54,9 @@ impl Run<'_> {
         }
         self.change_mode_to(ControllerMode::Auto);
         self.begin_anew();
+        if !quirks::keeps_value(&self.state) {
+            self.state.parameters.returned = 0.0;
+        }
         self.control = Control::new(&self.scenario.program, &mut self.state);
         self.entries = open_entries(self.scenario, &mut self.control, &mut self.state);
     }

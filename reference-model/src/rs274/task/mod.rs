@@ -268,10 +268,9 @@ impl<'a> Run<'a> {
             Halt::Ended(end) => {
                 if end == End::Aborted {
                     self.record.broken_off(block, &self.state);
-                    self.aborted();
-                } else {
-                    self.record.stands(block, &self.state);
+                    return self.aborted();
                 }
+                self.record.stands(block, &self.state);
                 end
             }
         }
