@@ -27,6 +27,7 @@ impl Run<'_> {
         } else {
             End::Aborted
         };
+        self.state.frames[0].forget_saved();
         self.forget_waiting();
         self.switch_off();
         if let Some(modes) = &self.at_last_motion {
