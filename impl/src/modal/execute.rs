@@ -239,7 +239,7 @@ impl Modal {
             self.dwell(block.words, sink)?;
         }
         if let Some(code) = block.g(PLANE) {
-            self.select_plane(code);
+            self.select_plane(code)?;
         }
         if let Some(code) = block.g(UNITS) {
             self.select_units(code);

@@ -71,7 +71,8 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, Halt>
         };
         let code = g_code(*number).ok_or_else(|| unknown(rule, text))?;
         state.evidence.accepted(rule);
-        codes.push((text, *code));
+        let group = quirks::group_of_g(*number, state).or(code.group);
+        codes.push((text, Code { group, ..*code }));
     }
     for number in &words.m {
         let text = Written::M(*number);

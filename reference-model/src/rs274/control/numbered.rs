@@ -86,7 +86,7 @@ impl Control {
         deeper("fanuc-subs.level-limit", state)?;
         self.value_after_call(state);
         let style = Style::Numbered { first, turns_left: turns.saturating_sub(1) };
-        let frame = shared_frame(Call { label, back, style }, state);
+        let frame = shared_frame(Call { label: label.clone(), back, style }, state);
         if turns == 0 {
             state.evidence.accepted("fanuc-subs.zero-count");
             return Ok(quirks::control::level_left_behind(self, frame, state));
@@ -95,6 +95,7 @@ impl Control {
         state.evidence.accepted(if nested { "fanuc-subs.nested" } else { "fanuc-subs.call" });
         state.evidence.accepted("fanuc-subs.repeat-count");
         self.called.insert(first);
+        self.numbers_called.insert(label, first);
         self.has_called = true;
         state.frames.push(frame);
         Ok(Next::At(first))
@@ -137,6 +138,9 @@ impl Control {
         if begins.len() > 1 {
             let why = format!("which one M98 calls where the number {label} stands several times");
             return Err(Halt::Unspecified(why));
+        }
+        if let Some(first) = quirks::control::known_number(self, label, state) {
+            return Ok(first);
         }
         let later = begins.partition_point(|line| *line <= self.place.line);
         if let Some(line) = begins.get(later) {

@@ -94,7 +94,7 @@ fn perform(
             }
         }
         Phase::Dwell => step::dwell::perform(words, state, record)?,
-        Phase::Plane => step::units_planes::select_plane(words, state),
+        Phase::Plane => step::units_planes::select_plane(words, state)?,
         Phase::Units => step::units_planes::select_units(words, state),
         Phase::Compensation => step::compensation::perform(words, state)?,
         Phase::ToolLength => step::tool_length::perform(words, state)?,
