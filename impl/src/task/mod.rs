@@ -317,6 +317,7 @@ impl<M: Machine> Task<M> {
         self.desk.take_over();
         self.desk.rest();
         self.interpreter.abort(&mut self.desk);
+        self.desk.release_spindles();
         self.desk.look_at_spindles();
         self.desk.renew_pins();
         self.interpreter.set_controller_mode(self.desk.mode);

@@ -126,6 +126,13 @@ impl Followed {
         }
     }
 
+    /// No spindle is held at an angle, or on its way to one.
+    pub(super) fn release(&mut self) {
+        for spindle in &mut self.spindles {
+            spindle.orientation = Orientation::None;
+        }
+    }
+
     /// Whether a spindle is on its way to its angle.
     pub(super) fn is_on_its_way(&self, spindle: u32) -> bool {
         let place = usize::try_from(spindle).ok();

@@ -58,6 +58,13 @@ impl<M: Machine> Desk<M> {
         }
     }
 
+    /// An abort stops spindles as M5 does, also one whose stop was read ahead and is nothing new to the interpreter.
+    pub(super) fn release_spindles(&mut self) {
+        if !self.choices.abort_leaves_alone {
+            self.followed.release();
+        }
+    }
+
     /// Before a block: answers what was asked by now, and waits while the program is paused.
     pub(super) fn may_go_on(&mut self) -> Result<(), Broken> {
         self.within = false;
