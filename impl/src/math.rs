@@ -19,7 +19,7 @@ pub(crate) fn near_integer(value: f64) -> Option<i64> {
         return Some(exact);
     }
     let nearest = libm::rint(value);
-    ((nearest - value).abs() < CLOSE).then_some(nearest as i64)
+    ((nearest - value).abs() <= CLOSE).then_some(nearest as i64)
 }
 
 /// An integer below 2^53 as a number, exactly.

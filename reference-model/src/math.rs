@@ -79,7 +79,7 @@ pub(crate) fn near_integer(value: f64) -> Option<i64> {
         clippy::cast_possible_truncation,
         reason = "an `as` conversion stops at the ends of the range"
     )]
-    ((value - nearest).abs() < 0.0001).then_some(nearest as i64)
+    ((value - nearest).abs() <= 0.0001).then_some(nearest as i64)
 }
 
 #[cfg(test)]

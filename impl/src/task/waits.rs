@@ -36,6 +36,13 @@ impl<M: Machine> Desk<M> {
             Happening::Changed => Ok(Woken::Perhaps),
             Happening::Asked(action) => {
                 self.asked(action);
+                // What is asked at the same time comes before what ends at that time.
+                while stuck == Stuck::Waiting
+                    && self.broken.is_none()
+                    && let Some(action) = self.machine.asked()
+                {
+                    self.asked(action);
+                }
                 if self.broken.is_some() { Err(Broken) } else { Ok(Woken::Perhaps) }
             }
             Happening::Never if until.is_some() => Ok(Woken::InTime),

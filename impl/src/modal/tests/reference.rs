@@ -31,7 +31,7 @@ fn moving() {
     );
     check("g7 g28 x4", Effects("1 straight_traverse end=(x2); 1 straight_traverse end=()"));
     check("g1 f1; g28 x1; x2", After("motion = feed, position = (x2)"));
-    check("g1 f1 g28; x2", After("motion = feed, position = (x2)"));
+    check("g1 f1 g28", Refused(AxisWords));
 }
 
 #[test]

@@ -83,7 +83,12 @@ impl Outside {
         let to_high = matches!(mode, WaitMode::High | WaitMode::Rise);
         let name = input.name();
         let changes = self.bench.inputs.iter().filter(|change| change.input == name);
-        for change in changes.filter(|change| change.time > self.time) {
+        let mut changes = changes.filter(|change| change.time > self.time).peekable();
+        while let Some(change) = changes.next() {
+            // What lasts for no time is not seen.
+            if changes.peek().is_some_and(|next| next.time <= change.time) {
+                continue;
+            }
             let now = is_high(change.value);
             if now != before && now == to_high {
                 return Some(change.time);

@@ -68,15 +68,17 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
     modes.blend_tolerance *= factor;
     modes.naive_cam_tolerance *= factor;
     modes.compensation_radius *= factor;
-    convert_feed(factor, state);
+    convert_feed(before, state);
 }
 
 /// Rule units-planes.feed-over-unit-change. What becomes of the feed is a choice; under inverse time it is no length.
-fn convert_feed(factor: f64, state: &mut State) {
+fn convert_feed(before: LengthUnit, state: &mut State) {
     state.evidence.accepted("units-planes.feed-over-unit-change");
     let rescaled = state.readings.is("units-planes.feed-over-unit-change", "rescaled");
     if rescaled && state.modes.feed_mode != FeedMode::InverseTime {
-        state.modes.feed_rate *= factor;
+        let modes = &mut state.modes;
+        // As positions are converted: to and fro it is the same feed again.
+        modes.feed_rate = modes.feed_rate * unit_size(before) / unit_size(modes.units);
     }
 }
 
