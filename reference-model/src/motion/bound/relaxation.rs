@@ -15,7 +15,7 @@ pub(super) struct Gate {
 
 /// Each axis alone, forgetting the others: it visits the intervals of its gates in order.
 ///
-/// Rule trajectory.axis-bound. Let the axis need to be at M or above at some time, and then at m < M or below, and so on. Where it
+/// Let the axis need to be at M or above at some time, and then at m < M or below, and so on. Where it
 /// is highest between the time before and the time after, it is at M or above and rests, and these moments come in order. So from
 /// each turn to the next it goes from rest to rest over M - m at least, and the times add up. The sequence of turns that is found
 /// here is what one axis needs: the sum is the least time of the relaxed problem, not only a bound of it.
@@ -42,7 +42,7 @@ pub(super) fn axis(gates: &[Gate], axis: usize, speed: f64, acceleration: f64) -
 
 /// The length of the shortest way through the gates, at least, in coordinates `counted`.
 ///
-/// Rule trajectory.length-bound. For any vectors uᵢ no longer than 1 a way through points xᵢ within Pᵢ of vᵢ is no shorter than
+/// For any vectors uᵢ no longer than 1 a way through points xᵢ within Pᵢ of vᵢ is no shorter than
 /// Σ uᵢ·(xᵢ₊₁ - xᵢ), which is Σ uᵢ·(vᵢ₊₁ - vᵢ) - Σ Pᵢ|uᵢ₋₁ - uᵢ| at least. The vectors are directions of the path, taken over more
 /// and more of it; the best of them counts.
 pub(super) fn shortest(gates: &[Gate], counted: std::ops::Range<usize>) -> f64 {
