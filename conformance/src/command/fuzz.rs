@@ -117,6 +117,7 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     let against = controller::controller(&arguments.against)?;
     controller::honours(iut.as_ref(), &options)?;
     controller::honours(against.as_ref(), &options)?;
+    let options = without_defaults(options, suite);
     let plan = Plan {
         iut: iut.as_ref(),
         against: against.as_ref(),
@@ -301,6 +302,16 @@ fn options(
             )),
         },
     }
+}
+
+/// Options without those that hold where nothing is listed.
+fn without_defaults(mut options: Options, suite: &Suite) -> Options {
+    for choice in &suite.choices {
+        if options.get(&choice.id).is_some_and(|option| choice.is_default(option)) {
+            options.0.remove(&choice.id);
+        }
+    }
+    options
 }
 
 /// Takes over what a fingerprint says for sure.

@@ -272,6 +272,13 @@ impl Case {
     }
 }
 
+impl Choice {
+    /// Whether an option holds where none is listed: the first one does.
+    pub fn is_default(&self, option: &str) -> bool {
+        self.options.first().is_some_and(|first| first.name == option)
+    }
+}
+
 impl ChoiceOption {
     /// Its assertions, which were checked when the page was read.
     pub fn parsed(&self) -> Vec<Assertion> {

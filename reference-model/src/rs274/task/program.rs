@@ -2,8 +2,8 @@
 
 use gaugeblock_trace::{End, FaultKind};
 
-use super::{MAIN, Run};
-use crate::rs274::control::{self, Control, Next};
+use super::Run;
+use crate::rs274::control::{self, Control, MAIN, Next};
 use crate::rs274::machine::State;
 use crate::rs274::order::{Phase, Phases, Rest};
 use crate::rs274::outside::stub;
@@ -21,7 +21,7 @@ impl Run<'_> {
         let place = self.control.place;
         self.state.line = place.line;
         let text = match self.control.files.line(place, &mut self.state) {
-            Some(Line::Block(text)) => text,
+            Some(Line::Block(text)) => text.to_owned(),
             Some(Line::Nothing) => {
                 self.control.place.line += 1;
                 return Ok(None);
@@ -152,7 +152,8 @@ impl Run<'_> {
                 return Err(Halt::Ended(End::Paused));
             }
             let began = self.state.outside.time();
-            let before = self.operator.is_due().then(|| self.without_evidence());
+            let may_break_off = may_take_time(phase, words, &self.state) && self.operator.is_due();
+            let before = may_break_off.then(|| self.without_evidence());
             let refused = match order::execute(phase, words, &mut self.state, &mut self.record) {
                 Ok(done) => {
                     rest = done;
@@ -249,8 +250,22 @@ impl Run<'_> {
             self.record.leads_elsewhere();
         }
         self.leave_calls();
+        self.state.frames[0].forget_saved();
         Ok(())
     }
+}
+
+/// Whether time may go by in a phase, so that somebody can break it off.
+fn may_take_time(phase: Phase, words: &Words, state: &State) -> bool {
+    const TAKE_TIME: Phases = Phases::these(&[
+        Phase::InputsOutputs,
+        Phase::ChangeTool,
+        Phase::Spindle,
+        Phase::UserCode,
+        Phase::Dwell,
+    ]);
+    let cycles = || step::motion::motion_of(words, state).is_some_and(step::cycles::is_cycle);
+    TAKE_TIME.contains(phase) || phase == Phase::Motion && cycles()
 }
 
 /// Whether a phase waits for what the machine answers, so that nothing behind it can be read before: M66, M6, a probe.
