@@ -156,7 +156,9 @@ impl Modal {
             if taken.needs_axes || machine_coordinates {
                 return refuse(FaultKind::MissingWord, "an axis word is missing");
             }
-            if arc && taken.axis_codes != 0 {
+            // G43.2 with H uses none (11.5.30).
+            let by_tool = u8::from(block.g(TOOL_LENGTH) == Some(432));
+            if arc && taken.axis_codes > by_tool {
                 return refuse(FaultKind::AxisWords, "an arc beside a code that uses axis words");
             }
             block.motion = explicit.or(implied);

@@ -133,6 +133,8 @@ choices! {
     tool_must_exist: "tool.empty-slot", "accepted", "refused";
     /// G10 L1, L10 and L11 need something to set.
     entry_needs_words: "tool.entry-without-words", "accepted", "refused";
+    /// G43, G43.1, G43.2 and G49 are refused under cutter compensation.
+    length_uncompensated: "tool.length-under-compensation", "accepted", "refused";
     /// The old tool goes to the slot of the new one.
     old_tool_to_new_slot: "tool.old-tool-place", "its-own-slot", "slot-of-the-new";
     /// The slide of G76 moves the end of a pass too.
@@ -151,6 +153,8 @@ choices! {
     feed_number_kept: "units-planes.feed-over-unit-change", "rescaled", "kept";
     /// The machine's own unit is in force at the start.
     initial_machine_unit: "units-planes.initial-unit", "millimetre", "machine";
+    /// G17, G18 and G19 do not change the plane under cutter compensation.
+    plane_uncompensated: "units-planes.plane-under-compensation", "accepted", "refused";
     /// A missing argument of a user-defined code is an empty text.
     empty_argument: "user-codes.missing-argument", "minus-one", "empty";
 }

@@ -64,7 +64,12 @@ impl Files {
 
     /// Opens a file and reads it once for its labels, up to the percent line that ends it. No rule is reached by that.
     fn add(&mut self, name: &str, text: &str, state: &mut State) -> Place {
-        let source = Source::new(name, text, &state.readings);
+        let mut source = Source::new(name, text, &state.readings);
+        if let Some(main) = self.opened.first()
+            && state.readings.quirk("rs274.percent-in-file")
+        {
+            source = source.called_by(&main.source);
+        }
         let mut labels = Labels::default();
         let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
         let mut index = source.first;

@@ -107,6 +107,13 @@ impl Structure {
 }
 
 impl Frame {
+    /// Nothing is saved at this level any more.
+    pub fn forget_saved(&mut self) {
+        self.saved = None;
+        self.saved_by_m70 = None;
+        self.restore_at_return = None;
+    }
+
     /// A condition or loop ends.
     pub fn end(&mut self, open: Open) {
         if matches!(open.structure, Structure::If { .. }) {

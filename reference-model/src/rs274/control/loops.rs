@@ -110,7 +110,7 @@ impl Control {
         let open = state.frame().find_open(label, is_while);
         let open = open.map(|place| state.frame().open[place].line);
         let first = open.or_else(|| self.followed(label, Keyword::While, state));
-        let first = first.ok_or_else(|| unmatched(label))?;
+        let first = first.ok_or_else(|| self.unmatched(label, Keyword::While, state))?;
         Ok(Next::At(self.line(first)))
     }
 
@@ -140,7 +140,8 @@ impl Control {
     pub(super) fn end_repeat(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         let Some(place) = state.frame().find_open(label, is_repeat) else {
             let first = self.followed(label, Keyword::Repeat, state);
-            return first.map(|line| Next::At(self.line(line))).ok_or_else(|| unmatched(label));
+            let first = first.ok_or_else(|| self.unmatched(label, Keyword::Repeat, state))?;
+            return Ok(Next::At(self.line(first)));
         };
         let first = state.frame().open[place].line;
         if state.readings.quirk("rs274.repeat-counter-shared") {
@@ -180,6 +181,24 @@ impl Control {
         let mut earlier = self.definitions(label).iter().filter(earlier);
         let first = if to_first { earlier.next() } else { earlier.next_back() }?;
         followed.then_some(first.line)
+    }
+
+    /// The refusal of an endwhile or endrepeat without its head.
+    ///
+    /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether it points to one that is in
+    /// the text and was not entered.
+    fn unmatched(&self, label: &str, head: Keyword, state: &State) -> Halt {
+        let in_text = self
+            .definitions(label)
+            .iter()
+            .any(|definition| definition.keyword == head && definition.line < self.place.line);
+        let followed = state.readings.is("control.ended-label", "followed");
+        if in_text && followed && !quirks::control::is_left_behind(state) {
+            let why = format!("the loop {} is in the text, but was not entered", o_word(label));
+            return Halt::Unspecified(why);
+        }
+        let message = format!("{} is no open loop of this kind", o_word(label));
+        refuse("control.unmatched-endwhile", FaultKind::UnknownLabel, message)
     }
 
     /// Goes on after the endrepeat.
@@ -251,12 +270,6 @@ impl Control {
             format!("{} is no open while or do", o_word(label)),
         ))
     }
-}
-
-/// The refusal of an endwhile or endrepeat without its head.
-fn unmatched(label: &str) -> Halt {
-    let message = format!("{} is no open loop of this kind", o_word(label));
-    refuse("control.unmatched-endwhile", FaultKind::UnknownLabel, message)
 }
 
 /// How many turns a repeat makes.

@@ -180,7 +180,7 @@ impl Control {
         if let Some(sub) = self.in_file(label, state)? {
             return Ok(sub);
         }
-        quirks::skipping::pass_over(self, Sought::Called, later, state)?;
+        quirks::skipping::pass_over(self, Sought::Called { label }, later, state)?;
         if let Some(line) = later {
             if state.readings.quirk("rs274.sub-found-later") {
                 let sub = Place { line, ..self.place };

@@ -132,6 +132,11 @@ impl Outside {
         self.awaiting_motion.remove(&pin);
     }
 
+    /// Takes back what every output was to become.
+    pub fn forget_all_with_motion(&mut self) {
+        self.awaiting_motion.clear();
+    }
+
     /// Whether an output is to become something when the next motion begins.
     pub fn awaits_motion_with(&self, pin: Pin) -> bool {
         self.awaiting_motion.contains_key(&pin)

@@ -14,7 +14,7 @@ mod value;
 pub use block::*;
 
 use super::machine::State;
-use super::refusal::Halt;
+use super::refusal::{Halt, Refusal};
 use super::text::condense;
 use crate::Evidence;
 use parser::Parser;
@@ -56,7 +56,11 @@ pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
         return None;
     }
     let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
-    let condensed = condense(line, state);
+    let mut condensed = condense(line, state);
+    if let Err(Halt::Refused(Refusal { span: Some(span), .. })) = &condensed {
+        // What stands before a comment that is not closed can be read.
+        condensed = condense(&line[..span.start as usize], state);
+    }
     state.evidence = before;
     let (glyphs, _) = condensed.ok()?;
     Parser::new(&glyphs, &state.readings).leading_o_word()

@@ -177,7 +177,9 @@ impl Parser<'_> {
     /// Quirk rs274.empty-name. There may be none.
     pub(super) fn name(&mut self) -> Result<String, Halt> {
         self.advance();
-        let name = self.take_while(|character| character != '>' && character != Glyph::COMMENT);
+        // A NUL is no character of a text, wherever it stands.
+        let ends = ['>', Glyph::COMMENT, '\0'];
+        let name = self.take_while(|character| !ends.contains(&character));
         let empty = name.is_empty() && !self.readings.quirk("rs274.empty-name");
         if empty || !self.take(">") {
             let message = "a name stands between < and >, which is missing";

@@ -2,8 +2,8 @@
 
 use gaugeblock_trace::{End, FaultKind};
 
-use super::{MAIN, Run};
-use crate::rs274::control::{self, Control, Next};
+use super::Run;
+use crate::rs274::control::{self, Control, MAIN, Next};
 use crate::rs274::machine::State;
 use crate::rs274::order::{Phase, Phases, Rest};
 use crate::rs274::outside::stub;
@@ -250,6 +250,7 @@ impl Run<'_> {
             self.record.leads_elsewhere();
         }
         self.leave_calls();
+        self.state.frames[0].forget_saved();
         Ok(())
     }
 }

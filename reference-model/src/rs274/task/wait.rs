@@ -148,6 +148,10 @@ impl Run<'_> {
         if self.ahead || !may_be_held || !self.moves(phase, words) {
             return Ok(());
         }
+        if phase == Phase::ChangeTool {
+            step::tool_change::before_moving(&mut self.state);
+            self.show(None);
+        }
         if self.pause_asked {
             self.stand_paused(Activity::Paused { after_pallets: false })?;
         }

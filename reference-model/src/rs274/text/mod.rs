@@ -23,6 +23,8 @@ pub struct Source {
     pub first: usize,
     /// Whether the file begins with a percent line; then the next one ends it.
     pub percent: bool,
+    /// Whether percent lines are blocks like any other.
+    plain: bool,
 }
 
 /// What a line of a file is, before it is parsed.
@@ -46,8 +48,16 @@ impl Source {
             name: name.to_owned(),
             first: percent.map_or(0, |index| index + 1),
             percent: percent.is_some(),
+            plain: false,
             lines,
         }
+    }
+
+    /// Quirk rs274.percent-in-file: a called file whose percent lines are read as the main program begins. Where that begins with one, the
+    /// first one here ends the file; where it does not, they mean nothing and are no blocks.
+    #[must_use]
+    pub fn called_by(self, main: &Self) -> Self {
+        Self { first: 0, percent: main.percent, plain: !main.percent, ..self }
     }
 
     /// What the line at an index of `lines` is; `None` behind the last line.
@@ -67,7 +77,7 @@ impl Source {
             state.evidence.accepted("text.block-delete-place");
             return Some(Line::Nothing);
         }
-        if is_percent(line) {
+        if is_percent(line) && !self.plain {
             if self.percent {
                 state.evidence.accepted("text.percent-file");
                 state.evidence.accepted("text.percent-line");
