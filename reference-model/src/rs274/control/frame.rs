@@ -25,8 +25,8 @@ pub struct Frame {
     pub open: Vec<Open>,
     /// Labels of conditions that have ended.
     pub ended_conditions: BTreeSet<String>,
-    /// Loops that have ended by label: the keyword with which each began.
-    pub ended_loops: BTreeMap<String, Keyword>,
+    /// Loops that have ended by label: the keyword with which each began, and its line.
+    pub ended_loops: BTreeMap<String, (Keyword, u32)>,
 }
 
 /// How a frame was called, and what comes when it is left.
@@ -119,7 +119,7 @@ impl Frame {
         if matches!(open.structure, Structure::If { .. }) {
             self.ended_conditions.insert(open.label);
         } else {
-            self.ended_loops.insert(open.label, open.structure.head());
+            self.ended_loops.insert(open.label, (open.structure.head(), open.line));
         }
     }
 

@@ -131,6 +131,10 @@ impl Control {
             let why = "a numbered program in the file of a sub";
             return Err(Halt::Unspecified(why.to_owned()));
         }
+        if begins.iter().any(|line| labels.is_inside_sub(*line)) {
+            let why = "a numbered program that begins inside a sub";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
         if begins.len() > 1 {
             let why = format!("which one M98 calls where the number {label} stands several times");
             return Err(Halt::Unspecified(why));
