@@ -284,7 +284,6 @@ impl Interpreter {
         self.subs_ahead.clear();
         self.defined_lines.clear();
         self.packed = 0;
-        self.logs = Logs::default();
         self.parameters.numbered.end_notes();
         self.unfinished = None;
         self.ended = None;

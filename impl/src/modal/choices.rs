@@ -1,12 +1,9 @@
 //! The points at which documents differ, as far as they concern modes: read once from the options.
 
-use alloc::collections::btree_map::Iter;
-use alloc::string::String;
-use core::iter::Peekable;
-
 use gaugeblock_trace::Options;
 
 use crate::error::Error;
+use crate::in_order::InOrder;
 
 macro_rules! choices {
     ($($(#[$about:meta])* $name:ident: $id:literal, $first:literal, $second:literal;)*) => {
@@ -21,7 +18,7 @@ macro_rules! choices {
         impl Choices {
             /// Reads the options that concern modes; others are not looked at.
             pub(crate) fn read(options: &Options) -> Result<Self, Error> {
-                let mut in_order = InOrder { options, rest: options.0.iter().peekable() };
+                let mut in_order = InOrder::new(options);
                 Ok(Self {
                     $($name: match in_order.get($id) {
                         None | Some($first) => false,
@@ -33,23 +30,6 @@ macro_rules! choices {
             }
         }
     };
-}
-
-/// Options that are asked for in the order of their ids, which is that in which they are kept: one pass finds them all.
-struct InOrder<'a> {
-    options: &'a Options,
-    rest: Peekable<Iter<'a, String, String>>,
-}
-
-impl<'a> InOrder<'a> {
-    /// The option of a choice; one that is asked for out of order is looked for as any other.
-    fn get(&mut self, id: &str) -> Option<&'a str> {
-        while self.rest.next_if(|(next, _)| next.as_str() < id).is_some() {}
-        match self.rest.next_if(|(next, _)| next.as_str() == id) {
-            Some((_, option)) => Some(option),
-            None => self.options.get(id),
-        }
-    }
 }
 
 choices! {

@@ -9,6 +9,8 @@ use crate::error::Error;
 pub(super) struct Choices {
     /// `abort.read-ahead`: modes and parameters are those that the interpreter has made by reading ahead.
     pub(super) read_on: bool,
+    /// `abort.spindle-and-coolant`: spindles go on, and those that are held at an angle stay so.
+    pub(super) abort_leaves_alone: bool,
     /// `orient.brake-otherwise`: the brake is applied only while the spindle is locked.
     pub(super) brake_while_locked: bool,
     /// `outputs.at-once-over-waiting`: what is set at once takes back what waits.
@@ -34,6 +36,7 @@ impl Choices {
         };
         Ok(Self {
             read_on: second("abort.read-ahead", "none", "read-on")?,
+            abort_leaves_alone: second("abort.spindle-and-coolant", "switched-off", "left-alone")?,
             brake_while_locked: second("orient.brake-otherwise", "while-standing", "while-locked")?,
             at_once_replaces: second("outputs.at-once-over-waiting", "kept", "replaces")?,
             waits_after_abort: second("outputs.waiting-after-abort", "forgotten", "kept")?,

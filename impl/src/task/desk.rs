@@ -252,7 +252,7 @@ impl<M: Machine> Desk<M> {
         self.ahead = false;
         let set = core::mem::take(&mut self.set_ahead);
         if set != Settings::default() {
-            self.followed.set(&set);
+            self.followed.take_over(&set);
             self.machine.set(self.line, &set);
         }
     }

@@ -281,6 +281,7 @@ impl<M: Machine> Task<M> {
         loop {
             match self.desk.machine.wait(None) {
                 Happening::Asked(action) => {
+                    self.desk.look_at_spindles();
                     let idle = self.desk.asked_idle(action);
                     self.interpreter.set_controller_mode(self.desk.mode);
                     if self.desk.take_abort() {
@@ -316,6 +317,8 @@ impl<M: Machine> Task<M> {
         self.desk.take_over();
         self.desk.rest();
         self.interpreter.abort(&mut self.desk);
+        self.desk.release_spindles();
+        self.desk.look_at_spindles();
         self.desk.renew_pins();
         self.interpreter.set_controller_mode(self.desk.mode);
         Activity::Ended(End::Aborted)

@@ -127,7 +127,7 @@ impl Options {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Budget {
-    /// Executed blocks.
+    /// Executed blocks. A loop that is tested at its head executes it each time; one that is not goes on behind it.
     pub steps: u32,
     /// Effects.
     pub effects: u32,

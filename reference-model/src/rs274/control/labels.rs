@@ -28,6 +28,8 @@ pub(super) struct Labels {
     subs: BTreeMap<String, Vec<u32>>,
     /// Lines with a number alone, by number.
     numbers: BTreeMap<String, Vec<u32>>,
+    /// Lines with a number alone inside a sub.
+    numbers_in_subs: BTreeSet<u32>,
 }
 
 #[derive(Clone, Debug)]
@@ -80,6 +82,9 @@ impl Labels {
                     mark.scope = outer;
                     self.scopes.push((mark.line, outer));
                     scopes += 1;
+                }
+                (Keyword::ProgramNumber, Some((Some(_), _))) => {
+                    self.numbers_in_subs.insert(mark.line);
                 }
                 _ => {}
             }
@@ -179,6 +184,11 @@ impl Labels {
     /// Lines of the numbered programs with a number.
     pub(super) fn numbers(&self, label: &str) -> &[u32] {
         self.numbers.get(label).map_or(&[], Vec::as_slice)
+    }
+
+    /// Whether a numbered program begins inside a sub.
+    pub(super) fn is_inside_sub(&self, number: u32) -> bool {
+        self.numbers_in_subs.contains(&number)
     }
 
     /// Every sub of the file in order: its line, and its label where that is written out.

@@ -36,6 +36,9 @@ use super::refusal::{Halt, refuse};
 use super::syntax::{Block, Expression, Keyword, Label, OWord};
 use super::task::Record;
 
+/// The main program among the files.
+pub const MAIN: usize = 0;
+
 /// Where the run stands, and which subs it knows.
 #[derive(Clone, Debug)]
 pub struct Control {

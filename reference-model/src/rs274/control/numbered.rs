@@ -4,7 +4,7 @@ use gaugeblock_trace::{End, FaultKind};
 
 use super::loops::saturated;
 use super::subs::{clear_value, deeper};
-use super::{Call, Control, Frame, Next, Place, Style, o_word};
+use super::{Call, Control, Frame, MAIN, Next, Place, Style, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::read::Words;
@@ -126,6 +126,14 @@ impl Control {
         if is_sub || begins.is_empty() && !labels.subs(label).is_empty() {
             let message = format!("{} begins with sub: M98 does not call it", o_word(label));
             return Err(refuse("fanuc-subs.mixed-m98", FaultKind::MixedStyles, message));
+        }
+        if self.place.file != MAIN && !begins.is_empty() {
+            let why = "a numbered program in the file of a sub";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
+        if begins.iter().any(|line| labels.is_inside_sub(*line)) {
+            let why = "a numbered program that begins inside a sub";
+            return Err(Halt::Unspecified(why.to_owned()));
         }
         if begins.len() > 1 {
             let why = format!("which one M98 calls where the number {label} stands several times");

@@ -37,7 +37,15 @@ pub fn execute(
     state: &mut State,
     record: &mut Record,
 ) -> Result<Rest, Halt> {
+    let frame = state.curve.open.is_some().then(|| state.modes.frame());
     let rest = perform(phase, words, state, record);
+    if rest.is_ok()
+        && phase < Phase::Motion
+        && frame.is_some_and(|frame| frame != state.modes.frame())
+    {
+        let why = "another length unit or offset within the data block of G5.2".to_owned();
+        return Err(Halt::Unspecified(why));
+    }
     if matches!(rest, Err(Halt::Refused(_))) {
         refused_at(phase, words, state);
     }

@@ -113,7 +113,7 @@ pub fn is_reached_again(known: Option<&Place>, place: Place, state: &State) -> b
 pub fn value_at_definition(control: &mut Control, end: u32, state: &mut State) -> Result<(), Halt> {
     control.place.line = end;
     let Some(Line::Block(text)) = control.files.line(control.place, state) else { return Ok(()) };
-    let values = syntax::parse(&text, state)?.o_word.map_or_else(Vec::new, |word| word.arguments);
+    let values = syntax::parse(text, state)?.o_word.map_or_else(Vec::new, |word| word.arguments);
     let value = values.first().map(|value| with_zeros(value, state));
     let value = value.map(|value| read::evaluate(&value, state)).transpose()?;
     state.parameters.returned = value.unwrap_or(0.0);

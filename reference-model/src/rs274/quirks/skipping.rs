@@ -33,6 +33,9 @@ pub(crate) enum Sought<'a> {
     Numbered,
 }
 
+/// Without any of these, what is passed over is not looked at.
+const QUIRKS: [&str; 3] = ["rs274.skipped-is-read", "rs274.skipped-labels", "rs274.number-in-sub"];
+
 /// The lines behind this block and before line `end` are passed over; all of the file, where there is no end.
 ///
 /// Quirk rs274.skipped-is-read. Their length, comments, line numbers, O-words and blocks that begin with M98 are checked.
@@ -47,6 +50,9 @@ pub(crate) fn pass_over(
     end: Option<u32>,
     state: &mut State,
 ) -> Result<(), Halt> {
+    if !QUIRKS.iter().any(|quirk| state.readings.quirk(quirk)) {
+        return Ok(());
+    }
     let start = control.place;
     for line in start.line + 1..end.unwrap_or(u32::MAX) {
         let place = Place { line, ..start };
@@ -54,7 +60,7 @@ pub(crate) fn pass_over(
             None | Some(Line::End) => break,
             Some(Line::Nothing) => {}
             Some(Line::Block(text)) => {
-                minded(&text, sought, state).inspect_err(|_| control.place = place)?;
+                minded(text, sought, state).inspect_err(|_| control.place = place)?;
             }
         }
     }

@@ -45,6 +45,11 @@ pub(super) fn perform(words: &Words, state: &mut State, record: &mut Record) -> 
         store(first, state);
         return Ok(());
     }
+    let turns = [Axis::X, Axis::Y].iter().all(|axis| state.machine.axes.contains(axis));
+    if state.modes.rotation != 0.0 && !turns {
+        let why = "where a stored position is in a rotated system of a machine without X or Y";
+        return Err(Halt::Unspecified(why.to_owned()));
+    }
     if has_axis_words(words) {
         by_way_of(first, words, state, record)
     } else {

@@ -27,6 +27,7 @@ impl Run<'_> {
         } else {
             End::Aborted
         };
+        self.state.frames[0].forget_saved();
         self.forget_waiting();
         self.switch_off();
         if let Some(modes) = &self.at_last_motion {
@@ -92,7 +93,12 @@ impl Run<'_> {
             has_moved: self.has_moved,
         };
         let how_far = ahead.program();
-        self.take_over(ahead.state);
+        let refused = matches!(how_far, End::Fault(_));
+        match ahead.at_block.filter(|_| refused) {
+            // A refused block has done nothing.
+            Some(before) => self.take_over(*before),
+            None => self.take_over(ahead.state),
+        }
         match how_far {
             left_open @ (End::Unspecified { .. } | End::Unsupported { .. }) => left_open,
             End::BudgetExhausted { .. } => {

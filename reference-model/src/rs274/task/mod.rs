@@ -31,7 +31,7 @@ pub(crate) use pins::{are_shown, show};
 pub use record::Record;
 
 use self::operator::Operator;
-use super::control::{Control, Frame, Place};
+use super::control::{Control, Frame, MAIN, Place};
 use super::machine::{Panel, State, slots};
 use super::modes::Modes;
 use super::outside::Outside;
@@ -276,9 +276,6 @@ impl<'a> Run<'a> {
         }
     }
 }
-
-/// The main program among the files.
-const MAIN: usize = 0;
 
 /// Opens the text of what the operator enters by hand: a line for each event, in the order of the scenario.
 fn open_entries(scenario: &Scenario, control: &mut Control, state: &mut State) -> Place {

@@ -47,6 +47,8 @@ impl Run<'_> {
         happening: Happening<'_>,
         activity: Activity,
     ) -> Result<Answer, Halt> {
+        // A spindle may have come to its angle meanwhile.
+        self.show(None);
         let panel = &mut self.state.panel;
         match happening.action {
             Action::OptionalStop(on) => panel.optional_stop = *on,

@@ -28,14 +28,14 @@ pub struct Source {
 }
 
 /// What a line of a file is, before it is parsed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Line {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Line<'a> {
     /// Nothing to execute: it is blank, or a slash skips it.
     Nothing,
     /// A percent line that ends the file.
     End,
     /// A block, perhaps one that will be refused.
-    Block(String),
+    Block(&'a str),
 }
 
 impl Source {
@@ -65,7 +65,7 @@ impl Source {
     /// Rule text.blank-lines. Blank lines are allowed and ignored.
     /// Rule text.block-delete-on. While block delete is on, a line that begins with a slash is skipped unread.
     /// Rule text.percent-file. In a file that begins with a percent line, the second one ends the program.
-    pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line> {
+    pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line<'_>> {
         let line = self.lines.get(index)?;
         state.evidence.accepted("text.line-end");
         if is_blank(line) {
@@ -89,7 +89,7 @@ impl Source {
                 _ => {}
             }
         }
-        Some(Line::Block(line.clone()))
+        Some(Line::Block(line))
     }
 
     /// Rule text.percent-unclosed. A file with a percent line at its beginning, and neither another one nor a program
