@@ -2,6 +2,8 @@
 
 #[path = "motion/check.rs"]
 mod check;
+#[path = "motion/found.rs"]
+mod found;
 #[path = "motion/operators.rs"]
 mod operators;
 #[path = "motion/programs.rs"]

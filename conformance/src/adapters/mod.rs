@@ -16,6 +16,7 @@ use std::fmt;
 use std::num::NonZero;
 use std::ops::RangeInclusive;
 
+use gaugeblock_trace::motion::{MotionLimits, MotionScript, Samples};
 use gaugeblock_trace::{
     Effect, Entry, Options, Outcome, Pin, Rs274State, Scenario, Settings, Value,
 };
@@ -111,6 +112,28 @@ impl Capabilities {
     }
 }
 
+/// A run whose servo samples are asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<'a> {
+    /// The program and what it depends on.
+    pub scenario: &'a Scenario,
+    /// What the axes can do.
+    pub limits: &'a MotionLimits,
+    /// What a person and the inputs do.
+    pub script: &'a MotionScript,
+    /// The planner is given a segment in so many servo cycles; as many as it takes where nothing is said.
+    pub every: Option<u32>,
+}
+
+/// Why there are no samples.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NotMoved {
+    /// It shows none, or not of such a run.
+    Unsupported(String),
+    /// It failed.
+    Failed(String),
+}
+
 /// A controller under test, behind the vocabulary.
 pub trait Adapter: fmt::Debug + Send + Sync {
     /// What it shows.
@@ -166,6 +189,20 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// The edition that says what it really does, if there is one.
     fn observed_edition(&self) -> Option<&'static str> {
         None
+    }
+
+    /// Whether it judges samples of others by laws of motion, instead of moving itself.
+    fn has_laws_of_motion(&self) -> bool {
+        false
+    }
+
+    /// What it commands of the axes while it runs a program.
+    ///
+    /// # Errors
+    /// It shows no samples at all or not of such a run, or it fails.
+    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
+        let _whatever_it_is = motion;
+        Err(NotMoved::Unsupported("it shows no servo samples".to_owned()))
     }
 
     /// Runs the scenario on a controller that nothing ran on before. None where each run is such a one anyway.

@@ -18,7 +18,7 @@ use crate::fuzz::groups::{Find, Groups, merged, shrunk};
 use crate::fuzz::journal::{Header, Journal};
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{Extent, Plan, Shard, run};
-use crate::suite::{Edition, Suite};
+use crate::suite::{Edition, RuleOutcome, Suite};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock fuzz
@@ -156,6 +156,11 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
         statistics: &so_far.statistics,
         finds: &finds,
         known: &known,
+        rare: if arguments.only.is_empty() {
+            so_far.statistics.rarely_reached(outcomes(suite, edition))
+        } else {
+            Vec::new()
+        },
         seconds,
     };
     if let Some(folder) = &arguments.report {
@@ -350,6 +355,23 @@ fn seeds(suite: &Suite, edition: &Edition, options: &Options) -> Vec<gaugeblock_
         .map(|(_, case)| scenario_of(case, options, edition))
         .filter(|scenario| scenario.operator.is_empty() && scenario.program.main.len() < 2000)
         .collect()
+}
+
+/// The outcomes that the suite's rules may have under an edition.
+fn outcomes<'a>(
+    suite: &'a Suite,
+    edition: &'a Edition,
+) -> impl Iterator<Item = (&'a str, gaugeblock_reference::RuleOutcome)> {
+    let rules = suite.rules.iter().filter(|rule| !rule.void.contains_key(&edition.id));
+    rules.flat_map(|rule| {
+        rule.outcomes.iter().map(move |outcome| {
+            let reached = match outcome {
+                RuleOutcome::Accepted => gaugeblock_reference::RuleOutcome::Accepted,
+                RuleOutcome::Refused => gaugeblock_reference::RuleOutcome::Refused,
+            };
+            (rule.id.as_str(), reached)
+        })
+    })
 }
 
 fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {

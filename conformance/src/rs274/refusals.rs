@@ -52,6 +52,7 @@ pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
             Phase::Motion
         }
         Some(_) if fault.message.starts_with("an incremental polar move") => Phase::Motion,
+        Some(_) if fault.message.starts_with("tapping") => Phase::Motion,
         Some(FaultKind::ToolNotFound) => Phase::Tool,
         Some(FaultKind::NothingSaved) => Phase::Saved,
         _ => Phase::Comment,
@@ -92,13 +93,15 @@ pub(super) enum Begun {
 pub(super) fn begun(fault: &Fault, words: &Words) -> Option<Begun> {
     words.g_of(&CYCLES)?;
     match fault.message.as_str() {
-        "a cycle that dwells without P"
-        | "a cycle that pecks without Q"
-        | "P is negative"
-        | "Q is negative or zero" => Some(Begun::Above),
-        "G86 while the spindle stands" | "tapping while the spindle stands" => {
-            Some(Begun::OverHole)
+        "a cycle that dwells without P" | "a cycle that pecks without Q" | "P is negative" => {
+            Some(Begun::Above)
         }
+        // A negative Q is taken for none.
+        "Q is negative or zero" if words.get(b'Q').is_some_and(|q| q < 0.0) => Some(Begun::Above),
+        "Q is negative or zero"
+        | "G86 while the spindle stands"
+        | "tapping while the spindle stands"
+        | "tapping while the spindle turns the other way" => Some(Begun::OverHole),
         _ => None,
     }
 }

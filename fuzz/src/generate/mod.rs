@@ -53,7 +53,7 @@ pub struct Recipe {
 impl Default for Recipe {
     fn default() -> Self {
         Self {
-            blocks: (4, 44),
+            blocks: (4, 58),
             wrong_programs: 15,
             wrong_blocks: 5,
             single_kind_programs: 12,

@@ -97,6 +97,11 @@ impl Resolver {
         self.at
     }
 
+    /// Whether moves follow the spindle turn by turn, so that no override may act on them (G33, G76).
+    pub fn threads(&self) -> bool {
+        self.pitch.is_some()
+    }
+
     /// The point is elsewhere: a probe has stopped a move on its way, or a run was broken off.
     pub fn stand_at(&mut self, at: Axes) {
         self.at = at;

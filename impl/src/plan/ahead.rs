@@ -26,7 +26,10 @@ struct Wave {
 /// What look-ahead has still to do.
 #[derive(Debug)]
 pub(super) struct Ahead {
+    /// What is planned for from now on.
     pub(super) scale: Scale,
+    /// What the pieces next to the motion may still be planned for, while they are planned for another scale.
+    before: Option<Scale>,
     wave: Option<Wave>,
     /// Pieces from the first to the second, whose raise no wave has taken up.
     pending: Option<(u64, u64)>,
@@ -38,7 +41,7 @@ pub(super) struct Ahead {
 
 impl Ahead {
     pub(super) fn new(scale: Scale) -> Self {
-        Self { scale, wave: None, pending: None, stale: u64::MAX, touched: 0 }
+        Self { scale, before: None, wave: None, pending: None, stale: u64::MAX, touched: 0 }
     }
 
     /// Computes the pieces from `changed` on, and lowers those before them that relied on more. Gives back the first piece
@@ -119,8 +122,19 @@ impl Ahead {
         Some(Wave { next: high, floor: low, from: high })
     }
 
+    /// The most that any piece next to the motion is planned for.
+    pub(super) fn planned(&self) -> Scale {
+        self.before.map_or(self.scale, |before| before.most(self.scale))
+    }
+
+    /// All that lies next is planned for the scale by now.
+    pub(super) fn settled(&mut self) {
+        self.before = None;
+    }
+
     /// Plans for other overrides from now on: what lies next is planned anew, the rest when the motion comes near.
     pub(super) fn rescale(&mut self, scale: Scale, ring: &Ring<Piece>, at: u64) {
+        self.before = Some(self.planned());
         self.scale = scale;
         self.stale = at;
         self.refresh(ring, at);
@@ -143,8 +157,8 @@ impl Ahead {
 /// The square of the speed at which a piece may be left, by its own parameter.
 pub(super) fn exit(ring: &Ring<Piece>, piece: &Piece, place: u64) -> f64 {
     match ring.get(place.wrapping_add(1)) {
-        Some(next) if !next.from_rest => next.reach / (piece.exit * piece.exit),
-        Some(_) | None => 0.0,
+        Some(next) => next.reach / (piece.exit * piece.exit),
+        None => 0.0,
     }
 }
 

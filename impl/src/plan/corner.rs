@@ -3,23 +3,24 @@
 use super::leg::{Leg, norm};
 use super::limits::{Limits, SMOOTH, least, squared};
 use super::parameters::Axes;
-use super::piece::{Pace, Piece};
+use super::piece::{Law, Pace, Piece};
 use super::segment::Blend;
 use crate::math;
 
-/// How far an exact path may be left where its direction breaks by less than [`BREAK`], millimetres: arcs that are written
-/// with five decimals never meet quite smoothly.
-const EXACT: f64 = 1e-6;
 /// The change of direction from which an exact path comes to rest, radians.
 const BREAK: f64 = 0.05;
+/// How often the speed at which a kink may be passed is halved in.
+const HALVINGS: u32 = 12;
+/// The most that a kink may use of what an arc beside it can do: the whole of its turn is slower for it.
+const ROUND_KINK: f64 = 0.075;
 /// The share of the acceleration that a blend may cost where it has the length to choose.
 const COST: f64 = 0.05;
 /// The angle of an arc that is bent for a corner at most, radians: its acceleration is bounded over the whole of that.
 const ROUND: f64 = 0.1;
 /// How much of a tolerance is used: rounding has the rest.
 const KEPT: f64 = 1.0 - 1e-9;
-/// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one.
-const UNEQUAL: f64 = 1.1;
+/// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much where a feed limits it.
+const UNEQUAL: f64 = 1.001;
 
 /// What may be done at a corner, before the lengths of its legs are shared out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -28,6 +29,8 @@ pub(super) enum Corner {
     Stop,
     /// The legs meet smoothly.
     Smooth,
+    /// The path is exact, and its direction breaks so little that the motion need not rest.
+    Kink(Kink),
     /// A blend may take so much of each leg, and not more than half of it if `half`.
     Blend { most: f64, half: bool },
 }
@@ -50,19 +53,118 @@ impl Corner {
         if break_ < SMOOTH {
             return if blend == Blend::ExactStop { Self::Stop } else { Self::Smooth };
         }
-        let (tolerance, half) = match blend {
-            Blend::ExactStop => return Self::Stop,
-            Blend::ExactPath if break_ > BREAK => return Self::Stop,
-            Blend::ExactPath => (EXACT, false),
-            Blend::Within(tolerance) => (tolerance, false),
-            Blend::BetweenMidpoints => (f64::INFINITY, true),
+        let (tolerance, half) = match (blend, after.blend) {
+            (Blend::ExactStop, _) => return Self::Stop,
+            (Blend::ExactPath, _) if break_ > BREAK => return Self::Stop,
+            (Blend::ExactPath, _) => {
+                return Self::Kink(Kink::between(before, after, &turn, limits));
+            }
+            // A leg is left by what it allows itself, whatever the other one does.
+            (Blend::Within(one), Blend::Within(other)) => (one.min(other), false),
+            (Blend::Within(tolerance), Blend::BetweenMidpoints)
+            | (Blend::BetweenMidpoints, Blend::Within(tolerance)) => (tolerance, true),
+            (Blend::Within(tolerance), _) => (tolerance, false),
+            (Blend::BetweenMidpoints, _) => (f64::INFINITY, true),
         };
+        // A blend has one feed, and nobody can say which of two is slower that are counted by time and by turns.
+        let paces = [before.whole.pace, after.whole.pace];
+        if paces.contains(&Pace::Turn) && paces.contains(&Pace::Second) {
+            return Self::Stop;
+        }
         // A blend that is long enough to cost nothing need not be longer.
         let fastest = pressing(before).min(pressing(after));
         let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, turn.len()));
         let most = (4.0 * KEPT * tolerance / break_).min(enough);
         let most = most.min(round(before)).min(round(after));
         if most > 0.0 { Self::Blend { most, half } } else { Self::Stop }
+    }
+}
+
+/// A corner of an exact path that is passed without rest.
+///
+/// An exact path is one whose every commanded point lies on it, and points are commanded once in a cycle. Between two of them the
+/// velocity may jump at a corner, if it could have changed by as much in the time. What an axis is seen to accelerate is a mean over
+/// two cycles, in which the middle counts most (a triangle of height 1/h): so a jump J counts at most as J/h there.
+///
+/// Let jumps be spread evenly over times of T about their corners, which do not overlap: T is a cycle h at most, and
+/// no longer than the way to the next corner. Then such a spread jump counts as much as the jump itself, but for the one that holds the
+/// middle: J/h against J/h·(1 - T/4h). If J ≤ c·T, that is c/4·T/h too little, and leaving another c/3 within T makes up for it,
+/// since T·(1 - T/4h)/3 ≥ T/4. So an axis that can do a keeps its limit if along the path it is given a - 4c/3 within T.
+/// With c ≤ a/2 a corner between two samples is missed by their chord no farther than by a motion that accelerates evenly: by
+/// J·h/4 ≤ a·h²/8.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Kink {
+    /// The square of the speed at which it may be passed.
+    entry: f64,
+    /// How much of each leg half of T takes, millimetres.
+    pub(super) near: f64,
+    /// The share of all accelerations that remains there.
+    left: f64,
+}
+
+impl Kink {
+    fn between(before: &Leg, after: &Leg, turn: &Axes, limits: &Limits) -> Self {
+        let h = limits.cycle;
+        // Per axis c·|direction of the jump|, by which the speed times T is bounded.
+        let jump = 0.5 * least(&limits.planned, turn, turn.len());
+        let rounds = before.whole.circle.is_some() || after.whole.circle.is_some();
+        let jump = if rounds { ROUND_KINK * jump } else { jump };
+        // The most that the speed rises within a cycle: the way to the next corner takes no less than length / (speed + rise).
+        let (one, other) = (along(before), along(after));
+        let rise = one.max(other) * h;
+        let length = before.whole.length.min(after.whole.length);
+        let used = |speed: f64| speed * (1.0 / h).max((speed + rise) / length) / jump;
+        // A hold may take two cycles more to stop than what all of an axis can do: so little may be missing.
+        let eases = |speed: f64| {
+            let cycles = 2.0 * one.min(other) * h / speed;
+            1.5 * cycles / (1.0 + cycles)
+        };
+        let fits = |speed: f64| used(speed) <= eases(speed).min(1.0);
+        let mut speed = math::sqrt(pressing(before).min(pressing(after)));
+        if !fits(speed) {
+            let mut low = 0.0;
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + speed);
+                if fits(middle) { low = middle } else { speed = middle }
+            }
+            speed = low;
+        }
+        let used = if rounds { ROUND_KINK * used(speed) } else { used(speed) };
+        let near = 0.5 * h * (speed + 0.25 * rise);
+        Self { entry: squared(speed), near, left: 1.0 - used * 2.0 / 3.0 }
+    }
+
+    /// The last part of the leg before it.
+    pub(super) fn end(&self, leg: &Leg, given: f64) -> Piece {
+        self.eased(leg.whole.part(leg.whole.length - given, leg.whole.length))
+    }
+
+    /// The first part of the leg after it.
+    pub(super) fn start(&self, leg: &Leg, given: f64) -> Piece {
+        let piece = self.eased(leg.whole.part(0.0, given));
+        Piece { entry: self.entry, begins: Some(0.0), ..piece }
+    }
+
+    fn eased(&self, mut piece: Piece) -> Piece {
+        match &mut piece.law {
+            Law::Even { acceleration } => *acceleration *= self.left,
+            Law::Round { acceleration, planned } => {
+                *acceleration *= self.left;
+                *planned *= self.left;
+                piece.ceiling *= self.left;
+                piece.fastest = math::sqrt(piece.ceiling);
+            }
+            Law::Bent | Law::Dwell(_) => {}
+        }
+        piece
+    }
+}
+
+/// The most that a leg may be accelerated along itself.
+fn along(leg: &Leg) -> f64 {
+    match leg.whole.law {
+        Law::Even { acceleration } | Law::Round { acceleration, .. } => acceleration,
+        Law::Bent | Law::Dwell(_) => 0.0,
     }
 }
 
@@ -79,12 +181,18 @@ fn pressing(leg: &Leg) -> f64 {
     }
 }
 
-/// How much of each leg a blend takes, given what there is: equal lengths, or nearly so between lines.
-pub(super) fn share(most: f64, (before, after): (f64, f64), lines: bool) -> (f64, f64) {
+/// How much of each leg a blend takes, given what there is: equal lengths, or nearly so between lines. An arc's parameter may run a little
+/// slower or faster at its end than the path: then lengths are equal along the path.
+pub(super) fn share(most: f64, (before, after): (f64, f64), lines: bool, exit: f64) -> (f64, f64) {
     let (before, after) = (most.min(before), most.min(after));
     let short = before.min(after);
     let near = lines && before.max(after) <= UNEQUAL * short;
-    if near { (before, after) } else { (short, short) }
+    if near {
+        (before, after)
+    } else {
+        let end = short / exit.max(1.0);
+        (end, end * exit)
+    }
 }
 
 /// The parabola between two lines that takes d of the first and e of the second.
@@ -107,25 +215,37 @@ pub(super) fn parabola(before: &Leg, after: &Leg, (d, e): (f64, f64), limits: &L
     }
     blend.begins = Some(d);
     limits.rule(&mut blend);
-    slower(&mut blend, &before.whole);
+    // On its way from one direction to the other a blend has more of what a feed is measured along than one of its legs, and no more than the
+    // other.
+    let most = before.felt.max(after.felt);
+    blend.feed *= after.felt / most;
+    slower(&mut blend, &Piece { feed: before.whole.feed * before.felt / most, ..before.whole });
     blend.feed /= blend.exit.max(1.0);
     blend
 }
 
 /// The last d of the leg before a corner, bent by half of its turn.
-pub(super) fn bent_end(leg: &Leg, turn: &Axes, d: f64, limits: &Limits) -> Piece {
+pub(super) fn bent_end((leg, after): (&Leg, &Leg), turn: &Axes, d: f64, limits: &Limits) -> Piece {
     let length = leg.whole.length;
     let mut piece = leg.whole.part(length - d, length);
+    // Where the radius of an arc changes, p' is not quite 1 long at its end.
+    let exit = leg.whole.exit;
     for ((bend, end), turn) in piece.bend.iter_mut().zip(&mut piece.end).zip(turn) {
-        *bend += turn / (2.0 * d);
-        *end += turn * d / 4.0;
+        *bend += exit * turn / (2.0 * d);
+        *end += exit * turn * d / 4.0;
     }
+    piece.feed *= (leg.felt / after.felt).min(1.0);
     finish(&mut piece, turn, d, limits);
     piece
 }
 
 /// The first d of the leg after a corner, bent by the other half.
-pub(super) fn bent_start(leg: &Leg, turn: &Axes, d: f64, limits: &Limits) -> Piece {
+pub(super) fn bent_start(
+    (before, leg): (&Leg, &Leg),
+    turn: &Axes,
+    d: f64,
+    limits: &Limits,
+) -> Piece {
     let mut piece = leg.whole.part(0.0, d);
     for (((origin, rate), bend), turn) in
         piece.origin.iter_mut().zip(&mut piece.rate).zip(&mut piece.bend).zip(turn)
@@ -135,6 +255,7 @@ pub(super) fn bent_start(leg: &Leg, turn: &Axes, d: f64, limits: &Limits) -> Pie
         *bend += turn / (2.0 * d);
     }
     piece.begins = Some(0.0);
+    piece.feed *= (leg.felt / before.felt).min(1.0);
     finish(&mut piece, turn, d, limits);
     piece
 }
@@ -160,6 +281,7 @@ fn stricter(before: Blend, after: Blend) -> Blend {
 
 /// A blend has the slower of both feeds.
 fn slower(blend: &mut Piece, other: &Piece) {
+    blend.rapid = blend.pace == Pace::Rapid || other.pace == Pace::Rapid;
     if other.pace != Pace::Rapid && (blend.pace == Pace::Rapid || other.feed < blend.feed) {
         blend.feed = other.feed;
         blend.pace = other.pace;

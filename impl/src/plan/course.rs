@@ -78,7 +78,6 @@ impl Course {
         let mut rest = Piece { origin: self.end, end: self.end, exit: 1.0, ..Piece::default() };
         rest.law = Law::Dwell(seconds);
         rest.axes = self.end.len();
-        rest.from_rest = true;
         queue.ring.push(&rest);
         self.close();
     }
@@ -100,7 +99,7 @@ impl Course {
         }
         let made = match next.corner {
             Corner::Stop => false,
-            Corner::Smooth | Corner::Blend { .. } => {
+            Corner::Smooth | Corner::Kink(_) | Corner::Blend { .. } => {
                 self.open > 1 && revised(before, last, next, queue) || blended(last, next, queue)
             }
         };
@@ -133,10 +132,12 @@ fn revised(before: &mut Open, last: &mut Open, next: &mut Open, queue: &mut Queu
     let length = last.leg.whole.length;
     let left = match next.corner {
         Corner::Blend { most, .. } => length - most,
+        Corner::Kink(kink) => length - kink.near.min(0.5 * length),
         Corner::Stop | Corner::Smooth => length * FIRST,
     };
     let after = left.max(0.5 * length);
-    let given = share(most, (room(before), after), lines(&before.leg, &last.leg));
+    let given =
+        share(most, (room(before), after), lines(&before.leg, &last.leg), before.leg.whole.exit);
     if given.0 <= last.given.0 * (1.0 + 1e-9) || !fits(before, given.0, queue) {
         return false;
     }
@@ -190,7 +191,7 @@ fn fits(open: &Open, given: f64, queue: &Queue<'_>) -> bool {
 /// How much of a leg is left for the corner at its end.
 fn room(open: &Open) -> f64 {
     match open.corner {
-        Corner::Blend { .. } => open.leg.whole.length - open.leg.taken,
+        Corner::Kink(_) | Corner::Blend { .. } => open.leg.whole.length - open.leg.taken,
         Corner::Stop | Corner::Smooth => open.leg.whole.length * FIRST,
     }
 }
@@ -203,11 +204,16 @@ fn lines(before: &Leg, after: &Leg) -> bool {
 fn provisional(last: &Open, next: &Open) -> (f64, f64) {
     match next.corner {
         Corner::Stop | Corner::Smooth => (0.0, 0.0),
+        Corner::Kink(kink) => {
+            // Half of a leg is left for the corner at its other end, and nothing is where that one begins at rest.
+            let half = |leg: &Leg| kink.near.min(0.5 * leg.whole.length);
+            (half(&last.leg).min(room(last)), half(&next.leg))
+        }
         Corner::Blend { most, half } => {
             let before = room(last);
             let before = if half { before.min(0.5 * last.leg.whole.length) } else { before };
             let rooms = (before, 0.5 * next.leg.whole.length);
-            share(most, rooms, lines(&last.leg, &next.leg))
+            share(most, rooms, lines(&last.leg, &next.leg), last.leg.whole.exit)
         }
     }
 }
@@ -229,35 +235,36 @@ fn follow(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) {
 fn push_main(open: &mut Open, given: f64, queue: &mut Queue<'_>) {
     queue.ring.truncate(open.main);
     queue.changed = queue.changed.min(open.main);
-    let whole = &mut open.leg.whole;
+    let whole = &open.leg.whole;
     let (from, to) = (open.leg.taken, whole.length - given);
     open.own = to - from > NOTHING;
     if !open.own {
         return;
     }
-    whole.from_rest = open.corner == Corner::Stop;
-    whole.begins = match open.corner {
-        Corner::Stop | Corner::Smooth => Some(0.0),
-        Corner::Blend { .. } => None,
-    };
-    if from > 0.0 || given > 0.0 {
-        let part = whole.part(from, to);
-        push(&part, queue);
-    } else {
-        push(whole, queue);
+    let mut piece = if from > 0.0 || given > 0.0 { whole.part(from, to) } else { *whole };
+    match open.corner {
+        Corner::Stop => (piece.entry, piece.begins) = (0.0, Some(0.0)),
+        Corner::Smooth => piece.begins = Some(0.0),
+        Corner::Kink(_) | Corner::Blend { .. } => {}
     }
+    push(&piece, queue);
 }
 
 fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
     after.leg.taken = 0.0;
+    let (d, e) = after.given;
+    if let Corner::Kink(kink) = &after.corner {
+        push(&kink.end(before, d), queue);
+        push(&kink.start(&after.leg, e), queue);
+        after.leg.taken = e;
+    }
     if let Corner::Blend { .. } = after.corner {
-        let (d, e) = after.given;
         if lines(before, &after.leg) {
             push(&parabola(before, &after.leg, (d, e), queue.limits), queue);
         } else {
             let turn = turn(before, &after.leg);
-            push(&bent_end(before, &turn, d, queue.limits), queue);
-            push(&bent_start(&after.leg, &turn, d, queue.limits), queue);
+            push(&bent_end((before, &after.leg), &turn, d, queue.limits), queue);
+            push(&bent_start((before, &after.leg), &turn, e, queue.limits), queue);
         }
         after.leg.taken = e;
     }

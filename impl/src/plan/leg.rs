@@ -18,6 +18,8 @@ pub(super) struct Leg {
     pub(super) last: Axes,
     /// What may happen at its end.
     pub(super) blend: Blend,
+    /// How fast that runs which its feed is measured along, over the parameter, at most.
+    pub(super) felt: f64,
     /// How much of it the corner at its start has taken.
     pub(super) taken: f64,
 }
@@ -39,7 +41,7 @@ pub(super) fn resolve(
     limits: &Limits,
 ) -> Result<Resolved, NotQueued> {
     let whole = &mut leg.whole;
-    *whole = Piece { origin: *start, exit: 1.0, ..Piece::default() };
+    *whole = Piece { origin: *start, exit: 1.0, entry: f64::INFINITY, ..Piece::default() };
     match segment.path {
         Path::Dwell { seconds } if seconds >= 0.0 && seconds.is_finite() => {
             return Ok(Resolved::Dwell(seconds));
@@ -52,6 +54,7 @@ pub(super) fn resolve(
         Blend::Within(tolerance) => tolerance >= 0.0,
         Blend::ExactStop | Blend::ExactPath | Blend::BetweenMidpoints => true,
     };
+    leg.felt = felt(whole).1;
     if !tolerated || !pace(whole, segment.feed) {
         return Err(NotQueued::Malformed);
     }
@@ -65,7 +68,7 @@ pub(super) fn resolve(
         return Err(NotQueued::Malformed);
     }
     (leg.first, leg.last) = match whole.circle {
-        Some(_) => (whole.tangent(0.0), whole.tangent(whole.length)),
+        Some(_) => (whole.tangent(0.0), whole.tangent(whole.length).map(|rate| rate / whole.exit)),
         None => (whole.rate, whole.rate),
     };
     leg.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
@@ -117,26 +120,35 @@ fn arc(
     let sense = if angle < 0.0 { -1.0 } else { 1.0 };
     let across = cross(normal, &radius).map(|value| sense * value);
     let (sine, cosine) = math::turned(angle.abs());
-    // What the circle does not do: the helix, other axes, and what is wrong with the end point.
+    let size = math::sqrt(dot(&radius, &radius));
+    if size <= 0.0 || angle.abs() <= 0.0 {
+        return Err(NotQueued::Malformed);
+    }
+    let mut last = [0.0; 3];
+    for ((last, end), centre) in last.iter_mut().zip(end).zip(centre) {
+        *last = end - centre;
+    }
+    let rise = dot(&last, normal);
+    let grown = math::sqrt((dot(&last, &last) - rise * rise).max(0.0)) / size;
+    // What the circle does not do: the helix and other axes.
     let mut even = *end;
     for (even, start) in even.iter_mut().zip(&start) {
         *even -= start;
     }
     for ((even, along), across) in even.iter_mut().zip(&radius).zip(&across) {
-        *even -= along * (cosine - 1.0) + across * sine;
+        *even -= grown * (along * cosine + across * sine) - along;
     }
-    let turned = math::sqrt(dot(&radius, &radius)) * angle.abs();
-    if turned <= 0.0 {
-        return Err(NotQueued::Malformed);
-    }
+    let turned = size * math::hypotenuse(angle, grown - 1.0);
     let length = math::hypotenuse(turned, norm(&even));
     for (origin, radius) in whole.origin.iter_mut().zip(&radius) {
         *origin -= radius;
     }
     whole.rate = even.map(|value| value / length);
-    whole.circle = Some(Circle { cosine: radius, sine: across, turn: angle.abs() / length });
+    let (turn, growth) = (angle.abs() / length, (grown - 1.0) / length);
+    whole.circle = Some(Circle { cosine: radius, sine: across, turn, growth });
     whole.axes = in_use(&whole.rate);
     (whole.end, whole.length) = (*end, length);
+    whole.exit = norm(&whole.tangent(length));
     Ok(())
 }
 
@@ -144,9 +156,12 @@ fn arc(
 fn pace(whole: &mut Piece, feed: Feed) -> bool {
     let (pace, speed) = match feed {
         Feed::Rapid => (Pace::Rapid, f64::INFINITY),
-        Feed::PerSecond(feed) => (Pace::Second, feed * whole.length / felt(whole)),
-        Feed::InTime(seconds) => (Pace::Second, whole.length / seconds),
-        Feed::PerTurn(feed) => (Pace::Turn, feed * whole.length / felt(whole)),
+        Feed::PerSecond(feed) => (Pace::Second, feed / felt(whole).1),
+        Feed::InTime(seconds) => {
+            let (least, most) = felt(whole);
+            (Pace::Second, whole.length / seconds * least / most)
+        }
+        Feed::PerTurn(feed) => (Pace::Turn, feed / felt(whole).1),
     };
     whole.pace = pace;
     whole.feed = speed;
@@ -154,17 +169,24 @@ fn pace(whole: &mut Piece, feed: Feed) -> bool {
     nowhere || speed > 0.0
 }
 
-/// The length that a feed is measured along.
-fn felt(whole: &Piece) -> f64 {
-    let turning = whole
-        .circle
-        .map_or(0.0, |circle| circle.turn * math::sqrt(dot(&circle.cosine, &circle.cosine)));
+/// How fast that runs which a feed is measured along, over the parameter: the least and the most of it.
+fn felt(whole: &Piece) -> (f64, f64) {
     let [x, y, z, a, b, c, u, v, w] = whole.rate;
-    let linear = squared(x) + squared(y) + squared(z) + squared(turning);
+    let even = squared(x) + squared(y) + squared(z);
+    let linear = match &whole.circle {
+        None => (even, even),
+        Some(circle) => {
+            let radius = dot(&circle.cosine, &circle.cosine);
+            let turning = |grown: f64| squared(circle.turn * grown) + squared(circle.growth);
+            let (start, end) = (turning(1.0), turning(circle.grown(whole.length)));
+            (even + radius * start.min(end), even + radius * start.max(end))
+        }
+    };
     let second = squared(u) + squared(v) + squared(w);
     let rotary = squared(a) + squared(b) + squared(c);
-    let share = [linear, second, rotary].into_iter().find(|share| *share > 0.0);
-    whole.length * math::sqrt(share.unwrap_or(1.0))
+    let shares = [linear, (second, second), (rotary, rotary)];
+    let (least, most) = shares.into_iter().find(|(_, most)| *most > 0.0).unwrap_or((1.0, 1.0));
+    (math::sqrt(least), math::sqrt(most))
 }
 
 /// How many leading axes cover those that move.

@@ -78,7 +78,7 @@ impl Limits {
         let axes = piece.axes;
         let mut along = greatest(piece, circle);
         let mut across = piece.bend.map(f64::abs);
-        let turning = amplitudes(circle).map(|amplitude| amplitude * circle.turn);
+        let turning = amplitudes(circle, piece.length).map(|amplitude| amplitude * circle.turn);
         for (across, turning) in across.iter_mut().zip(&turning) {
             *across += turning;
         }
@@ -100,18 +100,22 @@ impl Limits {
 /// The most of each axis in p' on an arc.
 fn greatest(piece: &Piece, circle: &Circle) -> Axes {
     let mut greatest = piece.rate.map(f64::abs);
-    for (most, amplitude) in greatest.iter_mut().zip(&amplitudes(circle)) {
+    for (most, amplitude) in greatest.iter_mut().zip(&amplitudes(circle, piece.length)) {
         *most += amplitude;
     }
     greatest
 }
 
-/// How far p' swings on X, Y and Z.
-fn amplitudes(circle: &Circle) -> [f64; 3] {
+/// How far p' swings on X, Y and Z. Where the radius grows by g, p'·u + p''·y turns with u·(turn·grown, g) + y·turn·(2g, turn·grown) about the
+/// centre, which is no longer than √(u² + (turn·y)²) times turn·grown + √5·|g|.
+fn amplitudes(circle: &Circle, length: f64) -> [f64; 3] {
+    const GROWING: f64 = 2.236_067_977_499_79;
+    let grown = circle.grown(length).max(1.0);
+    let turn = circle.turn * grown + GROWING * circle.growth.abs();
     let mut amplitudes = [0.0; 3];
     for ((amplitude, along), across) in amplitudes.iter_mut().zip(&circle.cosine).zip(&circle.sine)
     {
-        *amplitude = circle.turn * math::hypotenuse(*along, *across);
+        *amplitude = turn * math::hypotenuse(*along, *across);
     }
     amplitudes
 }

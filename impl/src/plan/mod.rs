@@ -51,8 +51,10 @@ const REMEMBERED: u64 = 128;
 /// Pieces of look-ahead for a queued segment, and for a cycle.
 const WORK_QUEUED: u32 = 8;
 const WORK_CYCLE: u32 = 2;
-/// The slowest override that look-ahead plans for; below, it plans for this one and eases.
+/// The slowest override that look-ahead plans for, and turns of a spindle per second; below, it plans for this and eases.
 const SLOWEST: f64 = 0.01;
+/// How much slower or faster than planned a spindle may turn before look-ahead plans anew, and how much faster it plans then.
+const WAVERING: f64 = 0.02;
 
 /// What the machine can do, and how the planner is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,6 +90,8 @@ pub struct Planner {
     /// The next piece whose speed for running back is to be computed, while the motion is to run back.
     retraced: Option<u64>,
     turns: f64,
+    /// The end of the last piece that follows the spindle.
+    followed: u64,
     probe: bool,
 }
 
@@ -126,7 +130,7 @@ impl Planner {
             limits: Limits::new(&dynamics),
             ring: Ring::new(queue.saturating_mul(3).saturating_add(remembered)),
             course: Course::new(position),
-            ahead: Ahead::new(Scale { feed: 1.0, rapid: 1.0 }),
+            ahead: Ahead::new(Scale { feed: 1.0, rapid: 1.0, turns: SLOWEST }),
             motion: Motion::default(),
             position,
             switches: Ring::new(queue),
@@ -134,6 +138,7 @@ impl Planner {
             aborting: false,
             retraced: None,
             turns: 0.0,
+            followed: 0,
             probe: false,
         })
     }
@@ -167,6 +172,9 @@ impl Planner {
                     self.course.stop();
                 }
                 self.course.add(&mut queue);
+                if let Feed::PerTurn(_) = segment.feed {
+                    self.followed = self.ring.end();
+                }
             }
         }
         self.ahead.work(&mut self.ring, self.motion.at, &self.limits, (WORK_QUEUED, false));
@@ -234,14 +242,17 @@ impl Planner {
         let adaptive = math::lesser(1.0, math::greater(0.0, input.adaptive_feed.abs()));
         let feed = math::greater(0.0, input.feed_override * adaptive);
         let rapid = math::lesser(1.0, math::greater(0.0, input.rapid_override)) * adaptive;
-        let turns = (input.spindle_turns - self.turns).abs() / self.limits.cycle;
+        let turns = feed * (input.spindle_turns - self.turns).abs() / self.limits.cycle;
         self.turns = input.spindle_turns;
         self.aborting |= input.hold == Hold::Abort;
         self.turn_round(back);
-        let planned = self.ahead.scale;
+        let planned = self.ahead.planned();
         // Below the slowest that is planned for, a piece is left no slower: what it is asked to have then brings it to rest.
         let share = |asked: f64, planned: f64| math::greater(SLOWEST, asked) / planned;
-        let ease = math::lesser(share(feed, planned.feed), share(rapid, planned.rapid));
+        let mut ease = math::lesser(share(feed, planned.feed), share(rapid, planned.rapid));
+        if self.motion.at < self.followed {
+            ease = math::lesser(ease, share(turns, planned.turns));
+        }
         let ease = squared(math::lesser(1.0, ease));
         let turning = self.motion.backwards != back;
         let rest =
@@ -274,9 +285,11 @@ impl Planner {
         if self.ahead.pressing(at) {
             self.ahead.work(&mut self.ring, at, &self.limits, (steps, true));
         } else {
+            self.ahead.settled();
             let scale = Scale {
                 feed: math::greater(SLOWEST, wish.feed),
                 rapid: math::greater(SLOWEST, wish.rapid),
+                turns: self.turns_to_plan_for(wish.turns),
             };
             if input.adaptive_feed >= 0.0 && scale != self.ahead.scale {
                 self.ahead.rescale(scale, &self.ring, at);
@@ -289,13 +302,24 @@ impl Planner {
         }
     }
 
+    /// Turns per second to plan for: others than before where something follows the spindle, and its speed has changed by more than it wavers.
+    fn turns_to_plan_for(&self, turns: f64) -> f64 {
+        let planned = self.ahead.scale.turns;
+        let near = turns <= planned && turns >= planned * (1.0 - 2.0 * WAVERING);
+        if near || self.motion.at >= self.followed {
+            planned
+        } else {
+            math::greater(SLOWEST, turns * (1.0 + WAVERING))
+        }
+    }
+
     /// How fast a piece may be entered from its end, running back.
     fn retrace(&mut self, place: u64) {
         let before = place.checked_sub(1).and_then(|before| self.ring.get(before));
         let Some(piece) = self.ring.get(place) else { return };
         let exit = match before {
-            Some(before) if !piece.from_rest => before.back * squared(before.exit),
-            Some(_) | None => 0.0,
+            Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
+            None => 0.0,
         };
         let back = backward(piece, exit, cap(piece, self.ahead.scale), &self.limits);
         if let Some(piece) = self.ring.get_mut(place) {
@@ -358,7 +382,7 @@ impl Planner {
         match piece.pace {
             _ if wish.rest => Phase::Holding,
             _ if dwells => Phase::Waiting,
-            Pace::Turn if wish.turns <= 0.0 => Phase::Waiting,
+            Pace::Turn if wish.turns <= 0.0 && wish.feed > 0.0 => Phase::Waiting,
             Pace::Turn | Pace::Second | Pace::Rapid => Phase::Moving,
         }
     }

@@ -7,7 +7,7 @@
 use super::parameters::Axes;
 use crate::math;
 
-/// The part of a position that turns: cosine·cos(turn·x) + sine·sin(turn·x) on X, Y and Z.
+/// The part of a position that turns: (cosine·cos(turn·x) + sine·sin(turn·x))·(1 + growth·x) on X, Y and Z.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Circle {
     /// From the centre to where the piece begins.
@@ -16,6 +16,16 @@ pub(super) struct Circle {
     pub(super) sine: [f64; 3],
     /// Radians per unit of the parameter; never negative, since `sine` has the sense of the turn.
     pub(super) turn: f64,
+    /// How much the radius grows per unit of the parameter, over what it is where the piece begins: an end point that is rounded is
+    /// never quite on the circle of its start, and the distance from the axis changes evenly between them.
+    pub(super) growth: f64,
+}
+
+impl Circle {
+    /// The radius after so much, over that at the start.
+    pub(super) fn grown(&self, x: f64) -> f64 {
+        1.0 + self.growth * x
+    }
 }
 
 /// What keeps speed and acceleration of a piece within the limits of all axes.
@@ -71,12 +81,14 @@ pub(super) struct Piece {
     /// Programmed speed of the parameter, per second or per turn.
     pub(super) feed: f64,
     pub(super) pace: Pace,
+    /// Whether it is also part of a rapid move, so that the rapid override applies too.
+    pub(super) rapid: bool,
     /// The square of the speed at which this piece may be entered so that all that is queued can be kept to.
     pub(super) reach: f64,
     /// The same for entering it from its end, running back.
     pub(super) back: f64,
-    /// Whether it may be entered at rest only.
-    pub(super) from_rest: bool,
+    /// The square of the speed at which it may be entered at most, from either side: 0 where the motion rests there.
+    pub(super) entry: f64,
     /// Where in it a segment begins.
     pub(super) begins: Option<f64>,
     /// Whether it ends where the probe changes.
@@ -96,13 +108,16 @@ impl Piece {
         }
         if let Some(circle) = &self.circle {
             let (sine, cosine) = math::turned(circle.turn * x);
+            let grown = circle.grown(x);
+            let square = circle.turn * circle.turn * grown;
             let vectors = circle.cosine.iter().zip(&circle.sine);
             let places = position.iter_mut().zip(first).zip(second);
             for (((place, first), second), (start, quarter)) in places.zip(vectors) {
                 let along = start * cosine + quarter * sine;
-                *place += along;
-                *first += circle.turn * (quarter * cosine - start * sine);
-                *second -= circle.turn * circle.turn * along;
+                let across = circle.turn * (quarter * cosine - start * sine);
+                *place += grown * along;
+                *first += grown * across + circle.growth * along;
+                *second += 2.0 * circle.growth * across - square * along;
             }
         }
     }
@@ -140,9 +155,11 @@ impl Piece {
         first
     }
 
-    /// The part of it from one place to another, without law.
+    /// The part of it from one place to another, as if nothing began there.
     pub(super) fn part(&self, from: f64, to: f64) -> Self {
         let mut part = *self;
+        part.entry = f64::INFINITY;
+        part.begins = None;
         let motion = self.rate.iter().zip(&self.bend);
         for ((origin, rate), (old_rate, bend)) in
             part.origin.iter_mut().zip(&mut part.rate).zip(motion)
@@ -152,17 +169,20 @@ impl Piece {
         }
         if let (Some(circle), Some(old)) = (&mut part.circle, &self.circle) {
             let (sine, cosine) = math::turned(old.turn * from);
+            let grown = old.grown(from);
+            circle.growth /= grown;
             let turned = old.cosine.iter().zip(&old.sine);
             for ((along, across), (was_along, was_across)) in
                 circle.cosine.iter_mut().zip(&mut circle.sine).zip(turned)
             {
-                *along = was_along * cosine + was_across * sine;
-                *across = was_across * cosine - was_along * sine;
+                *along = grown * (was_along * cosine + was_across * sine);
+                *across = grown * (was_across * cosine - was_along * sine);
             }
         }
         part.length = to - from;
         if to < self.length {
             part.end = self.position(to);
+            part.exit = 1.0;
         }
         part
     }

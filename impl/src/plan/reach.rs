@@ -13,11 +13,23 @@ use crate::math;
 /// The most corners of the set that are looked at before a simpler answer is taken.
 const CORNERS: u32 = 8;
 
-/// Overrides that look-ahead plans for.
+/// Overrides that look-ahead plans for, and turns of the spindle per second times that of the feed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
     pub(super) feed: f64,
     pub(super) rapid: f64,
+    pub(super) turns: f64,
+}
+
+impl Scale {
+    /// The greater of both in everything.
+    pub(super) fn most(self, other: Self) -> Self {
+        Self {
+            feed: math::greater(self.feed, other.feed),
+            rapid: math::greater(self.rapid, other.rapid),
+            turns: math::greater(self.turns, other.turns),
+        }
+    }
 }
 
 /// The square of the speed that a piece is never run beyond.
@@ -26,16 +38,14 @@ pub(super) fn cap(piece: &Piece, scale: Scale) -> f64 {
     let feed = match piece.pace {
         Pace::Rapid => return piece.ceiling * scale.rapid * scale.rapid,
         Pace::Second => piece.feed * scale.feed,
-        Pace::Turn => return piece.ceiling,
+        Pace::Turn => piece.feed * scale.turns,
     };
-    math::lesser(piece.ceiling, feed * feed)
+    let axes = if piece.rapid { piece.ceiling * scale.rapid * scale.rapid } else { piece.ceiling };
+    math::lesser(axes, feed * feed)
 }
 
 /// The highest y at a piece's start from which y at its end is at most `exit`.
 pub(super) fn forward(piece: &Piece, exit: f64, cap: f64, limits: &Limits) -> f64 {
-    if piece.from_rest {
-        return 0.0;
-    }
     let exit = math::lesser(exit, cap);
     let entry = match piece.law {
         Law::Bent => bent(piece, (&piece.rate, &last(piece)), (exit, cap), limits),
@@ -43,7 +53,7 @@ pub(super) fn forward(piece: &Piece, exit: f64, cap: f64, limits: &Limits) -> f6
             along(piece.law, &piece.circle, exit, piece.length)
         }
     };
-    math::lesser(entry, cap)
+    math::lesser(math::lesser(entry, cap), piece.entry)
 }
 
 /// The highest y at its end from which, running back, y at its start is at most `exit`.

@@ -40,8 +40,8 @@ pub enum Feed {
     PerSecond(f64),
     /// The whole segment in so many seconds, were it not for acceleration.
     InTime(f64),
-    /// Millimetres or degrees per turn of the spindle. Look-ahead knows no spindle: such a segment is entered as fast as the axes
-    /// and the segments around it allow, and then slows down to the spindle.
+    /// Millimetres or degrees per turn of the spindle; feed override and adaptive feed apply. Look-ahead plans for the speed that the spindle has; where it turns slower all of a
+    /// sudden, the motion comes down to its feed as fast as the axes allow.
     PerTurn(f64),
 }
 
@@ -51,7 +51,7 @@ pub enum Blend {
     /// G61.1: come to rest.
     #[default]
     ExactStop,
-    /// G61: touch the end point, without rest where the path goes on smoothly.
+    /// G61: keep to the path, without rest where it goes on smoothly, or so nearly that the axes can follow from one cycle to the next.
     ExactPath,
     /// G64 with a tolerance: leave the path by this much at most, in the length of all nine axes, millimetres.
     Within(f64),

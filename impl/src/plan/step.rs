@@ -5,6 +5,7 @@
 
 use super::ahead::exit;
 use super::limits::{Limits, PLANNED, squared};
+use super::parameters::Axes;
 use super::piece::{Law, Pace, Piece};
 use super::reach::along;
 use super::ring::Ring;
@@ -24,7 +25,7 @@ pub(super) struct Wish {
     pub(super) feed: f64,
     /// Share of the rapid speed.
     pub(super) rapid: f64,
-    /// Turns of the spindle per second.
+    /// Turns of the spindle per second, times the share of the programmed feed.
     pub(super) turns: f64,
     /// Whether to come to rest.
     pub(super) rest: bool,
@@ -107,8 +108,8 @@ impl Motion {
             return exit(ring, piece, self.at);
         }
         match ring.get(self.at.wrapping_sub(1)) {
-            Some(before) if !piece.from_rest => before.back * squared(before.exit),
-            Some(_) | None => 0.0,
+            Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
+            None => 0.0,
         }
     }
 
@@ -146,9 +147,9 @@ impl Motion {
         Some(later)
     }
 
-    /// A segment has begun if its start was passed.
+    /// A segment has begun if its start was passed; who is held there has not begun it.
     fn note(&mut self, piece: &Piece, from: f64) {
-        if piece.begins.is_some_and(|begins| from <= begins && begins <= self.x) {
+        if self.x > from && piece.begins.is_some_and(|begins| from <= begins && begins <= self.x) {
             self.begun = self.begun.max(piece.index);
             self.number = piece.number;
         }
@@ -164,11 +165,18 @@ impl Motion {
         }
     }
 
-    fn along(&mut self, piece: &Piece, exit: f64, (_, wish): (&Limits, &Wish), left: f64) -> f64 {
+    fn along(
+        &mut self,
+        piece: &Piece,
+        exit: f64,
+        (limits, wish): (&Limits, &Wish),
+        left: f64,
+    ) -> f64 {
         let remaining = self.remaining(piece);
         let ramp = self.ramp(piece, exit, wish.ease, left);
         if wish.rest {
-            return self.go(piece, ramp.low, exit, left);
+            let low = math::lesser(ramp.low, self.hardest(piece, limits, left));
+            return self.go(piece, low, exit, left);
         }
         let wanted = wanted(piece, wish);
         // The speed at the end of the cycle at which look-ahead's bound is just met.
@@ -189,6 +197,39 @@ impl Motion {
             most = math::lesser(most, (squared(wanted) - y) / (2.0 * remaining));
         }
         self.go(piece, within_bounds(most, &ramp), exit, left)
+    }
+
+    /// The least acceleration that all axes allow on an arc in this cycle. Its law has one limit for all directions, which is less than the
+    /// axes can do in most of them; who holds the motion wants all of it.
+    fn hardest(&self, piece: &Piece, limits: &Limits, left: f64) -> f64 {
+        let Some(circle) = &piece.circle else { return 0.0 };
+        let far = math::lesser(self.speed * left, self.remaining(piece));
+        let y = squared(self.speed);
+        // Between two points of an arc p' and p'' are this much longer than on the chord between their values.
+        let kept = 1.0 - squared(circle.turn * far) / 8.0;
+        if kept < 0.9 {
+            return 0.0;
+        }
+        let ahead = if self.backwards { self.x - far } else { self.x + far };
+        let now = self.least_at(piece, self.x, y, (limits, kept));
+        let later = math::greater(0.0, y + 2.0 * now * far);
+        let then = self.least_at(piece, ahead, y, (limits, kept));
+        math::greater(math::greater(now, then), self.least_at(piece, ahead, later, (limits, kept)))
+    }
+
+    /// The least acceleration that all axes allow at a point of an arc, at the square of a speed.
+    fn least_at(&self, piece: &Piece, x: f64, y: f64, (limits, kept): (&Limits, f64)) -> f64 {
+        let (mut place, mut first, mut second) = (piece.end, Axes::default(), Axes::default());
+        piece.motion(x, &mut place, &mut first, &mut second);
+        let sense = if self.backwards { -1.0 } else { 1.0 };
+        let mut low = f64::NEG_INFINITY;
+        let axes = first.iter().zip(&second).zip(&limits.acceleration).take(piece.axes);
+        for ((first, second), limit) in axes {
+            let (share, across) = (sense * first, second * y);
+            let used = across.copysign(across * share);
+            low = math::greater(low, (-limit * kept - used) / math::greater(share.abs(), SMALL));
+        }
+        low
     }
 
     fn ramp(&self, piece: &Piece, exit: f64, ease: f64, left: f64) -> Ramp {
@@ -378,9 +419,10 @@ fn within_bounds(acceleration: f64, ramp: &Ramp) -> f64 {
 
 /// The speed that a piece is asked to have.
 fn wanted(piece: &Piece, wish: &Wish) -> f64 {
+    let axes = if piece.rapid { piece.fastest * wish.rapid } else { piece.fastest };
     match piece.pace {
         Pace::Rapid => piece.fastest * wish.rapid,
-        Pace::Second => math::lesser(piece.fastest, piece.feed * wish.feed),
-        Pace::Turn => math::lesser(piece.fastest, piece.feed * wish.turns),
+        Pace::Second => math::lesser(axes, piece.feed * wish.feed),
+        Pace::Turn => math::lesser(axes, piece.feed * wish.turns),
     }
 }

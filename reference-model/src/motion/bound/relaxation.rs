@@ -15,7 +15,7 @@ pub(super) struct Gate {
 
 /// Each axis alone, forgetting the others: it visits the intervals of its gates in order.
 ///
-/// Rule trajectory.axis-bound. Let the axis need to be at M or above at some time, and then at m < M or below, and so on. Where it
+/// Let the axis need to be at M or above at some time, and then at m < M or below, and so on. Where it
 /// is highest between the time before and the time after, it is at M or above and rests, and these moments come in order. So from
 /// each turn to the next it goes from rest to rest over M - m at least, and the times add up. The sequence of turns that is found
 /// here is what one axis needs: the sum is the least time of the relaxed problem, not only a bound of it.
@@ -43,7 +43,7 @@ pub(super) fn axis(gates: &[Gate], axis: usize, speed: f64, acceleration: f64) -
 /// The time that the shortest way through the gates takes at least, in coordinates `counted`, where `fastest` holds the speed that is
 /// not exceeded on the way to each gate; on the way to the first it means nothing.
 ///
-/// Rule trajectory.length-bound. Between two gates the motion makes no more than their fastest speed Fᵢ. So for any vectors uᵢ no longer
+/// Between two gates the motion makes no more than their fastest speed Fᵢ. So for any vectors uᵢ no longer
 /// than 1/Fᵢ a motion through points xᵢ within Pᵢ of vᵢ takes Σ uᵢ·(xᵢ₊₁ - xᵢ) at least, which is Σ uᵢ·(vᵢ₊₁ - vᵢ) - Σ Pᵢ|uᵢ₋₁ - uᵢ| or
 /// more. The vectors have directions of the path, taken over more and more of it; the best of them counts.
 pub(super) fn shortest(gates: &[Gate], fastest: &[f64], counted: std::ops::Range<usize>) -> f64 {

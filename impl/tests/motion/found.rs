@@ -1,0 +1,137 @@
+//! What random motions have broken: each of these was wrong once.
+
+use gaugeblock_impl::Planner;
+use gaugeblock_impl::plan::{
+    Axes, Blend, Feed, Hold, InputParameter, OutputParameter, OutputSwitch, Segment,
+};
+
+use super::check::{Feeding, Run, dynamics, farthest, programmed, run, run_with};
+use super::programs::{arc, at, dense, distance, line};
+
+const ORIGIN: Axes = [0.0; 9];
+
+fn operated(start: Axes, program: &[Segment], wants: impl FnMut(usize) -> InputParameter) -> Run {
+    let mut planner = Planner::new(dynamics(), start).expect("limits");
+    run_with(&mut planner, start, program, Feeding::Full, wants)
+}
+
+#[test]
+fn corner_is_as_narrow_as_its_stricter_leg() {
+    let start = at(169.0, 49.3, 0.0);
+    for tolerances in [(0.01, 0.005), (0.005, 0.01), (f64::INFINITY, 0.005)] {
+        let blend = |tolerance: f64| {
+            if tolerance.is_finite() { Blend::Within(tolerance) } else { Blend::BetweenMidpoints }
+        };
+        let program = [
+            line(at(172.0, 46.0, 0.0), blend(tolerances.0)),
+            line(at(171.39, 44.21, 0.0), blend(tolerances.1)),
+        ];
+        let samples = run(start, &program, Feeding::Full).samples;
+        let far = farthest(&samples, &programmed(start, &program).0);
+        assert!(far <= 0.005, "{tolerances:?}: {far}");
+    }
+}
+
+#[test]
+fn exact_path_is_not_left_and_not_crawled_along() {
+    let program = dense(Blend::ExactPath);
+    let run = run(ORIGIN, &program, Feeding::Full);
+    let (path, vertices) = programmed(ORIGIN, &program);
+    let (speed, change) = run.worst(&dynamics());
+    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+    let every_tenth: Vec<Axes> = run.samples.iter().step_by(10).copied().collect();
+    assert!(farthest(&every_tenth, &path) <= 1e-9);
+    // Between two samples a motion can be an eighth of what a cycle's acceleration makes from their chord.
+    let missed = farthest(&vertices[..200], &run.samples[..1500.min(run.samples.len())]);
+    assert!(missed <= 2000.0 * 1.7321 * 1e-6 / 8.0, "{missed}");
+    assert!(run.time() < 6.0, "{}", run.time());
+}
+
+#[test]
+fn arc_whose_end_is_rounded_nears_its_axis_evenly() {
+    let start = at(1.0, 0.0, 0.0);
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let end = at(0.0, 1.000_01, 0.0);
+    let program = [arc(start, end, (-1.0, 0.0), quarter, Blend::ExactStop)];
+    for point in run(start, &program, Feeding::Full).samples {
+        let share = libm::atan2(point[1], point[0]) / quarter;
+        let radius = libm::hypot(point[0], point[1]);
+        assert!((radius - 1.0 - 1e-5 * share).abs() < 1e-12, "{share} {radius}");
+    }
+}
+
+#[test]
+fn feed_per_turn_is_kept_from_the_start_and_overridden() {
+    let mut program = vec![
+        line(at(20.0, 0.0, 0.0), Blend::Within(0.01)),
+        line(at(30.0, 0.0, 0.0), Blend::Within(0.01)),
+        line(at(30.0, 5.0, 0.0), Blend::Within(0.01)),
+        line(at(40.0, 5.0, 0.0), Blend::Within(0.01)),
+    ];
+    program[1].feed = Feed::PerTurn(0.5);
+    program[2].feed = Feed::PerTurn(0.5);
+    for (feed_override, most) in [(1.0, 5.0), (0.5, 2.5)] {
+        let mut turns = 0.0;
+        let run = operated(ORIGIN, &program, |_| {
+            turns += 10.0 * 0.001;
+            InputParameter { feed_override, spindle_turns: turns, ..InputParameter::default() }
+        });
+        let (speed, change) = run.worst(&dynamics());
+        assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+        let within = |output: &&OutputParameter| matches!(output.segment, 2 | 3);
+        // The cycle in which the corner is passed has some of both.
+        let seen = run.outputs.iter().filter(within).skip(1).map(|output| output.speed);
+        let fastest = seen.fold(0.0, f64::max);
+        assert!((fastest - most).abs() <= 1e-9 * most, "{fastest} of {most}");
+    }
+}
+
+#[test]
+fn rapid_override_counts_on_a_blend_with_a_rapid_move() {
+    let mut program = [
+        line(at(0.0, -20.0, 0.0), Blend::Within(0.5)),
+        line(at(0.0, -40.0, 5.0), Blend::Within(0.5)),
+    ];
+    program[0].feed = Feed::PerSecond(240.0);
+    program[1].feed = Feed::Rapid;
+    let input = InputParameter { rapid_override: 0.2, ..InputParameter::default() };
+    let run = operated(ORIGIN, &program, |_| input);
+    let late = run.outputs.iter().filter(|output| output.position[2] > 0.0);
+    let fastest = late.map(|output| output.velocity[1].abs()).fold(0.0, f64::max);
+    assert!(fastest <= 50.0, "{fastest}");
+}
+
+#[test]
+fn output_does_not_switch_while_its_move_is_held() {
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    let mut output = OutputParameter::default();
+    planner.queue(&line(at(1.0, 0.0, 0.0), Blend::Within(0.01))).expect("room");
+    for _ in 0..200 {
+        planner.update(&InputParameter::default(), &mut output);
+    }
+    planner.switch(OutputSwitch { output: 1, value: 1.0 }).expect("room");
+    planner.queue(&line(at(2.0, 0.0, 0.0), Blend::Within(0.01))).expect("room");
+    for cycle in 0..200 {
+        let hold = if cycle < 100 { Hold::Hold } else { Hold::Run };
+        planner.update(&InputParameter { hold, ..InputParameter::default() }, &mut output);
+        let switched = planner.switched().is_some();
+        assert_eq!(switched, cycle == 100, "{cycle}");
+    }
+}
+
+#[test]
+fn hold_on_an_arc_uses_what_the_axes_can_do_in_each_direction() {
+    let mut circle =
+        arc(ORIGIN, ORIGIN, (1.24155, -0.44987), std::f64::consts::TAU, Blend::ExactStop);
+    circle.feed = Feed::InTime(60.0 / 831.0);
+    let run = operated(ORIGIN, &[circle], |cycle| InputParameter {
+        hold: if (80..400).contains(&cycle) { Hold::Hold } else { Hold::Run },
+        ..InputParameter::default()
+    });
+    let (speed, change) = run.worst(&dynamics());
+    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+    let steps = run.samples[81..400].windows(2).map(|two| distance(&two[0], &two[1]));
+    let way: f64 = steps.sum();
+    // What the model says that the axes need, and two cycles.
+    assert!(way <= 0.634 + 2.0 * 51.0 * 0.001 + 1e-3, "{way}");
+}
