@@ -11,9 +11,10 @@
 mod drawn;
 mod drive;
 mod picture;
+pub mod rides;
 mod summary;
 
 pub use drawn::drawn;
-pub use drive::{Planned, Stopped, plan};
+pub use drive::{Circumstances, Planned, Stopped, plan, plan_under};
 pub use picture::Picture;
 pub use summary::Summary;
