@@ -1,11 +1,14 @@
 //! What the suite itself must satisfy: every declared outcome is reached, every golden is what the model does.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_trace::{End, Outcome};
 
 use crate::certify::scenario_of;
-use crate::suite::{Case, Edition, Rule, RuleOutcome, Suite};
+use crate::motion;
+use crate::suite::{
+    Case, Edition, MotionCase, MotionChoice, MotionChoiceOption, Rule, RuleOutcome, Suite,
+};
 
 /// The editions in which a case runs, the default edition first.
 pub fn editions_of<'a>(suite: &'a Suite, rule: &Rule, case: &Case) -> Vec<&'a Edition> {
@@ -59,6 +62,8 @@ pub fn faults(suite: &Suite) -> Vec<String> {
         for outcome in rule.outcomes.iter().filter(|outcome| !reached.contains(outcome)) {
             faults.push(format!("{}: no case of its own reaches the outcome {outcome:?}", rule.id));
         }
+        let recorded = rule.motion.iter().filter(|case| case.is_recorded());
+        faults.extend(recorded.filter_map(|case| motion_fault(suite, rule, case)));
         if rule.cases.first().is_some_and(|case| case.golden.is_none()) {
             faults.push(format!("{}: its first case has no golden", rule.id));
         }
@@ -66,7 +71,49 @@ pub fn faults(suite: &Suite) -> Vec<String> {
             faults.extend(golden_fault(suite, rule, case));
         }
     }
+    for choice in &suite.motion_choices {
+        for option in &choice.options {
+            let shown = options_shown(suite, choice, &option.name);
+            if shown != [option.name.as_str()] {
+                let id = &choice.id;
+                faults.push(format!("{id} = {}: its samples show {shown:?}", option.name));
+            }
+        }
+    }
     faults
+}
+
+/// Why the laws do not say of a recorded case what its page says.
+fn motion_fault(suite: &Suite, rule: &Rule, case: &MotionCase) -> Option<String> {
+    let edition = suite.edition(crate::suite::DEFAULT_EDITION)?;
+    let readings = suite.motion_options(edition);
+    let found = judged(suite, edition, &rule.id, case, &readings).err()?;
+    Some(format!("{} / {}: {found}", rule.id, case.name))
+}
+
+/// The options of a choice of motion whose sayings hold if the laws read the documents by one of them.
+fn options_shown<'a>(suite: &Suite, choice: &'a MotionChoice, under: &str) -> Vec<&'a str> {
+    let Some(edition) = suite.edition(crate::suite::DEFAULT_EDITION) else { return Vec::new() };
+    let mut readings = suite.motion_options(edition);
+    readings.insert(choice.id.clone(), under.to_owned());
+    let holds = |option: &&MotionChoiceOption| {
+        let case = MotionCase { says: option.says.clone(), ..choice.motion.clone() };
+        judged(suite, edition, &choice.id, &case, &readings).is_ok()
+    };
+    choice.options.iter().filter(holds).map(|option| option.name.as_str()).collect()
+}
+
+fn judged(
+    suite: &Suite,
+    edition: &Edition,
+    rule: &str,
+    case: &MotionCase,
+    readings: &BTreeMap<String, String>,
+) -> Result<(), String> {
+    let samples = motion::made(case)?;
+    let (_, path) = motion::asked(case, &suite.options(edition), edition.bench.as_ref())?;
+    motion::held(case, rule, readings, (&samples, &path))
+        .map_err(|(saying, found)| format!("{saying}, but: {found}"))
 }
 
 /// Why the model says nothing of a case: it does not support it, or the documents leave it open.

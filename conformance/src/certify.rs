@@ -5,15 +5,17 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+use gaugeblock_trace::motion::Samples;
 use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{End, Options, Outcome, Scenario};
 
-use crate::adapters::Adapter;
+use crate::adapters::{Adapter, Motion, NotMoved};
 use crate::compare::{Basis, Tally, compare};
 use crate::explain::{Departed, Other};
 use crate::judge::{Finding, judge};
+use crate::motion;
 use crate::observe::Observed;
-use crate::suite::{Assertion, Case, Edition, Rule, Suite};
+use crate::suite::{Assertion, Case, Edition, MotionCase, Rule, Suite};
 
 /// What came of a case.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,8 +62,10 @@ impl Departure {
 pub struct CaseResult<'a> {
     /// The rule.
     pub rule: &'a Rule,
-    /// Its case.
-    pub case: &'a Case,
+    /// The name of its case.
+    pub name: &'a str,
+    /// The main program of the case.
+    pub program: &'a str,
     /// What came of it.
     pub verdict: Verdict,
     /// Fields, effects and assertions that the controller does not show.
@@ -100,12 +104,13 @@ pub struct Plan<'a> {
 /// Runs the suite; `done` is told of each finished case.
 pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + Sync)) -> Run<'a> {
     let options = plan.suite.options(plan.edition);
-    let (void, cases) = select(plan);
-    let mut order: Vec<(String, usize)> = cases
-        .iter()
-        .map(|(_, case)| controller.order_key(&scenario_of(case, &options, plan.edition)))
-        .zip(0..)
-        .collect();
+    let (void, cases) = select(plan, controller);
+    let key = |subject: &Subject<'_>| match subject {
+        Subject::Run(case) => controller.order_key(&scenario_of(case, &options, plan.edition)),
+        Subject::Motion(_) => String::new(),
+    };
+    let mut order: Vec<(String, usize)> =
+        cases.iter().map(|(_, subject)| key(subject)).zip(0..).collect();
     order.sort();
     let results: Mutex<Vec<Option<CaseResult<'a>>>> = Mutex::new(vec![None; cases.len()]);
     let next = AtomicUsize::new(0);
@@ -115,8 +120,11 @@ pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + 
                 loop {
                     let turn = next.fetch_add(1, Ordering::Relaxed);
                     let Some((_, place)) = order.get(turn) else { break };
-                    let (rule, case) = cases[*place];
-                    let result = run_case(plan, &options, controller, rule, case);
+                    let (rule, subject) = cases[*place];
+                    let result = match subject {
+                        Subject::Run(case) => run_case(plan, &options, controller, rule, case),
+                        Subject::Motion(case) => run_motion(plan, &options, controller, rule, case),
+                    };
                     let mut results = results.lock().unwrap_or_else(PoisonError::into_inner);
                     results[*place] = Some(result);
                     done();
@@ -129,13 +137,21 @@ pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + 
 }
 
 /// How many cases a plan runs.
-pub fn count(plan: Plan<'_>) -> usize {
-    select(plan).1.len()
+pub fn count(plan: Plan<'_>, controller: &dyn Adapter) -> usize {
+    select(plan, controller).1.len()
 }
 
-type Selected<'a> = (Vec<(&'a Rule, &'a str)>, Vec<(&'a Rule, &'a Case)>);
+/// A case of either kind.
+#[derive(Clone, Copy, Debug)]
+enum Subject<'a> {
+    Run(&'a Case),
+    Motion(&'a MotionCase),
+}
 
-fn select(plan: Plan<'_>) -> Selected<'_> {
+type Selected<'a> = (Vec<(&'a Rule, &'a str)>, Vec<(&'a Rule, Subject<'a>)>);
+
+/// What is run. Samples of a case are for who has laws, its program alone is for who moves.
+fn select<'a>(plan: Plan<'a>, controller: &dyn Adapter) -> Selected<'a> {
     let edition = &plan.edition.id;
     let mut void = Vec::new();
     let mut cases = Vec::new();
@@ -148,7 +164,10 @@ fn select(plan: Plan<'_>) -> Selected<'_> {
             continue;
         }
         let runs = |case: &&Case| case.editions.is_empty() || case.editions.contains(edition);
-        cases.extend(rule.cases.iter().filter(runs).map(|case| (rule, case)));
+        cases.extend(rule.cases.iter().filter(runs).map(|case| (rule, Subject::Run(case))));
+        let concerns = |case: &&MotionCase| case.is_recorded() == controller.has_laws_of_motion();
+        let motion = rule.motion.iter().filter(concerns);
+        cases.extend(motion.map(|case| (rule, Subject::Motion(case))));
     }
     (void, cases)
 }
@@ -161,14 +180,7 @@ fn run_case<'a>(
     case: &'a Case,
 ) -> CaseResult<'a> {
     let scenario = scenario_of(case, options, plan.edition);
-    let mut result = CaseResult {
-        rule,
-        case,
-        verdict: Verdict::Pass,
-        masked: BTreeSet::new(),
-        compared: Tally::default(),
-        repeated: false,
-    };
+    let mut result = CaseResult::begun(rule, &case.name, &case.program);
     if let Err(reason) = controller.supports(&scenario) {
         result.verdict = Verdict::Unsupported(reason);
         return result;
@@ -217,6 +229,82 @@ fn run_case<'a>(
         };
     }
     result
+}
+
+impl<'a> CaseResult<'a> {
+    fn begun(rule: &'a Rule, name: &'a str, program: &'a str) -> Self {
+        Self {
+            rule,
+            name,
+            program,
+            verdict: Verdict::Pass,
+            masked: BTreeSet::new(),
+            compared: Tally::default(),
+            repeated: false,
+        }
+    }
+}
+
+/// A case of motion: its own samples, or what the controller makes of its program at each feed of segments.
+fn run_motion<'a>(
+    plan: Plan<'_>,
+    options: &Options,
+    controller: &dyn Adapter,
+    rule: &'a Rule,
+    case: &'a MotionCase,
+) -> CaseResult<'a> {
+    let mut result = CaseResult::begun(rule, &case.name, &case.program);
+    let bench = plan.edition.bench.as_ref();
+    let (scenario, path) = match motion::asked(case, options, bench) {
+        Ok(asked) => asked,
+        Err(why) => {
+            result.verdict = Verdict::Inconclusive(why);
+            return result;
+        }
+    };
+    let readings = plan.suite.motion_options(plan.edition);
+    let feeds: &[Option<u32>] = if case.is_recorded() { &[None] } else { &motion::FEEDS };
+    for every in feeds {
+        let held = samples_of(controller, &scenario, case, *every)
+            .map(|samples| motion::held(case, &rule.id, &readings, (&samples, &path)));
+        match held {
+            Ok(Ok(())) => result.compared.add(Basis::Laws, case.says.len()),
+            Ok(Err((saying, found))) => {
+                let fed = every
+                    .map_or(String::new(), |every| format!("with a segment in {every} cycles: "));
+                let assertion = Some((saying, format!("{fed}{found}")));
+                result.verdict = Verdict::Diverges(Departure {
+                    assertion,
+                    divergence: None,
+                    explanation: Vec::new(),
+                });
+                break;
+            }
+            Err(NotMoved::Unsupported(why)) => {
+                result.verdict = Verdict::Unsupported(why);
+                break;
+            }
+            Err(NotMoved::Failed(why)) => {
+                result.verdict = Verdict::NotJudged(why);
+                break;
+            }
+        }
+    }
+    result
+}
+
+fn samples_of(
+    controller: &dyn Adapter,
+    scenario: &Scenario,
+    case: &MotionCase,
+    every: Option<u32>,
+) -> Result<Samples, NotMoved> {
+    if case.is_recorded() {
+        return motion::made(case).map_err(NotMoved::Failed);
+    }
+    let limits = case.limits().map_err(NotMoved::Failed)?;
+    let script = case.script();
+    controller.moves(&Motion { scenario, limits: &limits, script: &script, every })
 }
 
 /// The scenario of a case under an edition. The edition's bench answers where the case has none of its own.

@@ -107,7 +107,7 @@ impl Expectations {
         let known = run.cases.iter().filter_map(|result| match &result.verdict {
             Verdict::Diverges(departure) => Some(Known {
                 rule: result.rule.id.clone(),
-                case: result.case.name.clone(),
+                case: result.name.to_owned(),
                 found: departure.line(),
                 explanation: joined(&departure.explanation),
             }),
@@ -150,8 +150,8 @@ impl Expectations {
             .collect();
         let mut troubles = Vec::new();
         for result in &run.cases {
-            let (rule, case) = (result.rule.id.clone(), result.case.name.clone());
-            let known = listed.remove(&(result.rule.id.as_str(), result.case.name.as_str()));
+            let (rule, case) = (result.rule.id.clone(), result.name.to_owned());
+            let known = listed.remove(&(result.rule.id.as_str(), result.name));
             match (&result.verdict, known) {
                 (Verdict::Diverges(departure), None) => {
                     troubles.push(Trouble::New { rule, case, found: departure.line() });

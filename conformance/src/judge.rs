@@ -174,9 +174,8 @@ impl Judge<'_> {
                 None => masked = Some(Finding::Masked(field.field.clone())),
                 Some(found) => {
                     let expected = expected_value(field);
-                    if !expected
-                        .is_some_and(|e| tolerance::values(&e, &found, self.shows.resolution))
-                    {
+                    let resolution = self.shows.resolution_of(&field.field, entries);
+                    if !expected.is_some_and(|e| tolerance::values(&e, &found, resolution)) {
                         let index = index.map_or_else(String::new, |index| format!("[{index}]"));
                         let found = rounded(&found);
                         return Finding::Fails(format!("{}{index} = {found}", field.field));

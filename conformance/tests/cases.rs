@@ -39,14 +39,14 @@ fn holds(suite: &Suite, edition: &str, rule: &str) -> Result<(), Failed> {
         .filter_map(|result| match &result.verdict {
             // An assertion about what not even the model shows would test nothing.
             Verdict::Pass if !result.masked.is_empty() => {
-                Some(format!("{}: not shown: {:?}", result.case.name, result.masked))
+                Some(format!("{}: not shown: {:?}", result.name, result.masked))
             }
             Verdict::Pass => None,
             Verdict::Diverges(departure) | Verdict::ChargedElsewhere(departure) => {
-                Some(format!("{}: {}", result.case.name, departure.line()))
+                Some(format!("{}: {}", result.name, departure.line()))
             }
             Verdict::Unsupported(why) | Verdict::Inconclusive(why) | Verdict::NotJudged(why) => {
-                Some(format!("{}: {why}", result.case.name))
+                Some(format!("{}: {why}", result.name))
             }
         })
         .collect();

@@ -171,6 +171,6 @@ fn the_model_and_the_controller_agree_on_hostile_scenarios() {
     let plan = Plan { suite: &suite, edition, only: &[], jobs };
     let run = certify(plan, &controller, &|| {});
     let others = run.cases.iter().filter(|result| result.verdict != Verdict::Pass);
-    let others: Vec<_> = others.map(|one| (&one.rule.id, &one.case.name, &one.verdict)).collect();
+    let others: Vec<_> = others.map(|one| (&one.rule.id, one.name, &one.verdict)).collect();
     assert!(others.is_empty(), "{others:#?}");
 }

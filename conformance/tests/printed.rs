@@ -275,15 +275,13 @@ fn cases_of_the_suite_are_printed_as_by_rs274() {
         "{agree} agree, {explained} differ by quirks, {} otherwise\n{shown}",
         otherwise.len()
     );
-    assert!(*agree >= AGREE && otherwise.len() <= OTHERWISE, "{counts}");
+    assert!(*agree >= AGREE && otherwise.is_empty(), "{counts}");
 }
 
 /// Every so many-th case is printed: all of them take minutes.
 const STRIDE: usize = 11;
 /// How many of these agree at least.
 const AGREE: usize = 300;
-/// FIXME: so many differ without a quirk that explains it: the order in which the words of a refused block are looked at.
-const OTHERWISE: usize = 4;
 
 impl Sweep {
     fn judge(

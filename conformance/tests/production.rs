@@ -43,7 +43,7 @@ fn it_passes_what_it_claims() {
         let run = run(&suite, edition);
         let mut wrong = Vec::new();
         for result in &run.cases {
-            let place = format!("{} / {}", result.rule.id, result.case.name);
+            let place = format!("{} / {}", result.rule.id, result.name);
             match &result.verdict {
                 Verdict::Pass => {}
                 Verdict::Unsupported(why) if OTHERS.contains(&why.as_str()) => {

@@ -59,4 +59,7 @@ pub enum Reply {
     /// The block is broken off here: this effect was not done, and nothing after it is. What the block did before stays, as the interpreter stands
     /// then; only [`Interpreter::abort`](crate::Interpreter::abort) or [`begin`](crate::Interpreter::begin) lead on.
     Broken,
+    /// The block is broken off here, and what follows is only read: it changes modes and parameters, and nothing of the machine. The
+    /// interpreter goes on as if this effect were done, until [`Interpreter::stand`](crate::Interpreter::stand).
+    Ahead,
 }

@@ -246,11 +246,18 @@ impl Interpreter {
     /// The interpreter stands before another program's first block then, as after [`Self::begin`].
     pub fn abort<K: Sink>(&mut self, sink: &mut K) {
         self.modal.abort(&mut self.parameters.numbered, sink, self.parameters.line);
-        self.begin();
+        self.begin_over();
     }
 
-    /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it set stays.
+    /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it set stays. The value that a
+    /// sub has returned is 0 then (11.4.3.5).
     pub fn begin(&mut self) {
+        self.parameters.value = 0.0;
+        self.begin_over();
+    }
+
+    /// Makes it ready for the program's first block, where that follows its last one without an end between them.
+    pub fn begin_over(&mut self) {
         self.forget_program();
         self.modal.begin();
         if let Some(main) = self.files.first_mut()
@@ -277,9 +284,6 @@ impl Interpreter {
         self.subs_ahead.clear();
         self.defined_lines.clear();
         self.packed = 0;
-        self.parameters.value = 0.0;
-        self.parameters.value_returned = false;
-        self.logs = Logs::default();
         self.parameters.numbered.end_notes();
         self.unfinished = None;
         self.ended = None;
@@ -381,9 +385,15 @@ impl Interpreter {
         self.modal.machine_point().position()
     }
 
-    /// Says where the controlled point stands in truth, machine coordinates and unit: what was interpreted ahead of it was not executed.
-    pub fn stand_at(&mut self, point: Position) {
-        self.modal.stand_at(point.into());
+    /// Says that nothing is executed from here on, but only read: the steps that follow change modes and parameters, and not the machine.
+    pub fn read_ahead(&mut self) {
+        self.modal.read_ahead();
+    }
+
+    /// Ends reading ahead, which [`Self::read_ahead`] or [`Reply::Ahead`](crate::Reply::Ahead) has begun: the point stands where it stood, and
+    /// the tools are those that the machine has.
+    pub fn stand(&mut self) {
+        self.modal.stand(&mut self.parameters.numbered);
     }
 
     /// Depth of calls; 0 in the main program.

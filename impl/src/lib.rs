@@ -74,6 +74,7 @@ pub mod faults;
 #[cfg(not(feature = "faults"))]
 #[expect(unreachable_pub, reason = "who embeds the interpreter cannot plant faults")]
 mod faults;
+mod in_order;
 mod interpret;
 mod limits;
 mod math;

@@ -79,6 +79,7 @@ impl<T> ByName<T> {
     fn grow(&mut self) {
         let slots = (self.slots.len() * 2).max(FEWEST_SLOTS);
         self.slots = vec![0; slots];
+        self.entries.reserve_exact(slots / 2 - self.entries.len());
         for place in 0..self.entries.len() {
             let mut slot = mixed(self.entries[place].0) & (slots - 1);
             while self.slots[slot] != 0 {

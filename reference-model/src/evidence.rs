@@ -13,7 +13,11 @@ pub enum RuleOutcome {
 
 /// The rules that a run reached.
 #[derive(Clone, Debug, Default)]
-pub struct Evidence(ByName<Reached>);
+pub struct Evidence {
+    rules: ByName<Reached>,
+    /// Whether nothing is put down: what is only looked at reaches no rule.
+    deaf: bool,
+}
 
 /// The outcomes with which a rule was reached.
 #[derive(Clone, Copy, Debug, Default)]
@@ -23,16 +27,25 @@ struct Reached {
 }
 
 impl Evidence {
+    /// Evidence of what is only looked at: nothing that is reached counts.
+    pub fn deaf() -> Self {
+        Self { deaf: true, ..Self::default() }
+    }
+
     /// The rule decided what an accepted block does.
     #[inline]
     pub fn accepted(&mut self, rule: &'static str) {
-        self.0.value(rule).accepted = true;
+        if !self.deaf {
+            self.rules.value(rule).accepted = true;
+        }
     }
 
     /// The rule refused a block.
     #[inline]
     pub fn refused(&mut self, rule: &'static str) {
-        self.0.value(rule).refused = true;
+        if !self.deaf {
+            self.rules.value(rule).refused = true;
+        }
     }
 
     /// All that was reached, ordered by rule.
@@ -43,7 +56,7 @@ impl Evidence {
     }
 
     fn reached(&self) -> impl Iterator<Item = (&'static str, RuleOutcome)> {
-        self.0.iter().flat_map(|(rule, reached)| {
+        self.rules.iter().flat_map(|(rule, reached)| {
             let accepted = reached.accepted.then_some((rule, RuleOutcome::Accepted));
             let refused = reached.refused.then_some((rule, RuleOutcome::Refused));
             [accepted, refused].into_iter().flatten()
@@ -73,7 +86,7 @@ struct Runs {
 impl Tally {
     /// Counts what a run reached.
     pub fn add(&mut self, evidence: &Evidence) {
-        for (rule, reached) in evidence.0.iter() {
+        for (rule, reached) in evidence.rules.iter() {
             let runs = self.0.value(rule);
             runs.accepted += u64::from(reached.accepted);
             runs.refused += u64::from(reached.refused);

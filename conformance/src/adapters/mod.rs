@@ -11,12 +11,15 @@ pub mod production;
 pub mod reference;
 pub mod rs274;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::num::NonZero;
 use std::ops::RangeInclusive;
 
-use gaugeblock_trace::{Effect, Options, Outcome, Pin, Rs274State, Scenario, Settings};
+use gaugeblock_trace::motion::{MotionLimits, MotionScript, Samples};
+use gaugeblock_trace::{
+    Effect, Entry, Options, Outcome, Pin, Rs274State, Scenario, Settings, Value,
+};
 
 /// What a controller shows; declared before the run.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +30,9 @@ pub struct Capabilities {
     pub version: String,
     /// Largest absolute error of the numbers that it prints, in program units.
     pub resolution: f64,
+    /// Settings that it prints once, as lengths of the unit that is in force then, and the largest absolute error of their numbers where
+    /// that is the millimetre later on.
+    pub carried: BTreeMap<String, f64>,
     /// Names of the settings and state fields that it shows, without index.
     pub fields: BTreeSet<String>,
     /// Those of them whose value is also known at each effect, not only after the block, and after the program's end.
@@ -58,6 +64,7 @@ impl Capabilities {
             name: name.to_owned(),
             version: version.to_owned(),
             resolution: 0.0,
+            carried: BTreeMap::new(),
             fields: fields(),
             fields_at_effects: fields(),
             effects: Effect::NAMES.iter().map(|name| (*name).to_owned()).collect(),
@@ -70,14 +77,27 @@ impl Capabilities {
         }
     }
 
+    /// Largest absolute error of a field that stands among these.
+    pub fn resolution_of(&self, field: &str, among: &[Entry]) -> f64 {
+        let Some(error) = self.carried.get(field) else { return self.resolution };
+        let unit = among.iter().find(|entry| entry.field == "units").map(|entry| &entry.value);
+        if unit == Some(&Value::Word("mm".to_owned())) { *error } else { self.resolution }
+    }
+
     /// What this controller and another one both show.
     pub fn and(&self, other: &Self) -> Self {
         let both =
             |a: &BTreeSet<String>, b: &BTreeSet<String>| a.intersection(b).cloned().collect();
+        let mut carried = self.carried.clone();
+        for (field, error) in &other.carried {
+            let own = carried.entry(field.clone()).or_insert(*error);
+            *own = own.max(*error);
+        }
         Self {
             name: self.name.clone(),
             version: self.version.clone(),
             resolution: self.resolution.max(other.resolution),
+            carried,
             fields: both(&self.fields, &other.fields),
             fields_at_effects: both(&self.fields_at_effects, &other.fields_at_effects),
             effects: both(&self.effects, &other.effects),
@@ -90,6 +110,28 @@ impl Capabilities {
             pin_period: self.pin_period.max(other.pin_period),
         }
     }
+}
+
+/// A run whose servo samples are asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<'a> {
+    /// The program and what it depends on.
+    pub scenario: &'a Scenario,
+    /// What the axes can do.
+    pub limits: &'a MotionLimits,
+    /// What a person and the inputs do.
+    pub script: &'a MotionScript,
+    /// The planner is given a segment in so many servo cycles; as many as it takes where nothing is said.
+    pub every: Option<u32>,
+}
+
+/// Why there are no samples.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NotMoved {
+    /// It shows none, or not of such a run.
+    Unsupported(String),
+    /// It failed.
+    Failed(String),
 }
 
 /// A controller under test, behind the vocabulary.
@@ -147,6 +189,20 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// The edition that says what it really does, if there is one.
     fn observed_edition(&self) -> Option<&'static str> {
         None
+    }
+
+    /// Whether it judges samples of others by laws of motion, instead of moving itself.
+    fn has_laws_of_motion(&self) -> bool {
+        false
+    }
+
+    /// What it commands of the axes while it runs a program.
+    ///
+    /// # Errors
+    /// It shows no samples at all or not of such a run, or it fails.
+    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
+        let _whatever_it_is = motion;
+        Err(NotMoved::Unsupported("it shows no servo samples".to_owned()))
     }
 
     /// Runs the scenario on a controller that nothing ran on before. None where each run is such a one anyway.
@@ -247,3 +303,29 @@ impl fmt::Display for HarnessError {
 }
 
 impl std::error::Error for HarnessError {}
+
+#[cfg(test)]
+mod tests {
+    use gaugeblock_trace::LengthUnit;
+
+    use super::*;
+
+    #[test]
+    fn a_length_that_is_carried_is_coarser_in_millimetres() {
+        let carried = BTreeMap::from([("feed_rate".to_owned(), 0.5)]);
+        let shows =
+            Capabilities { resolution: 0.25, carried, ..Capabilities::everything("a", "1") };
+        let both = shows.and(&Capabilities::everything("b", "1"));
+        for (field, units, expected) in [
+            ("feed_rate", LengthUnit::Millimetre, 0.5),
+            ("feed_rate", LengthUnit::Inch, 0.25),
+            ("position", LengthUnit::Millimetre, 0.25),
+        ] {
+            let among = Settings { units: Some(units), ..Settings::default() }.entries();
+            for shows in [&shows, &both] {
+                let found = shows.resolution_of(field, &among);
+                assert!((found - expected).abs() < 1e-12, "{field} in {units:?}: {found}");
+            }
+        }
+    }
+}

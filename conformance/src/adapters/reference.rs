@@ -28,4 +28,8 @@ impl Adapter for Reference {
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         Ok(gaugeblock_reference::run(scenario).0)
     }
+
+    fn has_laws_of_motion(&self) -> bool {
+        true
+    }
 }

@@ -90,7 +90,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     }
     let jobs = super::jobs(arguments.jobs.or(controller.best_jobs()));
     let plan = Plan { suite, edition, only: &arguments.only, jobs };
-    let cases = count(plan);
+    let cases = count(plan, controller.as_ref());
     if cases == 0 {
         return Err(Refused::wrong(
             "no case is selected",

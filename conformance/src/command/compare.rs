@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use clap::Args;
-use gaugeblock_trace::End;
+use gaugeblock_reference::motion::path::{differ, programmed};
+use gaugeblock_trace::{End, Outcome, Position};
 use serde_json::json;
 
 use super::run::How;
@@ -18,6 +19,12 @@ const EXAMPLES: &str = "Examples:
   gaugeblock compare part.ngc --iut rs274
   gaugeblock compare *.ngc --iut rs274 --edition rs274-2.9-observed
   gaugeblock compare part.ngc --iut rs274 --against reference --format json";
+
+/// What is said where effects differ, and what they ask of the axes does not.
+const SAME_PATH: &str = "\n  the path is the same: it is divided into other moves";
+
+/// How far points of the same path may be apart, millimetres.
+const PATH_TOLERANCE: f64 = 1e-6;
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -54,13 +61,13 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     for (file, scenario) in scenarios {
         let name = file.display().to_string();
         let words = match both(found_by.as_ref(), expected_by.as_ref(), &scenario) {
-            Ok(Comparison { divergence: None, compared, masked }) => {
+            Ok((Comparison { divergence: None, compared, masked }, _)) => {
                 results.push(
                     json!({ "file": name, "equal": true, "compared": compared, "masked": masked }),
                 );
                 format!("{name}: no difference in {} values", compared.total())
             }
-            Ok(Comparison { divergence: Some(divergence), .. }) => {
+            Ok((Comparison { divergence: Some(divergence), .. }, same_path)) => {
                 status = status.max(1);
                 let source = divergence.block.as_ref().and_then(|block| {
                     let line = usize::try_from(block.line).ok()?.checked_sub(1)?;
@@ -74,6 +81,7 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
                 results.push(json!({
                     "file": name, "equal": false, "block": divergence.block, "source": source,
                     "field": divergence.field, "expected": divergence.expected, "found": divergence.found,
+                    "same_path": same_path,
                 }));
                 let place = divergence
                     .block
@@ -81,8 +89,9 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
                     .map_or_else(String::new, |block| format!(":{}", block.line));
                 let (against, iut) = (&arguments.against, &arguments.iut);
                 let width = against.len().max(iut.len());
+                let remark = if same_path { SAME_PATH } else { "" };
                 format!(
-                    "{name}{place}: {}\n      | {}\n  {against:width$}  {}\n  {iut:width$}  {}",
+                    "{name}{place}: {}\n      | {}\n  {against:width$}  {}\n  {iut:width$}  {}{remark}",
                     divergence.field,
                     source.unwrap_or("(the end)"),
                     divergence.expected,
@@ -110,7 +119,7 @@ fn both(
     found_by: &dyn Adapter,
     expected_by: &dyn Adapter,
     scenario: &gaugeblock_trace::Scenario,
-) -> Result<Comparison, String> {
+) -> Result<(Comparison, bool), String> {
     let run = |controller: &dyn Adapter| {
         let name = controller.capabilities().name.clone();
         controller.supports(scenario).map_err(|why| format!("{name} does not run this: {why}"))?;
@@ -124,10 +133,26 @@ fn both(
             | End::Paused
             | End::Aborted
             | End::Fault(_)
-            | End::BudgetExhausted { .. } => Ok(Observed::of(&outcome)),
+            | End::BudgetExhausted { .. } => Ok(outcome),
         }
     };
     let (found, expected) = (run(found_by)?, run(expected_by)?);
     let shows = found_by.shows(scenario).and(&expected_by.shows(scenario));
-    Ok(compare_runs(&expected, &found, &shows))
+    let comparison = compare_runs(&Observed::of(&expected), &Observed::of(&found), &shows);
+    let effects_differ =
+        comparison.divergence.as_ref().is_some_and(|divergence| divergence.field == "effect");
+    Ok((comparison, effects_differ && is_same_path(&expected, &found)))
+}
+
+/// Whether two runs that came to their ends ask for the same path, however it is divided into moves.
+///
+/// It is a remark and no verdict: the documents say which move each block makes, and a controller that shows moves is held to
+/// that. Who shows the path alone is to declare so.
+fn is_same_path(expected: &Outcome, found: &Outcome) -> bool {
+    let path = |outcome: &Outcome| {
+        let ended = matches!(outcome.end, End::ProgramEnd | End::PercentEnd);
+        ended.then(|| programmed(outcome, Position::default()))
+    };
+    let (Some(expected), Some(found)) = (path(expected), path(found)) else { return false };
+    differ(&expected, &found, PATH_TOLERANCE).is_none()
 }

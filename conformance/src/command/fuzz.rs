@@ -18,7 +18,7 @@ use crate::fuzz::groups::{Find, Groups, merged, shrunk};
 use crate::fuzz::journal::{Header, Journal};
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{Extent, Plan, Shard, run};
-use crate::suite::{Edition, Suite};
+use crate::suite::{Edition, RuleOutcome, Suite};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock fuzz
@@ -117,6 +117,7 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     let against = controller::controller(&arguments.against)?;
     controller::honours(iut.as_ref(), &options)?;
     controller::honours(against.as_ref(), &options)?;
+    let options = without_defaults(options, suite);
     let plan = Plan {
         iut: iut.as_ref(),
         against: against.as_ref(),
@@ -155,6 +156,11 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
         statistics: &so_far.statistics,
         finds: &finds,
         known: &known,
+        rare: if arguments.only.is_empty() {
+            so_far.statistics.rarely_reached(outcomes(suite, edition))
+        } else {
+            Vec::new()
+        },
         seconds,
     };
     if let Some(folder) = &arguments.report {
@@ -303,6 +309,16 @@ fn options(
     }
 }
 
+/// Options without those that hold where nothing is listed.
+fn without_defaults(mut options: Options, suite: &Suite) -> Options {
+    for choice in &suite.choices {
+        if options.get(&choice.id).is_some_and(|option| choice.is_default(option)) {
+            options.0.remove(&choice.id);
+        }
+    }
+    options
+}
+
 /// Takes over what a fingerprint says for sure.
 fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), Refused> {
     let name = file.display();
@@ -339,6 +355,23 @@ fn seeds(suite: &Suite, edition: &Edition, options: &Options) -> Vec<gaugeblock_
         .map(|(_, case)| scenario_of(case, options, edition))
         .filter(|scenario| scenario.operator.is_empty() && scenario.program.main.len() < 2000)
         .collect()
+}
+
+/// The outcomes that the suite's rules may have under an edition.
+fn outcomes<'a>(
+    suite: &'a Suite,
+    edition: &'a Edition,
+) -> impl Iterator<Item = (&'a str, gaugeblock_reference::RuleOutcome)> {
+    let rules = suite.rules.iter().filter(|rule| !rule.void.contains_key(&edition.id));
+    rules.flat_map(|rule| {
+        rule.outcomes.iter().map(move |outcome| {
+            let reached = match outcome {
+                RuleOutcome::Accepted => gaugeblock_reference::RuleOutcome::Accepted,
+                RuleOutcome::Refused => gaugeblock_reference::RuleOutcome::Refused,
+            };
+            (rule.id.as_str(), reached)
+        })
+    })
 }
 
 fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {

@@ -8,7 +8,7 @@ use serde_json::json;
 use super::{Refused, place};
 use crate::fuzz::groups::Find;
 use crate::fuzz::journal::Header;
-use crate::fuzz::statistics::{Counts, Statistics};
+use crate::fuzz::statistics::{Counts, ENOUGH, Statistics};
 
 /// How many divergences are shown with their programs.
 const SHOWN: usize = 40;
@@ -21,6 +21,8 @@ pub(super) struct Report<'a> {
     pub(super) finds: &'a [Find],
     /// What an earlier report told already.
     pub(super) known: &'a [Find],
+    /// Outcomes of the suite's rules that few programs or none reached, and how many.
+    pub(super) rare: Vec<(String, u64)>,
     pub(super) seconds: f64,
 }
 
@@ -45,7 +47,7 @@ impl Report<'_> {
         }).collect();
         json!({
             "gaugeblock": "fuzz", "version": 0, "run": self.header, "statistics": self.statistics,
-            "divergences": finds, "known": self.known.len(),
+            "divergences": finds, "known": self.known.len(), "rarely_reached": self.rare,
         })
     }
 
@@ -89,6 +91,7 @@ impl Report<'_> {
         ] {
             list(&mut text, what, counts, if verbose { usize::MAX } else { 6 });
         }
+        self.rarely_reached(&mut text, if verbose { usize::MAX } else { 10 });
         if verbose {
             for (what, counts) in
                 [("ends", &s.ends), ("faults", &s.faults), ("codes", &s.codes), ("rules", &s.rules)]
@@ -98,6 +101,24 @@ impl Report<'_> {
         }
         let _infallible = writeln!(text, "{}", self.verdict());
         text
+    }
+
+    /// What the run says little of.
+    fn rarely_reached(&self, text: &mut String, most: usize) {
+        if self.rare.is_empty() {
+            return;
+        }
+        let _infallible = writeln!(
+            text,
+            "{} outcomes of the suite's rules were reached by fewer than {ENOUGH} programs:",
+            self.rare.len()
+        );
+        for (name, programs) in self.rare.iter().take(most) {
+            let _infallible = writeln!(text, "  {programs:>8}  {name}");
+        }
+        if self.rare.len() > most {
+            let _infallible = writeln!(text, "            … {} more", self.rare.len() - most);
+        }
     }
 
     /// In words.

@@ -199,7 +199,8 @@ impl Walk<'_> {
             let is_setting = Settings::FIELDS.contains(&entry.field);
             let basis = if is_setting { Basis::Settings } else { Basis::State };
             self.comparison.compared.add(basis, 1);
-            if !tolerance::values(&entry.value, &other.value, self.shows.resolution) {
+            let resolution = self.shows.resolution_of(entry.field, found);
+            if !tolerance::values(&entry.value, &other.value, resolution) {
                 return Some(Divergence {
                     block: Some(block.clone()),
                     field: entry.name(),

@@ -22,11 +22,13 @@ pub enum Basis {
     Parameters,
     /// Values that pins took.
     Pins,
+    /// Laws of motion over servo samples.
+    Laws,
 }
 
 impl Basis {
     /// All kinds, in the order in which they are told.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Assertions,
         Self::Acceptance,
         Self::Effects,
@@ -34,6 +36,7 @@ impl Basis {
         Self::State,
         Self::Parameters,
         Self::Pins,
+        Self::Laws,
     ];
 
     /// One letter, for tables.
@@ -46,6 +49,7 @@ impl Basis {
             Self::State => 't',
             Self::Parameters => 'p',
             Self::Pins => 'i',
+            Self::Laws => 'm',
         }
     }
 
@@ -59,6 +63,7 @@ impl Basis {
             Self::State => "state",
             Self::Parameters => "parameters at the end",
             Self::Pins => "pins",
+            Self::Laws => "laws of motion",
         }
     }
 }

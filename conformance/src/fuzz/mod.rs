@@ -61,7 +61,7 @@ pub struct Plan<'a> {
     pub spliced: u32,
     /// Those other ones: the suite's cases.
     pub seeds: Vec<Scenario>,
-    /// The options of the edition that applies.
+    /// The options of the edition that applies, without those that are the default of their choice: each run reads what is listed.
     pub options: Options,
     /// Choices of which each program takes some at random; none where the edition's options stand.
     pub random: Vec<&'a Choice>,
@@ -90,6 +90,7 @@ impl Plan<'_> {
                 let option = &dice.pick(&choice.options).name;
                 match scenario.options.0.get_mut(&choice.id) {
                     Some(chosen) => chosen.clone_from(option),
+                    None if choice.is_default(option) => {}
                     None => {
                         scenario.options.0.insert(choice.id.clone(), option.clone());
                     }
@@ -104,14 +105,16 @@ impl Plan<'_> {
 
     /// The edition's options again, out of those of a program. To build all of them anew would cost more than the program.
     fn options_again(&self, mut used: Options) -> Options {
-        if used.0.len() != self.options.0.len() {
-            return self.options.clone();
-        }
-        for (used, option) in used.0.values_mut().zip(self.options.0.values()) {
-            if used != option {
+        let mut own = self.options.0.iter().peekable();
+        used.0.retain(|id, used| {
+            let listed = own.next_if(|(own, _)| *own == id);
+            if let Some((_, option)) = listed
+                && used != option
+            {
                 used.clone_from(option);
             }
-        }
+            listed.is_some()
+        });
         used
     }
 

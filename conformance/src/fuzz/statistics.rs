@@ -65,9 +65,7 @@ impl Statistics {
             (&mut self.rules, &other.rules),
             (&mut self.codes, &other.codes),
         ] {
-            for (name, count) in its {
-                *mine.entry(name.clone()).or_default() += count;
-            }
+            its.iter().for_each(|(name, more)| count_more(mine, name, *more));
         }
     }
 
@@ -104,22 +102,61 @@ impl Statistics {
 
     /// Puts down what was counted so far.
     pub fn settle(&mut self) {
+        let mut name = String::new();
         for (rule, outcome, programs) in std::mem::take(&mut self.reached).iter() {
-            let name = match outcome {
-                RuleOutcome::Accepted => rule.to_owned(),
-                RuleOutcome::Refused => format!("{rule} refused"),
-            };
-            *self.rules.entry(name).or_default() += programs;
+            name.clear();
+            push_outcome(&mut name, rule, outcome);
+            count_more(&mut self.rules, &name, programs);
         }
+    }
+
+    /// Those outcomes of some rules that fewer programs reached than [`ENOUGH`], none too, and by how many; those of the fewest first.
+    /// Nothing at all where the model is neither of the two controllers.
+    pub fn rarely_reached<'a>(
+        &self,
+        outcomes: impl IntoIterator<Item = (&'a str, RuleOutcome)>,
+    ) -> Vec<(String, u64)> {
+        if self.rules.is_empty() {
+            return Vec::new();
+        }
+        let counts = outcomes.into_iter().map(|(rule, outcome)| {
+            let mut name = String::new();
+            push_outcome(&mut name, rule, outcome);
+            let programs = self.rules.get(&name).copied().unwrap_or_default();
+            (name, programs)
+        });
+        let mut rare: Vec<_> = counts.filter(|(_, programs)| *programs < ENOUGH).collect();
+        rare.sort_by(|a, b| a.1.cmp(&b.1).then_with(|| a.0.cmp(&b.0)));
+        rare
     }
 }
 
+/// So many programs reach an outcome of a rule in a run that says something of that rule.
+pub const ENOUGH: u64 = 20;
+
+/// Adds the name under which an outcome of a rule is counted.
+fn push_outcome(name: &mut String, rule: &str, outcome: RuleOutcome) {
+    name.push_str(rule);
+    name.push_str(match outcome {
+        RuleOutcome::Accepted => "",
+        RuleOutcome::Refused => REFUSED,
+    });
+}
+
+/// What stands behind a rule's id where the rule refused a block.
+const REFUSED: &str = " refused";
+
 /// Counts one of a name.
 pub fn count(counts: &mut Counts, name: &str) {
+    count_more(counts, name, 1);
+}
+
+/// Counts so many of a name.
+fn count_more(counts: &mut Counts, name: &str, more: u64) {
     match counts.get_mut(name) {
-        Some(count) => *count += 1,
+        Some(count) => *count += more,
         None => {
-            counts.insert(name.to_owned(), 1);
+            counts.insert(name.to_owned(), more);
         }
     }
 }
@@ -138,5 +175,24 @@ fn codes_of<'a>(text: &'a str, codes: &mut Vec<(char, &'a str)>) {
         if end > at + 1 {
             codes.push((char::from(letter), &text[at + 1..end]));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn outcomes_that_few_programs_reach_are_named_the_fewest_first() {
+        let rules = [("a", ENOUGH), ("a refused", 3), ("b", ENOUGH - 1)];
+        let rules = rules.map(|(name, programs)| (name.to_owned(), programs)).into();
+        let statistics = Statistics { rules, ..Statistics::default() };
+        let outcomes = ["a", "b", "c"]
+            .into_iter()
+            .flat_map(|rule| [(rule, RuleOutcome::Accepted), (rule, RuleOutcome::Refused)]);
+        let rare = statistics.rarely_reached(outcomes.clone());
+        let names: Vec<_> = rare.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["b refused", "c", "c refused", "a refused", "b"]);
+        assert!(Statistics::default().rarely_reached(outcomes).is_empty());
     }
 }

@@ -125,6 +125,8 @@ struct Drive<'a> {
     lines: Vec<u32>,
     /// What acts on the segments (M48 to M53).
     controls: Vec<Controls>,
+    /// How many elements of the path the planner has been given, moves and rests.
+    given: u32,
     samples: Samples,
     speed: Vec<f64>,
     asked: Vec<f64>,
@@ -193,7 +195,7 @@ impl<'a> Drive<'a> {
             Planner::new(dynamics, start).map_err(|error| Stopped::new(error.to_string()))?;
         let outputs = pins(outcome).into_iter().map(|pin| (pin, 0.0)).collect::<BTreeMap<_, _>>();
         let columns = limits.axes.keys().copied().map(Column::Position);
-        let columns = columns.chain([Column::Line]);
+        let columns = columns.chain([Column::Line, Column::Queued]);
         let columns = columns.chain(outputs.keys().copied().map(Column::Output)).collect();
         let samples = Samples::new(limits.period, 0.0, columns)
             .map_err(|error| Stopped::new(error.to_string()))?;
@@ -215,6 +217,7 @@ impl<'a> Drive<'a> {
             feeds: vec![f64::NAN],
             lines: vec![0],
             controls: Vec::new(),
+            given: 0,
             samples,
             speed: Vec::new(),
             asked: Vec::new(),
@@ -230,7 +233,15 @@ impl<'a> Drive<'a> {
 
     fn perform(&mut self, line: u32, effect: &Effect) -> Result<(), Stopped> {
         let number = u32::try_from(self.lines.len()).unwrap_or(u32::MAX);
-        match self.resolver.resolve(number, effect) {
+        let asked = self.resolver.resolve(number, effect);
+        let is_element = is_element(effect);
+        let done = self.ask(line, effect, asked);
+        self.given += u32::from(is_element);
+        done
+    }
+
+    fn ask(&mut self, line: u32, effect: &Effect, asked: Asked) -> Result<(), Stopped> {
+        match asked {
             Asked::Move(segment) => self.queue(line, &segment),
             Asked::WithNextMove(_) => self.with_next_move(effect),
             Asked::Rest => {
@@ -388,11 +399,49 @@ impl<'a> Drive<'a> {
         let mut row: Vec<f64> =
             self.limits.axes.keys().map(|axis| position[axis.place()]).collect();
         row.push(f64::from(line));
+        row.push(f64::from(self.given));
         row.extend(self.outputs.values());
         self.samples.push(&row).map_err(|error| Stopped::new(error.to_string()))?;
         self.speed.push(self.output.speed);
         self.asked.push(self.feeds.get(number).copied().unwrap_or(f64::NAN));
         Ok(())
+    }
+}
+
+/// Whether an effect is an element of the path: a move, or something for which the motion rests.
+fn is_element(effect: &Effect) -> bool {
+    match effect {
+        Effect::StraightTraverse { .. }
+        | Effect::StraightFeed { .. }
+        | Effect::ArcFeed { .. }
+        | Effect::NurbsFeed { .. }
+        | Effect::StraightProbe { .. }
+        | Effect::RigidTap { .. }
+        | Effect::Dwell { .. }
+        | Effect::PromptTool { .. }
+        | Effect::ChangeTool { .. }
+        | Effect::WaitOrient { .. }
+        | Effect::WaitInput { .. }
+        | Effect::UserCode { .. }
+        | Effect::Stop { .. }
+        | Effect::PalletShuttle {}
+        | Effect::ProgramEnd {} => true,
+        Effect::SetDigitalOutput { timing, .. } | Effect::SetAnalogOutput { timing, .. } => {
+            *timing == OutputTiming::AtOnce
+        }
+        Effect::StartSpindleSynchronisation { .. }
+        | Effect::StopSpindleSynchronisation {}
+        | Effect::PrepareTool { .. }
+        | Effect::SetToolNumber { .. }
+        | Effect::SetToolEntry { .. }
+        | Effect::OrientSpindle { .. }
+        | Effect::Message { .. }
+        | Effect::LogOpen { .. }
+        | Effect::LogClose {}
+        | Effect::ProbeLogOpen { .. }
+        | Effect::ProbeLogClose {}
+        | Effect::ChangeControllerMode { .. }
+        | Effect::RequestRefused { .. } => false,
     }
 }
 

@@ -6,15 +6,21 @@
 //! machine: limits of the axes ───────────────────────────────────┘
 //! ```
 //!
+//! The suite's cases of motion are judged here too: samples that a page gives (`made`) and those of a controller (`held`).
+//!
 //! Laws and bound are the model's, planner and resolver are production's: what one of them misreads the other shows.
 
 mod drawn;
 mod drive;
+mod held;
+mod made;
 mod picture;
 pub mod rides;
 mod summary;
 
 pub use drawn::drawn;
 pub use drive::{Circumstances, Planned, Stopped, plan, plan_under};
+pub use held::{FEEDS, asked, held};
+pub use made::made;
 pub use picture::Picture;
 pub use summary::Summary;

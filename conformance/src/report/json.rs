@@ -30,7 +30,7 @@ pub fn json(report: &Report<'_>) -> Value {
         .map(|result| {
             let mut case = json!({
                 "rule": result.rule.id,
-                "case": result.case.name,
+                "case": result.name,
                 "compared": result.compared,
                 "masked": result.masked,
                 "repeated": result.repeated,
@@ -43,7 +43,7 @@ pub fn json(report: &Report<'_>) -> Value {
                         "found": departure.line(),
                         "divergence": departure.divergence,
                         "explanation": departure.explanation,
-                        "program": result.case.program,
+                        "program": result.program,
                     }),
                 ),
                 Verdict::ChargedElsewhere(departure) => (

@@ -18,12 +18,12 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
     for result in &report.run.cases {
         let status = match &result.verdict {
             Verdict::Pass | Verdict::ChargedElsewhere(_) => TestCaseStatus::success(),
-            Verdict::Diverges(_) if is_known(report, &result.rule.id, &result.case.name) => {
+            Verdict::Diverges(_) if is_known(report, &result.rule.id, result.name) => {
                 TestCaseStatus::success()
             }
             Verdict::Diverges(departure) => {
                 let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-                status.set_message(departure.line()).set_description(result.case.program.clone());
+                status.set_message(departure.line()).set_description(result.program.to_owned());
                 status
             }
             Verdict::Unsupported(why) => {
@@ -39,7 +39,7 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
         };
         let chapter = result.rule.chapter();
         let suite = chapters.entry(chapter).or_insert_with(|| TestSuite::new(chapter));
-        let name = format!("{} / {}", result.rule.id, result.case.name);
+        let name = format!("{} / {}", result.rule.id, result.name);
         suite.add_test_case(TestCase::new(name, status));
     }
     document.add_test_suites(chapters.into_values());

@@ -49,7 +49,10 @@ pub fn profiles<'a>(suite: &'a Suite, run: &Run<'a>, claimed: &[String]) -> Vec<
         };
         let edition = &run.edition.id;
         let runs = |case: &Case| case.editions.is_empty() || case.editions.contains(edition);
-        let exists = |rule: &&Rule| !rule.void.contains_key(edition) && rule.cases.iter().any(runs);
+        let exists = |rule: &&Rule| {
+            let has_cases = rule.cases.iter().any(runs) || !rule.motion.is_empty();
+            !rule.void.contains_key(edition) && has_cases
+        };
         let of_profile = suite.rules.iter().filter(|rule| rule.profile == profile.id);
         for rule in of_profile.filter(exists) {
             match judged.iter().find(|judged| judged.rule.id == rule.id) {

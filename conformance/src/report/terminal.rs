@@ -99,13 +99,7 @@ fn chapters(text: &mut String, report: &Report<'_>) {
 /// A divergence: the rule, where it stands, the program, what was expected and found.
 fn divergence(text: &mut String, result: &CaseResult<'_>) {
     let Verdict::Diverges(departure) = &result.verdict else { return };
-    line!(
-        text,
-        "{} {} / {}",
-        styled(RED, "diverges"),
-        styled(BOLD, &result.rule.id),
-        result.case.name
-    );
+    line!(text, "{} {} / {}", styled(RED, "diverges"), styled(BOLD, &result.rule.id), result.name);
     line!(text, "  {}", result.rule.sentence);
     for source in &result.rule.sources {
         line!(text, "  {}", styled(DIM, &format!("{source}")));
@@ -132,7 +126,7 @@ fn without_guard(assertion: &str) -> &str {
 }
 
 fn program(text: &mut String, result: &CaseResult<'_>) {
-    let lines: Vec<&str> = result.case.program.lines().collect();
+    let lines: Vec<&str> = result.program.lines().collect();
     const SHOWN: usize = 24;
     for (place, line) in lines.iter().take(SHOWN).enumerate() {
         let line: String = line.chars().take(100).collect();
@@ -153,7 +147,7 @@ fn not_judged(text: &mut String, report: &Report<'_>) {
             | Verdict::ChargedElsewhere(_)
             | Verdict::Unsupported(_) => continue,
         };
-        line!(text, "{} {} / {}: {why}", styled(YELLOW, word), result.rule.id, result.case.name);
+        line!(text, "{} {} / {}: {why}", styled(YELLOW, word), result.rule.id, result.name);
     }
 }
 
@@ -215,7 +209,7 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
     }
     let repeated = report.run.cases.iter().filter(|result| result.repeated);
     let repeated: Vec<_> =
-        repeated.map(|result| format!("{} / {}", result.rule.id, result.case.name)).collect();
+        repeated.map(|result| format!("{} / {}", result.rule.id, result.name)).collect();
     if !repeated.is_empty() {
         line!(
             text,

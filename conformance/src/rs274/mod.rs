@@ -124,6 +124,12 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
 impl Run {
     /// Runs a program file.
     fn program(&mut self, text: Vec<u8>, folders: Vec<std::path::PathBuf>, has_ini: bool) -> u8 {
+        if let Some(line) = source::overlong_beginning(&text) {
+            self.printer.out.flush();
+            complain("Command too long");
+            complain(&String::from_utf8_lossy(line));
+            return 1;
+        }
         self.printer.out.call("ON_RESET");
         let mut source = Files::new(text, folders, self.texts.clone());
         let (status, ended) = self.blocks(&mut source);
@@ -172,8 +178,8 @@ impl Run {
         let reached = refusals::reached(fault, self.printer.words());
         let words = self.printer.words().clone();
         let (position, plane) = self.printer.place();
-        let over_hole = refusals::over_hole(fault);
-        self.printer.refused(place, (reached, over_hole), &self.interpreter.settings());
+        let begun = refusals::begun(fault, &words);
+        self.printer.refused(place, (reached, begun), &self.interpreter.settings());
         let line = match place {
             Some((file, line)) if fault.kind != Some(FaultKind::MissingEnd) => {
                 self.texts.line(file, line, <[u8]>::to_vec)

@@ -1,11 +1,12 @@
 //! The motion of a block: moves, probing, threads, and canned cycles, around which the path mode is switched.
 
 use gaugeblock_trace::{
-    Distance, Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn, Switch,
+    Distance, Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn,
 };
 
 use super::block::Printed;
 use super::modes::Modes;
+use super::refusals::Begun;
 
 /// What a cycle switches to on its way.
 const EXACT_PATH: &str = "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)";
@@ -73,8 +74,8 @@ impl Printed<'_> {
         hole.is_some()
     }
 
-    /// The same of a cycle that is refused where it stands over its hole, by its words.
-    pub(super) fn stands_over_hole(&mut self) {
+    /// The same of a cycle that is refused when it has begun, by its words.
+    pub(super) fn begun(&mut self, begun: Begun) {
         let plane = self.after.plane;
         let letters = match plane {
             Plane::Xy => [b'X', b'Y'],
@@ -98,7 +99,29 @@ impl Printed<'_> {
             Plane::Yz => (hole.y, hole.z) = (first, second),
             Plane::Xy | Plane::Uv | Plane::Wu | Plane::Vw => (hole.x, hole.y) = (first, second),
         }
-        self.over_hole(hole, self.after.path == Path::ExactPath);
+        let exact = self.after.path == Path::ExactPath;
+        match begun {
+            Begun::Above => {
+                self.above(&hole, exact);
+            }
+            Begun::OverHole => self.over_hole(hole, exact),
+        }
+    }
+
+    /// The move to the R plane from below it; whether there is one.
+    fn above(&mut self, hole: &Position, exact: bool) -> bool {
+        let plane = self.after.plane;
+        let (_, level) = in_plane(plane, &self.position);
+        let (_, r) = in_plane(plane, hole);
+        let rises = *self.old_level.get_or_insert(level) < r;
+        if rises {
+            let above = with_level(plane, &self.position, r);
+            self.out.call_to("STRAIGHT_TRAVERSE", &above);
+        }
+        if !exact {
+            self.out.begin(EXACT_PATH).end();
+        }
+        rises
     }
 
     /// The moves to the R plane over a hole.
@@ -106,15 +129,8 @@ impl Printed<'_> {
         let plane = self.after.plane;
         let (_, level) = in_plane(plane, &self.position);
         let (_, r) = in_plane(plane, &hole);
-        let old = *self.old_level.get_or_insert(level);
-        if old < r {
-            let above = with_level(plane, &self.position, r);
-            self.out.call_to("STRAIGHT_TRAVERSE", &above);
-        }
-        if !exact {
-            self.out.begin(EXACT_PATH).end();
-        }
-        if old >= r && level > r {
+        let rises = self.above(&hole, exact);
+        if !rises && level > r {
             let above = with_level(plane, &hole, level);
             self.out.call_to("STRAIGHT_TRAVERSE", &above);
         }
@@ -161,28 +177,12 @@ impl Printed<'_> {
             }
         }
         if before.feed_override != stage.feed_override {
-            if stage.feed_override == Switch::On && matches!(self.cycle, Some(740 | 840)) {
-                self.turned_back(stage);
-            }
             self.out.feed_override(stage.feed_override);
         }
         let pairs = before.spindles.iter().zip(&stage.spindles);
         for (number, (before, now)) in self.all().zip(pairs) {
             if before.speed_override != now.speed_override {
                 self.out.speed_override(number, now.speed_override);
-            }
-        }
-    }
-
-    /// A tap turns the spindle as before when it is out, though the manual does not say so.
-    fn turned_back(&mut self, stage: &Modes) {
-        let pairs = self.before.spindles.iter().zip(&stage.spindles).zip(&mut self.after.spindles);
-        for (number, ((before, now), after)) in (0..i64::from(self.machine.spindles)).zip(pairs) {
-            let turn = after_m3(before.turn, now.turn);
-            if now.turn != turn {
-                self.out.turn(number, SpindleTurn::Stopped);
-                self.out.turn(number, turn);
-                after.turn = turn;
             }
         }
     }
@@ -286,19 +286,6 @@ impl Printed<'_> {
             begun.number(front_angle).text(", ").number(back_angle).text(", ");
             begun.integer(orientation.into()).text(")").end();
         }
-    }
-}
-
-/// How a spindle turned before a tap, which turns it the other way.
-fn after_m3(before: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
-    match (before, now) {
-        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Clockwise) => {
-            SpindleTurn::Counterclockwise
-        }
-        (SpindleTurn::Stopped | SpindleTurn::Oriented, SpindleTurn::Counterclockwise) => {
-            SpindleTurn::Clockwise
-        }
-        _ => before,
     }
 }
 

@@ -6,6 +6,7 @@ use gaugeblock_trace::{Effect, Event, FaultKind, Plane, Position, Settings};
 use super::block::{Fixed, Phase, Printed, Words};
 use super::modes::Modes;
 use super::output::Output;
+use super::refusals::Begun;
 use super::settled::{CYCLES, MOTIONS};
 use super::source::Texts;
 use super::text;
@@ -83,11 +84,11 @@ impl Printer {
         (self.position, modes.plane)
     }
 
-    /// Prints what a refused block did before the phase at which it was refused; a cycle may have come to its hole.
+    /// Prints what a refused block did before the phase at which it was refused; a cycle may have begun.
     pub(super) fn refused(
         &mut self,
         place: Option<(&str, u32)>,
-        (reached, over_hole): (Phase, bool),
+        (reached, begun): (Phase, Option<Begun>),
         settings: &Settings,
     ) {
         let events = std::mem::take(&mut self.events);
@@ -97,8 +98,8 @@ impl Printer {
             after.apply(settings);
             after.assume(&self.words);
             self.print(file, line, &events, after, reached);
-            if over_hole {
-                self.printed(&[], after, None).stands_over_hole();
+            if let Some(begun) = begun {
+                self.printed(&[], after, None).begun(begun);
             }
         }
         self.begun = false;

@@ -28,8 +28,10 @@ pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
     let arc_or_cycle = motion.is_some_and(|code| code > 10 && code != 800);
     match fault.kind {
         Some(FaultKind::MissingWord) if fault.message.starts_with("inverse time") => Phase::Motion,
-        Some(FaultKind::CompensationActive) if words.has_m(6) => Phase::Change,
-        Some(FaultKind::CompensationActive) if words.g_of(&COMPENSATIONS).is_some() => Phase::Modes,
+        Some(FaultKind::CompensationActive) => under_compensation(&fault.message),
+        Some(FaultKind::AxisWords) if fault.message.starts_with("axis words that two") => {
+            Phase::Comment
+        }
         Some(_) if fault_of_compensation(fault, words) => Phase::Compensation,
         Some(
             FaultKind::BadArc
@@ -50,15 +52,58 @@ pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
             Phase::Motion
         }
         Some(_) if fault.message.starts_with("an incremental polar move") => Phase::Motion,
+        Some(_) if fault.message.starts_with("tapping") => Phase::Motion,
         Some(FaultKind::ToolNotFound) => Phase::Tool,
         Some(FaultKind::NothingSaved) => Phase::Saved,
         _ => Phase::Comment,
     }
 }
 
-/// Whether a canned cycle is refused only where it stands over its hole.
-pub(super) fn over_hole(fault: &Fault) -> bool {
-    fault.message == "G86 while the spindle stands" || fault.message == "Q is negative or zero"
+/// The phase of what cutter compensation forbids.
+fn under_compensation(message: &str) -> Phase {
+    let phases = [
+        ("M66", Phase::Outputs),
+        ("outputs", Phase::Outputs),
+        ("M6", Phase::Change),
+        ("overrides", Phase::Overrides),
+        ("another plane", Phase::Plane),
+        ("cutter compensation", Phase::Compensation),
+        ("a tool length offset", Phase::Modes),
+        ("selecting a coordinate system", Phase::Modes),
+        ("changing an offset", Phase::Offsets),
+        ("a predefined position", Phase::Offsets),
+        ("G53", Phase::Motion),
+        ("a canned cycle", Phase::Motion),
+        ("probing", Phase::Motion),
+    ];
+    let found = phases.iter().find(|(forbidden, _)| message.starts_with(forbidden));
+    found.map_or(Phase::Comment, |(_, phase)| *phase)
+}
+
+/// How far a canned cycle comes that is refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Begun {
+    /// To the R plane, where the point was below it, and to another path mode.
+    Above,
+    /// To the R plane over its hole.
+    OverHole,
+}
+
+/// How far the canned cycle has come that is refused; none where it is refused before it moves.
+pub(super) fn begun(fault: &Fault, words: &Words) -> Option<Begun> {
+    words.g_of(&CYCLES)?;
+    match fault.message.as_str() {
+        "a cycle that dwells without P" | "a cycle that pecks without Q" | "P is negative" => {
+            Some(Begun::Above)
+        }
+        // A negative Q is taken for none.
+        "Q is negative or zero" if words.get(b'Q').is_some_and(|q| q < 0.0) => Some(Begun::Above),
+        "Q is negative or zero"
+        | "G86 while the spindle stands"
+        | "tapping while the spindle stands"
+        | "tapping while the spindle turns the other way" => Some(Begun::OverHole),
+        _ => None,
+    }
 }
 
 /// Codes that turn compensation on.

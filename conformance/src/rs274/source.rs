@@ -105,6 +105,15 @@ impl Files {
     }
 }
 
+/// Most characters of a line.
+const LONGEST: usize = 252;
+
+/// The first line that is not blank, where it is too long: `rs274` reads up to it when it opens a file, and does not begin.
+pub(super) fn overlong_beginning(text: &[u8]) -> Option<&[u8]> {
+    let first = text.split(|byte| *byte == b'\n').find(|line| !line.trim_ascii().is_empty())?;
+    (first.trim_ascii_end().len() > LONGEST).then_some(first)
+}
+
 /// Whether a program begins with a percent line and has no second one.
 pub(super) fn is_unclosed(main: &[u8]) -> bool {
     let lines = main.split(|byte| matches!(byte, b'\n' | b'\r')).map(<[u8]>::trim_ascii);

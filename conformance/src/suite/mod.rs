@@ -3,6 +3,7 @@
 pub mod assertion;
 pub mod files;
 pub mod ledger;
+mod motion;
 mod page;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,8 +12,10 @@ use gaugeblock_trace::Options;
 
 pub use assertion::Assertion;
 pub use files::Files;
+pub use motion::{MotionCase, Piece, PlantedFault, Saying};
 pub use page::{
-    Case, Choice, ChoiceKind, ChoiceOption, Edition, Profile, Rule, RuleOutcome, Setup, Source,
+    Case, Choice, ChoiceKind, ChoiceOption, Edition, MotionChoice, MotionChoiceOption, Profile,
+    Rule, RuleOutcome, Setup, Source,
 };
 
 /// The suite as it is read.
@@ -22,6 +25,8 @@ pub struct Suite {
     pub rules: Vec<Rule>,
     /// Choices and quirks, ordered by id.
     pub choices: Vec<Choice>,
+    /// Choices of motion, ordered by id. No interpreter knows them.
+    pub motion_choices: Vec<MotionChoice>,
     /// Editions in the order of their file.
     pub editions: Vec<Edition>,
     /// Profiles in the order of their file.
@@ -42,6 +47,7 @@ impl Suite {
         let mut suite = Self {
             rules: Vec::new(),
             choices: Vec::new(),
+            motion_choices: Vec::new(),
             editions: Vec::new(),
             profiles: Vec::new(),
             paths: BTreeMap::new(),
@@ -54,6 +60,7 @@ impl Suite {
         }
         suite.rules.sort_by(|a, b| a.id.cmp(&b.id));
         suite.choices.sort_by(|a, b| a.id.cmp(&b.id));
+        suite.motion_choices.sort_by(|a, b| a.id.cmp(&b.id));
         suite.check(&mut errors);
         if errors.is_empty() { Ok(suite) } else { Err(errors) }
     }
@@ -87,8 +94,18 @@ impl Suite {
                 }
                 self.choices.push(choice);
             }
+            "motion-choices" => {
+                let choice: MotionChoice = toml::from_str(text).map_err(parsed)?;
+                expect_id(&choice.id, name.trim_end_matches(".toml"))?;
+                choice.motion.check_form()?;
+                for option in &choice.options {
+                    motion::check_sayings(&option.says)?;
+                }
+                self.motion_choices.push(choice);
+            }
             chapter => {
-                let rule: Rule = toml::from_str(text).map_err(parsed)?;
+                let mut rule: Rule = toml::from_str(text).map_err(parsed)?;
+                motion::complete(&mut rule.motion)?;
                 expect_id(&rule.id, &format!("{chapter}.{}", name.trim_end_matches(".toml")))?;
                 for case in &rule.cases {
                     assertions(&case.assertions)
@@ -108,6 +125,9 @@ impl Suite {
             .map(|choice| {
                 (choice.id.as_str(), choice.options.iter().map(|o| o.name.as_str()).collect())
             })
+            .chain(self.motion_choices.iter().map(|choice| {
+                (choice.id.as_str(), choice.options.iter().map(|o| o.name.as_str()).collect())
+            }))
             .collect();
         let known = |id: &str, option: &str| match options.get(id) {
             None => Err(format!("there is no choice or quirk `{id}`")),
@@ -150,18 +170,23 @@ impl Suite {
         known: &dyn Fn(&str, &str) -> Result<(), String>,
     ) -> Vec<String> {
         let mut problems = Vec::new();
-        if rule.cases.is_empty() || rule.sources.is_empty() || rule.outcomes.is_empty() {
-            problems.push("a rule has sources, outcomes and cases".to_owned());
+        if rule.sources.is_empty() || rule.cases.is_empty() && rule.motion.is_empty() {
+            problems.push("a rule has sources and cases".to_owned());
+        }
+        if rule.outcomes.is_empty() != rule.cases.is_empty() {
+            problems.push("a rule has outcomes where it has cases that reach them".to_owned());
         }
         let editions = rule.void.keys().chain(rule.cases.iter().flat_map(|case| &case.editions));
         for edition in editions.filter(|id| self.edition(id).is_none()) {
             problems.push(format!("there is no edition `{edition}`"));
         }
         let mut names = BTreeSet::new();
-        for case in &rule.cases {
-            if !names.insert(case.name.as_str()) {
-                problems.push(format!("two cases are named `{}`", case.name));
+        for name in rule.case_names() {
+            if !names.insert(name) {
+                problems.push(format!("two cases are named `{name}`"));
             }
+        }
+        for case in &rule.cases {
             for (id, option) in case.parsed().into_iter().filter_map(|assertion| assertion.guard) {
                 let fits = match id.as_str() {
                     "edition" => {
@@ -178,7 +203,8 @@ impl Suite {
             problems.push(format!("there is no profile `{}`", rule.profile));
         }
         for id in &rule.options {
-            if !self.choices.iter().any(|choice| choice.id == *id) {
+            let of_motion = self.motion_choices.iter().any(|choice| choice.id == *id);
+            if !of_motion && !self.choices.iter().any(|choice| choice.id == *id) {
                 problems.push(format!("there is no choice or quirk `{id}`"));
             }
         }
@@ -195,13 +221,31 @@ impl Suite {
         self.editions.iter().find(|edition| edition.id == id)
     }
 
-    /// All options of an edition: its own, its base's, and each choice's default.
+    /// All options of an edition that an interpreter reads: its own, its base's, and each choice's default.
     pub fn options(&self, edition: &Edition) -> Options {
-        let mut options: BTreeMap<String, String> = self
-            .choices
-            .iter()
+        let defaults = self.choices.iter();
+        let mut options: BTreeMap<String, String> = defaults
             .filter_map(|choice| Some((choice.id.clone(), choice.options.first()?.name.clone())))
             .collect();
+        let of_motion = |id: &str| self.motion_choices.iter().any(|choice| choice.id == id);
+        let named = self.named(edition).into_iter();
+        options.extend(named.filter(|(id, _)| !of_motion(id)));
+        Options(options.into())
+    }
+
+    /// All options of an edition that the laws of motion read.
+    pub fn motion_options(&self, edition: &Edition) -> BTreeMap<String, String> {
+        let named = self.named(edition);
+        let option = |choice: &MotionChoice| {
+            let default = choice.options.first().map(|option| &option.name);
+            Some((choice.id.clone(), named.get(&choice.id).or(default)?.clone()))
+        };
+        self.motion_choices.iter().filter_map(option).collect()
+    }
+
+    /// The options that an edition and its bases name.
+    fn named(&self, edition: &Edition) -> BTreeMap<String, String> {
+        let mut options = BTreeMap::new();
         let mut chain = vec![edition];
         while let Some(base) = chain.last().and_then(|last| self.edition(last.base.as_deref()?)) {
             if chain.len() > self.editions.len() {
@@ -212,7 +256,7 @@ impl Suite {
         for edition in chain.into_iter().rev() {
             options.extend(edition.options.clone());
         }
-        Options(options.into())
+        options
     }
 
     /// The rule of an id.
@@ -225,6 +269,13 @@ impl Case {
     /// Its assertions, which were checked when the page was read.
     pub fn parsed(&self) -> Vec<Assertion> {
         self.assertions.iter().filter_map(|text| text.parse().ok()).collect()
+    }
+}
+
+impl Choice {
+    /// Whether an option holds where none is listed: the first one does.
+    pub fn is_default(&self, option: &str) -> bool {
+        self.options.first().is_some_and(|first| first.name == option)
     }
 }
 

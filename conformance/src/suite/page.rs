@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use gaugeblock_trace::scenario::{Bench, Budget, Machine, OperatorEvent, Program, Scenario, Start};
 use serde::{Deserialize, Serialize};
 
+use super::motion::MotionCase;
+
 /// Where a document says something.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -51,7 +53,8 @@ pub struct Rule {
     pub sentence: String,
     /// Which documents demand it.
     pub sources: Vec<Source>,
-    /// The outcomes that it can have.
+    /// The outcomes that it can have; none where it is about motion alone.
+    #[serde(default)]
     pub outcomes: Vec<RuleOutcome>,
     /// The profile that it belongs to.
     pub profile: String,
@@ -62,14 +65,23 @@ pub struct Rule {
     #[serde(default)]
     pub void: BTreeMap<String, String>,
     /// Its cases.
-    #[serde(rename = "case")]
+    #[serde(rename = "case", default)]
     pub cases: Vec<Case>,
+    /// Its cases of motion.
+    #[serde(default)]
+    pub motion: Vec<MotionCase>,
 }
 
 impl Rule {
     /// The chapter: the part of the id before the point.
     pub fn chapter(&self) -> &str {
         self.id.split('.').next().unwrap_or_default()
+    }
+
+    /// The names of its cases of both kinds.
+    pub fn case_names(&self) -> impl Iterator<Item = &str> {
+        let names = self.cases.iter().map(|case| case.name.as_str());
+        names.chain(self.motion.iter().map(|case| case.name.as_str()))
     }
 }
 
@@ -184,6 +196,35 @@ pub struct ChoiceOption {
     /// What must be observed of the program under it.
     #[serde(rename = "assert")]
     pub assertions: Vec<String>,
+}
+
+/// A named point of motion that the documents leave open, and samples of which the laws say something else under each option.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MotionChoice {
+    /// Its id.
+    pub id: String,
+    /// What is chosen.
+    pub sentence: String,
+    /// Where the documents differ or are silent.
+    pub sources: Vec<Source>,
+    /// Samples that tell the options apart.
+    pub motion: MotionCase,
+    /// The options; the first is the default.
+    #[serde(rename = "option")]
+    pub options: Vec<MotionChoiceOption>,
+}
+
+/// One way to read the documents.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MotionChoiceOption {
+    /// Its name.
+    pub name: String,
+    /// What it means.
+    pub means: String,
+    /// What the laws say of the samples under it.
+    pub says: Vec<String>,
 }
 
 /// A set of documents with an option for each choice.

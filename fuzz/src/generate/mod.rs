@@ -53,7 +53,7 @@ pub struct Recipe {
 impl Default for Recipe {
     fn default() -> Self {
         Self {
-            blocks: (4, 44),
+            blocks: (4, 58),
             wrong_programs: 15,
             wrong_blocks: 5,
             single_kind_programs: 12,
@@ -93,9 +93,10 @@ pub fn from_seed(seed: u64, number: u64, recipe: &Recipe) -> Scenario {
     scenario(&mut Dice::of_seed(seed, number), recipe)
 }
 
-/// A scenario whose program is these bytes, as far as they are text.
+/// A scenario whose program is these bytes, as far as they are text. A NUL is none.
 pub fn raw(bytes: &[u8]) -> Scenario {
-    Scenario { budget: BUDGET, ..Scenario::of(String::from_utf8_lossy(bytes)) }
+    let text = String::from_utf8_lossy(bytes).replace('\0', "\u{fffd}");
+    Scenario { budget: BUDGET, ..Scenario::of(text) }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use gaugeblock_trace::scenario::{
     Action, Bench, Folder, InputChange, Machine, OperatorEvent, OrientAnswer, ProbeContact,
     Scenario, Tool, ToolChange, UserProgram, When,
 };
-use gaugeblock_trace::{Axis, Block, LengthUnit, Position, Program};
+use gaugeblock_trace::{Axis, Block, ControllerMode, LengthUnit, Position, Program};
 
 use super::dice::Dice;
 
@@ -158,6 +158,14 @@ fn operator(dice: &mut Dice<'_>) -> Vec<OperatorEvent> {
         Action::Abort,
         Action::OptionalStop(true),
         Action::FeedOverride(0.5),
+        Action::FeedOverride(0.0),
+        Action::FeedOverride(1.0),
+        Action::SpindleOverride { spindle: 0, factor: 0.0 },
+        Action::SpindleOverride { spindle: 0, factor: 0.5 },
+        Action::SpindleOverride { spindle: 0, factor: 1.0 },
+        Action::Mode(ControllerMode::Manual),
+        Action::Mode(ControllerMode::Mdi),
+        Action::Mode(ControllerMode::Auto),
         Action::RapidOverride(0.25),
         Action::FeedHold(true),
         Action::FeedHold(false),

@@ -126,7 +126,11 @@ impl Writer<'_, '_> {
             6 => self.state_parameter(),
             7 | 8 => format!("[{}]", self.expression(depth - 1)),
             9 => self.function(depth - 1),
-            _ => format!("-{}", self.function(depth - 1)),
+            _ => {
+                // Some documents have no sign but that of a number.
+                let sign = if self.dice.chance(30) { "-" } else { "" };
+                format!("{sign}{}", self.function(depth - 1))
+            }
         }
     }
 

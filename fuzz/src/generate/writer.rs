@@ -161,6 +161,11 @@ impl<'d, 'b> Writer<'d, 'b> {
         label
     }
 
+    /// Writes lines behind the end, as a numbered program stands.
+    pub(crate) fn behind_end(&mut self, lines: &str) {
+        self.after_end.push_str(lines);
+    }
+
     /// A label that nothing else has.
     pub(crate) fn new_label(&mut self) -> u32 {
         self.last_label += 1;

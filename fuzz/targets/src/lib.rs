@@ -20,11 +20,8 @@ pub const TARGETS: &[Target] = &[
     ("any_bytes", any_bytes),
     ("odd_program", odd_program),
     ("program", program),
-    ("streaming", streaming),
-    ("budget", budget),
     ("pairs", pairs),
     ("text_forms", text_forms),
-    ("production", production),
 ];
 
 /// Any bytes as a program: model and production end, do the same, and neither panics.
@@ -43,30 +40,16 @@ pub fn odd_program(bytes: &[u8]) {
     kept(oracle::model_keeps_its_promises(&odd::scenario(bytes)).map(drop));
 }
 
-/// A generated program does the same in model and production.
+/// A generated program does the same in model and production, however it arrives there; and a run whose budget ran out is the beginning of
+/// a longer one, in both.
 ///
 /// # Panics
-/// It does not.
+/// A promise is broken.
 pub fn program(bytes: &[u8]) {
-    agree(&generate::from_bytes(bytes));
-}
-
-/// How a program arrives at production changes nothing.
-///
-/// # Panics
-/// It does.
-pub fn streaming(bytes: &[u8]) {
     let mut dice = Dice::of_bytes(bytes);
     let scenario = generate::scenario(&mut dice, &generate::Recipe::default());
+    agree(&scenario);
     kept(oracle::arrives(&scenario, &mut dice));
-}
-
-/// A run whose budget ran out is the beginning of a longer one, in model and production.
-///
-/// # Panics
-/// It is not.
-pub fn budget(bytes: &[u8]) {
-    let scenario = generate::from_bytes(bytes);
     kept(oracle::goes_on(&scenario, &mut |scenario| of(&Reference::default(), scenario)));
     kept(oracle::goes_on(&scenario, &mut |scenario| of(&Production::default(), scenario)));
 }
@@ -94,14 +77,6 @@ pub fn text_forms(bytes: &[u8]) {
     if let Ok(outcome) = Outcome::from_text(text) {
         assert_eq!(Outcome::from_text(&outcome.to_text()), Ok(outcome), "so is an outcome");
     }
-}
-
-/// Bytes as a program of production alone, which ends without a panic.
-///
-/// # Panics
-/// It panics.
-pub fn production(bytes: &[u8]) {
-    let _outcome = of(&Production::default(), &generate::raw(bytes));
 }
 
 #[track_caller]

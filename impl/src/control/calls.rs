@@ -123,16 +123,11 @@ impl Interpreter {
     #[cold]
     fn find_sub<S: Source>(&mut self, label: NameId, source: &mut S) -> Result<u32, Halt> {
         let mixed = "this number begins a numbered program, which M98 calls";
-        if self.programs.as_ref().is_some_and(|programs| programs.contains_key(&label)) {
-            return refuse(FaultKind::MixedStyles, mixed);
-        }
         if let Some(segment) = self.sub_of_file(label, source)? {
             self.set_segment(label, segment);
             return Ok(segment);
         }
-        let known = self.programs.is_some();
-        if !known
-            && self.gather_programs(None, source)?
+        if self.gather_programs(None, source)?
             && self.programs.as_ref().is_some_and(|programs| programs.contains_key(&label))
         {
             return refuse(FaultKind::MixedStyles, mixed);

@@ -38,7 +38,9 @@ impl Interpreter {
         let file = u32::try_from(self.files.len()).unwrap_or(NONE);
         self.files.push(name);
         let caller = core::mem::replace(&mut self.reader, Reader::new());
+        let percents = (self.percent.take(), self.percent_closed);
         let found = self.read_file(label, file, source);
+        (self.percent, self.percent_closed) = percents;
         self.reader = caller;
         source.close();
         found
@@ -52,16 +54,20 @@ impl Interpreter {
         source: &mut S,
     ) -> Result<Option<u32>, Halt> {
         let mut found = None;
-        let mut percents = 0_u8;
         let mut code = Segment { file, ..Segment::default() };
         loop {
             code.clear();
             match self.next_into(source, &mut code)? {
                 Next::Over => return Ok(found),
-                Next::Percent(_) if percents != 0 => return Ok(found),
-                Next::Percent(_) => percents = 1,
+                Next::Percent(place) => {
+                    // What is refused outside of its sub is never executed.
+                    if let Ok(Some(_)) = self.percent_line(place.line) {
+                        return Ok(found);
+                    }
+                }
                 Next::Nothing => {}
                 Next::Block(block) => {
+                    self.percent = self.percent.or(Some(false));
                     if code.ops.iter().any(|op| matches!(op, Op::MCode(2 | 30))) {
                         return Ok(found);
                     }

@@ -202,10 +202,14 @@ impl Interpreter {
         loop {
             match self.next_into(source, &mut code)? {
                 // A sub of a file is executed as far as it goes: it is refused where its endsub is missed.
-                Next::Over | Next::Percent(_) if file != 0 => break,
+                Next::Over if file != 0 => break,
                 Next::Over => return Ok(Err(Bad::Endless)),
                 Next::Percent(place) => {
                     if self.percent_into(place, &mut code) {
+                        if file != 0 {
+                            code.blocks.pop();
+                            break;
+                        }
                         return Ok(Err(Bad::Endless));
                     }
                 }

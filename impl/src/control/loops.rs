@@ -31,7 +31,7 @@ impl Interpreter {
             && (followed || !head.ended || self.packer.choices.do_label == DoLabel::First)
         {
             if self.condition(at, block, oword)? {
-                return self.jump(head, false, source);
+                return self.jump(head, true, source);
             }
             if let Some(head) = self.scopes.find(label) {
                 head.ended = true;

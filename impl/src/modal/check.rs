@@ -153,11 +153,14 @@ impl Modal {
         let machine_coordinates = block.g(NON_MODAL) == Some(530);
         let arc = matches!(explicit, Some(20 | 30));
         if words.axes() == 0 {
+            // A code that uses axis words does so also where there are none, but for G43.2 with H (11.4.13, 11.5.30).
+            let by_length = u8::from(matches!(block.g(TOOL_LENGTH), Some(431 | 432)));
+            let moves = !matches!(explicit, None | Some(800 | 53));
+            if moves && taken.axis_codes > by_length {
+                return refuse(FaultKind::AxisWords, "two codes that use axis words");
+            }
             if taken.needs_axes || machine_coordinates {
                 return refuse(FaultKind::MissingWord, "an axis word is missing");
-            }
-            if arc && taken.axis_codes != 0 {
-                return refuse(FaultKind::AxisWords, "an arc beside a code that uses axis words");
             }
             block.motion = explicit.or(implied);
             // A full circle has no axis words.

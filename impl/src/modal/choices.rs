@@ -1,12 +1,9 @@
 //! The points at which documents differ, as far as they concern modes: read once from the options.
 
-use alloc::collections::btree_map::Iter;
-use alloc::string::String;
-use core::iter::Peekable;
-
 use gaugeblock_trace::Options;
 
 use crate::error::Error;
+use crate::in_order::InOrder;
 
 macro_rules! choices {
     ($($(#[$about:meta])* $name:ident: $id:literal, $first:literal, $second:literal;)*) => {
@@ -21,7 +18,7 @@ macro_rules! choices {
         impl Choices {
             /// Reads the options that concern modes; others are not looked at.
             pub(crate) fn read(options: &Options) -> Result<Self, Error> {
-                let mut in_order = InOrder { options, rest: options.0.iter().peekable() };
+                let mut in_order = InOrder::new(options);
                 Ok(Self {
                     $($name: match in_order.get($id) {
                         None | Some($first) => false,
@@ -33,23 +30,6 @@ macro_rules! choices {
             }
         }
     };
-}
-
-/// Options that are asked for in the order of their ids, which is that in which they are kept: one pass finds them all.
-struct InOrder<'a> {
-    options: &'a Options,
-    rest: Peekable<Iter<'a, String, String>>,
-}
-
-impl<'a> InOrder<'a> {
-    /// The option of a choice; one that is asked for out of order is looked for as any other.
-    fn get(&mut self, id: &str) -> Option<&'a str> {
-        while self.rest.next_if(|(next, _)| next.as_str() < id).is_some() {}
-        match self.rest.next_if(|(next, _)| next.as_str() == id) {
-            Some((_, option)) => Some(option),
-            None => self.options.get(id),
-        }
-    }
 }
 
 choices! {
@@ -153,6 +133,8 @@ choices! {
     tool_must_exist: "tool.empty-slot", "accepted", "refused";
     /// G10 L1, L10 and L11 need something to set.
     entry_needs_words: "tool.entry-without-words", "accepted", "refused";
+    /// G43, G43.1, G43.2 and G49 are refused under cutter compensation.
+    length_uncompensated: "tool.length-under-compensation", "accepted", "refused";
     /// The old tool goes to the slot of the new one.
     old_tool_to_new_slot: "tool.old-tool-place", "its-own-slot", "slot-of-the-new";
     /// The slide of G76 moves the end of a pass too.
@@ -171,6 +153,8 @@ choices! {
     feed_number_kept: "units-planes.feed-over-unit-change", "rescaled", "kept";
     /// The machine's own unit is in force at the start.
     initial_machine_unit: "units-planes.initial-unit", "millimetre", "machine";
+    /// G17, G18 and G19 do not change the plane under cutter compensation.
+    plane_uncompensated: "units-planes.plane-under-compensation", "accepted", "refused";
     /// A missing argument of a user-defined code is an empty text.
     empty_argument: "user-codes.missing-argument", "minus-one", "empty";
 }

@@ -147,6 +147,10 @@ impl Modal {
                 (self.motion, self.position, _) = before;
                 Err(Refusal::Broken)
             }
+            Reply::Ahead => {
+                self.read_ahead_from(before.1);
+                Ok(Flow::More)
+            }
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => Ok(Flow::More),
         }
     }
@@ -235,7 +239,7 @@ impl Modal {
             self.dwell(block.words, sink)?;
         }
         if let Some(code) = block.g(PLANE) {
-            self.select_plane(code);
+            self.select_plane(code)?;
         }
         if let Some(code) = block.g(UNITS) {
             self.select_units(code);
@@ -316,6 +320,7 @@ impl Modal {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
             Reply::Broken => return Err(Refusal::Broken),
+            Reply::Ahead => self.read_ahead_from(self.position),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(())
@@ -329,9 +334,13 @@ impl Modal {
         effect: &Effect,
         sink: &mut K,
     ) -> Result<(), Refusal> {
+        let is_ahead = self.stands.is_some();
         let done = self.perform(line, effect, sink);
         if matches!(done, Err(Refusal::Broken)) {
             self.position = start;
+        } else if self.stands.is_some() && !is_ahead {
+            self.stands = None;
+            self.read_ahead_from(start);
         }
         done
     }
@@ -349,6 +358,7 @@ impl Modal {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
             Reply::Broken => return Err(Refusal::Broken),
+            Reply::Ahead => self.read_ahead_from(self.position),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(reply)

@@ -11,6 +11,7 @@
 //! * The sink hears of a setting when it changed, and before the next effect.
 //! * Positions are program coordinates in the active length unit; only an offset, a unit or G53 goes through machine coordinates.
 
+mod ahead;
 mod arcs;
 mod check;
 mod choices;
@@ -46,6 +47,7 @@ mod work;
 #[cfg(test)]
 mod tests;
 
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 use gaugeblock_trace::scenario::ToolChange;
@@ -56,6 +58,7 @@ use gaugeblock_trace::{
 use crate::error::Error;
 use crate::parameters::Numbered;
 
+use ahead::Stands;
 use choices::{Choices, InitialMotion};
 pub(crate) use coordinates::{Conversion, Coordinates};
 use cycles::{Series, Unfinished};
@@ -96,6 +99,8 @@ pub(crate) struct Modal {
     tools: Vec<Tool>,
     /// Tools that the block has changed, with their places, as they were.
     changed_tools: Vec<(usize, Tool)>,
+    /// The machine as it is, where what is executed now is only read ahead.
+    stands: Option<Box<Stands>>,
     /// Mode of the controller.
     controller_mode: ControllerMode,
     /// What M70 and M73 saved.
@@ -165,6 +170,7 @@ impl Modal {
             selected: None,
             tools: machine.tools.clone(),
             changed_tools: Vec::with_capacity(2),
+            stands: None,
             controller_mode: ControllerMode::Auto,
             saved: SavedStates::default(),
             stop_asked: false,
@@ -218,12 +224,6 @@ impl Modal {
     /// The controlled point in machine coordinates, machine unit.
     pub(crate) fn machine_point(&self) -> Coordinates {
         self.in_force.now().machine_of(self.position).converted(self.active_to_stored())
-    }
-
-    /// Puts the controlled point where it stands in truth, machine coordinates, machine unit.
-    pub(crate) fn stand_at(&mut self, machine: Coordinates) {
-        let machine = machine.converted(self.stored_to_active());
-        self.position = self.in_force.now().program_of(machine);
     }
 
     /// The tool table as the program has changed it.

@@ -50,7 +50,7 @@ impl Modal {
         match reply {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
-            Reply::Broken => return Err(Refusal::Broken),
+            Reply::Broken | Reply::Ahead => return Err(Refusal::Broken),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         let contact = if let Reply::Contact(Some(contact)) = reply { Some(contact) } else { None };

@@ -161,6 +161,9 @@ impl Modal {
 
     /// G43, G43.1, G43.2, G49. They move nothing: the point gets other coordinates.
     pub(super) fn tool_length(&mut self, words: &Words, code: u16) -> Result<(), Refusal> {
+        if self.choices.length_uncompensated {
+            self.refuse_under_compensation("a tool length offset")?;
+        }
         let old = self.in_force.now().tool_offset;
         let offset = match code {
             490 => Coordinates::default(),

@@ -35,8 +35,8 @@ impl Modal {
         }
     }
 
-    /// G17 to G19.1.
-    pub(super) fn select_plane(&mut self, code: u16) {
+    /// G17 to G19.1. Whether G17, G18 and G19 may choose another plane while the cutter is compensated is a choice.
+    pub(super) fn select_plane(&mut self, code: u16) -> Result<(), Refusal> {
         let plane = match code {
             170 => Plane::Xy,
             180 => Plane::Zx,
@@ -46,7 +46,12 @@ impl Modal {
             181 => Plane::Wu,
             _ => Plane::Vw,
         };
+        let changes = self.in_force.now().plane != plane && matches!(code, 170 | 180 | 190);
+        if changes && self.choices.plane_uncompensated {
+            self.refuse_under_compensation("another plane")?;
+        }
         self.in_force.put(|modes| &mut modes.plane, plane);
+        Ok(())
     }
 
     /// G20, G21.

@@ -106,7 +106,7 @@ impl Names {
         }
     }
 
-    /// A new name at its place. Names are ASCII; anything else would be shown as it can be.
+    /// A new name at its place. A name is text: what is none became so when it was read.
     #[cold]
     fn add(&mut self, name: &[u8], place: usize) -> NameId {
         let id = u32::try_from(self.names.len()).unwrap_or(EMPTY);

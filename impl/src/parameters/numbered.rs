@@ -11,8 +11,6 @@ const COUNT: usize = 5603;
 const NOTES: usize = 64;
 /// Words of 64 bits that hold a bit for each parameter.
 const MARKS: usize = 88;
-/// So many of them are looked at together, since a block sets few parameters.
-const MARKS_TOGETHER: usize = 8;
 
 /// The numbered parameters. They start at zero.
 #[derive(Clone, Debug)]
@@ -20,6 +18,8 @@ pub(crate) struct Numbered {
     values: Box<[f64; COUNT]>,
     /// A bit for each parameter that was set since the marks were last taken.
     marks: [u64; MARKS],
+    /// A bit for each word of marks that has one, since a block sets few parameters.
+    marked: u128,
     /// A bit for each that was told of then.
     told: [u64; MARKS],
     /// What a block has set, with the values before, while it can still be refused.
@@ -34,6 +34,7 @@ impl Numbered {
         Self {
             values: Box::new([0.0; COUNT]),
             marks: [0; MARKS],
+            marked: 0,
             told: [0; MARKS],
             notes: Vec::with_capacity(NOTES),
             noting: false,
@@ -57,6 +58,7 @@ impl Numbered {
         let Some(slot) = self.values.get_mut(place) else { return 0.0 };
         if let Some(marks) = self.marks.get_mut(place >> 6) {
             *marks |= 1 << (place & 63);
+            self.marked |= 1 << (place >> 6);
         }
         core::mem::replace(slot, value)
     }
@@ -94,13 +96,13 @@ impl Numbered {
 
     /// Tells each parameter that was set since the last time, in ascending order, and forgets that it was.
     pub(crate) fn take_changes(&mut self, mut tell: impl FnMut(u32, f64)) {
-        let groups = self.marks.chunks_mut(MARKS_TOGETHER);
-        let told = self.told.chunks_mut(MARKS_TOGETHER);
-        for ((first, group), told) in (0_u32..).step_by(MARKS_TOGETHER).zip(groups).zip(told) {
-            if group.iter().fold(0, |all, marks| all | marks) == 0 {
-                continue;
-            }
-            for ((word, marks), told) in (first..).zip(group).zip(told) {
+        let mut marked = core::mem::take(&mut self.marked);
+        while marked != 0 {
+            let word = marked.trailing_zeros();
+            marked &= marked.wrapping_sub(1);
+            let place = usize::try_from(word).unwrap_or(usize::MAX);
+            if let (Some(marks), Some(told)) = (self.marks.get_mut(place), self.told.get_mut(place))
+            {
                 *told |= *marks;
                 for number in numbers(word, core::mem::take(marks)) {
                     tell(number, value_of(&*self.values, number));
@@ -131,6 +133,7 @@ impl Numbered {
         }
         if let Some(marks) = self.marks.first_mut() {
             *marks |= 0x7fff_fffe;
+            self.marked |= 1;
         }
     }
 }

@@ -3,6 +3,7 @@
 use gaugeblock_trace::Options;
 
 use crate::error::Error;
+use crate::in_order::InOrder;
 
 macro_rules! readings {
     ($($(#[$about:meta])* $id:literal $name:ident { $($(#[$what:meta])* $text:literal $variant:ident,)* })*) => {
@@ -13,7 +14,7 @@ macro_rules! readings {
 
             impl $name {
                 /// The option of this choice; the first one where none is given.
-                fn of(options: &Options) -> Result<Self, Error> {
+                fn of(options: &mut InOrder<'_>) -> Result<Self, Error> {
                     match options.get($id) {
                         None => Ok([$(Self::$variant),*][0]),
                         $(Some($text) => Ok(Self::$variant),)*
@@ -77,8 +78,8 @@ readings! {
 
 /// Which of two options a choice has: false for the first one, which is the default.
 fn second(
-    options: &Options,
-    id: &str,
+    options: &mut InOrder<'_>,
+    id: &'static str,
     names: [&str; 2],
     message: &'static str,
 ) -> Result<bool, Error> {
@@ -108,9 +109,11 @@ macro_rules! choices {
             /// # Errors
             /// A choice has an option that its page does not name.
             pub(crate) fn of(options: &Options) -> Result<Self, Error> {
+                let mut in_order = InOrder::new(options);
+                let options = &mut in_order;
                 Ok(Self {
-                    $($many: $type::of(options)?,)*
                     $($field: second(options, $id, [$first, $second], concat!("no such option of ", $id))?,)*
+                    $($many: $type::of(options)?,)*
                 })
             }
         }
@@ -119,48 +122,24 @@ macro_rules! choices {
 
 choices! {
     several {
-        /// A percent line in a file that does not begin with one.
-        percent_alone: PercentAlone,
-        /// Where ROUND goes from halfway.
-        round_half: RoundHalf,
         /// What a message shows for a name that does not exist.
         absent_name: AbsentName,
         /// Several do loops with one label.
         do_label: DoLabel,
         /// A count that is no integer.
         repeat_fraction: RepeatFraction,
+        /// Where ROUND goes from halfway.
+        round_half: RoundHalf,
+        /// A percent line in a file that does not begin with one.
+        percent_alone: PercentAlone,
     }
     two {
-        /// A comment may hold a left parenthesis.
-        comment_nested "text.comment-nested" ["refused", "plain"],
-        /// The line end is not one of the 256 characters.
-        line_end_free "text.line-end-counted" ["counted", "not-counted"],
-        /// A file that begins with a percent line needs the second one although it has an M2.
-        percent_needed "text.percent-unclosed-ended" ["accepted", "refused"],
-        /// ATAN gives 0 to 360.
-        full_turn "expressions.arctangent-range" ["half-turns", "full-turn"],
-        /// MOD has the sign of its left side.
-        modulus_dividend "expressions.modulus-sign" ["not-negative", "dividend"],
-        /// GT GE LT LE take close numbers as equal.
-        order_tolerant "expressions.order-tolerance" ["exact", "tolerant"],
-        /// True is -1.
-        true_minus_one "expressions.true-value" ["one", "minus-one"],
-        /// A zero keeps the sign with which it was found.
-        zero_signed "expressions.negative-zero" ["none", "kept"],
-        /// A sign belongs to a number only.
-        sign_refused "expressions.unary-minus" ["accepted", "refused"],
-        /// A global parameter that was never set is zero.
-        absent_zero "parameters.absent-global" ["refused", "zero"],
-        /// #5400 to #5428 can be set.
-        position_writable "parameters.read-only-numbered" ["refused", "written"],
-        /// The settings of a block take effect before its words act.
-        settings_first "parameters.setting-time" ["after-words", "before-words"],
         /// A value in a message has four decimals.
         default_four "active-comments.default-format" ["six-decimals", "four-decimals"],
-        /// %f gives six decimals.
-        format_six "active-comments.plain-f-format" ["four-decimals", "six-decimals"],
         /// MSG needs no comma.
         message_free "active-comments.msg-without-comma" ["plain", "message"],
+        /// %f gives six decimals.
+        format_six "active-comments.plain-f-format" ["four-decimals", "six-decimals"],
         /// A message shows values from before its block.
         message_old "active-comments.same-block-setting" ["new", "old"],
         /// No comment on the line of an o-word.
@@ -173,6 +152,18 @@ choices! {
         skipped_free "control.skipped-definition" ["counts", "does-not-count"],
         /// A label may be the number of the sub around it.
         sub_number_free "control.sub-number-as-label" ["refused", "accepted"],
+        /// ATAN gives 0 to 360.
+        full_turn "expressions.arctangent-range" ["half-turns", "full-turn"],
+        /// MOD has the sign of its left side.
+        modulus_dividend "expressions.modulus-sign" ["not-negative", "dividend"],
+        /// A zero keeps the sign with which it was found.
+        zero_signed "expressions.negative-zero" ["none", "kept"],
+        /// GT GE LT LE take close numbers as equal.
+        order_tolerant "expressions.order-tolerance" ["exact", "tolerant"],
+        /// True is -1.
+        true_minus_one "expressions.true-value" ["one", "minus-one"],
+        /// A sign belongs to a number only.
+        sign_refused "expressions.unary-minus" ["accepted", "refused"],
         /// A numbered subprogram may call itself.
         call_itself "fanuc-subs.call-itself" ["refused", "allowed"],
         /// A numbered subprogram sees its caller's local parameters.
@@ -181,7 +172,19 @@ choices! {
         value_kept "fanuc-subs.value-after-call" ["cleared", "kept"],
         /// A subprogram that is executed no time need not exist.
         uncalled_free "fanuc-subs.zero-count-unknown" ["refused", "accepted"],
+        /// A global parameter that was never set is zero.
+        absent_zero "parameters.absent-global" ["refused", "zero"],
+        /// #5400 to #5428 can be set.
+        position_writable "parameters.read-only-numbered" ["refused", "written"],
+        /// The settings of a block take effect before its words act.
+        settings_first "parameters.setting-time" ["after-words", "before-words"],
         /// A return must carry the number of its sub.
         return_own "subroutines.return-label" ["any", "own"],
+        /// A comment may hold a left parenthesis.
+        comment_nested "text.comment-nested" ["refused", "plain"],
+        /// The line end is not one of the 256 characters.
+        line_end_free "text.line-end-counted" ["counted", "not-counted"],
+        /// A file that begins with a percent line needs the second one although it has an M2.
+        percent_needed "text.percent-unclosed-ended" ["accepted", "refused"],
     }
 }

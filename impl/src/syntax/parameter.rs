@@ -1,6 +1,7 @@
 //! Parameters in the text (11.4.3): `#` with a number, an expression, a further parameter, or a name.
 
 use alloc::string::String;
+use alloc::vec::Vec;
 
 use gaugeblock_trace::FaultKind;
 
@@ -125,11 +126,13 @@ impl Packer {
         place
     }
 
-    /// Reads a name in angle brackets into a text.
+    /// Reads a name in angle brackets into a text. Nothing limits its characters but what ends it (11.4.3.3), so that it may be written in
+    /// any language.
     pub(crate) fn read_name(&self, cursor: &mut Cursor<'_>, name: &mut String) -> Packed<()> {
         let start = cursor.at();
         name.clear();
         cursor.step();
+        let mut foreign = Vec::new();
         loop {
             match cursor.peek() {
                 b'>' => break,
@@ -137,18 +140,20 @@ impl Packer {
                 b'(' | b')' | b';' => {
                     return cursor.refuse(FaultKind::BadComment, "a comment within a name");
                 }
-                byte if byte.is_ascii_graphic() => name.push(char::from(byte)),
-                _ => {
+                0 => {
                     return cursor.refuse_from(
                         start,
                         FaultKind::BadExpression,
                         "a name is not closed",
                     );
                 }
+                byte if byte.is_ascii() && foreign.is_empty() => name.push(char::from(byte)),
+                byte => foreign.push(byte),
             }
             cursor.step();
         }
         cursor.step();
+        name.push_str(&String::from_utf8_lossy(&foreign));
         if name.is_empty() {
             return cursor.refuse_from(start, FaultKind::BadExpression, "a name is empty");
         }

@@ -9,10 +9,14 @@ use crate::error::Error;
 pub(super) struct Choices {
     /// `abort.read-ahead`: modes and parameters are those that the interpreter has made by reading ahead.
     pub(super) read_on: bool,
+    /// `abort.spindle-and-coolant`: spindles go on, and those that are held at an angle stay so.
+    pub(super) abort_leaves_alone: bool,
     /// `orient.brake-otherwise`: the brake is applied only while the spindle is locked.
     pub(super) brake_while_locked: bool,
     /// `outputs.at-once-over-waiting`: what is set at once takes back what waits.
     pub(super) at_once_replaces: bool,
+    /// `outputs.waiting-after-abort`: what waits for a motion when a program is aborted waits for the next one.
+    pub(super) waits_after_abort: bool,
     /// `pause.cycle-start`: cycle start goes on after M0 and M1.
     pub(super) cycle_start_goes_on: bool,
     /// `pause.during-dwell`: a dwell of a program that is paused stands still.
@@ -32,8 +36,10 @@ impl Choices {
         };
         Ok(Self {
             read_on: second("abort.read-ahead", "none", "read-on")?,
+            abort_leaves_alone: second("abort.spindle-and-coolant", "switched-off", "left-alone")?,
             brake_while_locked: second("orient.brake-otherwise", "while-standing", "while-locked")?,
             at_once_replaces: second("outputs.at-once-over-waiting", "kept", "replaces")?,
+            waits_after_abort: second("outputs.waiting-after-abort", "forgotten", "kept")?,
             cycle_start_goes_on: second("pause.cycle-start", "refused", "goes-on")?,
             dwell_stands: second("pause.during-dwell", "goes-on", "stands-still")?,
             enters_in_manual: second("task.mdi-in-manual", "refused", "executed")?,

@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{ControllerMode, Pin, Position, Settings};
+use gaugeblock_trace::{ControllerMode, Pin, Settings};
 
 use crate::error::Error;
 use crate::interpret::Interpreter;
@@ -98,8 +98,6 @@ pub(super) struct Desk<M> {
     pub(super) set_ahead: Settings,
     /// What was broken off waits for the machine: nothing behind it has been read.
     pub(super) awaited: bool,
-    /// Where the controlled point was after the last block, machine coordinates; kept where something can be read ahead.
-    pub(super) stands: Position,
 }
 
 impl<M: Machine> Desk<M> {
@@ -130,7 +128,6 @@ impl<M: Machine> Desk<M> {
             ahead: false,
             set_ahead: Settings::default(),
             awaited: false,
-            stands: interpreter.machine_point(),
         };
         // What they are before anything runs is no change.
         desk.values = desk.values_now().collect();
@@ -209,8 +206,11 @@ impl<M: Machine> Desk<M> {
         self.synchronised = false;
     }
 
-    /// What waits for a motion is gone with the motions that were queued.
+    /// After an abort: what waits for a motion is gone with the motions that were queued, or waits for the next one.
     pub(super) fn forget_waiting(&mut self) {
+        if self.choices.waits_after_abort {
+            return;
+        }
         self.digital.forget_waiting();
         self.analog.forget_waiting();
     }
@@ -240,13 +240,11 @@ impl<M: Machine> Desk<M> {
         Some(stuck)
     }
 
-    /// After an abort: where the point stands, if the interpreter shall read ahead.
-    pub(super) fn reads_ahead(&mut self) -> Option<Position> {
-        if self.choices.read_on && self.doing == Doing::Program && !self.awaited {
-            self.ahead = true;
-            return Some(self.stands);
-        }
-        None
+    /// After an abort: whether the interpreter shall read ahead.
+    pub(super) fn reads_ahead(&mut self) -> bool {
+        let reads = self.choices.read_on && self.doing == Doing::Program && !self.awaited;
+        self.ahead |= reads;
+        reads
     }
 
     /// What was set by reading ahead is in force now, although nothing was executed.
@@ -254,7 +252,7 @@ impl<M: Machine> Desk<M> {
         self.ahead = false;
         let set = core::mem::take(&mut self.set_ahead);
         if set != Settings::default() {
-            self.followed.set(&set);
+            self.followed.take_over(&set);
             self.machine.set(self.line, &set);
         }
     }

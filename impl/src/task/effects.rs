@@ -23,7 +23,7 @@ impl<M: Machine> Desk<M> {
             }
         }
         let reply = perform(&mut self.machine);
-        if !matches!(reply, Reply::Failed(_) | Reply::Broken) {
+        if !matches!(reply, Reply::Failed(_) | Reply::Broken | Reply::Ahead) {
             let digital = self.digital.begin_motion();
             if self.analog.begin_motion() || digital {
                 self.renew_pins();
@@ -37,7 +37,7 @@ impl<M: Machine> Desk<M> {
         if self.broken == Some(Break::Abort) && self.choices.read_on && self.doing == Doing::Program
         {
             self.ahead = true;
-            return Reply::Done;
+            return Reply::Ahead;
         }
         Reply::Broken
     }
@@ -229,9 +229,6 @@ impl<M: Machine> Sink for Desk<M> {
         }
         self.within = false;
         self.level = done.call_level();
-        if self.choices.read_on {
-            self.stands = done.machine_point();
-        }
         self.machine.block_done(done);
     }
 }

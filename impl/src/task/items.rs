@@ -69,10 +69,32 @@ fn pin_name(pin: Pin) -> String {
 
 /// A name that ends in a number of two digits at least.
 fn with_number(name: &str, number: u16) -> String {
-    let zero = if number < 10 { "0" } else { "" };
-    [name, zero, &number.to_string()].concat()
+    let mut text = room(name);
+    if number < 10 {
+        text.push('0');
+    }
+    push_number(&mut text, number);
+    text
 }
 
 fn of_spindle(spindle: u16, pin: &str) -> String {
-    ["spindle.", &spindle.to_string(), pin].concat()
+    let mut text = room("spindle.");
+    push_number(&mut text, spindle);
+    text.push_str(pin);
+    text
+}
+
+/// A text that has room for what stands behind its beginning.
+fn room(beginning: &str) -> String {
+    let mut text = String::with_capacity(32);
+    text.push_str(beginning);
+    text
+}
+
+/// Most numbers have one digit.
+fn push_number(text: &mut String, number: u16) {
+    match u8::try_from(number) {
+        Ok(digit @ 0..=9) => text.push(char::from(b'0'.wrapping_add(digit))),
+        _ => text.push_str(&number.to_string()),
+    }
 }

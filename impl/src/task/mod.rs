@@ -184,7 +184,7 @@ impl<M: Machine> Task<M> {
 
     /// The program begins again without an end, as M99 in the main program says: nothing is asked, and nothing changes.
     pub fn start_over(&mut self) {
-        self.interpreter.begin();
+        self.interpreter.begin_over();
         self.desk.begin(Doing::Program);
     }
 
@@ -281,9 +281,11 @@ impl<M: Machine> Task<M> {
         loop {
             match self.desk.machine.wait(None) {
                 Happening::Asked(action) => {
+                    self.desk.look_at_spindles();
                     let idle = self.desk.asked_idle(action);
                     self.interpreter.set_controller_mode(self.desk.mode);
                     if self.desk.take_abort() {
+                        self.desk.forget_waiting();
                         self.interpreter.abort(&mut self.desk);
                         self.interpreter.set_controller_mode(self.desk.mode);
                     }
@@ -315,6 +317,8 @@ impl<M: Machine> Task<M> {
         self.desk.take_over();
         self.desk.rest();
         self.interpreter.abort(&mut self.desk);
+        self.desk.release_spindles();
+        self.desk.look_at_spindles();
         self.desk.renew_pins();
         self.interpreter.set_controller_mode(self.desk.mode);
         Activity::Ended(End::Aborted)
@@ -322,13 +326,16 @@ impl<M: Machine> Task<M> {
 
     /// Where an abort leaves what was read ahead, the interpreter goes on up to a block that waits for the machine, and nothing of that is done.
     fn read_ahead<S: Source>(&mut self, source: &mut S) {
-        let Some(stands) = self.desk.reads_ahead() else { return };
+        if !self.desk.reads_ahead() {
+            return;
+        }
+        self.interpreter.read_ahead();
         for _ in 0..READ_AHEAD {
             match self.interpreter.step(source, &mut self.desk) {
                 Ok(Progress::More | Progress::Stopped) => {}
                 Ok(Progress::Broken | Progress::Ended(_)) | Err(_) => break,
             }
         }
-        self.interpreter.stand_at(stands);
+        self.interpreter.stand();
     }
 }

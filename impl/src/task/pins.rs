@@ -110,6 +110,36 @@ impl Followed {
         spindles || changed.mist.is_some() || changed.flood.is_some()
     }
 
+    /// Takes over settings that were only read ahead: nobody has told a spindle to turn to an angle, or taken that back. One that turns now is held
+    /// at none.
+    pub(super) fn take_over(&mut self, changed: &Settings) {
+        let orientations = self.spindles.map(|spindle| spindle.orientation);
+        self.set(changed);
+        for (spindle, orientation) in self.spindles.iter_mut().zip(orientations) {
+            if matches!(spindle.turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise) {
+                continue;
+            }
+            spindle.orientation = orientation;
+            if orientation == Orientation::None {
+                spindle.turn = SpindleTurn::Stopped;
+            }
+        }
+    }
+
+    /// No spindle is held at an angle, or on its way to one.
+    pub(super) fn release(&mut self) {
+        for spindle in &mut self.spindles {
+            spindle.orientation = Orientation::None;
+        }
+    }
+
+    /// Whether a spindle is on its way to its angle.
+    pub(super) fn is_on_its_way(&self, spindle: u32) -> bool {
+        let place = usize::try_from(spindle).ok();
+        let spindle = place.and_then(|place| self.spindles.get(place));
+        spindle.is_some_and(|spindle| spindle.orientation == Orientation::Asked)
+    }
+
     /// M19 begins.
     pub(super) fn orient(&mut self, spindle: u32, angle: f64, direction: OrientDirection) {
         let Some(spindle) = self.spindle(spindle) else { return };

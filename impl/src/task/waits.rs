@@ -27,7 +27,11 @@ enum Woken {
 impl<M: Machine> Desk<M> {
     /// Waits once. A wait for nothing that will ever come is broken off as stuck.
     fn wake(&mut self, until: Option<f64>, stuck: Stuck) -> Result<Woken, Broken> {
-        match self.machine.wait(until) {
+        let happening = self.machine.wait(until);
+        if happening == Happening::Changed {
+            self.look_at_spindles();
+        }
+        match happening {
             Happening::Time => Ok(Woken::InTime),
             Happening::Changed => Ok(Woken::Perhaps),
             Happening::Asked(action) => {
@@ -39,6 +43,25 @@ impl<M: Machine> Desk<M> {
                 self.broken = Some(Break::Stuck(stuck));
                 Err(Broken)
             }
+        }
+    }
+
+    /// Spindles that have come to their angles are held there, whoever waits for them.
+    pub(super) fn look_at_spindles(&mut self) {
+        for spindle in 0..u32::try_from(super::panel::SPINDLES).unwrap_or(0) {
+            if self.followed.is_on_its_way(spindle)
+                && self.machine.state_of(Work::Orientation(spindle)) == WorkState::Done
+            {
+                self.followed.lock(spindle);
+                self.renew_pins();
+            }
+        }
+    }
+
+    /// An abort stops spindles as M5 does, also one whose stop was read ahead and is nothing new to the interpreter.
+    pub(super) fn release_spindles(&mut self) {
+        if !self.choices.abort_leaves_alone {
+            self.followed.release();
         }
     }
 

@@ -6,6 +6,7 @@ use gaugeblock_trace::Position;
 use gaugeblock_trace::motion::{Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
 
 use super::curve::Curve;
+use super::laws::readings::ToleranceAtChange;
 use super::vector::{Nine, direction, dot, from_segment};
 
 /// A moving element.
@@ -71,6 +72,17 @@ impl<'a> Route<'a> {
     /// # Errors
     /// Why it is not known: an element of which only the end is.
     pub(super) fn of(path: &'a ProgrammedPath) -> Result<Self, String> {
+        Self::under(ToleranceAtChange::default(), path)
+    }
+
+    /// The route of a path, under a reading of which tolerance holds where it changes.
+    ///
+    /// # Errors
+    /// Why it is not known: an element of which only the end is.
+    pub(super) fn under(
+        change: ToleranceAtChange,
+        path: &'a ProgrammedPath,
+    ) -> Result<Self, String> {
         let mut here = path.start;
         let start = Corner { at: here.to_array(), passing: Passing::Rest, tasks: Vec::new() };
         let mut route = Self { legs: Vec::new(), corners: vec![start] };
@@ -79,7 +91,7 @@ impl<'a> Route<'a> {
         }
         for corner in 1..route.legs.len() {
             if route.corners[corner].passing != Passing::Rest {
-                route.corners[corner].passing = route.passing(corner);
+                route.corners[corner].passing = route.passing(change, corner);
             }
         }
         route.last_corner().passing = Passing::Rest;
@@ -134,10 +146,10 @@ impl<'a> Route<'a> {
 
     /// How the corner between two legs may be passed where nobody asks for rest.
     ///
-    /// Rule trajectory.mode-at-corner. A corner is exact if either leg is: exact path asks for each programmed point, and what
-    /// follows must follow its own path from the start. Of two tolerances the larger one counts: no sentence says which, and a
-    /// law accuses only where every reading does.
-    fn passing(&self, corner: usize) -> Passing {
+    /// A corner is exact if either leg is: exact path asks for each programmed point, and what
+    /// follows must follow its own path from the start. Which of two tolerances counts is the choice
+    /// trajectory.tolerance-at-change: no sentence says it.
+    fn passing(&self, change: ToleranceAtChange, corner: usize) -> Passing {
         let (before, after) = (&self.legs[corner - 1], &self.legs[corner]);
         match (before.element.mode, after.element.mode) {
             (PathMode::ExactPath | PathMode::ExactStop, _)
@@ -151,7 +163,12 @@ impl<'a> Route<'a> {
             ) => {
                 let merged = merge.min(other_merge);
                 let merged = if self.can_be_merged(corner, merged) { merged } else { 0.0 };
-                Passing::Within(one.max(other) + merged)
+                let tolerance = match change {
+                    ToleranceAtChange::Larger => one.max(other),
+                    ToleranceAtChange::Before => one,
+                    ToleranceAtChange::After => other,
+                };
+                Passing::Within(tolerance + merged)
             }
         }
     }
@@ -177,14 +194,19 @@ impl<'a> Route<'a> {
     /// Whether a row of lines that is merged into one line can have this corner inside.
     ///
     /// Rule trajectory.merging. Lines at one feed that move X, Y, Z alone are merged where they are less than Q away from
-    /// one line; so are the halves of an arc in XY. Whatever row it is, the neighbours of the corner are within Q of its line, so
+    /// one line; so are the halves of an arc in XY that is less than Q from a line, or less than P: two sections differ, and the
+    /// wider one is granted. Whatever row it is, the neighbours of the corner are within Q of its line, so
     /// that the corner is within 2 Q of the line between them. What fails that is no corner of a merged row.
     fn can_be_merged(&self, corner: usize, merge: f64) -> bool {
         let (before, after) = (&self.legs[corner - 1], &self.legs[corner]);
+        let bow = |leg: &Leg<'_>| match leg.element.mode {
+            PathMode::Within { tolerance, .. } => merge.max(tolerance),
+            PathMode::ExactStop | PathMode::ExactPath | PathMode::BetweenMidpoints => merge,
+        };
         let plain = |leg: &Leg<'_>| {
             let (start, end) = (leg.curve.start(), leg.curve.end());
             let spatial = (3..9).all(|axis| start[axis].to_bits() == end[axis].to_bits());
-            spatial && leg.curve.rise_over_chord() <= merge && leg.element.feed != Feed::Rapid
+            spatial && leg.curve.rise_over_chord() <= bow(leg) && leg.element.feed != Feed::Rapid
         };
         let away = from_segment(&before.curve.start(), &after.curve.end(), &after.curve.start());
         let level = away <= 2.0 * merge;

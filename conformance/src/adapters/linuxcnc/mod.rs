@@ -304,6 +304,7 @@ fn capabilities(version: String) -> Capabilities {
         name: "linuxcnc".to_owned(),
         version,
         resolution: 5.0e-6,
+        carried: BTreeMap::new(),
         fields: owned(&fields, HIDDEN_FIELDS),
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
         pins: Pin::names().map(str::to_owned).collect(),

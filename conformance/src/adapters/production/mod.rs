@@ -14,9 +14,11 @@ mod tests;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use gaugeblock_trace::motion::Samples;
 use gaugeblock_trace::{Options, Outcome, Scenario};
 
-use super::{Adapter, Capabilities, HarnessError};
+use super::{Adapter, Capabilities, HarnessError, Motion, NotMoved};
+use crate::motion::plan;
 
 /// The production controller.
 #[derive(Debug)]
@@ -51,5 +53,15 @@ impl Adapter for Production {
             let stderr = text.unwrap_or_default().to_owned();
             Err(HarnessError::Crashed { status: "a panic".to_owned(), stderr })
         })
+    }
+
+    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
+        if !motion.script.events.is_empty() {
+            return Err(NotMoved::Unsupported("nobody intervenes in its motion yet".to_owned()));
+        }
+        let outcome = self.run(motion.scenario);
+        let outcome = outcome.map_err(|error| NotMoved::Failed(error.to_string()))?;
+        let planned = plan(&outcome, motion.limits, motion.every);
+        planned.map(|planned| planned.samples).map_err(|stopped| NotMoved::Failed(stopped.why))
     }
 }

@@ -159,22 +159,25 @@ impl<'a> Outside<'a> {
 
     /// The value of an input now; one to which nothing is connected is zero.
     pub(super) fn input(&self, input: Input) -> f64 {
+        if let Input::Digital(number) = input
+            && let Some(output) = self.wire(number)
+        {
+            let on = self.outputs.get(&output).copied().unwrap_or_default();
+            return f64::from(u8::from(on));
+        }
+        // Where nothing slows motion down it is at full speed.
+        let unconnected = if input == Input::AdaptiveFeed { 1.0 } else { 0.0 };
+        if self.bench.inputs.is_empty() {
+            return unconnected;
+        }
         let name = match input {
-            Input::Digital(number) => {
-                if let Some(output) = self.wire(number) {
-                    let on = self.outputs.get(&output).copied().unwrap_or_default();
-                    return f64::from(u8::from(on));
-                }
-                format!("digital_in[{number}]")
-            }
+            Input::Digital(number) => format!("digital_in[{number}]"),
             Input::Analog(number) => format!("analog_in[{number}]"),
             Input::AdaptiveFeed => "adaptive_feed".to_owned(),
             Input::FeedHold => "feed_hold".to_owned(),
         };
         let changes = self.bench.inputs.iter();
         let past = changes.filter(|change| change.input == name && change.time <= self.time);
-        // Where nothing slows motion down it is at full speed.
-        let unconnected = if input == Input::AdaptiveFeed { 1.0 } else { 0.0 };
         past.map(|change| change.value).next_back().unwrap_or(unconnected)
     }
 

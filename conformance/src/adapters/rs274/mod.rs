@@ -40,6 +40,16 @@ const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 }
 /// Calls have four decimals, and probes show a value below a ten-thousandth as zero.
 const RESOLUTION: f64 = 1.0e-4;
 
+/// Lengths that are printed when they are set and not when the length unit changes: set in inches, they are shown with the error of inches.
+const CARRIED: &[&str] = &[
+    "feed_rate",
+    "blend_tolerance",
+    "naive_cam_tolerance",
+    "g5x_offset",
+    "g92_offset",
+    "tool_offset",
+];
+
 /// Exit status of a refused program.
 const REFUSED: i32 = 1;
 
@@ -112,9 +122,9 @@ impl Adapter for Rs274 {
             shows.fields.remove("feed_rate");
             shows.fields_at_effects.remove("feed_rate");
         }
-        if ["g20", "g21"].iter().all(|code| source.has_g_code(&[code])) {
-            // A length that was printed in inches may be shown in millimetres.
-            shows.resolution *= 25.4;
+        if source.has_g_code(&["g20"]) {
+            let coarser = shows.resolution * 25.4;
+            shows.carried.extend(CARRIED.iter().map(|field| ((*field).to_owned(), coarser)));
         }
         if scenario.machine.length_unit == LengthUnit::Millimetre {
             shows.hidden_parameters.extend([5161..=5219, 5221..=5390]);
@@ -208,6 +218,7 @@ fn capabilities(version: String) -> Capabilities {
         name: "rs274".to_owned(),
         version,
         resolution: RESOLUTION,
+        carried: BTreeMap::new(),
         fields: owned(&fields, HIDDEN_FIELDS),
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
         moves_in_place: true,

@@ -75,7 +75,8 @@ pub enum Start {
 pub struct Program {
     /// Language of the program.
     pub language: Language,
-    /// Text of the main program, whose file name is `main.ngc`. Bytes that are not UTF-8 are out of a scenario's reach.
+    /// Text of the main program, whose file name is `main.ngc`. Bytes that are not UTF-8 are out of a scenario's reach, and so
+    /// is a NUL, which is no text: controllers need not agree on it, and the command refuses it.
     pub main: String,
     /// Text of subroutine files, by file name. One in the folder `elsewhere/` is where no controller looks.
     pub files: BTreeMap<String, String>,
@@ -126,7 +127,7 @@ impl Options {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Budget {
-    /// Executed blocks.
+    /// Executed blocks. A loop that is tested at its head executes it each time; one that is not goes on behind it.
     pub steps: u32,
     /// Effects.
     pub effects: u32,

@@ -145,6 +145,37 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.state.names.clear();
         },
     ),
+    Row::when(
+        "numbered.local-name",
+        Kind::Numbered,
+        2,
+        |s| s.fanuc && !s.in_sub && !s.nested,
+        |w| {
+            let label = w.new_label();
+            // Where subprograms have a scope of their own the name is unknown there.
+            let value = *w.dice.pick(&["exists[#<width>]", "exists[#<width>]", "#<width>"]);
+            w.structure("#<width> = 3");
+            w.structure(&format!("m98 p{label}"));
+            w.behind_end(&format!("o{label}\n#32 = {value}\nm99\n"));
+        },
+    ),
+    Row::when(
+        "numbered.deep",
+        Kind::Numbered,
+        1,
+        |s| s.fanuc && !s.in_sub && !s.nested,
+        |w| {
+            // Ten levels are allowed.
+            let levels = *w.dice.pick(&[8, 9, 9, 10, 11]);
+            let labels: Vec<u32> = (0..levels).map(|_| w.new_label()).collect();
+            for (place, label) in labels.iter().enumerate() {
+                let next = labels.get(place + 1).map(|next| format!("m98 p{next}\n"));
+                w.behind_end(&format!("o{label}\n{}m99\n", next.unwrap_or_default()));
+            }
+            let first = labels.first().copied().unwrap_or_default();
+            w.structure(&format!("m98 p{first}"));
+        },
+    ),
 ];
 
 impl Writer<'_, '_> {

@@ -19,10 +19,12 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.state.turning = true;
     }),
     Row::any("spindle.surface-speed", Kind::Spindle, 4, |w| {
+        w.turns_first();
         let (limit, speed, which) = (w.within(100, 3000), w.within(10, 300), w.spindle_word(20));
         w.block(&format!("g96 d{limit} s{speed}{which}"));
     }),
     Row::any("spindle.surface-speed-unlimited", Kind::Spindle, 3, |w| {
+        w.turns_first();
         let (speed, which) = (w.within(10, 300), w.spindle_word(20));
         w.block(&format!("g96 s{speed}{which}"));
     }),
@@ -52,6 +54,14 @@ pub(in super::super) const ROWS: &[Row] = &[
 ];
 
 impl Writer<'_, '_> {
+    /// Lets all spindles turn where none may do so yet: constant surface speed is refused while they stand, which is worth a few programs.
+    fn turns_first(&mut self) {
+        if !self.state.turning && self.dice.chance(85) {
+            self.block("m3 s800");
+            self.state.turning = true;
+        }
+    }
+
     /// A word that names a spindle, sometimes.
     fn spindle_word(&mut self, percent: u32) -> String {
         let last = self.state.spindles.saturating_sub(1);

@@ -263,11 +263,11 @@ impl Modal {
                 self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));
             }
             Stroke::OverridesBack => {
-                self.restore_overrides(drilling);
                 if self.choices.tap_turns_back {
                     self.turn(cycle.spindle, SpindleTurn::Stopped, line, sink);
                     self.turn(cycle.spindle, cycle.turn, line, sink);
                 }
+                self.restore_overrides(drilling);
             }
         }
         Ok(drilling.advance())

@@ -27,6 +27,7 @@ pub(in crate::motion) use self::stopping::{shortest_stopping, stopping};
 use super::curve::{Counted, Curve};
 use super::envelope::Envelope;
 use super::route::{Leg, Passing, Route, Task};
+use crate::math;
 
 /// Which bound a stretch has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -145,13 +146,12 @@ fn stretch(
         reach::bracket(&[(&leg.curve as &dyn Smooth, feed(leg))], envelope).achieved
     };
     let achieved = legs.iter().map(stopping).sum();
-    let gates = gates(route, (first, last));
+    let (gates, fastest): (Vec<Gate>, Vec<f64>) =
+        gates(route, (first, last), &Fastest::of(legs, envelope, feed)).into_iter().unzip();
     let highest = legs.iter().map(feed).fold(0.0, f64::max);
     let spatial = legs.iter().all(|leg| leg.curve.counted() == Counted::First);
     let mut bound = StretchBound { elements, kind: Kind::Length, least: 0.0, achieved };
-    if spatial && highest.is_finite() {
-        bound.least = relaxation::shortest(&gates, 0..3) / highest;
-    }
+    bound.least = relaxation::shortest(&gates, &fastest, 0..3);
     for axis in 0..9 {
         // No axis of space is faster than the point itself.
         let cap = if spatial && axis < 3 { highest } else { f64::INFINITY };
@@ -173,15 +173,68 @@ fn speed(leg: &Leg<'_>) -> f64 {
     }
 }
 
-/// What a lawful motion passes between two rests.
-fn gates(route: &Route<'_>, (first, last): (usize, usize)) -> Vec<Gate> {
-    let mut gates = vec![Gate { at: route.corners[first].at, tolerance: 0.0 }];
+/// How fast the point can be in space on the way along the legs of a stretch.
+///
+/// By trajectory.feed it is no faster than the feed of the legs that it may be on. About a corner these are the ones next to it, and
+/// further ones where a leg is shorter than the tolerances. A rapid has the speeds of the axes.
+struct Fastest {
+    /// On a leg itself, and where it may be on others too.
+    legs: Vec<(f64, f64)>,
+    /// How far from an end of a leg the point is on this leg alone.
+    apart: f64,
+}
+
+impl Fastest {
+    fn of(legs: &[Leg<'_>], envelope: &Envelope, feed: impl Fn(&Leg<'_>) -> f64) -> Self {
+        let moves = |axis: &usize| {
+            let change = |leg: &Leg<'_>| leg.curve.end()[*axis] - leg.curve.start()[*axis];
+            legs.iter().any(|leg| change(leg) != 0.0 || !leg.curve.is_straight())
+        };
+        let velocities = (0..3).filter(moves).map(|axis| envelope.velocity[axis]);
+        let squares = velocities.map(|speed| speed * speed).sum();
+        let rapid = if squares > 0.0 { math::square_root(squares) } else { f64::INFINITY };
+        let apart = 4.0 * legs.iter().map(|leg| leg.tolerance).fold(0.0, f64::max);
+        let own = |leg: &Leg<'_>| match leg.curve.counted() {
+            Counted::First => feed(leg).min(rapid),
+            Counted::Second | Counted::Rotary => rapid,
+        };
+        // The legs that begin close to where a leg ends, one at least.
+        let next = |along: &mut dyn Iterator<Item = &Leg<'_>>| {
+            let (mut highest, mut away) = (0.0_f64, 0.0);
+            for leg in along {
+                highest = highest.max(own(leg));
+                away += leg.curve.length();
+                if away > apart {
+                    break;
+                }
+            }
+            highest
+        };
+        let about = |(place, leg): (usize, &Leg<'_>)| {
+            let before = next(&mut legs[..place].iter().rev());
+            let behind = next(&mut legs[place + 1..].iter());
+            (own(leg), own(leg).max(before).max(behind))
+        };
+        Self { legs: legs.iter().enumerate().map(about).collect(), apart }
+    }
+}
+
+/// What a lawful motion passes between two rests, each with how fast the point can be on the way to it.
+fn gates(route: &Route<'_>, (first, last): (usize, usize), fastest: &Fastest) -> Vec<(Gate, f64)> {
+    let mut gates = vec![(Gate { at: route.corners[first].at, tolerance: 0.0 }, 0.0)];
     for number in first..=last {
         let leg = &route.legs[number];
+        let (alone, about) = fastest.legs[number - first];
         if leg.element.mode == PathMode::BetweenMidpoints {
-            gates.push(Gate { at: leg.curve.at(0.5), tolerance: 0.0 });
+            gates.push((Gate { at: leg.curve.at(0.5), tolerance: 0.0 }, about));
         } else {
-            along(&leg.curve, leg.tolerance, &mut gates);
+            let apart = fastest.apart / leg.curve.length();
+            let mut from = 0.0;
+            for part in parts(&leg.curve, apart) {
+                let fast = if from >= apart && part <= 1.0 - apart { alone } else { about };
+                gates.push((Gate { at: leg.curve.at(part), tolerance: leg.tolerance }, fast));
+                from = part;
+            }
         }
         let tolerance = match route.corners[number + 1].passing {
             _ if number == last => 0.0,
@@ -189,19 +242,21 @@ fn gates(route: &Route<'_>, (first, last): (usize, usize)) -> Vec<Gate> {
             Passing::Within(tolerance) => tolerance,
             Passing::BetweenMidpoints => continue,
         };
-        gates.push(Gate { at: route.corners[number + 1].at, tolerance });
+        gates.push((Gate { at: route.corners[number + 1].at, tolerance }, about));
     }
     gates
 }
 
-/// Points of an arc, some of each radian.
-fn along(curve: &Curve, tolerance: f64, gates: &mut Vec<Gate>) {
-    let parts = curve.cells(8.0);
-    let mut done = 1.0;
-    while done < parts {
-        gates.push(Gate { at: curve.at(done / parts), tolerance });
-        done += 1.0;
+/// Where on a leg gates stand: some of each radian of an arc, and so far from its ends that the point is on this leg alone.
+fn parts(curve: &Curve, apart: f64) -> Vec<f64> {
+    let cells = curve.cells(8.0);
+    let mut parts: Vec<f64> =
+        (1_u32..).map(|done| f64::from(done) / cells).take_while(|part| *part < 1.0).collect();
+    if apart > 0.0 && apart < 0.5 {
+        parts.extend([apart, 1.0 - apart]);
+        parts.sort_by(f64::total_cmp);
     }
+    parts
 }
 
 #[cfg(test)]

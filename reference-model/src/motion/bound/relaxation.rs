@@ -15,7 +15,7 @@ pub(super) struct Gate {
 
 /// Each axis alone, forgetting the others: it visits the intervals of its gates in order.
 ///
-/// Rule trajectory.axis-bound. Let the axis need to be at M or above at some time, and then at m < M or below, and so on. Where it
+/// Let the axis need to be at M or above at some time, and then at m < M or below, and so on. Where it
 /// is highest between the time before and the time after, it is at M or above and rests, and these moments come in order. So from
 /// each turn to the next it goes from rest to rest over M - m at least, and the times add up. The sequence of turns that is found
 /// here is what one axis needs: the sum is the least time of the relaxed problem, not only a bound of it.
@@ -40,12 +40,13 @@ pub(super) fn axis(gates: &[Gate], axis: usize, speed: f64, acceleration: f64) -
     seconds + rest_to_rest((reach - turn).abs(), speed, acceleration)
 }
 
-/// The length of the shortest way through the gates, at least, in coordinates `counted`.
+/// The time that the shortest way through the gates takes at least, in coordinates `counted`, where `fastest` holds the speed that is
+/// not exceeded on the way to each gate; on the way to the first it means nothing.
 ///
-/// Rule trajectory.length-bound. For any vectors uᵢ no longer than 1 a way through points xᵢ within Pᵢ of vᵢ is no shorter than
-/// Σ uᵢ·(xᵢ₊₁ - xᵢ), which is Σ uᵢ·(vᵢ₊₁ - vᵢ) - Σ Pᵢ|uᵢ₋₁ - uᵢ| at least. The vectors are directions of the path, taken over more
-/// and more of it; the best of them counts.
-pub(super) fn shortest(gates: &[Gate], counted: std::ops::Range<usize>) -> f64 {
+/// Between two gates the motion makes no more than their fastest speed Fᵢ. So for any vectors uᵢ no longer
+/// than 1/Fᵢ a motion through points xᵢ within Pᵢ of vᵢ takes Σ uᵢ·(xᵢ₊₁ - xᵢ) at least, which is Σ uᵢ·(vᵢ₊₁ - vᵢ) - Σ Pᵢ|uᵢ₋₁ - uᵢ| or
+/// more. The vectors have directions of the path, taken over more and more of it; the best of them counts.
+pub(super) fn shortest(gates: &[Gate], fastest: &[f64], counted: std::ops::Range<usize>) -> f64 {
     let only = |vector: Nine| -> Nine {
         std::array::from_fn(|axis| if counted.contains(&axis) { vector[axis] } else { 0.0 })
     };
@@ -53,20 +54,21 @@ pub(super) fn shortest(gates: &[Gate], counted: std::ops::Range<usize>) -> f64 {
     let mut best = 0.0_f64;
     let mut reach = 0;
     while reach < gates.len() {
-        let toward = |place: usize| {
+        let slowness = |place: usize| {
             let from = place.saturating_sub(reach);
             let to = (place + 1 + reach).min(points.len() - 1);
-            direction(&minus(&points[to], &points[from])).unwrap_or([0.0; 9])
+            let toward = direction(&minus(&points[to], &points[from])).unwrap_or([0.0; 9]);
+            toward.map(|part| part / fastest[place + 1])
         };
-        let directions: Vec<Nine> = (0..points.len() - 1).map(toward).collect();
-        let mut length = 0.0;
-        for (place, unit) in directions.iter().enumerate() {
-            length += dot(unit, &minus(&points[place + 1], &points[place]));
+        let vectors: Vec<Nine> = (0..points.len() - 1).map(slowness).collect();
+        let mut seconds = 0.0;
+        for (place, vector) in vectors.iter().enumerate() {
+            seconds += dot(vector, &minus(&points[place + 1], &points[place]));
             if place > 0 {
-                length -= gates[place].tolerance * distance(&directions[place - 1], unit);
+                seconds -= gates[place].tolerance * distance(&vectors[place - 1], vector);
             }
         }
-        best = best.max(length);
+        best = best.max(seconds);
         reach = 2 * reach + 1;
     }
     best
@@ -98,11 +100,22 @@ mod tests {
     }
 
     #[test]
+    fn each_way_between_gates_has_its_own_speed() {
+        let straight = gates(&[(0.0, 0.0), (1.0, 0.0), (3.0, 0.0), (8.0, 0.0)]);
+        let seconds = shortest(&straight, &[0.0, 10.0, f64::INFINITY, 5.0], 0..3);
+        assert!((seconds - 1.1).abs() < 1e-12, "{seconds}");
+        // Within the tolerance of a gate the faster of two speeds may be taken up early.
+        let early = gates(&[(0.0, 0.0), (1.0, 0.25), (3.0, 0.0)]);
+        let seconds = shortest(&early, &[0.0, 1.0, 2.0], 0..3);
+        assert!((seconds - (0.75 + 2.25 / 2.0)).abs() < 1e-12, "{seconds}");
+    }
+
+    #[test]
     fn the_way_through_gates_is_no_longer_than_any() {
         let mut two = gates(&[(0.0, 0.0), (3.0, 1.0), (0.0, 0.0)]);
-        assert!((shortest(&two, 0..3) - 4.0).abs() < 1e-12);
+        assert!((shortest(&two, &[1.0; 3], 0..3) - 4.0).abs() < 1e-12);
         two[1].at[1] = 4.0;
-        let length = shortest(&two, 0..3);
+        let length = shortest(&two, &[1.0; 3], 0..3);
         assert!((8.0 - 1e-9..=8.0 + 1e-9).contains(&length), "{length}");
         // A noisy line is no longer than a straight one through its band.
         let noise = |place: u32| if place.is_multiple_of(2) { 0.01 } else { -0.01 };
@@ -111,7 +124,7 @@ mod tests {
         for (place, gate) in (0..).zip(&mut noisy) {
             gate.at[1] = noise(place);
         }
-        let length = shortest(&noisy, 0..3);
+        let length = shortest(&noisy, &[1.0; 101], 0..3);
         assert!((0.94..=1.0).contains(&length), "{length}");
     }
 }

@@ -19,7 +19,7 @@ pub(in crate::motion) struct Stop {
 
 /// The least distance in which a motion at a point of a route can stop on it, from a speed.
 ///
-/// Rule trajectory.stopping-distance. The point brakes as hard as the axis that is loaded most allows, with what turning leaves
+/// The point brakes as hard as the axis that is loaded most allows, with what turning leaves
 /// of its acceleration. A corner that may be rounded is passed at a steady speed for as long as its longest blend: the blend
 /// may take all of the acceleration. Beyond the end of the route there is nothing to stop on.
 pub(in crate::motion) fn stopping(

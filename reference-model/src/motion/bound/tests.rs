@@ -218,3 +218,19 @@ fn more_never_costs_time() {
         least_time(&path(PathMode::ExactStop, vec![line(100.0, 0.0)]), &limits(), 2.0).unwrap();
     assert!((faster.least - 0.6).abs() < 1e-9);
 }
+
+/// A rapid on either side does not make the feed between them free.
+#[test]
+fn each_leg_counts_with_its_own_feed() {
+    let shapes = vec![line(10.0, 0.0), line(110.0, 0.0), line(210.0, 0.0), line(210.0, 10.0)];
+    let mut path = path(within(0.05), shapes);
+    for place in [0, 3] {
+        path.elements[place].feed = Feed::Rapid;
+    }
+    path.elements[2].feed = Feed::PerSecond(50.0);
+    let found = least_time(&path, &limits(), 1.0).expect("limits are stated");
+    let rapid = 20.0 / (250.0 * 2.0_f64.sqrt());
+    let feeds = 100.0 / 100.0 + 100.0 / 50.0;
+    assert!((found.least - (rapid + feeds)).abs() < 0.015, "{}", found.least);
+    assert!(found.least < rapid + feeds, "near a rapid a feed may be as fast: {}", found.least);
+}

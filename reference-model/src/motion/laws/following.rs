@@ -112,8 +112,9 @@ pub(super) fn progress(record: &Record<'_>) -> Verdict {
 }
 
 /// Rule trajectory.midpoints. Without a tolerance (G64 alone) a corner is rounded between the middles of its legs: the middle
-/// of each leg is passed, and between two of them the commanded point stays in the triangle of middle, corner and middle. The
-/// manual says that each movement is touched at one point at least.
+/// of each leg is passed, and between two of them the commanded point stays in the triangle of middle, corner and middle: that
+/// of another corner does not count, since a sample stands for points between two middles only after the first was passed.
+/// The manual says that each movement is touched at one point at least.
 pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
     let (route, matching) = match matched(record) {
         Ok(matched) => matched,
@@ -137,8 +138,9 @@ pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
         if !route.legs[*first..=*last].iter().all(plain) {
             continue;
         }
-        let away = (*first..=last + 1)
-            .map(|corner| from_corner(route, corner, &record.points[sample]))
+        let away = matching.corners[sample]
+            .iter()
+            .map(|corner| from_corner(route, *corner, &record.points[sample]))
             .fold(f64::INFINITY, f64::min);
         let block = &route.legs[*first].element.block;
         let words = || format!("{away} mm outside of the triangle at {block}");

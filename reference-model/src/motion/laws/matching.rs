@@ -79,6 +79,8 @@ pub(super) struct Matching {
     pub(super) missed: Vec<Miss>,
     /// First and last leg that each sample can stand for.
     pub(super) legs: Vec<(usize, usize)>,
+    /// The corners of which each sample can be on the way from the middle before to the middle behind, in order.
+    pub(super) corners: Vec<Vec<usize>>,
 }
 
 /// What matching goes by.
@@ -121,7 +123,18 @@ pub(super) fn matched(route: &Route<'_>, measure: Measure<'_>) -> Matching {
         let leg = |reach: Option<&Reach>| reach.map_or(0, |reach| matcher.pieces[reach.piece].leg);
         (leg(row.first()), leg(row.last()))
     });
-    Matching { places, legs: legs.collect(), missed: matcher.missed.clone() }
+    let corners = matcher.rows.iter().map(|row| {
+        let mut corners: Vec<usize> =
+            row.iter().flat_map(|reach| matcher.corners(*reach)).collect();
+        corners.dedup();
+        corners
+    });
+    Matching {
+        places,
+        legs: legs.collect(),
+        corners: corners.collect(),
+        missed: matcher.missed.clone(),
+    }
 }
 
 /// Whether points lead along curves in order, within a tolerance, and pass each of their ends.
@@ -290,6 +303,15 @@ impl Matcher<'_> {
         row
     }
 
+    /// The corners between the middles of whose legs some points of a piece are: one, but both of its leg where the piece
+    /// leads over the middle.
+    fn corners(&self, reach: Reach) -> std::ops::RangeInclusive<usize> {
+        let piece = &self.pieces[reach.piece];
+        let first = piece.leg + usize::from(reach.low >= 0.5 && piece.from >= 0.5);
+        let last = piece.leg + usize::from(piece.to > 0.5);
+        first..=last
+    }
+
     /// A sample that stands for no point: says what was missed, and goes on from the nearest point.
     fn recover(&mut self, sample: usize) -> Reach {
         let (point, from) = (self.measure.points[sample], self.measure.points[sample - 1]);
@@ -311,7 +333,8 @@ impl Matcher<'_> {
         }
         let (excess, reach) = best;
         let at = self.pieces[reach.piece];
-        let back = (reach.piece, reach.high) < (first.piece, first.low);
+        let may_go_back = self.measure.backwards.get(sample).copied().unwrap_or(false);
+        let back = !may_go_back && (reach.piece, reach.high) < (first.piece, first.low);
         if excess > 0.0 {
             let allowed = at.tolerance;
             let near = self.curves[at.leg].at(reach.low);
@@ -356,7 +379,8 @@ impl Matcher<'_> {
         self.missed.push(Miss { sample, what, distance, allowed });
     }
 
-    /// Whatever lies between the last sample and the end of the path was left out.
+    /// Whatever lies between the last sample and the end of the path was left out, but for a leg whose end is within its
+    /// tolerance: that the path ends exactly is another law's.
     fn end(&mut self) {
         let sample = self.measure.points.len() - 1;
         let Some(last) = self.rows[sample].last().copied() else { return };
@@ -364,7 +388,7 @@ impl Matcher<'_> {
         for piece in last.piece..self.pieces.len() {
             let at = self.pieces[piece];
             let away = distance(&self.curves[at.leg].end(), &point);
-            let allowed = at.gate + self.measure.slack + self.measure.bulge;
+            let allowed = at.gate.max(at.tolerance) + self.measure.slack + self.measure.bulge;
             if at.to >= 1.0 && away > allowed {
                 let what = Missed::Leg(at.leg);
                 self.missed.push(Miss { sample, what, distance: away, allowed: 0.0 });

@@ -13,6 +13,7 @@
 //! | `outputs` | when outputs switch |
 //! | `operator` | hold, abort, and what is left to stop on |
 //! | `record`, `matching`, `visits` | what is judged; which point of the path a sample stands for; when corners are passed |
+//! | `readings` | which reading holds where the documents leave something open |
 
 mod axes;
 mod feed;
@@ -20,6 +21,7 @@ mod following;
 mod matching;
 mod operator;
 mod outputs;
+pub mod readings;
 mod record;
 mod rest;
 mod verdict;
@@ -28,13 +30,25 @@ mod visits;
 use gaugeblock_trace::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 
 pub(in crate::motion) use matching::follows;
+use readings::Readings;
 use record::Record;
 pub use verdict::{Judgement, Law, Verdict, Violation};
 
-/// Holds samples to all laws.
+/// Holds samples to all laws, under the default reading of what the documents leave open.
 ///
 /// The work is linear in samples times pieces of path that lie within tolerance of one.
 pub fn judge(
+    samples: &Samples,
+    path: &ProgrammedPath,
+    limits: &MotionLimits,
+    script: &MotionScript,
+) -> Judgement {
+    judge_under(Readings::default(), samples, path, limits, script)
+}
+
+/// Holds samples to all laws under some readings.
+pub fn judge_under(
+    readings: Readings,
     samples: &Samples,
     path: &ProgrammedPath,
     limits: &MotionLimits,
@@ -44,7 +58,7 @@ pub fn judge(
         let why = || Verdict::NotJudged("there is no sample".to_owned());
         return Judgement(Law::ALL.iter().map(|law| (*law, why())).collect());
     }
-    let record = Record::new(samples, path, limits, script);
+    let record = Record::new(readings, samples, path, limits, script);
     let verdict = |law: &Law| match law {
         Law::Velocity => axes::velocity(&record),
         Law::Acceleration => axes::acceleration(&record),

@@ -3,6 +3,7 @@
 use gaugeblock_trace::motion::{MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples};
 
 use super::matching::{self, Matching, Measure};
+use super::readings::Readings;
 use crate::motion::envelope::Envelope;
 use crate::motion::route::Route;
 use crate::motion::vector::{Nine, distance, last_place};
@@ -12,6 +13,8 @@ const RELATIVE: f64 = 1e-9;
 
 /// Samples of one run and what they are held to.
 pub(super) struct Record<'a> {
+    /// Which reading of the documents holds.
+    pub(super) readings: Readings,
     pub(super) samples: &'a Samples,
     pub(super) path: &'a ProgrammedPath,
     pub(super) limits: &'a MotionLimits,
@@ -78,6 +81,7 @@ impl Requests {
 impl<'a> Record<'a> {
     /// Prepares a record that has a sample.
     pub(super) fn new(
+        readings: Readings,
         samples: &'a Samples,
         path: &'a ProgrammedPath,
         limits: &'a MotionLimits,
@@ -91,7 +95,7 @@ impl<'a> Record<'a> {
         let bulge = bulge(&points, &envelope, period);
         let requests = Requests::of(script, period / limits.period, points.len());
         let backwards = backwards(&points, &requests, &envelope, period);
-        let matched = Route::of(path).and_then(|route| {
+        let matched = Route::under(readings.tolerance_at_change, path).and_then(|route| {
             if route.legs.is_empty() {
                 return Err("the path leads nowhere".to_owned());
             }
@@ -99,7 +103,19 @@ impl<'a> Record<'a> {
             let matching = matching::matched(&route, measure);
             Ok((route, matching))
         });
-        Self { samples, path, limits, envelope, points, period, requests, slack, bulge, matched }
+        Self {
+            readings,
+            samples,
+            path,
+            limits,
+            envelope,
+            points,
+            period,
+            requests,
+            slack,
+            bulge,
+            matched,
+        }
     }
 
     /// The speed from the sample before to this one, in all nine coordinates.

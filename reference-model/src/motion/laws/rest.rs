@@ -1,12 +1,12 @@
 //! Where the motion rests: exact stops, ends, dwells.
 
 use gaugeblock_trace::Axis;
+use gaugeblock_trace::motion::Column;
 
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
-use super::visits::{EARLY, Visit, visits};
-use crate::math;
-use crate::motion::route::{Passing, Task};
+use super::visits::{Rests, Visit, to_rest, visits};
+use crate::motion::route::{Leg, Passing, Task};
 use crate::motion::vector::{Nine, count, distance};
 
 const RELATIVE: f64 = 1e-9;
@@ -15,8 +15,8 @@ const RELATIVE: f64 = 1e-9;
 /// movement stops at the end of each segment), before a dwell (section 2.5.2.7), a wait, a probe, and an output at once, which
 /// breaks blending (section 11.6.15).
 ///
-/// The moment of rest may lie between two samples: from rest an axis is a·t²/2 away after t, so that the times that both samples
-/// are away from the point at least, by each axis, fit into a period.
+/// The moment of rest may lie between two samples: then the times that both are away from the point at least fit into a period.
+/// Only samples count that can stand for points on both sides of the corner, and rests come in the order of the corners.
 pub(super) fn stop(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -27,18 +27,16 @@ pub(super) fn stop(record: &Record<'_>) -> Verdict {
     }
     let mut findings = Findings::of(Law::Stop);
     let mut asked = false;
+    let mut rests = Rests::of(record);
     let inner = visits(record, route, matching).into_iter().enumerate();
     for (number, visit) in inner.skip(1).take(route.legs.len() - 1) {
-        if route.corners[number].passing != Passing::Rest {
+        let corner = &route.corners[number];
+        if corner.passing != Passing::Rest {
             continue;
         }
         asked = true;
-        let Some(visit) = visit else { continue };
-        let corner = &route.corners[number].at;
-        let needed = (visit.before.saturating_sub(EARLY)..=visit.after + EARLY)
-            .filter(|sample| sample + 1 < record.points.len())
-            .map(|sample| time_away(record, corner, sample))
-            .fold(f64::INFINITY, f64::min);
+        let Some(visit) = visit.filter(|visit| visit.passed) else { continue };
+        let Some((sample, needed)) = rests.next(visit, &corner.at) else { continue };
         let block = &route.legs[number - 1].element.block;
         let words = || {
             format!(
@@ -46,23 +44,9 @@ pub(super) fn stop(record: &Record<'_>) -> Verdict {
             )
         };
         let limit = record.period;
-        findings.at_most(visit.after, None, (needed, limit * (1.0 + RELATIVE)), (limit, &words));
+        findings.at_most(sample + 1, None, (needed, limit * (1.0 + RELATIVE)), (limit, &words));
     }
     if asked { findings.verdict() } else { Verdict::NothingAsked }
-}
-
-/// The least time between two neighbouring samples with rest at a point in between.
-fn time_away(record: &Record<'_>, corner: &Nine, sample: usize) -> f64 {
-    let away = |point: &Nine, axis: usize| {
-        let off = ((point[axis] - corner[axis]).abs() - record.slack).max(0.0);
-        if off == 0.0 {
-            0.0
-        } else {
-            math::square_root(2.0 * off / record.envelope.acceleration[axis])
-        }
-    };
-    let (one, other) = (&record.points[sample], &record.points[sample + 1]);
-    (0..9).map(|axis| away(one, axis) + away(other, axis)).fold(0.0, f64::max)
 }
 
 fn unstated(record: &Record<'_>) -> Option<String> {
@@ -125,8 +109,8 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
     findings.verdict()
 }
 
-/// Rule trajectory.dwell. The axes stand for the time of a dwell (G4), to the cycle; where something else is waited for or held
-/// there too, at least so long.
+/// Rule trajectory.dwell. The axes stand for the time of a dwell (G4), to the cycle more or less; at least so long where
+/// something else is waited for or held there too, or where the planner does not know yet how it goes on.
 pub(super) fn dwell(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -141,26 +125,52 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
             .iter()
             .map(|task| if let Task::Dwell(seconds) = task { *seconds } else { 0.0 })
             .sum();
-        let Some(visit) = visit.filter(|_| seconds > 0.0) else { continue };
+        let Some(visit) = visit.filter(|visit| visit.passed && seconds > 0.0) else { continue };
         asked = true;
-        let cycles = visit.at.map_or(0.0, |(first, last)| count(last - first + 1));
-        let (least, most) =
-            ((cycles - 1.0).max(0.0) * record.period, (cycles + 1.0) * record.period);
+        let (least, most) = rest(record, visit, &route.corners[number].at);
         let words = || format!("rest for less than {most} s where {seconds} s are asked for");
-        findings.at_most(visit.after, None, (seconds * (1.0 - RELATIVE), most), (0.0, &words));
+        let after = visit.at.map_or(visit.after(record), |(_, end)| (end + 1).min(last));
+        findings.at_most(
+            after,
+            None,
+            ((seconds - record.period) * (1.0 - RELATIVE), most),
+            (0.0, &words),
+        );
         let alone = tasks.iter().all(|task| matches!(task, Task::Dwell(_) | Task::WithMotion(_)));
-        let open =
-            number == 0 || visit.at.is_none_or(|(_, end)| end == last) || held(record, visit);
+        let open = number == 0
+            || visit.at.is_none_or(|(_, end)| end == last)
+            || held(record, visit)
+            || starves(record, route.legs.get(number), visit);
         if alone && !open {
             let words = || format!("rest for at least {least} s where {seconds} s are asked for");
             let allowed = (seconds + record.period) * (1.0 + RELATIVE);
-            findings.at_most(visit.after, None, (least, allowed), (0.0, &words));
+            findings.at_most(after, None, (least, allowed), (0.0, &words));
         }
     }
     if asked { findings.verdict() } else { Verdict::NothingAsked }
 }
 
+/// Whether a planner was still without the leg that comes next when it rested.
+fn starves(record: &Record<'_>, next: Option<&Leg<'_>>, visit: Visit) -> bool {
+    let (Some(next), Some((first, _))) = (next, visit.at) else { return false };
+    let queued = record.samples.column(Column::Queued);
+    queued.is_some_and(|queued| queued[first] <= count(next.place))
+}
+
+/// How long the motion may have rested in a visit, at least and at most, seconds: from the first to the last sample there, and beyond
+/// them as long as the axes do not need to come and to go.
+fn rest(record: &Record<'_>, visit: Visit, corner: &Nine) -> (f64, f64) {
+    let Some((first, last)) = visit.at else { return (0.0, record.period) };
+    let least = count(last - first) * record.period;
+    let spare = |sample: Option<usize>| {
+        let sample = sample.filter(|sample| *sample < record.points.len());
+        let away = sample.map_or(0.0, |sample| to_rest(record, sample, corner));
+        (record.period - away).max(0.0)
+    };
+    (least, least + spare(first.checked_sub(1)) + spare(Some(last + 1)))
+}
+
 /// Whether somebody holds the motion during a visit.
 fn held(record: &Record<'_>, visit: Visit) -> bool {
-    (visit.before..=visit.after).any(|sample| record.holds(sample))
+    (visit.first.saturating_sub(1)..=visit.after(record)).any(|sample| record.holds(sample))
 }

@@ -1,81 +1,177 @@
-//! When each corner of the path is passed.
+//! When each corner of the path is passed, and when the motion may have rested there.
 
 use super::matching::Matching;
 use super::record::Record;
+use crate::math;
 use crate::motion::route::Route;
-use crate::motion::vector::distance;
+use crate::motion::vector::{Nine, distance};
 
-/// By so many samples a corner may seem to be passed too early: what a motion can be from a chord is granted to it.
-pub(super) const EARLY: usize = 3;
-
-/// How a corner is passed.
+/// How a corner is passed: the samples that can stand for points on both sides of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Visit {
-    /// The last sample before it; the first of all where the motion starts there.
-    pub(super) before: usize,
-    /// The first sample after it; the last of all where it ends there.
-    pub(super) after: usize,
+    /// The first sample that can stand for the corner or for a point behind it.
+    pub(super) first: usize,
+    /// The last sample that can stand for the corner or for a point before it; the one before `first` where none can do both.
+    pub(super) last: usize,
     /// First and last sample at it.
     pub(super) at: Option<(usize, usize)>,
+    /// Whether a later sample can stand for points behind it alone, so that it was passed for sure.
+    pub(super) passed: bool,
 }
 
 impl Visit {
+    /// The samples between which the corner is passed, each with the one after it.
+    pub(super) fn pairs(&self, record: &Record<'_>) -> impl Iterator<Item = usize> + use<> {
+        let last = record.points.len().saturating_sub(2);
+        (self.first.saturating_sub(1)..=self.last).filter(move |sample| *sample <= last)
+    }
+
     /// The sample that is nearest to the corner; the last one at it.
-    pub(super) fn nearest(
-        &self,
-        record: &Record<'_>,
-        corner: &crate::motion::vector::Nine,
-    ) -> usize {
+    pub(super) fn nearest(&self, record: &Record<'_>, corner: &Nine) -> usize {
         if let Some((_, last)) = self.at {
             return last;
         }
-        let away = |sample: usize| distance(&record.points[sample], corner);
-        let mut nearest =
-            if away(self.before) < away(self.after) { self.before } else { self.after };
-        while nearest + 1 < record.points.len() && away(nearest + 1) < away(nearest) {
-            nearest += 1;
-        }
-        while nearest > 0 && away(nearest - 1) < away(nearest) {
-            nearest -= 1;
-        }
-        nearest
+        let away = |sample: &usize| distance(&record.points[*sample], corner);
+        let near = self.first.saturating_sub(1)..=self.after(record);
+        near.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(self.first)
+    }
+
+    /// The first sample that stands for a point behind it alone; the last of all where there is none.
+    pub(super) fn after(&self, record: &Record<'_>) -> usize {
+        (self.last + 1).min(record.points.len() - 1)
     }
 }
 
-/// The first visit of each corner, `None` for one that is not reached. Linear in samples and corners.
+/// The first visit of each corner, `None` for one that is not reached.
+///
+/// Where a sample can stand for points on both sides of a corner, all of the documents' readings allow either. So a visit is
+/// a span of samples and no single one: what is asked for at the corner must happen within it. The work is linear in samples
+/// and corners while a sample can stand for a few legs only.
 pub(super) fn visits(
     record: &Record<'_>,
     route: &Route<'_>,
     matching: &Matching,
 ) -> Vec<Option<Visit>> {
-    let last = record.points.len() - 1;
+    let end = record.points.len();
     let mut visits = Vec::with_capacity(route.corners.len());
-    let mut after = 0;
+    let mut first = 0;
     for (number, corner) in route.corners.iter().enumerate() {
-        let beyond = |sample: usize| {
-            matching.places[sample].leg >= number && !record.is_at(sample, &corner.at)
+        let is_at = |sample: usize| record.is_at(sample, &corner.at);
+        let legs = |sample: usize| matching.legs[sample];
+        let can_be_behind = |sample: usize| {
+            legs(sample).1 >= number && number < route.legs.len()
+                || is_at(sample) && legs(sample).1 + 1 >= number
         };
-        while after <= last && !beyond(after) {
+        let can_be_before =
+            |sample: usize| legs(sample).0 < number || is_at(sample) && legs(sample).0 <= number;
+        while first < end && !can_be_behind(first) {
+            first += 1;
+        }
+        if first == end {
+            visits.push(None);
+            continue;
+        }
+        let mut after = first;
+        while after < end && can_be_before(after) {
             after += 1;
         }
-        // Where legs cover each other a sample shortly before the corner stands for a point behind it as well.
-        let near = after..=(after + EARLY).min(last);
-        if let Some(at) = near.rev().find(|sample| record.is_at(*sample, &corner.at)) {
-            after = at;
-            while after <= last && record.is_at(after, &corner.at) {
-                after += 1;
-            }
-        }
-        let mut before = after.min(last + 1);
-        while before > 0 && record.is_at(before - 1, &corner.at) {
-            before -= 1;
-        }
-        let at = (before < after).then(|| (before, after - 1));
-        let reached = at.is_some() || after <= last;
-        let visit = Visit { before: before.saturating_sub(1), after: after.min(last), at };
-        visits.push(reached.then_some(visit));
-        // The next corner may be reached while the last samples of this one are still near it.
-        after = before;
+        let from = (first..after).find(|sample| is_at(*sample));
+        let at = from.map(|from| {
+            let run = (from..after).take_while(|sample| is_at(*sample));
+            (from, run.last().unwrap_or(from))
+        });
+        let last = after.saturating_sub(1);
+        visits.push(Some(Visit { first, last, at, passed: after < end || at.is_some() }));
     }
     visits
+}
+
+/// The time that passes at least from a sample to rest at a point, or from such rest to it: from rest an axis is a·t²/2 away after t.
+pub(super) fn to_rest(record: &Record<'_>, sample: usize, corner: &Nine) -> f64 {
+    let away = |axis: usize| {
+        let off = ((record.points[sample][axis] - corner[axis]).abs() - record.slack).max(0.0);
+        if off > 0.0 {
+            math::square_root(2.0 * off / record.envelope.acceleration[axis])
+        } else {
+            0.0
+        }
+    };
+    (0..9).map(away).fold(0.0, f64::max)
+}
+
+/// The time from rest at a point to rest at another one, at least.
+fn between_rests(record: &Record<'_>, one: &Nine, other: &Nine) -> f64 {
+    let away = |axis: usize| {
+        let way = (one[axis] - other[axis]).abs();
+        if way > 0.0 {
+            2.0 * math::square_root(way / record.envelope.acceleration[axis])
+        } else {
+            0.0
+        }
+    };
+    (0..9).map(away).fold(0.0, f64::max)
+}
+
+/// Rest at one corner after the other, each between two samples.
+///
+/// All axes rest at the same moment, so that the slowest one decides how long before and after it a sample must be. Several rests
+/// between the same samples share the time between these.
+pub(super) struct Rests<'r, 'a> {
+    record: &'r Record<'a>,
+    /// The sample after which the motion rested last, the time from that sample to this rest, and where it was.
+    before: Option<(usize, f64, Nine)>,
+}
+
+impl<'r, 'a> Rests<'r, 'a> {
+    pub(super) fn of(record: &'r Record<'a>) -> Self {
+        Self { record, before: None }
+    }
+
+    /// The time that is needed at least between a sample and the next one for rest at a point in between.
+    fn needed(&self, sample: usize, corner: &Nine) -> (f64, f64) {
+        let until = match &self.before {
+            Some((same, spent, place)) if *same == sample => {
+                spent + between_rests(self.record, place, corner)
+            }
+            _ => to_rest(self.record, sample, corner),
+        };
+        (until, until + to_rest(self.record, sample + 1, corner))
+    }
+
+    /// The first pair of samples of a visit between which there can be rest, or the one that comes nearest to that; and the time
+    /// that it needs between its samples.
+    pub(super) fn next(&mut self, visit: Visit, corner: &Nine) -> Option<(usize, f64)> {
+        let earliest = self.before.map_or(0, |(sample, ..)| sample);
+        let mut best: Option<(usize, f64, f64)> = None;
+        for sample in visit.pairs(self.record).filter(|sample| *sample >= earliest) {
+            let (until, needed) = self.needed(sample, corner);
+            if best.is_none_or(|(_, _, least)| needed < least) {
+                best = Some((sample, until, needed));
+            }
+            if self.fits(needed) {
+                break;
+            }
+        }
+        let (sample, until, needed) = best?;
+        self.before = Some((sample, until, *corner));
+        Some((sample, needed))
+    }
+
+    /// Whether a time is no longer than from one sample to the next.
+    pub(super) fn fits(&self, needed: f64) -> bool {
+        needed <= self.record.period * (1.0 + 1e-9)
+    }
+}
+
+/// First and last sample after which there can be rest at a corner.
+pub(super) fn rest_after(
+    record: &Record<'_>,
+    visit: Visit,
+    corner: &Nine,
+) -> Option<(usize, usize)> {
+    let rests = Rests::of(record);
+    let mut fitting =
+        visit.pairs(record).filter(|sample| rests.fits(rests.needed(*sample, corner).1));
+    let first = fitting.next()?;
+    Some((first, fitting.last().unwrap_or(first)))
 }

@@ -6,6 +6,7 @@ use gaugeblock_trace::FaultKind;
 
 use crate::rs274::machine::State;
 use crate::rs274::modes::{Code, ModalGroup, g_code, g_text, m_code};
+use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
@@ -18,7 +19,7 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
     count(words, state)?;
     let codes = known(words, state)?;
     groups(words, &codes, state)?;
-    axis_words_once(&codes, state)?;
+    axis_words_once(words, &codes, state)?;
     match codes.iter().find_map(|(text, code)| Some((text, code.later?))) {
         Some((text, what)) => Err(Halt::Unsupported(format!("{text}: {what}"))),
         None => Ok(()),
@@ -70,7 +71,8 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, Halt>
         };
         let code = g_code(*number).ok_or_else(|| unknown(rule, text))?;
         state.evidence.accepted(rule);
-        codes.push((text, *code));
+        let group = quirks::group_of_g(*number, state).or(code.group);
+        codes.push((text, Code { group, ..*code }));
     }
     for number in &words.m {
         let text = Written::M(*number);
@@ -157,8 +159,13 @@ fn conflict(
 }
 
 /// Rule modal-groups.axis-words-twice. A motion code and a non-modal code that both use axis words exclude each other.
-/// Rule tool.dynamic-length-with-motion. So do a motion code and G43.1.
-fn axis_words_once(codes: &[(Written, Code)], state: &mut State) -> Result<(), Halt> {
+/// Rule tool.dynamic-length-with-motion. So do a motion code and G43.1, and a motion code and the axis words of G43.2
+/// (tool.additional-length-words).
+fn axis_words_once(
+    words: &Words,
+    codes: &[(Written, Code)],
+    state: &mut State,
+) -> Result<(), Halt> {
     let user = |group: ModalGroup| {
         codes.iter().find(|(_, code)| code.group == Some(group) && code.axis_words)
     };
@@ -170,6 +177,7 @@ fn axis_words_once(codes: &[(Written, Code)], state: &mut State) -> Result<(), H
     state.evidence.accepted("modal-groups.axis-words-twice");
     let quirk = state.readings.quirk("rs274.dynamic-length-with-motion");
     match user(ModalGroup::ToolLength) {
+        Some((Written::G(432), _)) if !has_axis_words(words) => Ok(()),
         Some((other, _)) if !quirk => {
             let message = format!("{motion} in a block with {other}");
             Err(refuse("tool.dynamic-length-with-motion", FaultKind::AxisWords, message))

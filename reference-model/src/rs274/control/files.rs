@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use gaugeblock_trace::{Block, Program};
 
 use super::labels::Labels;
+use crate::Evidence;
 use crate::rs274::machine::State;
 use crate::rs274::text::{Line, Source};
 
@@ -63,15 +64,20 @@ impl Files {
 
     /// Opens a file and reads it once for its labels, up to the percent line that ends it. No rule is reached by that.
     fn add(&mut self, name: &str, text: &str, state: &mut State) -> Place {
-        let source = Source::new(name, text, &state.readings);
+        let mut source = Source::new(name, text, &state.readings);
+        if let Some(main) = self.opened.first()
+            && state.readings.quirk("rs274.percent-in-file")
+        {
+            source = source.called_by(&main.source);
+        }
         let mut labels = Labels::default();
-        let before = std::mem::take(&mut state.evidence);
+        let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
         let mut index = source.first;
         loop {
             match source.line(index, self.block_delete, state) {
                 None | Some(Line::End) => break,
                 Some(Line::Nothing) => {}
-                Some(Line::Block(text)) => labels.read_line(line_number(index), &text, state),
+                Some(Line::Block(text)) => labels.read_line(line_number(index), text, state),
             }
             index += 1;
         }
@@ -97,7 +103,7 @@ impl Files {
     }
 
     /// What stands at a place; none behind the end of the file.
-    pub fn line(&self, place: Place, state: &mut State) -> Option<Line> {
+    pub fn line(&self, place: Place, state: &mut State) -> Option<Line<'_>> {
         let index = usize::try_from(place.line).ok()?.checked_sub(1)?;
         self.opened[place.file].source.line(index, self.block_delete, state)
     }

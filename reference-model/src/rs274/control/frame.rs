@@ -25,8 +25,8 @@ pub struct Frame {
     pub open: Vec<Open>,
     /// Labels of conditions that have ended.
     pub ended_conditions: BTreeSet<String>,
-    /// Loops that have ended by label: the keyword with which each began.
-    pub ended_loops: BTreeMap<String, Keyword>,
+    /// Loops that have ended by label: the keyword with which each began, and its line.
+    pub ended_loops: BTreeMap<String, (Keyword, u32)>,
 }
 
 /// How a frame was called, and what comes when it is left.
@@ -107,12 +107,19 @@ impl Structure {
 }
 
 impl Frame {
+    /// Nothing is saved at this level any more.
+    pub fn forget_saved(&mut self) {
+        self.saved = None;
+        self.saved_by_m70 = None;
+        self.restore_at_return = None;
+    }
+
     /// A condition or loop ends.
     pub fn end(&mut self, open: Open) {
         if matches!(open.structure, Structure::If { .. }) {
             self.ended_conditions.insert(open.label);
         } else {
-            self.ended_loops.insert(open.label, open.structure.head());
+            self.ended_loops.insert(open.label, (open.structure.head(), open.line));
         }
     }
 

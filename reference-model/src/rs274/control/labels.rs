@@ -28,6 +28,8 @@ pub(super) struct Labels {
     subs: BTreeMap<String, Vec<u32>>,
     /// Lines with a number alone, by number.
     numbers: BTreeMap<String, Vec<u32>>,
+    /// Lines with a number alone inside a sub.
+    numbers_in_subs: BTreeSet<u32>,
 }
 
 #[derive(Clone, Debug)]
@@ -60,19 +62,18 @@ impl Labels {
     /// Gives each mark its scope: what stands between a sub and its endsub, or after a program's number.
     pub(super) fn finish(&mut self) {
         self.scopes.push((0, 0));
+        let ends = Ends::of(&self.marks);
         let (mut outer, mut scopes) = (0, 1);
-        let mut sub: Option<(Option<String>, usize)> = None;
+        let mut sub: Option<(Option<u32>, usize)> = None;
         for mark in &mut self.marks {
             mark.scope = sub.as_ref().map_or(outer, |(_, scope)| *scope);
             match (mark.keyword, &sub) {
                 (Keyword::Sub, None) => {
-                    sub = Some((mark.label.clone(), scopes));
+                    sub = Some((ends.of_sub(mark), scopes));
                     self.scopes.push((mark.line + 1, scopes));
                     scopes += 1;
                 }
-                (Keyword::EndSub, Some((label, _)))
-                    if ends(label.as_ref(), mark.label.as_ref()) =>
-                {
+                (Keyword::EndSub, Some((Some(end), _))) if *end == mark.line => {
                     sub = None;
                     self.scopes.push((mark.line + 1, outer));
                 }
@@ -81,6 +82,9 @@ impl Labels {
                     mark.scope = outer;
                     self.scopes.push((mark.line, outer));
                     scopes += 1;
+                }
+                (Keyword::ProgramNumber, Some((Some(_), _))) => {
+                    self.numbers_in_subs.insert(mark.line);
                 }
                 _ => {}
             }
@@ -182,6 +186,11 @@ impl Labels {
         self.numbers.get(label).map_or(&[], Vec::as_slice)
     }
 
+    /// Whether a numbered program begins inside a sub.
+    pub(super) fn is_inside_sub(&self, number: u32) -> bool {
+        self.numbers_in_subs.contains(&number)
+    }
+
     /// Every sub of the file in order: its line, and its label where that is written out.
     pub(super) fn all_subs(&self) -> impl Iterator<Item = (u32, Option<&str>)> {
         let marks = self.marks.iter().filter(|mark| mark.keyword == Keyword::Sub);
@@ -220,11 +229,37 @@ fn is_constant(expression: &Expression) -> bool {
     }
 }
 
-/// Whether an endsub ends a sub as far as the text tells.
-fn ends(sub: Option<&String>, end: Option<&String>) -> bool {
-    match (sub, end) {
-        (Some(sub), Some(end)) => sub == end,
-        (None, _) | (_, None) => true,
+/// Lines of the endsubs of a file.
+struct Ends {
+    all: Vec<u32>,
+    /// By their label, where that is written out.
+    written: BTreeMap<String, Vec<u32>>,
+    computed: Vec<u32>,
+}
+
+impl Ends {
+    fn of(marks: &[Mark]) -> Self {
+        let mut ends = Self { all: Vec::new(), written: BTreeMap::new(), computed: Vec::new() };
+        for mark in marks.iter().filter(|mark| mark.keyword == Keyword::EndSub) {
+            ends.all.push(mark.line);
+            match &mark.label {
+                Some(label) => ends.written.entry(label.clone()).or_default().push(mark.line),
+                None => ends.computed.push(mark.line),
+            }
+        }
+        ends
+    }
+
+    /// The line that ends a sub as far as the text tells: the endsub with its label; else, where a label must be computed, the next one
+    /// that may have it.
+    fn of_sub(&self, sub: &Mark) -> Option<u32> {
+        let next = |lines: &[u32]| {
+            let after = lines.partition_point(|line| *line <= sub.line);
+            lines.get(after).copied()
+        };
+        let Some(label) = &sub.label else { return next(&self.all) };
+        let own = self.written.get(label).and_then(|lines| next(lines));
+        own.or_else(|| next(&self.computed))
     }
 }
 

@@ -45,6 +45,7 @@ impl Control {
             open.label == label && open.line == self.place.line && is_while(open.structure)
         });
         if !again {
+            self.not_of_skipped_do(label, state)?;
             self.defined_once(label, "control.duplicate-while", state)?;
         }
         if condition("control.while", values, state)? {
@@ -63,6 +64,21 @@ impl Control {
         let line = self.end_of_skipped(label, ends, self.place.line, state)?;
         quirks::control::while_ends(self, label, line, state);
         Ok(Next::At(self.line(line + 1)))
+    }
+
+    /// Nothing says whose end a while is, or whether it is one, whose do is in the text and was not entered.
+    fn not_of_skipped_do(&self, label: &str, state: &State) -> Result<(), Halt> {
+        let ended = state.frame().ended_loops.get(label);
+        let is_do = |keyword: Keyword| keyword == Keyword::Do;
+        let in_text = self
+            .definitions(label)
+            .iter()
+            .any(|definition| is_do(definition.keyword) && definition.line < self.place.line);
+        if in_text && !ended.is_some_and(|(keyword, _)| is_do(*keyword)) {
+            let why = format!("the do {} is in the text, but was not entered", o_word(label));
+            return Err(Halt::Unspecified(why));
+        }
+        Ok(())
     }
 
     /// Rule control.do-while. A do loop runs once before its condition is tested, and again while that is true.
@@ -110,7 +126,7 @@ impl Control {
         let open = state.frame().find_open(label, is_while);
         let open = open.map(|place| state.frame().open[place].line);
         let first = open.or_else(|| self.followed(label, Keyword::While, state));
-        let first = first.ok_or_else(|| unmatched(label))?;
+        let first = first.ok_or_else(|| self.unmatched(label, Keyword::While, state))?;
         Ok(Next::At(self.line(first)))
     }
 
@@ -140,7 +156,8 @@ impl Control {
     pub(super) fn end_repeat(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         let Some(place) = state.frame().find_open(label, is_repeat) else {
             let first = self.followed(label, Keyword::Repeat, state);
-            return first.map(|line| Next::At(self.line(line))).ok_or_else(|| unmatched(label));
+            let first = first.ok_or_else(|| self.unmatched(label, Keyword::Repeat, state))?;
+            return Ok(Next::At(self.line(first)));
         };
         let first = state.frame().open[place].line;
         if state.readings.quirk("rs274.repeat-counter-shared") {
@@ -171,15 +188,36 @@ impl Control {
     ///
     /// Choice control.do-label: where every while goes back to the first do, so does one without a do of its own.
     fn followed(&self, label: &str, head: Keyword, state: &State) -> Option<u32> {
-        let ended = state.frame().ended_loops.get(label) == Some(&head);
+        let last = state.frame().ended_loops.get(label).copied();
+        let last = last.filter(|(keyword, _)| *keyword == head).map(|(_, line)| line);
         let to_first = head == Keyword::Do && state.readings.is("control.do-label", "first");
-        let followed = ended && (to_first || state.readings.is("control.ended-label", "followed"));
+        let followed = to_first || state.readings.is("control.ended-label", "followed");
+        // The text tells nothing of a label that must be computed.
+        let last = last.filter(|_| followed)?;
         let earlier = |definition: &&Definition| {
             definition.keyword == head && definition.line < self.place.line
         };
         let mut earlier = self.definitions(label).iter().filter(earlier);
-        let first = if to_first { earlier.next() } else { earlier.next_back() }?;
-        followed.then_some(first.line)
+        let first = if to_first { earlier.next() } else { earlier.next_back() };
+        Some(first.map_or(last, |definition| definition.line))
+    }
+
+    /// The refusal of an endwhile or endrepeat without its head.
+    ///
+    /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether it points to one that is in
+    /// the text and was not entered.
+    fn unmatched(&self, label: &str, head: Keyword, state: &State) -> Halt {
+        let in_text = self
+            .definitions(label)
+            .iter()
+            .any(|definition| definition.keyword == head && definition.line < self.place.line);
+        let followed = state.readings.is("control.ended-label", "followed");
+        if in_text && followed && !quirks::control::is_left_behind(state) {
+            let why = format!("the loop {} is in the text, but was not entered", o_word(label));
+            return Halt::Unspecified(why);
+        }
+        let message = format!("{} is no open loop of this kind", o_word(label));
+        refuse("control.unmatched-endwhile", FaultKind::UnknownLabel, message)
     }
 
     /// Goes on after the endrepeat.
@@ -251,12 +289,6 @@ impl Control {
             format!("{} is no open while or do", o_word(label)),
         ))
     }
-}
-
-/// The refusal of an endwhile or endrepeat without its head.
-fn unmatched(label: &str) -> Halt {
-    let message = format!("{} is no open loop of this kind", o_word(label));
-    refuse("control.unmatched-endwhile", FaultKind::UnknownLabel, message)
 }
 
 /// How many turns a repeat makes.

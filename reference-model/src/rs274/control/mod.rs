@@ -36,6 +36,9 @@ use super::refusal::{Halt, refuse};
 use super::syntax::{Block, Expression, Keyword, Label, OWord};
 use super::task::Record;
 
+/// The main program among the files.
+pub const MAIN: usize = 0;
+
 /// Where the run stands, and which subs it knows.
 #[derive(Clone, Debug)]
 pub struct Control {
@@ -61,6 +64,8 @@ pub struct Control {
     pub(crate) break_remembered: bool,
     /// Quirk rs274.return-after-call: whether a sub or a numbered program was called before.
     pub(crate) has_called: bool,
+    /// Quirk rs274.numbers-of-all-files: numbered programs that were called before, by number.
+    pub(crate) numbers_called: BTreeMap<String, Place>,
     /// Whether a block with words, or an O-word that does something, was executed.
     begun: bool,
 }
@@ -93,6 +98,7 @@ impl Control {
             continue_remembered: false,
             break_remembered: false,
             has_called: false,
+            numbers_called: BTreeMap::new(),
             begun: false,
         }
     }

@@ -4,7 +4,7 @@ use gaugeblock_trace::{End, FaultKind};
 
 use super::loops::saturated;
 use super::subs::{clear_value, deeper};
-use super::{Call, Control, Frame, Next, Place, Style, o_word};
+use super::{Call, Control, Frame, MAIN, Next, Place, Style, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::read::Words;
@@ -86,7 +86,7 @@ impl Control {
         deeper("fanuc-subs.level-limit", state)?;
         self.value_after_call(state);
         let style = Style::Numbered { first, turns_left: turns.saturating_sub(1) };
-        let frame = shared_frame(Call { label, back, style }, state);
+        let frame = shared_frame(Call { label: label.clone(), back, style }, state);
         if turns == 0 {
             state.evidence.accepted("fanuc-subs.zero-count");
             return Ok(quirks::control::level_left_behind(self, frame, state));
@@ -95,6 +95,7 @@ impl Control {
         state.evidence.accepted(if nested { "fanuc-subs.nested" } else { "fanuc-subs.call" });
         state.evidence.accepted("fanuc-subs.repeat-count");
         self.called.insert(first);
+        self.numbers_called.insert(label, first);
         self.has_called = true;
         state.frames.push(frame);
         Ok(Next::At(first))
@@ -115,15 +116,31 @@ impl Control {
     ///
     /// Rule fanuc-subs.sub-follows. It stands later in the file than its call.
     ///
-    /// Rule fanuc-subs.mixed-m98. A sub that begins with sub is called by an O-word only.
+    /// Rule fanuc-subs.mixed-m98. A sub that begins with sub is called by an O-word only, and a numbered program cannot take its number.
     ///
     /// Choice fanuc-subs.call-itself: whether it is enough that it follows an earlier call.
     fn numbered_program(&self, label: &str, state: &mut State) -> Result<Place, Halt> {
         let labels = self.files.labels(self.place.file);
         let begins = labels.numbers(label);
+        let is_sub = self.subs.contains_key(label);
+        if is_sub || begins.is_empty() && !labels.subs(label).is_empty() {
+            let message = format!("{} begins with sub: M98 does not call it", o_word(label));
+            return Err(refuse("fanuc-subs.mixed-m98", FaultKind::MixedStyles, message));
+        }
+        if self.place.file != MAIN && !begins.is_empty() {
+            let why = "a numbered program in the file of a sub";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
+        if begins.iter().any(|line| labels.is_inside_sub(*line)) {
+            let why = "a numbered program that begins inside a sub";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
         if begins.len() > 1 {
             let why = format!("which one M98 calls where the number {label} stands several times");
             return Err(Halt::Unspecified(why));
+        }
+        if let Some(first) = quirks::control::known_number(self, label, state) {
+            return Ok(first);
         }
         let later = begins.partition_point(|line| *line <= self.place.line);
         if let Some(line) = begins.get(later) {
@@ -138,10 +155,6 @@ impl Control {
             }
             let message = format!("the subprogram {label} stands before its call");
             return Err(refuse("fanuc-subs.sub-follows", FaultKind::UnknownSub, message));
-        }
-        if self.subs.contains_key(label) || !labels.subs(label).is_empty() {
-            let message = format!("{} begins with sub: M98 does not call it", o_word(label));
-            return Err(refuse("fanuc-subs.mixed-m98", FaultKind::MixedStyles, message));
         }
         let message = format!("the file defines no subprogram {label}");
         Err(refuse("fanuc-subs.unknown-number", FaultKind::UnknownSub, message))

@@ -172,15 +172,16 @@ impl Control {
             return Ok(*sub);
         }
         let labels = self.files.labels(self.place.file);
-        if !labels.numbers(label).is_empty() {
-            let message = format!("{} is a numbered program: it is called by M98", o_word(label));
-            return Err(refuse("fanuc-subs.mixed-o-call", FaultKind::MixedStyles, message));
-        }
+        let is_numbered = !labels.numbers(label).is_empty();
         let later = labels.subs(label).iter().copied().find(|line| *line > self.place.line);
         if let Some(sub) = self.in_file(label, state)? {
             return Ok(sub);
         }
-        quirks::skipping::pass_over(self, Sought::Called, later, state)?;
+        if is_numbered {
+            let message = format!("{} is a numbered program: it is called by M98", o_word(label));
+            return Err(refuse("fanuc-subs.mixed-o-call", FaultKind::MixedStyles, message));
+        }
+        quirks::skipping::pass_over(self, Sought::Called { label }, later, state)?;
         if let Some(line) = later {
             if state.readings.quirk("rs274.sub-found-later") {
                 let sub = Place { line, ..self.place };

@@ -57,6 +57,11 @@ impl Modes {
         each(turned, self.g92_offset, |point, offset| point - offset)
     }
 
+    /// All that lies between a point of the program and one of the machine.
+    pub(crate) fn frame(&self) -> impl PartialEq + use<> {
+        (self.units, self.rotation, self.g5x_offset, self.g92_offset, self.tool_offset)
+    }
+
     /// Rule offsets.stored. Origin and rotation of the selected coordinate system come from its ten parameters, which
     /// are in the machine's length unit.
     pub(crate) fn load_work_offset(&mut self, stored: impl Fn(u32) -> f64, unit: LengthUnit) {

@@ -5,6 +5,8 @@
 pub enum ModalGroup {
     /// Group 0: codes that hold for their own block only.
     NonModal,
+    /// G92.1 to G92.3, where they do not belong to group 0.
+    LocalOffset,
     /// Group 1.
     Motion,
     /// Group 2.
@@ -51,7 +53,7 @@ impl ModalGroup {
     /// The rule that refuses two members in one block; groups without one have no member that the model executes.
     pub fn rule(self) -> Option<&'static str> {
         Some(match self {
-            Self::NonModal => "modal-groups.non-modal-group",
+            Self::NonModal | Self::LocalOffset => "modal-groups.non-modal-group",
             Self::Motion => "modal-groups.motion-group",
             Self::Plane => "modal-groups.plane-group",
             Self::Distance => "modal-groups.distance-group",

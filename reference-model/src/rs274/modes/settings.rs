@@ -59,6 +59,9 @@ impl Modes {
         before: Option<&Self>,
         value: impl Fn(&Spindle) -> T,
     ) -> Option<Indexed<u8, T>> {
+        if before.is_some_and(|before| before.spindles == self.spindles) {
+            return None;
+        }
         let earlier = |place: usize| before.and_then(|before| before.spindles.get(place));
         let values = (0..=u8::MAX).zip(self.spindles.iter()).filter_map(|(number, spindle)| {
             let now = value(spindle);

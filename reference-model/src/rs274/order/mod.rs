@@ -37,7 +37,15 @@ pub fn execute(
     state: &mut State,
     record: &mut Record,
 ) -> Result<Rest, Halt> {
+    let frame = state.curve.open.is_some().then(|| state.modes.frame());
     let rest = perform(phase, words, state, record);
+    if rest.is_ok()
+        && phase < Phase::Motion
+        && frame.is_some_and(|frame| frame != state.modes.frame())
+    {
+        let why = "another length unit or offset within the data block of G5.2".to_owned();
+        return Err(Halt::Unspecified(why));
+    }
     if matches!(rest, Err(Halt::Refused(_))) {
         refused_at(phase, words, state);
     }
@@ -86,7 +94,7 @@ fn perform(
             }
         }
         Phase::Dwell => step::dwell::perform(words, state, record)?,
-        Phase::Plane => step::units_planes::select_plane(words, state),
+        Phase::Plane => step::units_planes::select_plane(words, state)?,
         Phase::Units => step::units_planes::select_units(words, state),
         Phase::Compensation => step::compensation::perform(words, state)?,
         Phase::ToolLength => step::tool_length::perform(words, state)?,
@@ -101,9 +109,12 @@ fn perform(
     Ok(Rest::Execute)
 }
 
-/// M62 to M68, where a block may hold several of them in the order of the text.
+/// M62 to M68. Where a block may hold several of them they come as the list names them, wherever they stand (order.words-in-any-order).
 fn inputs_outputs(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
-    for code in words.m.iter().copied().filter(|code| (62..=68).contains(code)) {
+    let mut codes: Vec<u32> =
+        words.m.iter().copied().filter(|code| (62..=68).contains(code)).collect();
+    codes.sort_unstable();
+    for code in codes {
         match code {
             62..=65 => step::outputs::digital(code, words, state, record)?,
             66 => step::inputs::perform(words, state, record)?,

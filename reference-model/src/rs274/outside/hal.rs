@@ -48,8 +48,8 @@ impl Item {
         let digital = || index(number, 2, machine.digital_io);
         let analog = || index(number, 2, machine.analog_io);
         match kind {
-            "digital-in" => digital().map(|number| Self::Read(Input::Digital(number))),
-            "analog-in" => analog().map(|number| Self::Read(Input::Analog(number))),
+            "digital-in" => digital().map(|number| Self::Read(Input::Digital(number.into()))),
+            "analog-in" => analog().map(|number| Self::Read(Input::Analog(number.into()))),
             "digital-out" => digital().map(|number| Self::Driven(Pin::DigitalOut(number))),
             "analog-out" => analog().map(|number| Self::Driven(Pin::AnalogOut(number))),
             _ => None,

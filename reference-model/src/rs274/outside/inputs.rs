@@ -8,9 +8,9 @@ use super::Outside;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Input {
     /// A digital input.
-    Digital(u16),
+    Digital(u32),
     /// An analog input.
-    Analog(u16),
+    Analog(u32),
 }
 
 impl Input {
@@ -49,9 +49,6 @@ impl Outside {
         mode: WaitMode,
         timeout: Option<f64>,
     ) -> Awaited {
-        if self.is_stand_alone() {
-            return Awaited::Came(0.0);
-        }
         let end = timeout.map(|seconds| self.time + seconds);
         match self.event(input, mode).filter(|event| end.is_none_or(|end| *event <= end)) {
             Some(event) => {
@@ -105,7 +102,8 @@ impl Outside {
     /// The output that is wired to a digital input.
     pub(super) fn wire(&self, input: Input) -> Option<Pin> {
         let Input::Digital(number) = input else { return None };
-        let (output, _) = self.bench.wires.iter().find(|(_, wired)| **wired == number)?;
+        let (output, _) =
+            self.bench.wires.iter().find(|(_, wired)| u32::from(**wired) == number)?;
         output.parse().ok().map(Pin::DigitalOut)
     }
 

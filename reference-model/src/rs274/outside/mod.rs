@@ -42,6 +42,8 @@ pub struct Outside {
     awaiting_motion: BTreeMap<Pin, f64>,
     /// Orientations that have begun and not ended, by spindle.
     orienting: BTreeMap<usize, Orientation>,
+    /// The last orientation of each spindle, ended or not.
+    last_orientations: BTreeMap<usize, Orientation>,
     /// What the last probing move left behind.
     probed: Option<Probed>,
     /// What a program sees of HAL.
@@ -65,6 +67,7 @@ impl Outside {
             changes: Vec::new(),
             awaiting_motion: BTreeMap::new(),
             orienting: BTreeMap::new(),
+            last_orientations: BTreeMap::new(),
             probed: None,
             synchronised: Synchronised::default(),
             stub: stub::Stub::default(),
@@ -103,6 +106,25 @@ impl Outside {
         self.time = time;
     }
 
+    /// A wait that was counted as a whole is broken off now: what would have come about by its end has not, neither on the pins nor with
+    /// spindles on their way.
+    pub(crate) fn drop_what_was_to_come(&mut self, before: &Self) {
+        let known = before.changes.len();
+        let (began, now) = (before.time, self.time);
+        let later = self.changes.split_off(known);
+        self.levels.clone_from(&before.levels);
+        for change in later.into_iter().filter(|change| change.time < now || change.time <= began) {
+            self.levels.insert(change.pin, change.value);
+            self.changes.push(change);
+        }
+        for (spindle, orientation) in self.last_orientations.clone() {
+            let pin = u16::try_from(spindle).ok().map(Pin::SpindleOrient);
+            if pin.is_some_and(|pin| self.level(pin) != 0.0) {
+                self.orienting.insert(spindle, orientation);
+            }
+        }
+    }
+
     /// The value of a pin.
     pub fn level(&self, pin: Pin) -> f64 {
         self.levels.get(&pin).copied().unwrap_or(0.0)
@@ -130,6 +152,11 @@ impl Outside {
     /// Takes back what an output was to become.
     pub fn forget_with_motion(&mut self, pin: Pin) {
         self.awaiting_motion.remove(&pin);
+    }
+
+    /// Takes back what every output was to become.
+    pub fn forget_all_with_motion(&mut self) {
+        self.awaiting_motion.clear();
     }
 
     /// Whether an output is to become something when the next motion begins.

@@ -29,7 +29,9 @@ impl Outside {
         let at_once = OrientAnswer::After(0.0);
         let answer = self.bench.orient.get(spindle).copied();
         let answer = answer.filter(|_| !self.is_stand_alone()).unwrap_or(at_once);
-        self.orienting.insert(spindle, Orientation { begun: self.time, answer });
+        let orientation = Orientation { begun: self.time, answer };
+        self.orienting.insert(spindle, orientation);
+        self.last_orientations.insert(spindle, orientation);
     }
 
     /// What is only read ahead waits for no encoder.

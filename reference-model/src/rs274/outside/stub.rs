@@ -5,7 +5,7 @@
 
 use gaugeblock_trace::{LengthUnit, Position};
 
-use super::Outside;
+use super::{Input, Outside};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, each};
 
@@ -25,19 +25,53 @@ impl Outside {
     }
 }
 
+/// What M66 reads: what is read already, and one of a digital input where that is not zero.
+pub(crate) fn answer(input: Input, read: f64) -> f64 {
+    match input {
+        Input::Digital(_) if read != 0.0 => 1.0,
+        Input::Digital(_) | Input::Analog(_) => read,
+    }
+}
+
 /// A block is through: where it moved the stub has followed, and where it asked the stub has answered.
 pub(crate) fn after_block(moved: bool, state: &mut State) {
     let asked = std::mem::take(&mut state.outside.stub.asked);
     if !state.outside.is_stand_alone() {
         return;
     }
-    let modes = &state.modes;
-    let offset = each(modes.g5x_offset, modes.g92_offset, |system, local| system + local);
     if moved {
-        let point = each(state.position, offset, |point, offset| point + offset);
-        state.outside.stub.point = converted(point, modes.units, LengthUnit::Millimetre);
+        let point = each(state.position, offset(state), |point, offset| point + offset);
+        state.outside.stub.point = converted(point, state.modes.units, LengthUnit::Millimetre);
     } else if asked {
-        let point = converted(state.outside.stub.point, LengthUnit::Millimetre, modes.units);
-        state.position = each(point, offset, |point, offset| point - offset);
+        state.position = position(state);
+    }
+}
+
+/// Where the stub stands, active length unit.
+pub(crate) fn position(state: &State) -> Position {
+    let point = converted(state.outside.stub.point, LengthUnit::Millimetre, state.modes.units);
+    each(point, offset(state), |point, offset| point - offset)
+}
+
+/// The offsets that it is told of.
+fn offset(state: &State) -> Position {
+    each(state.modes.g5x_offset, state.modes.g92_offset, |system, local| system + local)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_input_is_what_was_read_before() {
+        for (input, read, expected) in [
+            (Input::Digital(0), 0.0, 0.0),
+            (Input::Digital(1), 0.3, 1.0),
+            (Input::Digital(1), -1.0, 1.0),
+            (Input::Analog(0), 0.3, 0.3),
+            (Input::Analog(0), -1.0, -1.0),
+        ] {
+            assert!((answer(input, read) - expected).abs() < 1e-12, "{input:?} after {read}");
+        }
     }
 }

@@ -175,7 +175,7 @@ pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), Halt> {
 /// Rule parameters.read-only. Assigning to a predefined named parameter is refused.
 /// Rule parameters.ini-read-only. Assigning to an INI or HAL parameter is refused.
 /// Choice parameters.read-only-numbered: whether 5400 to 5428 can be set.
-/// Quirk rs274.hal-assignment: a name of the form of a HAL item, where there is no such item, can be assigned.
+/// Quirk rs274.hal-assignment: a name of the form of a HAL item or an INI entry, where there is no such thing, can be assigned.
 ///
 /// # Errors
 /// It is read-only.
@@ -191,7 +191,7 @@ pub fn writable(name: &Name, state: &State) -> Result<(), Halt> {
             ("parameters.read-only", format!("<{name}>"))
         }
         Name::Named(name)
-            if ini::is_hal(name)
+            if ini::is_outside(name)
                 && ini::entry(name, state).is_none()
                 && state.readings.quirk("rs274.hal-assignment") =>
         {

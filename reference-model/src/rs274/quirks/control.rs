@@ -47,6 +47,12 @@ pub fn is_head_in_file(control: &Control, state: &State) -> bool {
     called && state.readings.quirk("rs274.file-with-two-subs")
 }
 
+/// Quirk rs274.numbers-of-all-files. The numbered program of this number that was called first, whichever file it stands in.
+pub fn known_number(control: &Control, label: &str, state: &State) -> Option<Place> {
+    let first = control.numbers_called.get(label).copied();
+    first.filter(|_| state.readings.quirk("rs274.numbers-of-all-files"))
+}
+
 /// Quirk rs274.fanuc-zero-loops. A call with L0 leaves a call level behind: what follows is executed as if it belonged
 /// to the subprogram.
 pub fn level_left_behind(control: &Control, frame: Frame, state: &mut State) -> Next {
@@ -107,7 +113,7 @@ pub fn is_reached_again(known: Option<&Place>, place: Place, state: &State) -> b
 pub fn value_at_definition(control: &mut Control, end: u32, state: &mut State) -> Result<(), Halt> {
     control.place.line = end;
     let Some(Line::Block(text)) = control.files.line(control.place, state) else { return Ok(()) };
-    let values = syntax::parse(&text, state)?.o_word.map_or_else(Vec::new, |word| word.arguments);
+    let values = syntax::parse(text, state)?.o_word.map_or_else(Vec::new, |word| word.arguments);
     let value = values.first().map(|value| with_zeros(value, state));
     let value = value.map(|value| read::evaluate(&value, state)).transpose()?;
     state.parameters.returned = value.unwrap_or(0.0);

@@ -29,8 +29,8 @@ pub(crate) fn machine_without_axes(words: &Words, state: &State) -> bool {
     programmed && state.readings.quirk("rs274.machine-without-axes")
 }
 
-/// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, the point is turned without the local
-/// offset, which it keeps as it was.
+/// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, or the program end turns back to G54, the point
+/// is turned without the local offset, which it keeps as it was.
 pub(crate) fn turn_system(reload: fn(&mut State), state: &mut State) {
     if !state.readings.quirk("rs274.rotation-under-local-offset") {
         return reload(state);

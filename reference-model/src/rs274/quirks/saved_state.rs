@@ -3,8 +3,8 @@
 //! `rs274` restores by programming codes again, for what it takes to be different: what such codes cannot say is lost.
 
 use gaugeblock_trace::{
-    Compensation, FaultKind, FeedMode, Path, Position, SpindleLimit, SpindleMode, SpindleTurn,
-    Switch,
+    Compensation, FaultKind, FeedMode, Path, Plane, Position, SpindleLimit, SpindleMode,
+    SpindleTurn, Switch,
 };
 
 use crate::rs274::machine::State;
@@ -24,6 +24,18 @@ pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), Halt> 
             let offset = table_offset(state.known_tool, "rs274.tool-offset-restore", state)?;
             apply(Some(offset), state);
         }
+    }
+    Ok(())
+}
+
+/// Quirk rs274.plane-restore. G17, G18 or G19 is programmed before G40, and refused where the cutter is compensated.
+pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.plane-restore";
+    let compensated = state.modes.compensation != Compensation::Off;
+    let three = matches!(saved.plane, Plane::Xy | Plane::Zx | Plane::Yz);
+    if compensated && three && saved.plane != state.modes.plane && state.readings.quirk(rule) {
+        let message = "a restore of the plane while the cutter is compensated";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
     Ok(())
 }

@@ -67,8 +67,8 @@ pub(crate) fn tool_offset_as_programmed(state: &mut State) {
     modes.tool_offset_unit = modes.units;
 }
 
-/// Quirk rs274.tool-offset-unit. How far G53 leads beside a point, active length unit: it takes the number of the tool offset for one of
-/// that unit.
+/// Quirk rs274.tool-offset-unit. How far G53, G28 and G30 lead beside a point, active length unit: they take the number of the tool
+/// offset for one of that unit. What G28.1 and G30.1 store is beside the point as far in the other direction.
 pub(crate) fn beside_machine_point(state: &State) -> Position {
     let modes = &state.modes;
     if !state.readings.quirk("rs274.tool-offset-unit") {
@@ -78,8 +78,8 @@ pub(crate) fn beside_machine_point(state: &State) -> Position {
     each(modes.tool_offset, number, |offset, number| offset - number)
 }
 
-/// Quirk rs274.machine-rotary-offset. G53 does not take the tool offset of A, B and C into account: how far it leads beside the
-/// point of a rotary axis.
+/// Quirk rs274.machine-rotary-offset. G53, G28 and G30 do not take the tool offset of A, B and C into account: how far they lead
+/// beside the point of a rotary axis.
 pub(crate) fn beside_machine_angle(axis: Axis, state: &State) -> f64 {
     let beside = is_rotary(axis) && state.readings.quirk("rs274.machine-rotary-offset");
     if beside { state.modes.tool_offset.get(axis) } else { 0.0 }
@@ -89,6 +89,12 @@ pub(crate) fn beside_machine_angle(axis: Axis, state: &State) -> f64 {
 pub(crate) fn group_of(m_code: u32, state: &State) -> Option<ModalGroup> {
     let saves = (70..=73).contains(&m_code);
     (saves && state.readings.quirk("rs274.save-in-spindle-group")).then_some(ModalGroup::Spindle)
+}
+
+/// Quirk rs274.g92-codes-apart. G92.1, G92.2 and G92.3 exclude each other and no other code of group 0, after which they act.
+pub(crate) fn group_of_g(g_code: u32, state: &State) -> Option<ModalGroup> {
+    let clears = (921..=923).contains(&g_code);
+    (clears && state.readings.quirk("rs274.g92-codes-apart")).then_some(ModalGroup::LocalOffset)
 }
 
 /// Quirk rs274.machine-incremental. G53 needs absolute distance mode.

@@ -6,7 +6,7 @@ use gaugeblock_trace::FaultKind;
 use crate::math;
 use crate::rs274::control::{Control, Place, label_of};
 use crate::rs274::machine::State;
-use crate::rs274::quirks::control::with_zeros;
+use crate::rs274::quirks::control::{known_number, with_zeros};
 use crate::rs274::read;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::syntax::{self, Keyword, Label, PassedOver};
@@ -24,9 +24,17 @@ pub(crate) enum Sought<'a> {
     },
     /// The endsub of the sub that is defined.
     EndSub,
-    /// A sub or a numbered program that is called.
-    Called,
+    /// A sub that is called.
+    Called {
+        /// Its label.
+        label: &'a str,
+    },
+    /// A numbered program that is called.
+    Numbered,
 }
+
+/// Without any of these, what is passed over is not looked at.
+const QUIRKS: [&str; 3] = ["rs274.skipped-is-read", "rs274.skipped-labels", "rs274.number-in-sub"];
 
 /// The lines behind this block and before line `end` are passed over; all of the file, where there is no end.
 ///
@@ -42,6 +50,9 @@ pub(crate) fn pass_over(
     end: Option<u32>,
     state: &mut State,
 ) -> Result<(), Halt> {
+    if !QUIRKS.iter().any(|quirk| state.readings.quirk(quirk)) {
+        return Ok(());
+    }
     let start = control.place;
     for line in start.line + 1..end.unwrap_or(u32::MAX) {
         let place = Place { line, ..start };
@@ -49,7 +60,7 @@ pub(crate) fn pass_over(
             None | Some(Line::End) => break,
             Some(Line::Nothing) => {}
             Some(Line::Block(text)) => {
-                minded(&text, sought, state).inspect_err(|_| control.place = place)?;
+                minded(text, sought, state).inspect_err(|_| control.place = place)?;
             }
         }
     }
@@ -65,12 +76,12 @@ pub(crate) fn to_numbered(
     label: &str,
     state: &mut State,
 ) -> Result<(), Halt> {
-    if control.is_called_before(label) {
+    if control.is_called_before(label) || known_number(control, label, state).is_some() {
         return Ok(());
     }
     let ends = [Keyword::ProgramNumber, Keyword::Sub];
     let end = control.next_in_file(label, &ends);
-    pass_over(control, Sought::Called, end, state)
+    pass_over(control, Sought::Numbered, end, state)
 }
 
 /// A line that is passed over.
@@ -113,8 +124,26 @@ fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), Halt>
             let rule = "subroutines.nested-definition";
             Err(refuse(rule, FaultKind::NestedSub, "a sub within a sub that is defined"))
         }
-        Sought::Structure { .. } | Sought::EndSub | Sought::Called => Ok(()),
+        Sought::Called { label: own }
+            if label.as_deref() == Some(own)
+                && matches!(word.keyword, Keyword::EndSub | Keyword::Return)
+                && state.readings.quirk("rs274.value-at-definition") =>
+        {
+            returned(text, state)
+        }
+        Sought::Structure { .. } | Sought::EndSub | Sought::Called { .. } | Sought::Numbered => {
+            Ok(())
+        }
     }
+}
+
+/// Quirk rs274.value-at-definition. An endsub or return of the sub that is sought behind its call leaves its value.
+fn returned(text: &str, state: &mut State) -> Result<(), Halt> {
+    let values = syntax::parse(text, state)?.o_word.map_or_else(Vec::new, |word| word.arguments);
+    let value = values.first().map(|value| read::evaluate(value, state)).transpose()?;
+    state.parameters.returned = value.unwrap_or(0.0);
+    state.parameters.has_returned = value.is_some();
+    Ok(())
 }
 
 /// What is wrong with a line and passes all the same: a right parenthesis without a comment; within a sub what is no keyword.

@@ -4,13 +4,14 @@ use gaugeblock_trace::ControllerMode;
 
 use super::settings::speed_while_standing;
 use crate::rs274::machine::State;
-use crate::rs274::modes::Modes;
+use crate::rs274::modes::{Modes, converted};
 
 /// Quirk linuxcnc.modes-of-last-motion. An abort brings back the modes that were in force at the last motion, or at the
 /// beginning where nothing has moved, then without the speeds; but not the motion mode itself, and none where that motion was in a sub.
 pub(crate) fn modes_of_last_motion(modes: &Modes, has_moved: bool, state: &mut State) {
     if state.readings.quirk("linuxcnc.modes-of-last-motion") {
         let machine = state.modes.machine_point(state.position);
+        let machine = converted(machine, state.modes.units, modes.units);
         let restored = Modes { motion: state.modes.motion, ..modes.clone() };
         let before = std::mem::replace(&mut state.modes, restored);
         state.position = state.modes.program_point(machine);
@@ -28,4 +29,9 @@ pub(crate) fn modes_of_last_motion(modes: &Modes, has_moved: bool, state: &mut S
 /// Quirk linuxcnc.auto-while-running. A request for the mode that a program runs in drops the program.
 pub(crate) fn drops_program(mode: ControllerMode, state: &State) -> bool {
     mode == ControllerMode::Auto && state.readings.quirk("linuxcnc.auto-while-running")
+}
+
+/// Quirk linuxcnc.returned-value-kept. What the last sub has returned is still there when a program starts.
+pub(crate) fn keeps_value(state: &State) -> bool {
+    state.readings.quirk("linuxcnc.returned-value-kept")
 }

@@ -1,7 +1,8 @@
 //! Quirks of reading text, words, parameters and comments.
 //!
 //! Some have nothing of their own and stand where they are decided: rs274.lone-return (`text`), rs274.repeated-signs and
-//! rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`step::message`).
+//! rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`step::message`),
+//! rs274.percent-in-file (`text`).
 
 use gaugeblock_trace::{Compensation, FeedMode};
 
@@ -16,6 +17,9 @@ pub(crate) const LONGEST_LINE: usize = 252;
 
 /// Quirk rs274.last-parameter: the greatest number of a parameter.
 pub(crate) const LAST_PARAMETER: u32 = 5601;
+
+/// Quirk rs274.comment-before-o-word: a comment at the beginning of a block leaves neither an O-word nor M98 behind it.
+pub(crate) const COMMENT_FIRST: &str = "rs274.comment-before-o-word";
 
 /// Quirk rs274.semicolon-plain: the comment that may be active is the last one in parentheses.
 pub(crate) fn active_comment(comments: Vec<Comment>) -> Option<Comment> {

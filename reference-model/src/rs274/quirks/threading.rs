@@ -16,6 +16,12 @@ pub(crate) fn feed_word(words: &Words, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
+/// Quirk rs274.thread-long-taper. Which way the tapers of a thread lead along Z: down where it leads nowhere.
+pub(crate) fn direction(way: f64, state: &State) -> f64 {
+    let nowhere = way == 0.0 && state.readings.quirk("rs274.thread-long-taper");
+    if nowhere { -1.0 } else { way.signum() }
+}
+
 /// Quirk rs274.thread-clearance. Each pass of G76 begins and ends as much further out than the drive line as it is less deep
 /// than the last one.
 pub(crate) fn clearance(less_deep: f64, state: &State) -> f64 {

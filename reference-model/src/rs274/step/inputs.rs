@@ -4,7 +4,7 @@ use gaugeblock_trace::{Effect, FaultKind, WaitMode};
 
 use super::{pass, whole, word};
 use crate::rs274::machine::State;
-use crate::rs274::outside::{Awaited, Input};
+use crate::rs274::outside::{Awaited, Input, stub};
 use crate::rs274::quirks::outputs as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
@@ -39,6 +39,9 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
             pass(seconds, state);
             Awaited::TimedOut
         }
+        None if state.outside.is_stand_alone() => {
+            Awaited::Came(stub::answer(input, state.parameters.stored(RESULT)))
+        }
         None => state.outside.await_input(input, mode, timeout),
     };
     pass(0.0, state);
@@ -53,8 +56,8 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     accepted(input, mode, state);
     state.parameters.store(RESULT, read);
     let (digital, analog) = match input {
-        Input::Digital(number) => (Some(i32::from(number)), None),
-        Input::Analog(number) => (None, Some(i32::from(number))),
+        Input::Digital(number) => (i32::try_from(number).ok(), None),
+        Input::Analog(number) => (None, i32::try_from(number).ok()),
     };
     record.effect(state, Effect::WaitInput { digital, analog, mode, timeout, read });
     state.outside.synchronise();
@@ -104,10 +107,10 @@ fn input(words: &Words, state: &mut State) -> Result<Input, Halt> {
 /// (inputs.count).
 /// Quirk rs274.io-number-rounded: a fraction is rounded.
 /// Quirk linuxcnc.input-number: any number is accepted, and where there is no such input zero is read.
-fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Result<u16, Halt> {
+fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Result<u32, Halt> {
     let any = state.outside.is_stand_alone() || state.readings.quirk("linuxcnc.input-number");
-    let number = quirks::number(value, state).and_then(|number| u16::try_from(number).ok());
-    let number = number.filter(|number| any || *number < of_machine).ok_or_else(|| {
+    let number = quirks::number(value, state).and_then(|number| u32::try_from(number).ok());
+    let number = number.filter(|number| any || *number < of_machine.into()).ok_or_else(|| {
         let message = format!("{letter}{value} names no input of {of_machine}");
         refuse("inputs.number-range", FaultKind::NoSuchInputOrOutput, message)
     })?;

@@ -18,13 +18,17 @@ const APPLIES: u32 = 5210;
 /// # Errors
 /// Those of G52 and G92.
 pub(super) fn change(words: &Words, state: &mut State) -> Result<(), Halt> {
-    let code = words.g.iter().copied().find(|code| [520, 920, 921, 922, 923].contains(code));
-    match code {
+    let code = |wanted: &[u32]| words.g.iter().copied().find(|code| wanted.contains(code));
+    match code(&[520, 920]) {
         Some(520) => shift(words, state)?,
-        Some(920) => name_point(words, state)?,
+        Some(_) => name_point(words, state)?,
+        None => {}
+    }
+    match code(&[921, 922, 923]) {
         Some(921) => clear(state),
         Some(922) => suspend(state),
-        _ => resume(state),
+        Some(_) => resume(state),
+        None => {}
     }
     Ok(())
 }

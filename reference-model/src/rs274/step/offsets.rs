@@ -76,11 +76,15 @@ pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(
         state.evidence.accepted("modal-groups.motion-suspended");
     }
     if words.g.iter().any(|code| [280, 281, 300, 301].contains(code)) {
-        return positions::perform(words, state, record);
+        positions::perform(words, state, record)?;
+    } else if words.g.contains(&100) {
+        set(words, state, record)?;
     }
-    if !words.g.contains(&100) {
-        return local_offset::change(words, state);
-    }
+    local_offset::change(words, state)
+}
+
+/// G10.
+fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
     match kind(words)? {
         0 => tool_table::reload(state),
         1 => tool_table::set(Values::Offsets, words, state, record),

@@ -6,8 +6,9 @@ use super::target::{end_point, letter};
 use super::tool_change::traverse;
 use super::word;
 use crate::rs274::machine::State;
-use crate::rs274::modes::converted;
+use crate::rs274::modes::{converted, each};
 use crate::rs274::order::has_axis_words;
+use crate::rs274::quirks::settings::{beside_machine_angle, beside_machine_point};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -44,6 +45,11 @@ pub(super) fn perform(words: &Words, state: &mut State, record: &mut Record) -> 
         store(first, state);
         return Ok(());
     }
+    let turns = [Axis::X, Axis::Y].iter().all(|axis| state.machine.axes.contains(axis));
+    if state.modes.rotation != 0.0 && !turns {
+        let why = "where a stored position is in a rotated system of a machine without X or Y";
+        return Err(Halt::Unspecified(why.to_owned()));
+    }
     if has_axis_words(words) {
         by_way_of(first, words, state, record)
     } else {
@@ -55,6 +61,7 @@ pub(super) fn perform(words: &Words, state: &mut State, record: &mut Record) -> 
 /// Rule positions.store. G28.1 stores the machine position, in the machine's unit.
 fn store(first: u32, state: &mut State) {
     let machine = state.modes.machine_point(state.position);
+    let machine = each(machine, beside_machine_point(state), |point, beside| point - beside);
     let machine = converted(machine, state.modes.units, state.machine.length_unit);
     for (number, axis) in (first..).zip(Axis::ALL) {
         if state.machine.axes.contains(axis) {
@@ -86,7 +93,17 @@ fn straight(first: u32, state: &mut State, record: &mut Record) {
     if state.readings.quirk("rs274.position-move-in-place") {
         traverse(state.modes.machine_point(state.position), state, record);
     }
-    traverse(stored(first, state), state, record);
+    traverse(destination(first, state), state, record);
+}
+
+/// Where G28 and G30 lead.
+fn destination(first: u32, state: &State) -> Position {
+    let mut there =
+        each(stored(first, state), beside_machine_point(state), |point, beside| point + beside);
+    for axis in Axis::ALL.iter().copied() {
+        *there.get_mut(axis) += beside_machine_angle(axis, state);
+    }
+    there
 }
 
 /// Rule positions.by-way-of. With axis words the machine first goes to the point that they name, as G0 would.
@@ -106,7 +123,7 @@ fn by_way_of(
     let to = |point: Position, state: &State| {
         if of_machine { state.modes.machine_point(point) } else { point }
     };
-    let there = to(state.modes.program_point(stored(first, state)), state);
+    let there = to(state.modes.program_point(destination(first, state)), state);
     let mut end = to(state.position, state);
     for axis in Axis::ALL.iter().copied().filter(|axis| word(words, letter(*axis)).is_some()) {
         *end.get_mut(axis) = there.get(axis);

@@ -10,7 +10,7 @@ use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::modes::converted;
 use crate::rs274::order::has_axis_words;
-use crate::rs274::outside::Wanted;
+use crate::rs274::outside::{Wanted, stub};
 use crate::rs274::quirks::probe as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
@@ -150,10 +150,10 @@ fn allowed(
 }
 
 /// Where the stand-alone interpreter's stub stands after probing: a hundredth of an inch back on its way, as far as linear axes
-/// have moved.
+/// have moved. That way begins where the stub stands.
 fn backed_off(end: Position, state: &State) -> Position {
     let linear = [Axis::X, Axis::Y, Axis::Z];
-    let from = state.position;
+    let from = stub::position(state);
     let back = match state.modes.units {
         LengthUnit::Inch => 0.01,
         LengthUnit::Millimetre => 0.254,

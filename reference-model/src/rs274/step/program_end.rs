@@ -8,7 +8,7 @@ use super::offsets::use_system;
 use super::outputs;
 use super::spindle::{all, set_turn};
 use crate::rs274::machine::State;
-use crate::rs274::quirks::settings as quirks;
+use crate::rs274::quirks::{motion as motion_quirks, settings as quirks};
 use crate::rs274::read::Words;
 use crate::rs274::task::Record;
 
@@ -63,7 +63,7 @@ fn reset(state: &mut State) {
     if state.modes.local_applies {
         state.evidence.accepted("offsets.local-persists");
     }
-    use_system(1, state);
+    motion_quirks::turn_system(|state| use_system(1, state), state);
     let every = state.readings.is("program-end.spindles", "all");
     let stopped = if every { all(state) } else { vec![0] };
     let speed_override = !state.readings.quirk("rs274.speed-override-at-end");

@@ -133,8 +133,10 @@ fn restore_explicitly(state: &mut State) -> Result<Rest, Halt> {
     if state.frame().restore_at_return.is_some() {
         state.evidence.accepted("saved-state.autorestore-explicit");
     }
-    let before = state.modes.clone();
+    let mut before = state.modes.clone();
     restore(&saved.modes, state)?;
+    // The unit of an offset of zero is nothing that changes.
+    before.tool_offset_unit = state.modes.tool_offset_unit;
     let changed = state.modes != before;
     let drop = changed && state.readings.quirk("rs274.rest-of-restore-block");
     Ok(if drop { Rest::Drop } else { Rest::Execute })

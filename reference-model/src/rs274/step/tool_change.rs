@@ -22,11 +22,7 @@ use crate::rs274::task::Record;
 pub fn change(state: &mut State, record: &mut Record) -> Result<(), Halt> {
     super::not_under_compensation("tool.change-under-compensation", state)?;
     let tool = tool_to_load(state)?;
-    if !state.machine.tool_change.with_spindle_on {
-        stop_spindles(state);
-    } else {
-        state.evidence.accepted("tool.change-spindle-on");
-    }
+    before_moving(state);
     moves(state, record);
     if state.outside.tools_are_changed_by_hand() {
         state.evidence.accepted("tool.change-by-hand");
@@ -64,8 +60,12 @@ fn tool_to_load(state: &mut State) -> Result<i32, Halt> {
     Ok(selected.max(0))
 }
 
-/// Every spindle stops.
-fn stop_spindles(state: &mut State) {
+/// Every spindle stops, unless the machine changes tools while they turn; only then does it move to where tools are changed.
+pub fn before_moving(state: &mut State) {
+    if state.machine.tool_change.with_spindle_on {
+        state.evidence.accepted("tool.change-spindle-on");
+        return;
+    }
     for place in spindle::all(state) {
         spindle::set_turn(SpindleTurn::Stopped, place, state);
     }

@@ -4,7 +4,7 @@ use gaugeblock_trace::{FaultKind, Position, Switch};
 
 use super::target::offset_words;
 use super::tool::{loaded, named};
-use super::{whole, word};
+use super::{not_under_compensation, whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, each};
 use crate::rs274::order::has_axis_words;
@@ -18,8 +18,9 @@ use crate::rs274::refusal::{Halt, refuse};
 /// Rule tool.length-repeated. The same offset may be programmed again, and G49 when there is none.
 ///
 /// # Errors
-/// A tool or a word that the code does not allow.
+/// A tool or a word that the code does not allow. Rule tool.length-under-compensation, a choice.
 pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
+    not_under_compensation("tool.length-under-compensation", state)?;
     if state.readings.quirk("rs274.tool-offset-unit") {
         quirks::tool_offset_as_programmed(state);
     }

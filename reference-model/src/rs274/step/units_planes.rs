@@ -2,12 +2,18 @@
 
 use gaugeblock_trace::{Distance, FeedMode, Lathe, LengthUnit, Plane, Retract};
 
+use super::not_under_compensation;
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, unit_size};
 use crate::rs274::read::Words;
+use crate::rs274::refusal::Halt;
 
 /// Rules units-planes.plane and units-planes.secondary-planes. Selecting a plane moves nothing.
-pub fn select_plane(words: &Words, state: &mut State) {
+///
+/// # Errors
+/// Rule units-planes.plane-under-compensation, a choice: another one of the planes in which the cutter can be compensated, or of
+/// the third beside them, while it is.
+pub fn select_plane(words: &Words, state: &mut State) -> Result<(), Halt> {
     let plane = words.g.iter().find_map(|code| match code {
         170 => Some((Plane::Xy, "units-planes.plane")),
         180 => Some((Plane::Zx, "units-planes.plane")),
@@ -18,10 +24,14 @@ pub fn select_plane(words: &Words, state: &mut State) {
         _ => None,
     });
     if let Some((plane, rule)) = plane {
+        if rule == "units-planes.plane" && plane != state.modes.plane {
+            not_under_compensation("units-planes.plane-under-compensation", state)?;
+        }
         state.evidence.accepted(rule);
         state.evidence.accepted("units-planes.plane-moves-nothing");
         state.modes.plane = plane;
     }
+    Ok(())
 }
 
 /// Rule units-planes.units. G20 makes inches and G21 millimetres the length unit.

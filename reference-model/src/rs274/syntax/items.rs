@@ -22,7 +22,7 @@ impl Parser<'_> {
     pub(super) fn block(&mut self, comments: Vec<Comment>) -> Result<Block, Halt> {
         let mut block = Block { block_delete: self.block_delete(), ..Block::default() };
         block.line_number = self.line_number()?;
-        self.comments();
+        self.comments_first()?;
         if self.peek() == Some('o') {
             block.o_word = Some(self.o_word()?);
         } else {
@@ -84,6 +84,26 @@ impl Parser<'_> {
         while self.peek() == Some(Glyph::COMMENT) {
             self.advance();
         }
+    }
+
+    /// Goes on behind comments at the beginning of a block.
+    ///
+    /// Quirk rs274.comment-before-o-word. Neither an O-word nor M98 follows them.
+    fn comments_first(&mut self) -> Result<(), Halt> {
+        let led = self.is_led_by_comment();
+        self.comments();
+        let calls = self.sees("m98") && !self.peek_behind(3).is_some_and(|next| next.is_numeric());
+        let (kind, message) = match self.peek() {
+            Some('o') if led => (FaultKind::BadCharacter, "an O-word behind a comment"),
+            Some('m') if led && calls => (FaultKind::UnknownCode, "M98 behind a comment"),
+            _ => return Ok(()),
+        };
+        Err(self.refuse(quirks::COMMENT_FIRST, kind, message))
+    }
+
+    /// Whether a comment comes next that counts as the beginning of a block.
+    pub(super) fn is_led_by_comment(&self) -> bool {
+        self.peek() == Some(Glyph::COMMENT) && self.readings.quirk(quirks::COMMENT_FIRST)
     }
 
     /// Rule text.items-optional. A line needs neither words nor settings.

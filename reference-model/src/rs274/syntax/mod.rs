@@ -14,8 +14,9 @@ mod value;
 pub use block::*;
 
 use super::machine::State;
-use super::refusal::Halt;
+use super::refusal::{Halt, Refusal};
 use super::text::condense;
+use crate::Evidence;
 use parser::Parser;
 
 /// Parses a line.
@@ -40,7 +41,7 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
 /// # Errors
 /// The line is too long, a comment is not closed, or a line number, label or keyword is none.
 pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, Halt> {
-    let before = std::mem::take(&mut state.evidence);
+    let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
     let condensed = condense(line, state);
     state.evidence = before;
     let (glyphs, _) = condensed?;
@@ -54,8 +55,12 @@ pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
     if !may_begin_with_o_word(line) {
         return None;
     }
-    let before = std::mem::take(&mut state.evidence);
-    let condensed = condense(line, state);
+    let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
+    let mut condensed = condense(line, state);
+    if let Err(Halt::Refused(Refusal { span: Some(span), .. })) = &condensed {
+        // What stands before a comment that is not closed can be read.
+        condensed = condense(&line[..span.start as usize], state);
+    }
     state.evidence = before;
     let (glyphs, _) = condensed.ok()?;
     Parser::new(&glyphs, &state.readings).leading_o_word()

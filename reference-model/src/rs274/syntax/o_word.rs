@@ -72,6 +72,9 @@ impl Parser<'_> {
     pub(super) fn leading_o_word(mut self) -> Option<OWord> {
         self.block_delete();
         self.line_number().ok()?;
+        if self.is_led_by_comment() {
+            return None;
+        }
         self.comments();
         if self.peek() != Some('o') {
             return None;
@@ -94,6 +97,9 @@ impl Parser<'_> {
     pub(super) fn passed_over(mut self) -> Result<PassedOver, Halt> {
         self.block_delete();
         self.line_number()?;
+        if self.is_led_by_comment() {
+            return Ok(PassedOver::Nothing);
+        }
         self.comments();
         if self.take("m98") {
             let ends = !matches!(self.peek(), Some('0'..='9' | '.'));

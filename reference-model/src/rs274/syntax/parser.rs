@@ -15,6 +15,8 @@ pub(super) struct Parser<'a> {
     /// Index of the next character.
     at: usize,
     pub(super) readings: &'a Readings,
+    /// Room for the digits of a number.
+    pub(super) digits: String,
     /// Rules that decided something; they count when the whole line is accepted.
     reached: Vec<&'static str>,
     /// Rules that refuse the line besides the one that the refusal names.
@@ -23,7 +25,14 @@ pub(super) struct Parser<'a> {
 
 impl<'a> Parser<'a> {
     pub(super) fn new(glyphs: &'a [Glyph], readings: &'a Readings) -> Self {
-        Self { glyphs, at: 0, readings, reached: Vec::with_capacity(16), failed: Vec::new() }
+        Self {
+            glyphs,
+            at: 0,
+            readings,
+            digits: String::new(),
+            reached: Vec::with_capacity(16),
+            failed: Vec::new(),
+        }
     }
 
     /// A rule decided something.

@@ -121,7 +121,8 @@ impl Parser<'_> {
     /// Rule numbers.zeros. Leading and trailing zeros change no number.
     /// Rule numbers.many-digits. A number may have any number of digits; about seventeen significant ones count.
     fn number(&mut self) -> Result<f64, Halt> {
-        let mut text = String::new();
+        let mut text = std::mem::take(&mut self.digits);
+        text.clear();
         self.take_into(&mut text, |character| character.is_ascii_digit());
         let whole = text.len();
         if self.take(".") {
@@ -151,6 +152,7 @@ impl Parser<'_> {
         if text.len() > 15 {
             self.reach("numbers.many-digits");
         }
+        self.digits = text;
         Ok(number)
     }
 
@@ -175,7 +177,9 @@ impl Parser<'_> {
     /// Quirk rs274.empty-name. There may be none.
     pub(super) fn name(&mut self) -> Result<String, Halt> {
         self.advance();
-        let name = self.take_while(|character| character != '>' && character != Glyph::COMMENT);
+        // A NUL is no character of a text, wherever it stands.
+        let ends = ['>', Glyph::COMMENT, '\0'];
+        let name = self.take_while(|character| !ends.contains(&character));
         let empty = name.is_empty() && !self.readings.quirk("rs274.empty-name");
         if empty || !self.take(">") {
             let message = "a name stands between < and >, which is missing";

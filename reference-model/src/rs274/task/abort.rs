@@ -5,6 +5,7 @@ use gaugeblock_trace::{End, SpindleTurn, Switch};
 use super::operator::Operator;
 use super::{Record, Run};
 use crate::rs274::machine::State;
+use crate::rs274::modes::converted;
 use crate::rs274::quirks::task as quirks;
 use crate::rs274::step;
 
@@ -12,20 +13,38 @@ impl Run<'_> {
     /// Rule abort.ends. The run is over, whatever block was broken off.
     ///
     /// Rule abort.autorestore. In a sub with M73 nothing is restored.
-    pub(super) fn aborted(&mut self) {
+    ///
+    /// How it ends: what was read ahead may be what the documents leave open.
+    pub(super) fn aborted(&mut self) -> End {
         self.state.evidence.accepted("abort.ends");
         if self.state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
             self.state.evidence.accepted("abort.autorestore");
         }
         self.state.evidence.accepted("abort.read-ahead");
         let reads_on = self.state.readings.is("abort.read-ahead", "read-on");
-        if reads_on && !self.by_hand && !self.waits_for_machine {
-            self.read_on();
-        }
+        let end = if reads_on && !self.by_hand && !self.waits_for_machine {
+            self.read_on()
+        } else {
+            End::Aborted
+        };
+        self.state.frames[0].forget_saved();
+        self.forget_waiting();
         self.switch_off();
         if let Some(modes) = &self.at_last_motion {
             quirks::modes_of_last_motion(modes, self.has_moved, &mut self.state);
             self.switch_off();
+        }
+        end
+    }
+
+    /// Choice outputs.waiting-after-abort. What waits for a motion is gone with the motions that were queued, or waits for the next one.
+    pub(super) fn forget_waiting(&mut self) {
+        if self.state.outside.awaits_motion() {
+            let choice = "outputs.waiting-after-abort";
+            self.state.evidence.accepted(choice);
+            if self.state.readings.is(choice, "forgotten") {
+                self.state.outside.forget_all_with_motion();
+            }
         }
     }
 
@@ -48,8 +67,13 @@ impl Run<'_> {
     /// Choice abort.read-ahead. The interpreter has read the block that is broken off as a whole, and on to the next one that
     /// waits for the machine, or to the end: what it made of modes and parameters on the way stays, although nothing of it was
     /// executed.
-    fn read_on(&mut self) {
-        let Some(mut state) = self.at_block.take().map(|state| *state) else { return };
+    ///
+    /// Where the documents leave open what a block means that is read ahead, or where nothing ends the reading, they leave open what the
+    /// abort leaves behind.
+    fn read_on(&mut self) -> End {
+        let Some(mut state) = self.at_block.take().map(|state| *state) else {
+            return End::Aborted;
+        };
         state.evidence = crate::Evidence::default();
         state.outside.answers_at_once();
         let control = self.control.clone();
@@ -68,13 +92,36 @@ impl Run<'_> {
             at_last_motion: self.at_last_motion.clone(),
             has_moved: self.has_moved,
         };
-        let _how_far: End = ahead.program();
-        self.take_over(ahead.state);
+        let how_far = ahead.program();
+        let refused = matches!(how_far, End::Fault(_));
+        match ahead.at_block.filter(|_| refused) {
+            // A refused block has done nothing.
+            Some(before) => self.take_over(*before),
+            None => self.take_over(ahead.state),
+        }
+        match how_far {
+            left_open @ (End::Unspecified { .. } | End::Unsupported { .. }) => left_open,
+            End::BudgetExhausted { .. } => {
+                let block = self.control.files.block(self.control.place);
+                End::Unspecified {
+                    block,
+                    why: "how far an endless program is read ahead".to_owned(),
+                }
+            }
+            End::ProgramEnd
+            | End::PercentEnd
+            | End::Endless
+            | End::Aborted
+            | End::Paused
+            | End::Fault(_) => End::Aborted,
+        }
     }
 
-    /// Takes over modes and parameters, but not where the machine stands and in which mode the controller is.
+    /// Takes over modes and parameters, but not the machine as it is: where it stands, which tools it has and in which mode the controller
+    /// is.
     fn take_over(&mut self, ahead: State) {
         let machine = self.state.modes.machine_point(self.state.position);
+        let machine = converted(machine, self.state.modes.units, ahead.modes.units);
         let controller_mode = self.state.modes.controller_mode;
         self.state.modes = ahead.modes;
         self.state.modes.controller_mode = controller_mode;

@@ -1,11 +1,14 @@
 //! While no program runs: blocks entered by hand, and cycle start.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use gaugeblock_trace::scenario::Action;
 use gaugeblock_trace::{ControllerMode, End};
 
 use super::request::{Activity, Answer};
-use super::{MAIN, Run, open_entries};
-use crate::rs274::control::{Control, Frame, Place};
+use super::{Run, open_entries};
+use crate::rs274::control::{Control, Frame, MAIN, Place};
+use crate::rs274::quirks::task as quirks;
 use crate::rs274::refusal::Halt;
 use crate::rs274::text::Line;
 
@@ -43,6 +46,7 @@ impl Run<'_> {
 
     /// Rule program-end.restart. Cycle start starts the program at the beginning of the file, in auto mode.
     /// Rule abort.restart. After an abort too.
+    /// Rule parameters.returned-value. What the last program's subs have returned is 0 then.
     fn begin_again(&mut self, aborted: bool) {
         let rule = if aborted { "abort.restart" } else { "program-end.restart" };
         self.state.evidence.accepted(rule);
@@ -52,6 +56,10 @@ impl Run<'_> {
         }
         self.change_mode_to(ControllerMode::Auto);
         self.begin_anew();
+        self.state.frames[0].forget_saved();
+        if !quirks::keeps_value(&self.state) {
+            self.state.parameters.returned = 0.0;
+        }
         self.control = Control::new(&self.scenario.program, &mut self.state);
         self.entries = open_entries(self.scenario, &mut self.control, &mut self.state);
     }
@@ -61,6 +69,8 @@ impl Run<'_> {
     ///
     /// Rule task.parameters-carry-over. What is local to the main program has its value again in the next run, as all that
     /// is global has.
+    ///
+    /// Rule saved-state.main-level. What a block by hand has saved is saved for the next one.
     fn begin_anew(&mut self) {
         if self.state.call_level() > 0 {
             self.record.leads_elsewhere();
@@ -68,8 +78,13 @@ impl Run<'_> {
         self.leave_calls();
         self.state.outside.synchronise();
         let main = &mut self.state.frames[0];
-        let locals = std::mem::take(&mut main.locals);
-        *main = Frame { arguments: main.arguments, locals, ..Frame::default() };
+        *main = Frame {
+            call: None,
+            open: Vec::new(),
+            ended_conditions: BTreeSet::new(),
+            ended_loops: BTreeMap::new(),
+            ..std::mem::take(main)
+        };
     }
 
     /// A block that the operator enters by hand; how it ended when it ended the program.

@@ -31,7 +31,7 @@ pub(crate) use pins::{are_shown, show};
 pub use record::Record;
 
 use self::operator::Operator;
-use super::control::{Control, Frame, Place};
+use super::control::{Control, Frame, MAIN, Place};
 use super::machine::{Panel, State, slots};
 use super::modes::Modes;
 use super::outside::Outside;
@@ -268,18 +268,14 @@ impl<'a> Run<'a> {
             Halt::Ended(end) => {
                 if end == End::Aborted {
                     self.record.broken_off(block, &self.state);
-                    self.aborted();
-                } else {
-                    self.record.stands(block, &self.state);
+                    return self.aborted();
                 }
+                self.record.stands(block, &self.state);
                 end
             }
         }
     }
 }
-
-/// The main program among the files.
-const MAIN: usize = 0;
 
 /// Opens the text of what the operator enters by hand: a line for each event, in the order of the scenario.
 fn open_entries(scenario: &Scenario, control: &mut Control, state: &mut State) -> Place {

@@ -54,12 +54,16 @@ impl<'a> Operator<'a> {
         }
     }
 
-    /// Whether up to a time something happens that would hold a move, or that the controller would answer between two moves.
+    /// Whether up to a time something happens that would hold or drop a move, or that the controller would answer between two moves.
     pub(super) fn acts_on_moves(&self, until: f64) -> bool {
         self.events.iter().filter(|event| event.due.is_some_and(|due| due <= until)).any(|event| {
             matches!(
                 event.event.action,
-                Action::Pause | Action::FeedHold(true) | Action::Mode(_) | Action::Mdi(_)
+                Action::Pause
+                    | Action::FeedHold(true)
+                    | Action::Abort
+                    | Action::Mode(_)
+                    | Action::Mdi(_)
             )
         })
     }

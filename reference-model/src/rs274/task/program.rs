@@ -2,8 +2,8 @@
 
 use gaugeblock_trace::{End, FaultKind};
 
-use super::{MAIN, Run};
-use crate::rs274::control::{self, Control, Next};
+use super::{Record, Run};
+use crate::rs274::control::{self, Control, MAIN, Next};
 use crate::rs274::machine::State;
 use crate::rs274::order::{Phase, Phases, Rest};
 use crate::rs274::outside::stub;
@@ -21,7 +21,7 @@ impl Run<'_> {
         let place = self.control.place;
         self.state.line = place.line;
         let text = match self.control.files.line(place, &mut self.state) {
-            Some(Line::Block(text)) => text,
+            Some(Line::Block(text)) => text.to_owned(),
             Some(Line::Nothing) => {
                 self.control.place.line += 1;
                 return Ok(None);
@@ -105,6 +105,7 @@ impl Run<'_> {
         let comment_only = block.words.is_empty() && block.settings.is_empty();
         if comment_only && block.line_number.is_none() && self.record.is_idle(&self.state) {
             // A comment that says nothing is no block.
+            self.record.is_no_block();
             return Ok(Next::Following);
         }
         if rest == Rest::Pause {
@@ -149,10 +150,11 @@ impl Run<'_> {
             }
             self.waits_for_machine = waits_for_machine(phase, words, &self.state);
             if self.waits_for_machine && self.ahead {
-                return Err(Halt::Ended(End::Paused));
+                return Err(self.read_up_to(phase, words));
             }
             let began = self.state.outside.time();
-            let before = self.operator.is_due().then(|| self.without_evidence());
+            let may_break_off = may_take_time(phase, words, &self.state) && self.operator.is_due();
+            let before = may_break_off.then(|| self.without_evidence());
             let refused = match order::execute(phase, words, &mut self.state, &mut self.record) {
                 Ok(done) => {
                     rest = done;
@@ -178,7 +180,9 @@ impl Run<'_> {
                 if let Some(before) = before {
                     let after = std::mem::replace(&mut self.state, before);
                     self.broken_off(phase, &after);
-                    self.state.outside = after.outside;
+                    let outside = std::mem::replace(&mut self.state.outside, after.outside);
+                    self.state.outside.drop_what_was_to_come(&outside);
+                    self.state.panel = after.panel;
                 }
                 self.state.evidence = evidence;
                 return Err(halt);
@@ -195,6 +199,22 @@ impl Run<'_> {
             control::assign(settings, &mut self.state)?;
         }
         Ok(rest)
+    }
+
+    /// Reading ahead ends with what waits for the machine, unless that is refused. A tool change has stopped the spindle by then.
+    fn read_up_to(&mut self, phase: Phase, words: &Words) -> Halt {
+        let mut state = self.state.clone();
+        let mut record = Record::new(&state);
+        match order::execute(phase, words, &mut state, &mut record) {
+            Err(Halt::Refused(refused)) if refused.kind != FaultKind::Probe => {
+                return Halt::Refused(refused);
+            }
+            Ok(_) | Err(_) => {}
+        }
+        if phase == Phase::ChangeTool {
+            step::tool_change::before_moving(&mut self.state);
+        }
+        Halt::Ended(End::Paused)
     }
 
     /// The state as an abort brings it back: what was reached stays reached.
@@ -249,8 +269,22 @@ impl Run<'_> {
             self.record.leads_elsewhere();
         }
         self.leave_calls();
+        self.state.frames[0].forget_saved();
         Ok(())
     }
+}
+
+/// Whether time may go by in a phase, so that somebody can break it off.
+fn may_take_time(phase: Phase, words: &Words, state: &State) -> bool {
+    const TAKE_TIME: Phases = Phases::these(&[
+        Phase::InputsOutputs,
+        Phase::ChangeTool,
+        Phase::Spindle,
+        Phase::UserCode,
+        Phase::Dwell,
+    ]);
+    let cycles = || step::motion::motion_of(words, state).is_some_and(step::cycles::is_cycle);
+    TAKE_TIME.contains(phase) || phase == Phase::Motion && cycles()
 }
 
 /// Whether a phase waits for what the machine answers, so that nothing behind it can be read before: M66, M6, a probe.

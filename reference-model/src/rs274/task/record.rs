@@ -94,6 +94,11 @@ impl Record {
         self.in_block = true;
     }
 
+    /// What was being executed was no block.
+    pub fn is_no_block(&mut self) {
+        self.in_block = false;
+    }
+
     /// The block that is being executed, if there is one, stands, and the run with it; no state is recorded after it.
     pub fn stands(&mut self, block: Block, state: &State) {
         if self.in_block {

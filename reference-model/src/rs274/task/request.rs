@@ -47,6 +47,8 @@ impl Run<'_> {
         happening: Happening<'_>,
         activity: Activity,
     ) -> Result<Answer, Halt> {
+        // A spindle may have come to its angle meanwhile.
+        self.show(None);
         let panel = &mut self.state.panel;
         match happening.action {
             Action::OptionalStop(on) => panel.optional_stop = *on,
@@ -59,7 +61,10 @@ impl Run<'_> {
                 self.show(None);
             }
             Action::FeedHold(pressed) => panel.feed_hold = *pressed,
-            Action::Abort if activity == Activity::Idle => self.switch_off(),
+            Action::Abort if activity == Activity::Idle => {
+                self.forget_waiting();
+                self.switch_off();
+            }
             Action::Abort => return Err(Halt::Ended(End::Aborted)),
             Action::Pause => return self.pause(activity),
             Action::Resume => return Ok(self.resume(activity)),
@@ -147,7 +152,7 @@ impl Run<'_> {
     ///
     /// Rule program-end.mdi-follows. After the program end, in MDI mode, it can.
     /// Rule pause.mdi-refused. Nor can it while a program pauses.
-    /// Rule task.mdi-in-manual. Whether it can in manual mode is a choice.
+    /// Rule task.mdi-in-manual. Whether it can in manual mode is a choice; the controller changes to MDI mode by itself then.
     fn enter(&mut self, place: usize, activity: Activity) -> Result<Answer, Halt> {
         let mode = self.state.modes.controller_mode;
         let in_manual = "task.mdi-in-manual";
@@ -162,6 +167,7 @@ impl Run<'_> {
         if allowed {
             self.state.evidence.accepted(rule);
             self.state.evidence.accepted("program-end.mdi-follows");
+            self.change_mode_to(ControllerMode::Mdi);
             return Ok(Answer::Executes(place));
         }
         self.state.evidence.refused(rule);

@@ -15,7 +15,7 @@ impl Run<'_> {
         self.record.begin();
         self.waits_for_machine = false;
         self.at_block = None;
-        if self.operator.is_done() && !self.pause_asked {
+        if self.operator.is_done() && !self.pause_asked && !self.ahead {
             return Ok(());
         }
         let now = self.state.outside.time();
@@ -25,7 +25,9 @@ impl Run<'_> {
 
     /// Between two blocks, and where the text ends: what the operator has done by now, and the pause that was asked for.
     pub(super) fn between(&mut self) -> Result<(), Halt> {
-        if !self.operator.is_done() {
+        // Only what is read ahead begins again where the block did, or where a block of it is refused.
+        let reads_on = self.state.readings.is("abort.read-ahead", "read-on");
+        if reads_on && (self.ahead || !self.operator.is_done()) {
             self.at_block = Some(Box::new(self.state.clone()));
         }
         loop {
@@ -145,6 +147,10 @@ impl Run<'_> {
         let may_be_held = self.pause_asked || step::feed::may_be_held(&self.state);
         if self.ahead || !may_be_held || !self.moves(phase, words) {
             return Ok(());
+        }
+        if phase == Phase::ChangeTool {
+            step::tool_change::before_moving(&mut self.state);
+            self.show(None);
         }
         if self.pause_asked {
             self.stand_paused(Activity::Paused { after_pallets: false })?;

@@ -45,12 +45,12 @@ pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Commen
         if at < behind_comment {
             continue;
         }
-        let comment = comment_at(line, at, &state.readings).inspect_err(|_| {
-            if !comments.is_empty() {
-                state.evidence.refused("text.comment-format-checked");
-            }
-        });
-        if let Some(comment) = comment? {
+        if matches!(character, ';' | '(' | ')') {
+            let comment = comment_at(line, at, &state.readings).inspect_err(|_| {
+                if !comments.is_empty() {
+                    state.evidence.refused("text.comment-format-checked");
+                }
+            })?;
             behind_comment = comment.span.end as usize;
             let (start, end) = (comment.span.start, comment.span.end);
             glyphs.push(Glyph { character: Glyph::COMMENT, start, end });

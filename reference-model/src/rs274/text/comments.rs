@@ -7,7 +7,7 @@ use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse_at};
 use crate::rs274::syntax::Comment;
 
-/// The comment that begins at a byte of the line, if one does.
+/// The comment that begins at a byte of the line, which is a semicolon or a parenthesis.
 ///
 /// Rule text.comment-semicolon. A semicolon begins a comment that takes the rest of the line, but not inside
 /// parentheses.
@@ -17,26 +17,18 @@ use crate::rs274::syntax::Comment;
 ///
 /// # Errors
 /// It is not closed, or closed without having begun.
-pub(super) fn comment_at(
-    line: &str,
-    at: usize,
-    readings: &Readings,
-) -> Result<Option<Comment>, Halt> {
-    if !matches!(line.as_bytes()[at], b';' | b'(' | b')') {
-        return Ok(None);
-    }
+pub(super) fn comment_at(line: &str, at: usize, readings: &Readings) -> Result<Comment, Halt> {
     let rest = &line[at..];
     let wrong = |end: usize, message: &str| {
         Err(refuse_at("text.comment-unclosed", FaultKind::BadComment, span(at, end), message))
     };
     if let Some(text) = rest.strip_prefix(';') {
         let span = span(at, line.len());
-        return Ok(Some(Comment { text: text.to_owned(), semicolon: true, span }));
+        return Ok(Comment { text: text.to_owned(), semicolon: true, span });
     }
-    if rest.starts_with(')') {
+    let Some(text) = rest.strip_prefix('(') else {
         return wrong(at + 1, "a right parenthesis without a comment");
-    }
-    let Some(text) = rest.strip_prefix('(') else { return Ok(None) };
+    };
     let Some((text, _)) = text.split_once(')') else {
         return wrong(line.len(), "the comment is not closed");
     };
@@ -44,5 +36,5 @@ pub(super) fn comment_at(
     if text.contains('(') && readings.is("text.comment-nested", "refused") {
         return wrong(end, "a left parenthesis within a comment");
     }
-    Ok(Some(Comment { text: text.to_owned(), semicolon: false, span: span(at, end) }))
+    Ok(Comment { text: text.to_owned(), semicolon: false, span: span(at, end) })
 }

@@ -23,17 +23,19 @@ pub struct Source {
     pub first: usize,
     /// Whether the file begins with a percent line; then the next one ends it.
     pub percent: bool,
+    /// Whether percent lines are blocks like any other.
+    plain: bool,
 }
 
 /// What a line of a file is, before it is parsed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Line {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Line<'a> {
     /// Nothing to execute: it is blank, or a slash skips it.
     Nothing,
     /// A percent line that ends the file.
     End,
     /// A block, perhaps one that will be refused.
-    Block(String),
+    Block(&'a str),
 }
 
 impl Source {
@@ -46,8 +48,16 @@ impl Source {
             name: name.to_owned(),
             first: percent.map_or(0, |index| index + 1),
             percent: percent.is_some(),
+            plain: false,
             lines,
         }
+    }
+
+    /// Quirk rs274.percent-in-file: a called file whose percent lines are read as the main program begins. Where that begins with one, the
+    /// first one here ends the file; where it does not, they mean nothing and are no blocks.
+    #[must_use]
+    pub fn called_by(self, main: &Self) -> Self {
+        Self { first: 0, percent: main.percent, plain: !main.percent, ..self }
     }
 
     /// What the line at an index of `lines` is; `None` behind the last line.
@@ -55,7 +65,7 @@ impl Source {
     /// Rule text.blank-lines. Blank lines are allowed and ignored.
     /// Rule text.block-delete-on. While block delete is on, a line that begins with a slash is skipped unread.
     /// Rule text.percent-file. In a file that begins with a percent line, the second one ends the program.
-    pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line> {
+    pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line<'_>> {
         let line = self.lines.get(index)?;
         state.evidence.accepted("text.line-end");
         if is_blank(line) {
@@ -67,7 +77,7 @@ impl Source {
             state.evidence.accepted("text.block-delete-place");
             return Some(Line::Nothing);
         }
-        if is_percent(line) {
+        if is_percent(line) && !self.plain {
             if self.percent {
                 state.evidence.accepted("text.percent-file");
                 state.evidence.accepted("text.percent-line");
@@ -79,7 +89,7 @@ impl Source {
                 _ => {}
             }
         }
-        Some(Line::Block(line.clone()))
+        Some(Line::Block(line))
     }
 
     /// Rule text.percent-unclosed. A file with a percent line at its beginning, and neither another one nor a program

@@ -6,15 +6,15 @@ fn source(text: &str, options: &[(&str, &str)]) -> (Source, State) {
 }
 
 /// The kinds of a file's lines, from its first useful one.
-fn check(text: &str, options: &[(&str, &str)], expect: &[Line]) {
+fn check(text: &str, options: &[(&str, &str)], expect: &[Line<'_>]) {
     let (source, mut state) = source(text, options);
-    let lines: Vec<Line> =
+    let lines: Vec<Line<'_>> =
         (source.first..).map_while(|index| source.line(index, false, &mut state)).collect();
     assert_eq!(lines, expect, "{text:?}");
 }
 
-fn block(text: &str) -> Line {
-    Line::Block(text.to_owned())
+fn block(text: &str) -> Line<'_> {
+    Line::Block(text)
 }
 
 #[test]

@@ -115,7 +115,7 @@ fn pass(thread: &Thread, depth: f64, state: &mut State, record: &mut Record) {
     let inward = thread.peak.signum();
     let clearance = quirks::clearance(thread.full - depth, state);
     let [from, to] = ends(thread, depth, state);
-    let taper = thread.taper * (to - from).signum();
+    let taper = thread.taper * quirks::direction(to - from, state);
     let line = Position { x: thread.start.x - inward * clearance, z: from, ..thread.start };
     let cut = thread.start.x + thread.peak + inward * depth;
     let out = cut - inward * thread.full;

@@ -1,0 +1,136 @@
+//! What the laws say of a case of motion, held against what its page says.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_reference::motion::laws::readings::Readings;
+use gaugeblock_reference::motion::laws::{Judgement, Law, Verdict, judge_under};
+use gaugeblock_trace::motion::{ProgrammedPath, Samples};
+use gaugeblock_trace::{End, Options, Position, Scenario};
+
+use crate::suite::{MotionCase, Saying, Setup};
+
+/// Servo cycles per segment at which a planner is fed; without a number as fast as it takes them.
+pub const FEEDS: [Option<u32>; 6] = [None, Some(1), Some(5), Some(20), Some(31), Some(80)];
+
+/// A saying that does not hold, as it is written, and what was found.
+pub(super) type Wrong = (String, String);
+
+/// The scenario of a case under some options, and the path that the model sees in it.
+///
+/// # Errors
+/// The program does not come to its end.
+pub fn asked(
+    case: &MotionCase,
+    options: &Options,
+    bench: Option<&String>,
+) -> Result<(Scenario, ProgrammedPath), String> {
+    let mut scenario = Setup::default().scenario(&case.program, options);
+    scenario.bench.name = bench.cloned();
+    let (outcome, _) = gaugeblock_reference::run(&scenario);
+    if outcome.end != End::ProgramEnd {
+        return Err(format!("the model does not come to its end: {}", outcome.end.name()));
+    }
+    let path = gaugeblock_reference::motion::path::programmed(&outcome, Position::default());
+    Ok((scenario, path))
+}
+
+/// Holds samples to what a page says of them, where laws read the documents in some way; `rule` is the page's.
+///
+/// # Errors
+/// The first saying that does not hold.
+pub fn held(
+    case: &MotionCase,
+    rule: &str,
+    readings: &BTreeMap<String, String>,
+    (samples, path): (&Samples, &ProgrammedPath),
+) -> Result<(), Wrong> {
+    let wrong = |error: String| (case.says.join(", "), error);
+    let limits = case.limits().map_err(wrong)?;
+    let readings = readings.iter().map(|(id, option)| (id.as_str(), option.as_str()));
+    let readings = Readings::new(readings).map_err(wrong)?;
+    let judgement = judge_under(readings, samples, path, &limits, &case.script());
+    let mut broken = first_violations(&judgement);
+    let mut holds = false;
+    for (text, saying) in case.says.iter().zip(case.sayings()) {
+        let found = match saying {
+            Saying::Holds => {
+                holds = true;
+                of_page(&judgement, rule)
+            }
+            Saying::Breaks { law, at } => breaks(&judgement, &law, at, broken.remove(law.as_str())),
+            Saying::NotAsked { law } => {
+                let fits = |verdict: &Verdict| *verdict == Verdict::NothingAsked;
+                is(&judgement, &law, fits)
+            }
+            Saying::NotJudged { law } => {
+                is(&judgement, &law, |verdict| matches!(verdict, Verdict::NotJudged(_)))
+            }
+        };
+        if let Err(found) = found {
+            return Err((text.clone(), found));
+        }
+    }
+    // A law that is broken and of which nothing is said accuses somebody wrongly, or the page is not complete.
+    match broken.into_values().next() {
+        Some((_, words)) if holds => Err(("holds".to_owned(), words)),
+        Some((_, words)) => Err(("nothing else breaks".to_owned(), words)),
+        None => Ok(()),
+    }
+}
+
+fn first_violations(judgement: &Judgement) -> BTreeMap<&'static str, (usize, String)> {
+    let mut first = BTreeMap::new();
+    for violation in judgement.violations() {
+        let found = (violation.cycle, violation.to_string());
+        let known = first.entry(violation.law.id()).or_insert_with(|| found.clone());
+        if violation.cycle < known.0 {
+            *known = found;
+        }
+    }
+    first
+}
+
+fn law(id: &str) -> Option<Law> {
+    Law::ALL.iter().copied().find(|law| law.id() == id)
+}
+
+fn verdict<'a>(judgement: &'a Judgement, id: &str) -> Result<&'a Verdict, String> {
+    law(id).and_then(|law| judgement.of(law)).ok_or_else(|| format!("there is no law {id}"))
+}
+
+fn in_words(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Held { .. } => "it holds".to_owned(),
+        Verdict::NothingAsked => "it is not asked".to_owned(),
+        Verdict::NotJudged(why) => format!("it is not judged: {why}"),
+        Verdict::Broken(violations) => {
+            violations.first().map_or_else(|| "it is broken".to_owned(), ToString::to_string)
+        }
+    }
+}
+
+fn is(judgement: &Judgement, id: &str, fits: impl Fn(&Verdict) -> bool) -> Result<(), String> {
+    let verdict = verdict(judgement, id)?;
+    if fits(verdict) { Ok(()) } else { Err(in_words(verdict)) }
+}
+
+/// The law whose page it is holds, if the page is that of a law.
+fn of_page(judgement: &Judgement, rule: &str) -> Result<(), String> {
+    if law(rule).is_none() {
+        return Ok(());
+    }
+    is(judgement, rule, |verdict| matches!(verdict, Verdict::Held { .. }))
+}
+
+fn breaks(
+    judgement: &Judgement,
+    id: &str,
+    at: Option<usize>,
+    found: Option<(usize, String)>,
+) -> Result<(), String> {
+    match found {
+        None => Err(in_words(verdict(judgement, id)?)),
+        Some((cycle, words)) if at.is_some_and(|at| at != cycle) => Err(words),
+        Some(_) => Ok(()),
+    }
+}

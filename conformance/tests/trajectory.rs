@@ -1,0 +1,97 @@
+//! The pages of the laws of motion: each law has one, with good and bad samples and a program, and the table of faults is theirs.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+
+use gaugeblock::suite::{MotionCase, Rule, Saying, Suite, files};
+use gaugeblock_reference::motion::laws::Law;
+use gaugeblock_reference::motion::laws::readings::{CHOICES, Readings};
+
+fn suite() -> Suite {
+    Suite::read(&files::built_in()).unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
+}
+
+fn pages(suite: &Suite) -> impl Iterator<Item = (&Rule, Law)> {
+    let law = |rule: &Rule| Law::ALL.iter().copied().find(|law| law.id() == rule.id);
+    suite.rules.iter().filter_map(move |rule| Some((rule, law(rule)?)))
+}
+
+fn breaks(case: &MotionCase, law: &str) -> bool {
+    let of_law = |saying: &Saying| matches!(saying, Saying::Breaks { law: id, .. } if id == law);
+    case.is_recorded() && case.sayings().iter().any(of_law)
+}
+
+#[test]
+fn each_law_has_a_page_with_good_and_bad_samples_and_a_program() {
+    let suite = suite();
+    let of_pages: BTreeSet<&str> = pages(&suite).map(|(_, law)| law.id()).collect();
+    let all: BTreeSet<&str> = Law::ALL.iter().map(|law| law.id()).collect();
+    assert_eq!(of_pages, all);
+    for (rule, law) in pages(&suite) {
+        let id = law.id();
+        let (recorded, planned): (Vec<_>, Vec<_>) =
+            rule.motion.iter().partition(|case| case.is_recorded());
+        // FIXME: nobody intervenes in the motion of production yet.
+        let needs_a_person = matches!(law, Law::Hold | Law::Abort);
+        assert!(needs_a_person == planned.is_empty(), "{id}: programs for a planner");
+        let good = recorded.iter().filter(|case| case.sayings().contains(&Saying::Holds));
+        assert!(good.count() > 0, "{id} has no samples that keep it");
+        assert!(recorded.iter().any(|case| breaks(case, id)), "{id} has no samples that break it");
+        assert_eq!(rule.profile, "motion");
+    }
+}
+
+#[test]
+fn a_law_that_is_named_is_one() {
+    let suite = suite();
+    let cases = suite.rules.iter().flat_map(|rule| &rule.motion);
+    for (case, saying) in cases.flat_map(|case| case.sayings().into_iter().map(move |s| (case, s)))
+    {
+        let (Saying::Breaks { law, .. } | Saying::NotAsked { law } | Saying::NotJudged { law }) =
+            saying
+        else {
+            continue;
+        };
+        assert!(Law::ALL.iter().any(|known| known.id() == law), "{}: {law}", case.name);
+    }
+}
+
+#[test]
+fn the_laws_read_exactly_the_choices_of_the_pages() {
+    let suite = suite();
+    let of_pages: BTreeMap<&str, Vec<&str>> = suite
+        .motion_choices
+        .iter()
+        .map(|choice| {
+            (choice.id.as_str(), choice.options.iter().map(|o| o.name.as_str()).collect())
+        })
+        .collect();
+    let of_laws: BTreeMap<&str, Vec<&str>> =
+        CHOICES.iter().map(|(id, options)| (*id, options.to_vec())).collect();
+    assert_eq!(of_pages, of_laws);
+    for (id, options) in CHOICES {
+        for option in *options {
+            Readings::new([(*id, *option)]).expect("a listed option is read");
+        }
+        assert_eq!(Readings::new([(*id, options[0])]), Ok(Readings::default()), "{id}");
+        assert!(Readings::new([(*id, "another")]).is_err());
+    }
+}
+
+/// Each fault that the pages plant, and the laws that must find it, as the table of the room's README has it.
+#[test]
+fn the_table_of_planted_faults_is_that_of_the_pages() {
+    let suite = suite();
+    let mut table = "| law | fault | found by |\n| --- | --- | --- |\n".to_owned();
+    let mut faults = 0;
+    for (rule, law) in pages(&suite) {
+        for case in rule.motion.iter().filter(|case| breaks(case, law.id())) {
+            let found = case.says.join("; ").replace("trajectory.", "");
+            writeln!(table, "| `{}` | {} | {found} |", law.id(), case.name).expect("a text");
+            faults += 1;
+        }
+    }
+    assert!(faults >= 25, "{faults} faults are planted");
+    let readme = include_str!("../suite/trajectory/README.md");
+    assert!(readme.contains(&table), "the table of the README is not this one:\n{table}");
+}
