@@ -67,6 +67,35 @@ fn a_planned_program_keeps_the_laws_however_it_is_fed() {
 }
 
 #[test]
+fn an_operator_is_played_from_a_script() {
+    let folder = folder("operated");
+    let held = "events = [
+  { cycle = 200, action = { hold = true } },
+  { cycle = 500, action = { hold = false } },
+  { cycle = 700, action = { feed_override = 0.5 } },
+]\n";
+    std::fs::write(folder.join("held.toml"), held).expect("a file");
+    let aborted = "events = [{ cycle = 300, action = \"abort\" }]\n";
+    std::fs::write(folder.join("aborted.toml"), aborted).expect("a file");
+    let never = "events = [{ cycle = 300, action = { hold = true } }]\n";
+    std::fs::write(folder.join("never.toml"), never).expect("a file");
+    let plan = |script: &str| {
+        gaugeblock(&folder, &format!("plan part.ngc --machine mill.toml --script {script}"))
+    };
+    says(&plan("held.toml"), 0, &["holds       trajectory.hold", "holds       trajectory.feed"]);
+    says(&plan("aborted.toml"), 0, &["holds       trajectory.abort"]);
+    says(&plan("never.toml"), 3, &["nobody lets it go on"]);
+    says(&plan("mill.toml"), 2, &["mill.toml"]);
+}
+
+#[test]
+fn random_motions_keep_the_laws() {
+    let folder = folder("random");
+    let fuzzed = gaugeblock(&folder, "fuzz-motion --seed 4 --first 2100 --programs 40 --jobs 2");
+    says(&fuzzed, 0, &["40 programs", "0 kinds of breaches"]);
+}
+
+#[test]
 fn samples_come_back_in_both_forms_and_one_wrong_number_is_found() {
     let folder = folder("samples");
     for file in ["part.csv", "part.bin"] {

@@ -6,5 +6,6 @@
 //! cargo-fuzz are glue around the same calls.
 
 pub mod generate;
+pub mod motion;
 pub mod oracle;
 pub mod shrink;

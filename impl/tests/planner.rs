@@ -1,5 +1,7 @@
 //! The trajectory planner, held to what it promises by its samples.
 
+#[path = "motion/bits.rs"]
+mod bits;
 #[path = "motion/check.rs"]
 mod check;
 #[path = "motion/found.rs"]

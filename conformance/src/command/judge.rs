@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use gaugeblock_trace::motion::{MotionScript, Samples};
+use gaugeblock_trace::Position;
+use gaugeblock_trace::motion::Samples;
 
-use super::{Refused, place, plan, run, write_out};
+use super::{Refused, plan, run, write_out};
 use crate::motion::Summary;
 use crate::suite::Suite;
 
@@ -43,15 +44,9 @@ pub(super) struct Arguments {
 pub(super) fn judge_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     let limits = plan::limits(&arguments.machine)?;
     let samples = read(&arguments.samples)?;
-    let script = match &arguments.script {
-        None => MotionScript::default(),
-        Some(file) => MotionScript::from_text(&place::program(file)?).map_err(|error| {
-            let message = format!("{}: {}", file.display(), error.message.trim_end());
-            Refused::wrong(message, "a list of events, each with its cycle and its action")
-        })?,
-    };
+    let script = plan::script(arguments.script.as_deref())?;
     let scenario = arguments.how.scenario(suite, &arguments.program)?;
-    let path = plan::path(&scenario, &arguments.program)?;
+    let path = plan::path(&scenario, &arguments.program, Position::default())?;
     let summary = Summary::of(&samples, &path, &limits, &script);
     write_out(&summary.to_string());
     Ok(u8::from(!summary.holds()))

@@ -7,6 +7,7 @@ mod controller;
 mod faults;
 mod fingerprint;
 mod fuzz;
+mod fuzz_motion;
 mod fuzz_report;
 mod judge;
 mod matrix;
@@ -87,6 +88,8 @@ enum Command {
     Compare(compare::Arguments),
     /// Run generated programs on two controllers: what differs, with the smallest program of each
     Fuzz(fuzz::Arguments),
+    /// Plan generated programs: what breaks a law of motion, with the smallest program of each
+    FuzzMotion(fuzz_motion::Arguments),
     /// Make a program on which two controllers differ as small as it can be
     Shrink(shrink::Arguments),
     /// Turn a program into servo samples: time, laws, picture
@@ -120,6 +123,9 @@ pub fn main() -> ExitCode {
             suite(&call).and_then(|suite| compare::compare(arguments, &suite))
         }
         Command::Fuzz(arguments) => suite(&call).and_then(|suite| fuzz::fuzz(arguments, &suite)),
+        Command::FuzzMotion(arguments) => {
+            suite(&call).and_then(|suite| fuzz_motion::fuzz_motion(arguments, &suite))
+        }
         Command::Shrink(arguments) => {
             suite(&call).and_then(|suite| shrink::shrink(arguments, &suite))
         }

@@ -10,7 +10,7 @@ use super::{Refused, place, run, write_error, write_out};
 use crate::adapters::Adapter;
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
-use crate::motion::{Picture, Summary, drawn, plan};
+use crate::motion::{Circumstances, Picture, Summary, drawn, plan_under};
 use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
@@ -18,6 +18,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock plan part.ngc --machine mill.toml --svg part.svg
   gaugeblock plan part.ngc --machine mill.toml --samples part.csv
   gaugeblock plan part.ngc --machine mill.toml --every 20
+  gaugeblock plan part.ngc --machine mill.toml --script hold.toml
 
 A machine file tells what its axes can do, in millimetres, degrees and seconds:
   period = 0.001
@@ -25,6 +26,15 @@ A machine file tells what its axes can do, in millimetres, degrees and seconds:
   x = { velocity = 250, acceleration = 2000 }
   y = { velocity = 250, acceleration = 2000 }
   z = { velocity = 100, acceleration = 1000 }
+
+A script tells what the operator and the machine's inputs do, in order, each from a servo cycle on:
+  events = [
+    { cycle = 300, action = { hold = true } },
+    { cycle = 500, action = { hold = false } },
+    { cycle = 700, action = { feed_override = 0.5 } },
+    { cycle = 900, action = \"abort\" },
+  ]
+Others: rapid_override, adaptive_feed, feed_stop, and spindle_speed = { spindle = 0, turns = 10 }.
 
 Exit status: 0 where all laws of motion hold that can be judged, 1 where one is broken.";
 
@@ -42,6 +52,12 @@ pub(super) struct Arguments {
     /// Feed the planner one segment in so many servo cycles instead of as fast as it takes them
     #[arg(long, value_name = "CYCLES")]
     every: Option<u32>,
+    /// What the operator does, by servo cycle, a TOML file
+    #[arg(long, value_name = "FILE")]
+    script: Option<PathBuf>,
+    /// Where the machine stands before: X,Y,Z,A,B,C,U,V,W, millimetres and degrees; the program begins from its origin otherwise
+    #[arg(long, value_name = "NUMBERS", value_delimiter = ',', allow_hyphen_values = true)]
+    start: Vec<f64>,
     /// Write a sample for each servo cycle: a table, or the compact form where the name ends in .bin
     #[arg(long, value_name = "FILE")]
     samples: Option<PathBuf>,
@@ -54,15 +70,24 @@ pub(super) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, R
     let limits = limits(&arguments.machine)?;
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
     let outcome = ended(&Production::default(), &scenario, &arguments.file)?;
-    let planned = plan(&outcome, &limits, arguments.every).map_err(|stopped| {
+    let mut start = [0.0; 9];
+    for (place, given) in start.iter_mut().zip(&arguments.start) {
+        *place = *given;
+    }
+    let circumstances = Circumstances {
+        start: Position::from(start),
+        every: arguments.every,
+        script: script(arguments.script.as_deref())?,
+    };
+    let planned = plan_under(&outcome, &limits, &circumstances).map_err(|stopped| {
         let place = stopped.block.map_or(String::new(), |block| format!("{block}: "));
         Refused::unfinished(
             format!("{}: {place}{}", arguments.file.display(), stopped.why),
             "up to there the program could be planned alone",
         )
     })?;
-    let path = path(&scenario, &arguments.file)?;
-    let summary = Summary::of(&planned.samples, &path, &limits, &MotionScript::default());
+    let path = path(&scenario, &arguments.file, circumstances.start)?;
+    let summary = Summary::of(&planned.samples, &path, &limits, &circumstances.script);
     if let Some(file) = &arguments.samples {
         write_samples(file, &planned.samples)?;
     }
@@ -105,6 +130,15 @@ pub(super) fn limits(file: &Path) -> Result<MotionLimits, Refused> {
     })
 }
 
+/// What the operator does; nothing without a file.
+pub(super) fn script(file: Option<&Path>) -> Result<MotionScript, Refused> {
+    let Some(file) = file else { return Ok(MotionScript::default()) };
+    MotionScript::from_text(&place::program(file)?).map_err(|error| {
+        let message = format!("{}: {}", file.display(), error.message.trim_end());
+        Refused::wrong(message, "`gaugeblock plan --help` shows a script")
+    })
+}
+
 /// The outcome of a program that comes to its end.
 fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<Outcome, Refused> {
     let refused = |why: String| Refused::unfinished(why, "`gaugeblock run` shows what it does");
@@ -131,9 +165,13 @@ fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<O
 }
 
 /// The path that a program asks for, as the model reads it.
-pub(super) fn path(scenario: &Scenario, file: &Path) -> Result<ProgrammedPath, Refused> {
+pub(super) fn path(
+    scenario: &Scenario,
+    file: &Path,
+    start: Position,
+) -> Result<ProgrammedPath, Refused> {
     let outcome = ended(&Reference::default(), scenario, file)?;
-    Ok(gaugeblock_reference::motion::path::programmed(&outcome, Position::default()))
+    Ok(gaugeblock_reference::motion::path::programmed(&outcome, start))
 }
 
 fn write_samples(file: &Path, samples: &Samples) -> Result<(), Refused> {

@@ -4,17 +4,35 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_impl::Planner;
 use gaugeblock_impl::path::{Asked, Resolver};
+use gaugeblock_impl::plan::Hold;
 use gaugeblock_impl::plan::{Axes, Dynamics, Feed, InputParameter, NotQueued, OutputParameter};
 use gaugeblock_impl::plan::{OutputSwitch, Path, Phase, Segment};
-use gaugeblock_trace::motion::{Column, MotionLimits, Samples};
+use gaugeblock_trace::motion::{
+    Column, Controls, MotionAction, MotionEvent, MotionLimits, MotionScript, Samples,
+};
 use gaugeblock_trace::{
-    Axis, Block, Effect, Event, FeedMode, Outcome, OutputTiming, Pin, Settings, SpindleTurn,
+    Axis, Block, Effect, Event, FeedMode, Outcome, OutputTiming, Pin, Position, Settings,
+    SpindleTurn, Switch,
 };
 
 /// How many segments the planner's queue holds.
 const QUEUE: u32 = 2000;
 /// Longest motion, servo cycles: more than a day of milliseconds.
 const MOST_CYCLES: usize = 100_000_000;
+
+/// Longest rest that nobody ends, servo cycles, beside dwells.
+const MOST_REST: f64 = 20_000.0;
+
+/// What happens to a program while it is planned.
+#[derive(Clone, Debug, Default)]
+pub struct Circumstances {
+    /// Where the machine stands before.
+    pub start: Position,
+    /// The planner gets one segment in so many cycles; else as many as it takes.
+    pub every: Option<u32>,
+    /// What the operator and the machine's inputs do. Without speeds of a spindle it turns as programmed.
+    pub script: MotionScript,
+}
 
 /// What a planner makes of a program.
 #[derive(Clone, Debug)]
@@ -42,17 +60,30 @@ impl Stopped {
     }
 }
 
-/// Plans what a program does, from the machine's origin. With `every` the planner gets one segment in so many cycles, else as many as it takes.
+/// Plans what a program does, from the machine's origin, while nobody touches anything. With `every` the planner gets one segment in so many cycles,
+/// else as many as it takes.
 ///
 /// # Errors
-/// An axis moves of which no limits are known, or what is asked for is no motion of a planner: a spline, a rigid tap, a thread on a spindle
-/// that stands.
+/// As [`plan_under`].
 pub fn plan(
     outcome: &Outcome,
     limits: &MotionLimits,
     every: Option<u32>,
 ) -> Result<Planned, Stopped> {
-    let mut drive = Drive::new(outcome, limits, every)?;
+    plan_under(outcome, limits, &Circumstances { every, ..Circumstances::default() })
+}
+
+/// Plans what a program does under circumstances, to its end or to where the operator aborts it.
+///
+/// # Errors
+/// An axis moves of which no limits are known, or what is asked for is no motion of a planner: a spline, a rigid tap, a thread on a spindle
+/// that stands. Or the motion is held and nobody lets it go on.
+pub fn plan_under(
+    outcome: &Outcome,
+    limits: &MotionLimits,
+    circumstances: &Circumstances,
+) -> Result<Planned, Stopped> {
+    let mut drive = Drive::new(outcome, limits, circumstances)?;
     for step in &outcome.steps {
         for event in &step.events {
             let done = match event {
@@ -63,6 +94,9 @@ pub fn plan(
                 Event::Do(effect) => drive.perform(step.block.line, effect),
             };
             done.map_err(|stopped| Stopped { block: Some(step.block.clone()), ..stopped })?;
+            if drive.operator.abort {
+                break;
+            }
         }
     }
     drive.rest()?;
@@ -72,6 +106,13 @@ pub fn plan(
 struct Drive<'a> {
     limits: &'a MotionLimits,
     every: Option<u32>,
+    /// What is still to happen.
+    events: &'a [MotionEvent],
+    /// What the operator asks for, before M48 to M53 are looked at.
+    operator: Operator,
+    /// For how many cycles nothing has moved, and seconds of all dwells so far.
+    rests: f64,
+    dwells: f64,
     resolver: Resolver,
     settings: Settings,
     planner: Planner,
@@ -82,6 +123,8 @@ struct Drive<'a> {
     feeds: Vec<f64>,
     /// The lines of the segments.
     lines: Vec<u32>,
+    /// What acts on the segments (M48 to M53).
+    controls: Vec<Controls>,
     /// How many elements of the path the planner has been given, moves and rests.
     given: u32,
     samples: Samples,
@@ -89,11 +132,49 @@ struct Drive<'a> {
     asked: Vec<f64>,
 }
 
+/// What an operator and the inputs of a machine ask for.
+#[derive(Clone, Copy, Debug)]
+struct Operator {
+    feed: f64,
+    rapid: f64,
+    adaptive: f64,
+    feed_stop: bool,
+    hold: bool,
+    abort: bool,
+    /// The first spindle's turns per second, once they are given.
+    turns: Option<f64>,
+}
+
+impl Operator {
+    const AWAY: Self = Self {
+        feed: 1.0,
+        rapid: 1.0,
+        adaptive: 1.0,
+        feed_stop: false,
+        hold: false,
+        abort: false,
+        turns: None,
+    };
+
+    fn does(&mut self, action: MotionAction) {
+        match action {
+            MotionAction::FeedOverride(factor) => self.feed = factor,
+            MotionAction::RapidOverride(factor) => self.rapid = factor,
+            MotionAction::AdaptiveFeed(factor) => self.adaptive = factor,
+            MotionAction::FeedStop(on) => self.feed_stop = on,
+            MotionAction::Hold(on) => self.hold = on,
+            MotionAction::Abort => self.abort = true,
+            MotionAction::SpindleSpeed { spindle: 0, turns } => self.turns = Some(turns.abs()),
+            MotionAction::SpindleSpeed { .. } => {}
+        }
+    }
+}
+
 impl<'a> Drive<'a> {
     fn new(
         outcome: &Outcome,
         limits: &'a MotionLimits,
-        every: Option<u32>,
+        circumstances: &'a Circumstances,
     ) -> Result<Self, Stopped> {
         // What is not listed does not move, which is checked; a number there must be.
         let mut dynamics = Dynamics {
@@ -109,27 +190,33 @@ impl<'a> Drive<'a> {
             dynamics.acceleration[axis.place()] =
                 limit.acceleration.ok_or_else(|| missing("acceleration"))?;
         }
+        let start = circumstances.start.to_array();
         let planner =
-            Planner::new(dynamics, [0.0; 9]).map_err(|error| Stopped::new(error.to_string()))?;
+            Planner::new(dynamics, start).map_err(|error| Stopped::new(error.to_string()))?;
         let outputs = pins(outcome).into_iter().map(|pin| (pin, 0.0)).collect::<BTreeMap<_, _>>();
         let columns = limits.axes.keys().copied().map(Column::Position);
         let columns = columns.chain([Column::Line, Column::Queued]);
         let columns = columns.chain(outputs.keys().copied().map(Column::Output)).collect();
         let samples = Samples::new(limits.period, 0.0, columns)
             .map_err(|error| Stopped::new(error.to_string()))?;
-        let mut resolver = Resolver::new([0.0; 9]);
+        let mut resolver = Resolver::new(start);
         resolver.set(&outcome.start);
         let mut drive = Self {
             limits,
-            every,
+            every: circumstances.every,
+            events: &circumstances.script.events,
+            operator: Operator::AWAY,
+            rests: 0.0,
+            dwells: 0.0,
             resolver,
             settings: outcome.start.clone(),
             planner,
             input: InputParameter::default(),
-            output: OutputParameter::default(),
+            output: OutputParameter { position: start, ..OutputParameter::default() },
             outputs,
             feeds: vec![f64::NAN],
             lines: vec![0],
+            controls: Vec::new(),
             given: 0,
             samples,
             speed: Vec::new(),
@@ -173,7 +260,7 @@ impl<'a> Drive<'a> {
         let Some((pin, value, _)) = switching(effect) else { return Ok(()) };
         let place = self.outputs.keys().position(|known| *known == pin);
         let Some(output) = place.and_then(|place| u16::try_from(place).ok()) else { return Ok(()) };
-        while self.planner.switch(OutputSwitch { output, value }).is_err() {
+        while !self.operator.abort && self.planner.switch(OutputSwitch { output, value }).is_err() {
             self.cycle()?;
         }
         Ok(())
@@ -181,12 +268,16 @@ impl<'a> Drive<'a> {
 
     fn queue(&mut self, line: u32, segment: &Segment) -> Result<(), Stopped> {
         self.check_axes(segment)?;
+        if let Path::Dwell { seconds } = segment.path {
+            self.dwells += seconds;
+        }
         self.lines.push(line);
+        self.controls.push(self.in_force());
         self.feeds.push(if let Feed::PerSecond(feed) = segment.feed { feed } else { f64::NAN });
         for _ in 0..self.every.unwrap_or(0) {
             self.cycle()?;
         }
-        loop {
+        while !self.operator.abort {
             match self.planner.queue(segment) {
                 Ok(()) => return Ok(()),
                 Err(NotQueued::Full) => {
@@ -196,6 +287,20 @@ impl<'a> Drive<'a> {
                     return Err(Stopped::new("a move without a feed, or beyond all numbers"));
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// What acts on a segment that is queued now. Nothing does on a thread, whose pitch follows the spindle.
+    fn in_force(&self) -> Controls {
+        if self.resolver.threads() {
+            return Controls { feed_override: false, adaptive_feed: false, feed_stop: false };
+        }
+        let on = |switch: Option<Switch>| switch == Some(Switch::On);
+        Controls {
+            feed_override: on(self.settings.feed_override),
+            adaptive_feed: on(self.settings.adaptive_feed),
+            feed_stop: on(self.settings.feed_stop),
         }
     }
 
@@ -217,7 +322,9 @@ impl<'a> Drive<'a> {
     }
 
     fn at_once(&mut self, effect: &Effect) -> Result<(), Stopped> {
-        if let Some((pin, value, OutputTiming::AtOnce)) = switching(effect) {
+        if let Some((pin, value, OutputTiming::AtOnce)) = switching(effect)
+            && !self.operator.abort
+        {
             self.outputs.insert(pin, value);
             self.cycle()?;
         }
@@ -228,10 +335,15 @@ impl<'a> Drive<'a> {
         if self.speed.len() >= MOST_CYCLES {
             return Err(Stopped::new("it takes more than a hundred million servo cycles"));
         }
-        let turns = self.spindle();
+        self.operate();
+        let turns = self.operator.turns.unwrap_or_else(|| self.spindle());
         self.input.spindle_turns += turns * self.limits.period;
         let phase = self.planner.update(&self.input, &mut self.output);
-        if phase == Phase::Waiting && turns <= 0.0 && !self.dwells() {
+        self.rests = if self.output.speed <= 0.0 { self.rests + 1.0 } else { 0.0 };
+        if self.rests > MOST_REST + self.dwells / self.limits.period && self.events.is_empty() {
+            return Err(Stopped::new("it rests, and nobody lets it go on"));
+        }
+        if phase == Phase::Waiting && turns <= 0.0 && !self.may_dwell() {
             return Err(Stopped::new("it follows a spindle that stands"));
         }
         while let Some(switch) = self.planner.switched() {
@@ -243,6 +355,30 @@ impl<'a> Drive<'a> {
         Ok(phase)
     }
 
+    /// What the operator asks for in the next cycle, as far as the segment in execution lets it act.
+    fn operate(&mut self) {
+        let cycle = self.speed.len();
+        while let Some((event, later)) = self.events.split_first()
+            && usize::try_from(event.cycle).is_ok_and(|at| at <= cycle)
+        {
+            self.operator.does(event.action);
+            self.events = later;
+        }
+        let number = usize::try_from(self.output.segment).unwrap_or(0).saturating_sub(1);
+        let controls = self.controls.get(number).copied().unwrap_or_default();
+        let operator = self.operator;
+        self.input.feed_override = if controls.feed_override { operator.feed } else { 1.0 };
+        self.input.rapid_override = operator.rapid;
+        self.input.adaptive_feed = if controls.adaptive_feed { operator.adaptive } else { 1.0 };
+        self.input.hold = if operator.abort {
+            Hold::Abort
+        } else if operator.hold || controls.feed_stop && operator.feed_stop {
+            Hold::Hold
+        } else {
+            Hold::Run
+        };
+    }
+
     /// Turns per second of the first spindle.
     fn spindle(&self) -> f64 {
         let turn = self.settings.spindle.as_ref().and_then(|spindles| spindles.0.get(&0));
@@ -252,7 +388,7 @@ impl<'a> Drive<'a> {
     }
 
     /// Whether the segment that is executed follows no spindle.
-    fn dwells(&self) -> bool {
+    fn may_dwell(&self) -> bool {
         self.settings.feed_mode != Some(FeedMode::PerRevolution)
     }
 

@@ -15,10 +15,11 @@ mod drive;
 mod held;
 mod made;
 mod picture;
+pub mod rides;
 mod summary;
 
 pub use drawn::drawn;
-pub use drive::{Planned, Stopped, plan};
+pub use drive::{Circumstances, Planned, Stopped, plan, plan_under};
 pub use held::{FEEDS, asked, held};
 pub use made::made;
 pub use picture::Picture;

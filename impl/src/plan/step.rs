@@ -363,8 +363,9 @@ impl Motion {
         }
         let y = squared(self.speed);
         let mut last = y + 2.0 * acceleration * remaining;
-        if exit <= 0.0 && last.abs() <= y * 1e-6 {
-            // The square of the last speed is the difference of two numbers that should be equal.
+        if exit <= 0.0 && last >= -1e-6 * y {
+            // The square of the last speed is the difference of two numbers that should be equal. Less is left of it by braking a little harder
+            // than by resting all of a sudden.
             last = 0.0;
         }
         if last >= 0.0 {

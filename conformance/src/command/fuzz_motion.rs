@@ -1,0 +1,232 @@
+//! `gaugeblock fuzz-motion`.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use gaugeblock_fuzz::motion::Ride;
+use gaugeblock_trace::motion::MotionScript;
+use gaugeblock_trace::{Axis, End, Outcome, Scenario, Settings};
+
+use super::{Refused, place, write_out};
+use crate::adapters::Adapter;
+use crate::adapters::production::Production;
+use crate::motion::rides::{Came, judged, ride, shrunk};
+use crate::suite::Suite;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock fuzz-motion
+      a minute of programs, machines, operators and feeds of segments at random
+  gaugeblock fuzz-motion --seed 7 --programs 100000 --report motion
+      many, with the smallest program of each kind of breach in a folder
+
+Each program is planned, and its samples are held to the laws of motion. Then it is moved, turned, mirrored, doubled or divided, or more
+is allowed to it: that changes its time by two servo cycles at most, or costs no more than two and a thousandth.
+
+Exit status: 0 nothing is broken, 1 something is, 2 the call is wrong, 3 programs could not be planned.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// What all programs follow from
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// The number of the first program
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    first: u64,
+    /// How many programs [default: no end; without --seconds too: a minute]
+    #[arg(long, value_name = "N")]
+    programs: Option<u64>,
+    /// How long
+    #[arg(long, value_name = "S")]
+    seconds: Option<u64>,
+    /// How many run at once [default: as many as there are processors]
+    #[arg(long, short, value_name = "N")]
+    jobs: Option<NonZero<usize>>,
+    /// Attempts at shrinking each kind of breach; 0 leaves the programs as they were generated
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    shrink: u32,
+    /// Write the smallest program of each kind of breach, its machine and its script into this folder
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
+}
+
+/// Breaches of one kind: how many, and of the program with the lowest number what was seen.
+#[derive(Clone, Debug)]
+struct Found {
+    count: u64,
+    number: u64,
+    words: String,
+}
+
+#[derive(Debug, Default)]
+struct Tally {
+    programs: u64,
+    cycles: usize,
+    not_planned: BTreeMap<String, (u64, u64)>,
+    found: BTreeMap<String, Found>,
+}
+
+impl Tally {
+    fn add(&mut self, number: u64, came: Came) {
+        self.programs += 1;
+        match came {
+            Came::Held(cycles) => self.cycles += cycles,
+            Came::NotPlanned(why) => {
+                let (count, first) = self.not_planned.entry(why).or_insert((0, number));
+                *count += 1;
+                *first = number.min(*first);
+            }
+            Came::Broken(breaches) => {
+                for breach in breaches {
+                    let new = Found { count: 0, number: u64::MAX, words: String::new() };
+                    let found = self.found.entry(breach.what).or_insert(new);
+                    found.count += 1;
+                    if number < found.number {
+                        (found.number, found.words) = (number, breach.words);
+                    }
+                }
+            }
+        }
+    }
+}
+
+pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let edition = super::edition(suite, crate::suite::DEFAULT_EDITION)?;
+    let mut scenario = Scenario { options: suite.options(edition), ..Scenario::default() };
+    scenario.bench.name.clone_from(&edition.bench);
+    scenario.machine.axes = Axis::ALL.to_vec();
+    let controller = Production::default();
+    let runs = |ride: &Ride| outcome(&controller, &scenario, ride);
+    let seed = arguments.seed;
+    let tally = generate(arguments, &|number| {
+        let (ride, change) = ride(seed, number);
+        judged((seed, number), (&ride, change), &runs)
+    });
+    let mut text = String::new();
+    for (what, found) in &tally.found {
+        let (drawn, change) = ride(seed, found.number);
+        let of = (seed, found.number);
+        let smallest = if arguments.shrink == 0 {
+            drawn
+        } else {
+            shrunk(of, (&drawn, change), what, (arguments.shrink, &runs))
+        };
+        let _infallible = writeln!(
+            text,
+            "{what}, {} times, first by program {}: {}\n{}",
+            found.count,
+            found.number,
+            found.words,
+            smallest.text()
+        );
+        if let Some(folder) = &arguments.report {
+            place::folder(folder)?;
+            let call = write(folder, &what.replace('.', "-"), &smallest, &scenario)?;
+            let _infallible = writeln!(text, "{call}\n");
+        }
+    }
+    for (why, (count, first)) in &tally.not_planned {
+        let _infallible =
+            writeln!(text, "not planned, {count} times, first program {first}: {why}");
+    }
+    let _infallible = writeln!(
+        text,
+        "{} programs, {} servo cycles of those that hold; {} kinds of breaches",
+        tally.programs,
+        tally.cycles,
+        tally.found.len()
+    );
+    write_out(&text);
+    Ok(match (tally.found.is_empty(), tally.not_planned.is_empty()) {
+        (false, _) => 1,
+        (true, false) => 3,
+        (true, true) => 0,
+    })
+}
+
+/// What production says a ride does.
+fn outcome(controller: &Production, scenario: &Scenario, ride: &Ride) -> Outcome {
+    let mut scenario = scenario.clone();
+    scenario.program.main = ride.text();
+    controller.run(&scenario).unwrap_or_else(|error| {
+        let why = error.to_string();
+        let block = gaugeblock_trace::Block::new("main.ngc", 1);
+        Outcome {
+            language: scenario.program.language,
+            start: Settings::default(),
+            steps: Vec::new(),
+            end: End::Unsupported { block, what: why },
+            parameters: None,
+            pins: Vec::new(),
+            samples: Vec::new(),
+        }
+    })
+}
+
+/// Judges numbers in any order until there are enough or time is over.
+fn generate(arguments: &Arguments, judge: &(dyn Fn(u64) -> Came + Sync)) -> Tally {
+    let seconds = match (arguments.seconds, arguments.programs) {
+        (None, None) => Some(60),
+        (seconds, _) => seconds,
+    };
+    let end = seconds.map(|seconds| now() + Duration::from_secs(seconds));
+    let last = arguments.programs.map_or(u64::MAX, |count| arguments.first.saturating_add(count));
+    let processors = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
+    let jobs = arguments.jobs.unwrap_or(processors);
+    let (next, over) = (AtomicU64::new(arguments.first), AtomicBool::new(false));
+    let tally = Mutex::new(Tally::default());
+    std::thread::scope(|scope| {
+        for _ in 0..jobs.get() {
+            scope.spawn(|| {
+                while !over.load(Ordering::Relaxed) {
+                    let number = next.fetch_add(1, Ordering::Relaxed);
+                    if number >= last || end.is_some_and(|end| now() >= end) {
+                        over.store(true, Ordering::Relaxed);
+                        return;
+                    }
+                    let came = judge(number);
+                    tally.lock().expect("who holds it adds numbers only").add(number, came);
+                }
+            });
+        }
+    });
+    tally.into_inner().expect("who held it added numbers only")
+}
+
+/// Writes a ride as files, and says with which call it is planned again.
+fn write(folder: &Path, name: &str, ride: &Ride, scenario: &Scenario) -> Result<String, Refused> {
+    let unwritable = |error: gaugeblock_trace::TextError| {
+        Refused::unfinished(error.message, "leave --report out")
+    };
+    let file = |ending: &str| folder.join(format!("{name}.{ending}"));
+    place::write_whole(&file("ngc"), ride.text())?;
+    place::write_whole(&file("machine.toml"), ride.limits.to_text().map_err(unwritable)?)?;
+    place::write_whole(&file("scenario.toml"), scenario.to_text().map_err(unwritable)?)?;
+    let mut call = format!(
+        "gaugeblock plan {name}.ngc --machine {name}.machine.toml --scenario {name}.scenario.toml"
+    );
+    if ride.script != MotionScript::default() {
+        place::write_whole(&file("script.toml"), ride.script.to_text().map_err(unwritable)?)?;
+        let _infallible = write!(call, " --script {name}.script.toml");
+    }
+    if let Some(every) = ride.every {
+        let _infallible = write!(call, " --every {every}");
+    }
+    if ride.start.iter().any(|place| place.abs() > 0.0) {
+        let start: Vec<String> = ride.start.iter().map(f64::to_string).collect();
+        let _infallible = write!(call, " --start={}", start.join(","));
+    }
+    Ok(call)
+}
+
+/// The clock ends a run; it never decides what is generated.
+#[expect(clippy::disallowed_methods, reason = "the command line alone may read the clock")]
+fn now() -> Instant {
+    Instant::now()
+}
