@@ -103,7 +103,8 @@ pub fn shrunk(
 fn planned(ride: &Ride, runs: Runs<'_>) -> Result<(Outcome, Planned), String> {
     let outcome = runs(ride);
     if outcome.end != End::ProgramEnd {
-        return Err(format!("the program does not come to its end: {:?}", outcome.end));
+        let why = if let End::Fault(fault) = &outcome.end { &fault.message } else { "" };
+        return Err(format!("the program does not come to its end: {why}"));
     }
     let circumstances =
         Circumstances { start: ride.position(), every: ride.every, script: ride.script.clone() };

@@ -1,4 +1,4 @@
-//! The same ride elsewhere, with its axes in another order, mirrored, larger, in smaller steps, or with more allowed.
+//! The same ride with its axes in another order, mirrored, larger, in smaller steps, or with more allowed.
 
 use gaugeblock_trace::Axis;
 use gaugeblock_trace::motion::{MotionLimits, PathMode};
@@ -11,8 +11,6 @@ use crate::generate::Dice;
 /// What is done to a ride, and so what may become of its time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Change {
-    /// It begins elsewhere.
-    Moved,
     /// X becomes Y, Y becomes Z, and Z becomes X.
     Turned,
     /// X runs the other way.
@@ -31,8 +29,7 @@ pub enum Change {
 
 impl Change {
     /// All of them.
-    pub const ALL: [Self; 8] = [
-        Self::Moved,
+    pub const ALL: [Self; 7] = [
         Self::Turned,
         Self::Mirrored,
         Self::Doubled,
@@ -45,7 +42,6 @@ impl Change {
     /// In a word.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Moved => "moved",
             Self::Turned => "turned",
             Self::Mirrored => "mirrored",
             Self::Doubled => "doubled",
@@ -60,7 +56,7 @@ impl Change {
     pub fn may_save(self) -> bool {
         match self {
             Self::Faster | Self::Livelier | Self::Looser => true,
-            Self::Moved | Self::Turned | Self::Mirrored | Self::Doubled | Self::Divided => false,
+            Self::Turned | Self::Mirrored | Self::Doubled | Self::Divided => false,
         }
     }
 
@@ -68,15 +64,6 @@ impl Change {
     pub fn of(self, ride: &Ride, dice: &mut Dice<'_>) -> Option<Ride> {
         let mut changed = ride.clone();
         match self {
-            Self::Moved => {
-                // By a power of two, so that as little as possible is rounded.
-                let by = [64.0, -128.0, 32.0];
-                changed.each_point(|point| {
-                    for (place, by) in point.iter_mut().zip(by) {
-                        *place += by;
-                    }
-                });
-            }
             Self::Turned => {
                 changed.each_point(|point| {
                     let [x, y, z, ..] = *point;

@@ -17,12 +17,8 @@ pub fn ride(dice: &mut Dice<'_>) -> Ride {
     let axes = *dice.pick(&[2, 3, 3, 3, 3, 4, 6, 9]);
     let size = any_size(dice, 0.003, 25.0);
     let plane = *dice.pick(&[Plane::Xy, Plane::Xy, Plane::Xy, Plane::Zx, Plane::Yz]);
-    let mut start = [0.0; 9];
-    if dice.chance(20) {
-        for place in start.iter_mut().take(axes) {
-            *place = on_grid(between(dice, -300.0, 300.0));
-        }
-    }
+    // Where a controller stands that has not moved.
+    let start = [0.0; 9];
     let limits = limits(dice, axes.max(3), size);
     let mut script = MotionScript::default();
     if dice.chance(40) {

@@ -190,7 +190,7 @@ impl Ride {
                 let mut block = format!("{code}{}", words(here, end));
                 // An arc names its end, also where that is where it begins.
                 for axis in [first, second] {
-                    if end[axis].to_bits() == here[axis].to_bits() {
+                    if !block.contains(LETTERS[axis]) {
                         let _infallible = write!(block, " {}{}", LETTERS[axis], number(end[axis]));
                     }
                 }

@@ -10,6 +10,10 @@
 //! A path is divided where the motion must rest: at exact stops, dwells and waits, and where an exact path breaks its
 //! direction. The bounds of the stretches add up. It is slow and sure: every lower bound is proved in the section that computes
 //! it, up to the rounding of its sums.
+//!
+//! What is bounded is a motion that keeps its limits at every instant. The laws hold samples to them, and between two samples a velocity may
+//! jump by what an axis could have changed it by in the time: so an exact path whose direction breaks slightly can be passed lawfully
+//! without the rest that is counted here, in less time than the bound.
 
 mod cell;
 mod reach;
@@ -49,7 +53,7 @@ pub struct StretchBound {
     pub elements: (usize, usize),
     /// Which bound is the highest.
     pub kind: Kind,
-    /// No lawful motion is faster, seconds.
+    /// No motion that keeps its limits at every instant is faster, seconds.
     pub least: f64,
     /// A lawful motion takes so long, seconds; infinite where none was found.
     pub achieved: f64,
@@ -58,7 +62,7 @@ pub struct StretchBound {
 /// The bound of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimeBound {
-    /// No lawful motion is faster, seconds, dwells included.
+    /// No motion that keeps its limits at every instant is faster, seconds, dwells included.
     pub least: f64,
     /// A lawful motion takes so long, seconds; infinite where none was found.
     pub achieved: f64,
@@ -112,7 +116,7 @@ pub fn least_time(
     Ok(bound)
 }
 
-/// Whether every lawful motion rests where a leg ends.
+/// Whether a motion that keeps its limits at every instant rests where a leg ends.
 fn rests_after(route: &Route<'_>, leg: usize) -> bool {
     match route.corners[leg + 1].passing {
         Passing::Rest => true,
