@@ -22,8 +22,8 @@ pub(super) struct Visit {
 impl Visit {
     /// The samples between which the corner is passed, each with the one after it.
     pub(super) fn pairs(&self, record: &Record<'_>) -> impl Iterator<Item = usize> + use<> {
-        let last = record.points.len().saturating_sub(2);
-        (self.first.saturating_sub(1)..=self.last).filter(move |sample| *sample <= last)
+        let samples = record.points.len();
+        (self.first.saturating_sub(1)..=self.last).filter(move |sample| sample + 1 < samples)
     }
 
     /// The sample that is nearest to the corner; the last one at it.

@@ -29,6 +29,15 @@ proptest! {
         prop_assert_eq!(judgement.0.len(), Law::ALL.len());
     }
 
+    #[test]
+    fn one_sample_beside_the_path_is_no_panic(y in 0.1..2.0, mode in 0_u8..4) {
+        let modes = [PathMode::ExactStop, PathMode::ExactPath, within(1.0), PathMode::BetweenMidpoints];
+        let shapes = vec![Shape::AtOnce(digital(1.0)), line(1.0, 0.0)];
+        let path = path(modes[usize::from(mode)], Feed::PerSecond(10.0), shapes);
+        let judgement = judged(&[xy(0.0, y).to_array()], &path);
+        prop_assert!(judgement.violations().count() > 0);
+    }
+
     /// Lines to and fro over a small grid cross and cover each other, and some lead nowhere.
     #[test]
     fn who_stops_at_every_corner_is_lawful_in_every_mode(
