@@ -11,6 +11,7 @@ use std::fs;
 use std::io::{Error, Result};
 use std::process::{Command, ExitCode};
 
+use gaugeblock_benches::budgets;
 use gaugeblock_impl::Planner;
 use gaugeblock_impl::plan::{
     Axes, Blend, Dynamics, Feed, InputParameter, OutputParameter, Path, Phase, Segment,
@@ -42,13 +43,7 @@ fn main() -> Result<ExitCode> {
         println!("{} cycles", executed(&program(name), queue)?);
         return Ok(ExitCode::SUCCESS);
     }
-    if Command::new("valgrind").arg("--version").output().is_err() {
-        println!("valgrind is not installed: no instructions are counted.");
-        return Ok(ExitCode::SUCCESS);
-    }
-    let budgets: toml::Table = include_str!("../budgets.toml")
-        .parse()
-        .map_err(|error| Error::other(format!("{error}")))?;
+    let Some(budgets) = budgets()? else { return Ok(ExitCode::SUCCESS) };
     let mut kept = true;
     for (name, queue) in PROGRAMS {
         let title = format!("{name}, queue {queue}");

@@ -1,10 +1,12 @@
 //! Workloads: programs that are measured, written here so that model, production and peers run the same.
 
+mod budgets;
 mod long;
 
 use gaugeblock_trace::Scenario;
 use gaugeblock_trace::scenario::Budget;
 
+pub use budgets::budgets;
 pub use long::{LONG_PROGRAMS, LongProgram, long_program};
 
 /// A program to be measured.
