@@ -18,7 +18,7 @@ use gaugeblock_trace::motion::Samples;
 use gaugeblock_trace::{Options, Outcome, Scenario};
 
 use super::{Adapter, Capabilities, HarnessError, Motion, NotMoved};
-use crate::motion::plan;
+use crate::motion::{Circumstances, plan_under};
 
 /// The production controller.
 #[derive(Debug)]
@@ -56,12 +56,12 @@ impl Adapter for Production {
     }
 
     fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
-        if !motion.script.events.is_empty() {
-            return Err(NotMoved::Unsupported("nobody intervenes in its motion yet".to_owned()));
-        }
         let outcome = self.run(motion.scenario);
         let outcome = outcome.map_err(|error| NotMoved::Failed(error.to_string()))?;
-        let planned = plan(&outcome, motion.limits, motion.every);
+        let script = motion.script.clone();
+        let circumstances =
+            Circumstances { every: motion.every, script, ..Circumstances::default() };
+        let planned = plan_under(&outcome, motion.limits, &circumstances);
         planned.map(|planned| planned.samples).map_err(|stopped| NotMoved::Failed(stopped.why))
     }
 }
