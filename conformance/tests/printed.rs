@@ -275,21 +275,11 @@ fn cases_of_the_suite_are_printed_as_by_rs274() {
         "{agree} agree, {explained} differ by quirks, {} otherwise\n{shown}",
         otherwise.len()
     );
-    let known = |line: &String| OTHERWISE.iter().any(|name| line.starts_with(name));
-    let all = otherwise.len() == OTHERWISE.len() && otherwise.iter().all(known);
-    assert!(*agree >= AGREE && all, "{counts}");
+    assert!(*agree >= AGREE && otherwise.is_empty(), "{counts}");
 }
 
 /// Every so many-th case is printed: all of them take minutes.
 const STRIDE: usize = 11;
-/// What is printed otherwise and is no quirk.
-// FIXME: the order in which a refused block's words are looked at, and what a rotated frame prints first (`fuzz/FINDINGS.md`, C44).
-const OTHERWISE: [&str; 4] = [
-    "arcs.radius-too-small / without a code",
-    "arcs.secondary-planes / in its own block",
-    "cycles.rotary-words / under G91",
-    "offsets.set-needs-number / after a good one",
-];
 /// How many of these agree at least.
 const AGREE: usize = 300;
 

@@ -1,11 +1,16 @@
-//! What a sink can see before a block: its words, as they are after evaluation.
+//! What a sink can see before a block: its words, as they are after evaluation, and the stored offsets.
 
+use gaugeblock_trace::Position;
+
+use crate::modal::offsets;
+use crate::parameters::Numbered;
 use crate::words::Words;
 
 /// The words of a block that is about to be executed.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockBegun<'a> {
     pub(crate) words: &'a Words,
+    pub(crate) numbered: &'a Numbered,
 }
 
 impl BlockBegun<'_> {
@@ -32,5 +37,11 @@ impl BlockBegun<'_> {
     /// `$`: a spindle number.
     pub fn dollar(&self) -> Option<f64> {
         self.words.dollar
+    }
+
+    /// The stored origin of a work coordinate system from 1 to 9 (machine units) and its rotation (degrees), as the block finds them.
+    pub fn work_offset(&self, system: u32) -> (Position, f64) {
+        let origin = offsets::origin(self.numbered, system).position();
+        (origin, offsets::rotation(self.numbered, system))
     }
 }

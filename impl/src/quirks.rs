@@ -7,6 +7,7 @@
 //! * `rs274.unpassed-arguments-zero`: `control::calls`.
 //! * `rs274.orient-without-angle` and `rs274.orient-without-timeout`: `modal::spindle`.
 //! * `rs274.cycle-retract-from-initial`: `modal::cycles`.
+//! * `rs274.tap-dwell-kept`: `modal::cycles`.
 //! * `rs274.arc-radius-tolerance`: `modal::arcs`.
 
 use gaugeblock_trace::LengthUnit;
@@ -32,3 +33,6 @@ pub(crate) fn arc_tolerances(units: LengthUnit) -> (f64, f64) {
         LengthUnit::Millimetre => (0.02 * diagonal, 2.0 * diagonal),
     }
 }
+
+/// How far the centre of an arc is from its chord at least, in radii: half a circle has it not quite on it, which shows in the sign of a zero.
+pub(crate) const ARC_HEIGHT: f64 = f64::EPSILON / 4.0;

@@ -5,6 +5,7 @@ use gaugeblock_trace::{Effect, Event, FeedMode, LengthUnit, Plane, Position, Swi
 
 use super::modes::Modes;
 use super::output::Output;
+use super::settled::WORK_OFFSETS;
 
 /// The words of a block.
 #[derive(Clone, Debug, Default)]
@@ -13,6 +14,8 @@ pub(super) struct Words {
     pub(super) m: Vec<u16>,
     letters: [Option<f64>; 26],
     pub(super) dollar: Option<f64>,
+    /// What is stored of the work coordinate system that the block selects before G10: origin (inches) and rotation (degrees).
+    pub(super) stored: Option<(Position, f64)>,
 }
 
 impl Words {
@@ -26,6 +29,8 @@ impl Words {
             *value = begun.letter(letter);
         }
         self.dollar = begun.dollar();
+        let selected = self.g_of(&WORK_OFFSETS).filter(|_| self.g.contains(&100));
+        self.stored = selected.map(|code| begun.work_offset(system_of(code)));
     }
 
     /// The value of a letter, in upper case.
@@ -41,6 +46,11 @@ impl Words {
     pub(super) fn has_m(&self, code: u16) -> bool {
         self.m.contains(&code)
     }
+}
+
+/// The work coordinate system of G54 to G59.3, from 1.
+pub(super) fn system_of(code: u16) -> u32 {
+    (1..).zip(WORK_OFFSETS).find(|(_, other)| *other == code).map_or(0, |(system, _)| system)
 }
 
 /// A part of a block. All before the one at which it was refused has been printed.
@@ -82,6 +92,8 @@ pub(super) struct Printed<'a> {
     pub(super) events: &'a [Event],
     /// How many events have been printed.
     pub(super) at: usize,
+    /// Whether the block is refused at a later phase.
+    pub(super) refused: bool,
     pub(super) machine: &'a Fixed,
     /// The place in the table of the tool that T selected last.
     pub(super) selected: i64,
@@ -142,6 +154,7 @@ impl Printed<'_> {
             (Phase::Motion, Self::motion),
             (Phase::Stop, Self::stop),
         ];
+        self.refused = end < Phase::End;
         for (phase, print) in phases {
             if phase >= end {
                 break;
@@ -263,6 +276,12 @@ impl Printed<'_> {
             && let Some(Effect::Dwell { seconds }) =
                 self.next(|effect| matches!(effect, Effect::Dwell { .. }))
         {
+            self.out.call_with("DWELL", seconds);
+        } else if self.refused
+            && self.words.g_of(&[40]).is_some()
+            && let Some(seconds) = self.words.get(b'P')
+        {
+            // What a block does is told only where it is executed whole.
             self.out.call_with("DWELL", seconds);
         }
     }

@@ -75,6 +75,11 @@ impl Printer {
         &self.words
     }
 
+    /// The motion code in force, in tenths.
+    pub(super) fn motion(&self) -> u16 {
+        self.motion
+    }
+
     /// Where the controlled point was before the block, and the plane that is in force for it.
     pub(super) fn place(&self) -> (Position, Plane) {
         let mut modes = self.modes;
@@ -130,6 +135,7 @@ impl Printer {
             position: self.position,
             events,
             at: 0,
+            refused: false,
             machine: &self.fixed,
             selected: self.selected,
             loaded: self.loaded,

@@ -22,16 +22,34 @@ pub(super) struct Refused<'a> {
     pub(super) percent: bool,
 }
 
-/// Up to which phase a refused block is executed.
-pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
-    let motion = words.g_of(&MOTIONS);
-    let arc_or_cycle = motion.is_some_and(|code| code > 10 && code != 800);
+/// What is looked at before anything of a block is executed, and what after all but its motion, by how the message begins.
+const AT_ONCE: [&str; 4] = [
+    "axis words that two",
+    "a rotary axis word in a canned",
+    "polar words beside",
+    "G53 without G0",
+];
+const WITH_MOTION: [&str; 7] = [
+    "a canned cycle under inverse",
+    "a spline outside",
+    "an arc outside",
+    "an incremental polar move",
+    "inverse time",
+    "offsets of an arc with R",
+    "tapping",
+];
+
+/// Up to which phase a refused block is executed; `modal` is the motion code in force before it.
+pub(super) fn reached(fault: &Fault, words: &Words, modal: u16) -> Phase {
+    let explicit = words.g_of(&MOTIONS);
+    let motion = explicit.unwrap_or(modal);
+    let probes = (382..=385).contains(&motion);
+    let arc_or_cycle = motion > 10 && motion != 800 && !probes;
+    let says = |begun: &[&str]| begun.iter().any(|begun| fault.message.starts_with(begun));
     match fault.kind {
-        Some(FaultKind::MissingWord) if fault.message.starts_with("inverse time") => Phase::Motion,
+        Some(_) if says(&AT_ONCE) => Phase::Comment,
+        Some(_) if says(&WITH_MOTION) => Phase::Motion,
         Some(FaultKind::CompensationActive) => under_compensation(&fault.message),
-        Some(FaultKind::AxisWords) if fault.message.starts_with("axis words that two") => {
-            Phase::Comment
-        }
         Some(_) if fault_of_compensation(fault, words) => Phase::Compensation,
         Some(
             FaultKind::BadArc
@@ -48,11 +66,6 @@ pub(super) fn reached(fault: &Fault, words: &Words) -> Phase {
         Some(FaultKind::UnusedWord) if fault.message.starts_with("an offset") && arc_or_cycle => {
             Phase::Motion
         }
-        Some(FaultKind::ModalConflict) if fault.message.starts_with("a spline outside") => {
-            Phase::Motion
-        }
-        Some(_) if fault.message.starts_with("an incremental polar move") => Phase::Motion,
-        Some(_) if fault.message.starts_with("tapping") => Phase::Motion,
         Some(FaultKind::ToolNotFound) => Phase::Tool,
         Some(FaultKind::NothingSaved) => Phase::Saved,
         _ => Phase::Comment,
@@ -96,8 +109,12 @@ pub(super) fn begun(fault: &Fault, words: &Words) -> Option<Begun> {
         "a cycle that dwells without P" | "a cycle that pecks without Q" | "P is negative" => {
             Some(Begun::Above)
         }
-        // A negative Q is taken for none.
-        "Q is negative or zero" if words.get(b'Q').is_some_and(|q| q < 0.0) => Some(Begun::Above),
+        // A Q of -1 is taken for none.
+        "Q is negative or zero"
+            if words.get(b'Q').is_some_and(|q| q.to_bits() == (-1.0_f64).to_bits()) =>
+        {
+            Some(Begun::Above)
+        }
         "Q is negative or zero"
         | "G86 while the spindle stands"
         | "tapping while the spindle stands"
@@ -113,7 +130,9 @@ const COMPENSATIONS: [u16; 4] = [410, 420, 411, 421];
 fn fault_of_compensation(fault: &Fault, words: &Words) -> bool {
     let of_plane =
         fault.kind == Some(FaultKind::ModalConflict) && fault.message.contains("outside of");
-    words.g_of(&COMPENSATIONS).is_some() && of_plane
+    let of_diameter =
+        fault.kind == Some(FaultKind::MissingWord) && fault.message.starts_with("the D word");
+    words.g_of(&COMPENSATIONS).is_some() && (of_plane || of_diameter)
 }
 
 impl Refused<'_> {

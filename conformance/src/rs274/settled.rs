@@ -1,15 +1,15 @@
 //! Modes and offsets of a block, and what M72 and the end of a sub with M73 bring back.
 
 use gaugeblock_trace::{
-    Compensation, FeedMode, LengthUnit, Path, SpindleLimit, SpindleMode, Switch,
+    Compensation, FeedMode, LengthUnit, Path, Position, SpindleLimit, SpindleMode, Switch,
 };
 
-use super::block::Printed;
+use super::block::{Printed, system_of};
 use super::modes::{Modes, Spindle};
 use super::motion::INCH;
 
 /// G54 to G59.3.
-const WORK_OFFSETS: [u16; 9] = [540, 550, 560, 570, 580, 590, 591, 592, 593];
+pub(super) const WORK_OFFSETS: [u16; 9] = [540, 550, 560, 570, 580, 590, 591, 592, 593];
 
 impl Printed<'_> {
     /// Settings after the block, but for what the end of a program resets after it was set.
@@ -33,6 +33,12 @@ impl Printed<'_> {
             Some(_) => self.out.compensation(Compensation::Right),
             None => {}
         }
+    }
+
+    /// Whether compensation is on for what the block does after its code.
+    fn compensates(&self) -> bool {
+        let code = self.words.g_of(&[400, 410, 420, 411, 421]);
+        code.map_or(self.before.compensation != Compensation::Off, |code| code != 400)
     }
 
     /// Tool length, work offset, path, distance, retract.
@@ -67,25 +73,35 @@ impl Printed<'_> {
     }
 
     fn work_offset(&mut self, code: u16) {
-        let system =
-            WORK_OFFSETS.iter().position(|other| *other == code).map_or(0, |place| place + 1);
-        if usize::try_from(self.before.work_offset) == Ok(system) {
+        if self.before.work_offset == system_of(code) {
             self.out.note("continuing to use same coordinate system");
             return;
         }
-        self.out.g5x_offset(&self.after);
-        self.out.g92_offset(&self.after);
-        self.out.rotation(&self.after);
+        let mut selected = Modes { g92_offset: self.before.g92_offset, ..self.after };
+        if let Some((origin, rotation)) = self.words.stored {
+            let scale = scale(LengthUnit::Inch, selected.units);
+            (selected.g5x_offset, selected.rotation) = (scaled(origin, scale), rotation);
+        }
+        self.out.g5x_offset(&selected);
+        self.out.g92_offset(&selected);
+        self.out.rotation(&selected);
     }
 
     /// G10, G52, G92 and its kin.
     pub(super) fn offsets(&mut self) {
         let Some(code) = self.words.g_of(&[100, 520, 920, 921, 922, 923]) else { return };
         if code != 100 {
-            self.out.g92_offset(&self.after);
+            // Under compensation only an offset that is none can be cleared, and it is not printed.
+            if !self.compensates() {
+                self.out.g92_offset(&self.after);
+            }
             return;
         }
         let whole = |letter| self.words.get(letter).unwrap_or(0.0).round();
+        if whole(b'L').abs() < 0.5 {
+            self.out.call("RELOAD_TOOLDATA");
+            return;
+        }
         if ![2.0, 20.0].contains(&whole(b'L')) {
             self.tool_entry();
             return;
@@ -222,6 +238,13 @@ fn scale(from: LengthUnit, to: LengthUnit) -> f64 {
             1.0
         }
     }
+}
+
+/// A position in another length unit.
+fn scaled(position: Position, scale: f64) -> Position {
+    let [x, y, z, a, b, c, u, v, w] = position.to_array();
+    let [x, y, z, u, v, w] = [x, y, z, u, v, w].map(|length| length * scale);
+    Position::from([x, y, z, a, b, c, u, v, w])
 }
 
 /// Whether two numbers are not the same, but for what a conversion loses.

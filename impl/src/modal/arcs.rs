@@ -161,7 +161,7 @@ impl Modal {
         let centre = if words.present & R != 0 {
             let half_circle = self.choices.arc_half_circle;
             let slack = if half_circle { tolerances.radius } else { 0.0 };
-            radius_centre(words, &plane, counterclockwise, slack)?
+            radius_centre(words, &plane, counterclockwise, (slack, self.imitates))?
         } else {
             self.offset_centre(words, &plane, &tolerances)?
         };
@@ -250,7 +250,7 @@ fn radius_centre(
     words: &Words,
     plane: &ArcPlane,
     counterclockwise: bool,
-    slack: f64,
+    (slack, imitates): (f64, bool),
 ) -> Result<InPlane, Refusal> {
     if words.present & (I | J | K) != 0 {
         return refuse(FaultKind::UnusedWord, "offsets of an arc with R");
@@ -270,7 +270,8 @@ fn radius_centre(
     if !(half <= radius + slack && radius > 0.0) {
         return refuse(FaultKind::BadArc, "R is too small to reach the end");
     }
-    let height = math::sqrt(((radius - half) * (radius + half)).max(0.0));
+    let least = if imitates { quirks::ARC_HEIGHT * radius } else { 0.0 };
+    let height = math::sqrt(((radius - half) * (radius + half)).max(0.0)).max(least);
     // The centre of a counterclockwise arc below half a circle is on the left of the chord.
     let left = counterclockwise == (signed > 0.0 || planted(Fault::NegativeRadius));
     let along = if left { height / length } else { -height / length };

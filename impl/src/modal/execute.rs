@@ -29,7 +29,7 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
-        sink.block_begun(&BlockBegun { words });
+        sink.block_begun(&BlockBegun { words, numbered });
         if self.is_straight(words) {
             return self.straight_block(words, sink);
         }

@@ -27,7 +27,7 @@ mod modes;
 mod motion;
 mod motions;
 mod named;
-mod offsets;
+pub(crate) mod offsets;
 mod probe;
 mod reference;
 mod refusal;
@@ -115,6 +115,8 @@ pub(crate) struct Modal {
     velocities: Coordinates,
     /// Whether quirks of `rs274` are imitated.
     pub(crate) imitates: bool,
+    /// P of the last cycle that had one, seconds.
+    cycle_dwell: f64,
     /// Number of spindles.
     spindles: u32,
     /// Number of digital inputs and outputs each.
@@ -178,6 +180,7 @@ impl Modal {
             axes: axis_letters(&machine.axes),
             velocities: threads::velocities(machine),
             imitates: false,
+            cycle_dwell: 0.0,
             spindles: u32::from(machine.spindles),
             digital_io: i32::from(machine.digital_io),
             analog_io: i32::from(machine.analog_io),

@@ -240,6 +240,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.surface-speed-while-stopped",
     "rs274.synchronised-feed-word",
     "rs274.tap-axes",
+    "rs274.tap-dwell-kept",
     "rs274.thread-any-plane",
     "rs274.thread-clearance",
     "rs274.thread-feed-override",

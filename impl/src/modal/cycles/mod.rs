@@ -122,7 +122,8 @@ impl Modal {
         let axes = PlaneAxes::of(self.in_force.now().plane);
         let series = self.series.of_cycles(self.motion, self.position);
         let sticky = series.sticky(code).filter(|_| !planted(Fault::NothingSticky));
-        let numbers = Numbers::read(words, code, axes.normal, sticky, &self.choices)?;
+        let tap = if self.imitates { self.cycle_dwell } else { 0.0 };
+        let numbers = Numbers::read(words, code, axes.normal, sticky, (&self.choices, tap))?;
         let mut levels = self.levels(&numbers, axes.normal, series.start());
         if code == 730 && !self.choices.break_returns {
             levels.clear = levels.retract;
@@ -142,6 +143,9 @@ impl Modal {
         let (hole, step) = self.holes(words, axes, numbers.repeats)?;
         self.series = series.with_sticky(code, numbers);
         self.motion = mode_of(code);
+        if numbers::dwells(code) {
+            self.cycle_dwell = numbers.dwell;
+        }
         let cycle = Cycle {
             axes,
             hole,

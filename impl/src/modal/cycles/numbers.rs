@@ -40,13 +40,13 @@ pub(super) fn axis_word(words: &Words, axis: Axis) -> Option<f64> {
 }
 
 impl Numbers {
-    /// Reads the words of a cycle; `sticky` are those of the block before, where it was of the same cycle.
+    /// Reads the words of a cycle; `sticky` are those of the block before, where it was of the same cycle. `tap` is the P of a tap that has none.
     pub(super) fn read(
         words: &Words,
         code: u16,
         normal: Axis,
         sticky: Option<Self>,
-        choices: &Choices,
+        (choices, tap): (&Choices, f64),
     ) -> Result<Self, Refusal> {
         let word = |here: Option<f64>, kept: Option<f64>, missing: &str| match here.or(kept) {
             Some(number) => Ok(number),
@@ -67,7 +67,7 @@ impl Numbers {
         let dwell = if dwells(code) {
             let seconds = word(
                 words.get(b'P'),
-                kept.map(|kept| kept.dwell).or(taps_at_once.then_some(0.0)),
+                kept.map(|kept| kept.dwell).or(taps_at_once.then_some(tap)),
                 "a cycle that dwells without P",
             )?;
             not_negative(seconds, "P")?
@@ -90,7 +90,7 @@ impl Numbers {
 }
 
 /// Whether a cycle has a P.
-const fn dwells(code: u16) -> bool {
+pub(super) const fn dwells(code: u16) -> bool {
     matches!(code, 740 | 820 | 840 | 860 | 890)
 }
 

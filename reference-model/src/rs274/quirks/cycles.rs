@@ -43,6 +43,11 @@ pub(crate) fn negative_dwell(seconds: f64, state: &State) -> bool {
     whole(seconds) != Some(-1) && state.readings.quirk("rs274.cycle-negative-dwell")
 }
 
+/// Quirk rs274.tap-dwell-kept. A tap without P dwells as the last cycle did that had one.
+pub(crate) fn dwell_of_tap(state: &State) -> Option<f64> {
+    state.readings.quirk("rs274.tap-dwell-kept").then_some(state.cycle_dwell)
+}
+
 /// Quirk rs274.cycle-dollar. No cycle uses $. Quirk rs274.left-tap-repeat. G74 does not use L.
 pub(crate) fn is_unused(letter: char, code: u32, state: &State) -> bool {
     let cycle = matches!(code, 730 | 740 | 810..=890);

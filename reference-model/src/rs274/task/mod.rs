@@ -86,6 +86,7 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         slots: slots(&scenario.machine),
         frames: vec![Frame::default()],
         line: 1,
+        cycle_dwell: 0.0,
         log_open: false,
         probe_log_open: false,
         series: None,

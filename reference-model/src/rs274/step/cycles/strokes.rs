@@ -32,7 +32,7 @@ pub(super) fn dwell(
     let before = before.filter(|_| state.readings.is("cycles.sticky-arguments", "sticky"));
     let Some(seconds) = word(words, 'p').or(before) else {
         if taps && state.readings.is("cycles.tap-without-dwell", "zero") {
-            return Ok(None);
+            return Ok(quirks::dwell_of_tap(state));
         }
         let rule = if taps { "cycles.tap-without-dwell" } else { "cycles.dwell-needed" };
         return Err(refuse(
@@ -47,6 +47,7 @@ pub(super) fn dwell(
         return Err(refuse("cycles.negative-dwell", FaultKind::WordOutOfRange, message));
     }
     state.evidence.accepted("cycles.negative-dwell");
+    state.cycle_dwell = seconds;
     Ok(Some(seconds))
 }
 
