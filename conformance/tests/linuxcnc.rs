@@ -175,3 +175,33 @@ fn the_model_and_the_controller_agree_on_hostile_scenarios() {
     let others: Vec<_> = others.map(|one| (&one.rule.id, one.name, &one.verdict)).collect();
     assert!(others.is_empty(), "{others:#?}");
 }
+
+#[test]
+fn its_servo_samples_are_recorded_and_judged() {
+    let recorded = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("recorded");
+    let Some(mut command) = gaugeblock("recording of samples", &["plan", "line.ngc"]) else {
+        return;
+    };
+    let samples = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("line.csv");
+    command.current_dir(recorded).args(["--machine", "mill.toml", "--iut", "linuxcnc"]);
+    let output = command.arg("--samples").arg(&samples).output().expect("gaugeblock runs");
+    let text = ends_with(&output, 0);
+    assert!(text.contains("holds       trajectory.acceleration (at most 50.00 % of it)"), "{text}");
+    let samples = fs::read_to_string(samples).expect("samples");
+    let last = samples.lines().last().expect("a sample");
+    assert!(last.starts_with("100,0,0,"), "{last}");
+}
+
+#[test]
+fn a_program_that_it_refuses_leaves_no_samples() {
+    let program = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("refused.ngc");
+    fs::write(&program, "g21 g1 f100 x1\ng1 x\nm2\n").expect("written");
+    let machine = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("recorded/mill.toml");
+    let Some(mut command) = gaugeblock("a refused program", &["plan"]) else { return };
+    let samples = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("refused.csv");
+    command.arg(program).arg("--machine").arg(machine).args(["--iut", "linuxcnc", "--samples"]);
+    let output = command.arg(&samples).output().expect("gaugeblock runs");
+    let text = ends_with(&output, 2);
+    assert!(text.contains("does not come to its end"), "{text}");
+    assert!(!samples.exists());
+}

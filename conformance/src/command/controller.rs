@@ -21,7 +21,7 @@ pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
         None if name == "production" => Ok(Box::new(Production::default())),
         None if name == "rs274" => rs274(None),
         Some(("rs274", path)) => rs274(Some(Path::new(path))),
-        None if name == "linuxcnc" => linuxcnc(),
+        None if name == "linuxcnc" => Ok(Box::new(linuxcnc()?)),
         Some(("faulty", fault)) => faulty(fault),
         _ if name.starts_with("exec:") => Err(Refused::unfinished(
             format!("the controller `{name}` is not there yet"),
@@ -77,9 +77,10 @@ fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, Refused> {
     }
 }
 
-fn linuxcnc() -> Result<Box<dyn Adapter>, Refused> {
+/// LinuxCNC's whole controller.
+pub(super) fn linuxcnc() -> Result<LinuxCnc, Refused> {
     match LinuxCnc::find() {
-        Ok(found) => Ok(Box::new(found)),
+        Ok(found) => Ok(found),
         Err(error @ ControllerError::Missing { .. }) => Err(Refused::unfinished(
             error.to_string(),
             "install it (Debian: apt-get install linuxcnc-uspace)",

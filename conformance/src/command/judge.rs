@@ -6,6 +6,7 @@ use clap::Args;
 use gaugeblock_trace::Position;
 use gaugeblock_trace::motion::Samples;
 
+use super::pictures::Drawing;
 use super::{Refused, plan, run, write_out};
 use crate::motion::Summary;
 use crate::suite::Suite;
@@ -13,6 +14,7 @@ use crate::suite::Suite;
 const EXAMPLES: &str = "Examples:
   gaugeblock judge part.csv --program part.ngc --machine mill.toml
   gaugeblock judge part.bin --program part.ngc --machine mill.toml --script hold.toml
+  gaugeblock judge part.csv --program part.ngc --machine mill.toml --svg part.svg
 
 Samples are a table with a line that says how long a servo cycle is, and a line that names the columns:
   # gaugeblock samples 0 period=0.001 resolution=0
@@ -37,6 +39,9 @@ pub(super) struct Arguments {
     /// What the operator did, by servo cycle, a TOML file
     #[arg(long, value_name = "FILE")]
     script: Option<PathBuf>,
+    /// Draw path, speed and accelerations
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
     #[command(flatten)]
     how: run::How,
 }
@@ -48,6 +53,14 @@ pub(super) fn judge_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
     let scenario = arguments.how.scenario(suite, &arguments.program)?;
     let path = plan::path(&scenario, &arguments.program, Position::default())?;
     let summary = Summary::of(&samples, &path, &limits, &script);
+    if let Some(file) = &arguments.svg {
+        let title = [
+            format!("{}: {}", arguments.samples.display(), arguments.program.display()),
+            summary.headline(),
+        ];
+        let (samples, path, limits, script) = (&samples, &path, &limits, &script);
+        Drawing { title, samples, path, limits, script, told: None }.write(file)?;
+    }
     write_out(&summary.to_string());
     Ok(u8::from(!summary.holds()))
 }

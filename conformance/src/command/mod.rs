@@ -11,6 +11,7 @@ mod fuzz_motion;
 mod fuzz_report;
 mod judge;
 mod matrix;
+mod pictures;
 mod place;
 mod plan;
 mod rs274;

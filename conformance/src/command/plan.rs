@@ -3,14 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use gaugeblock_trace::motion::{Column, MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_trace::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 use gaugeblock_trace::{End, Outcome, Position, Scenario};
 
+use super::controller::linuxcnc;
+use super::pictures::Drawing;
 use super::{Refused, place, run, write_error, write_out};
-use crate::adapters::Adapter;
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
-use crate::motion::{Circumstances, Picture, Summary, drawn, plan_under};
+use crate::adapters::{Adapter, NotMoved};
+use crate::motion::{Circumstances, Summary, plan_under};
 use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
@@ -19,6 +21,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock plan part.ngc --machine mill.toml --samples part.csv
   gaugeblock plan part.ngc --machine mill.toml --every 20
   gaugeblock plan part.ngc --machine mill.toml --script hold.toml
+  gaugeblock plan part.ngc --machine mill.toml --iut linuxcnc --samples recorded.csv
 
 A machine file tells what its axes can do, in millimetres, degrees and seconds:
   period = 0.001
@@ -49,6 +52,9 @@ pub(super) struct Arguments {
     machine: PathBuf,
     #[command(flatten)]
     how: run::How,
+    /// Who moves: production, or linuxcnc, which is recorded while it runs the program with a simulated machine
+    #[arg(long, value_name = "CONTROLLER", default_value = "production")]
+    iut: String,
     /// Feed the planner one segment in so many servo cycles instead of as fast as it takes them
     #[arg(long, value_name = "CYCLES")]
     every: Option<u32>,
@@ -69,7 +75,6 @@ pub(super) struct Arguments {
 pub(super) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     let limits = limits(&arguments.machine)?;
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
-    let outcome = ended(&Production::default(), &scenario, &arguments.file)?;
     let mut start = [0.0; 9];
     for (place, given) in start.iter_mut().zip(&arguments.start) {
         *place = *given;
@@ -79,43 +84,82 @@ pub(super) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, R
         every: arguments.every,
         script: script(arguments.script.as_deref())?,
     };
-    let planned = plan_under(&outcome, &limits, &circumstances).map_err(|stopped| {
-        let place = stopped.block.map_or(String::new(), |block| format!("{block}: "));
-        Refused::unfinished(
-            format!("{}: {place}{}", arguments.file.display(), stopped.why),
-            "up to there the program could be planned alone",
-        )
-    })?;
     let path = path(&scenario, &arguments.file, circumstances.start)?;
-    let summary = Summary::of(&planned.samples, &path, &limits, &circumstances.script);
+    let moved = match arguments.iut.as_str() {
+        "production" => planned(&scenario, &limits, &circumstances, &arguments.file)?,
+        "linuxcnc" => recorded(&scenario, &limits, arguments)?,
+        other => {
+            return Err(Refused::wrong(
+                format!("`{other}` shows no servo samples"),
+                "one of production and linuxcnc; `gaugeblock judge` takes samples of any other",
+            ));
+        }
+    };
+    let summary = Summary::of(&moved.samples, &path, &limits, &circumstances.script);
     if let Some(file) = &arguments.samples {
-        write_samples(file, &planned.samples)?;
+        write_samples(file, &moved.samples)?;
     }
     if let Some(file) = &arguments.svg {
-        let accelerations = accelerations(&planned.samples, &limits);
-        let positions = planned.samples.positions(Position::default());
-        let commanded: Vec<_> = positions.iter().map(|at| [at.x, at.y, at.z]).collect();
-        let title = [
-            format!("{} on {}", arguments.file.display(), arguments.machine.display()),
-            summary.headline(),
-        ];
-        let picture = Picture {
-            title: &title,
-            programmed: &drawn(&path),
-            commanded: &commanded,
-            deviation: &[],
-            period: limits.period,
-            speed: &planned.speed,
-            asked: &planned.asked,
-            acceleration: &accelerations,
+        let machine = arguments.machine.display();
+        let who = match arguments.iut.as_str() {
+            "production" => String::new(),
+            other => format!(", {other}"),
         };
-        let svg = picture
-            .svg()
-            .map_err(|error| Refused::unfinished(error.to_string(), "leave --svg out"))?;
-        place::write_whole(file, &svg)?;
+        let title = [format!("{} on {machine}{who}", arguments.file.display()), summary.headline()];
+        let told = moved.told.as_ref().map(|(speed, asked)| (speed.as_slice(), asked.as_slice()));
+        let script = &circumstances.script;
+        let (samples, path, limits) = (&moved.samples, &path, &limits);
+        Drawing { title, samples, path, limits, script, told }.write(file)?;
     }
     write_out(&summary.to_string());
     Ok(u8::from(!summary.holds()))
+}
+
+/// Samples, and what a planner tells of them besides: the speed along the path, and the feed that is asked for.
+struct Moved {
+    samples: Samples,
+    told: Option<(Vec<f64>, Vec<f64>)>,
+}
+
+fn planned(
+    scenario: &Scenario,
+    limits: &MotionLimits,
+    circumstances: &Circumstances,
+    file: &Path,
+) -> Result<Moved, Refused> {
+    let outcome = ended(&Production::default(), scenario, file)?;
+    let planned = plan_under(&outcome, limits, circumstances).map_err(|stopped| {
+        let place = stopped.block.map_or(String::new(), |block| format!("{block}: "));
+        Refused::unfinished(
+            format!("{}: {place}{}", file.display(), stopped.why),
+            "up to there the program could be planned alone",
+        )
+    })?;
+    Ok(Moved { samples: planned.samples, told: Some((planned.speed, planned.asked)) })
+}
+
+/// What LinuxCNC commands in each servo cycle, at its own pace and from its own origin.
+fn recorded(
+    scenario: &Scenario,
+    limits: &MotionLimits,
+    arguments: &Arguments,
+) -> Result<Moved, Refused> {
+    if arguments.every.is_some() || arguments.script.is_some() || !arguments.start.is_empty() {
+        return Err(Refused::wrong(
+            "linuxcnc is recorded at its own pace, from its origin, and alone",
+            "leave --every, --script and --start out",
+        ));
+    }
+    let refused = |error: NotMoved| match error {
+        NotMoved::Unsupported(why) => {
+            Refused::wrong(why, "`gaugeblock plan --help` tells what it takes")
+        }
+        NotMoved::Failed(why) => {
+            Refused::unfinished(why, "`gaugeblock run` shows what the program does")
+        }
+    };
+    let samples = linuxcnc()?.record(scenario, limits).map_err(refused)?;
+    Ok(Moved { samples, told: None })
 }
 
 /// What a machine's axes can do.
@@ -180,26 +224,4 @@ fn write_samples(file: &Path, samples: &Samples) -> Result<(), Refused> {
     } else {
         place::write_whole(file, samples.to_csv())
     }
-}
-
-/// The acceleration of each axis that moves, as a share of what it can do.
-fn accelerations(samples: &Samples, limits: &MotionLimits) -> Vec<(char, Vec<f64>)> {
-    let square = samples.period() * samples.period();
-    let mut all = Vec::new();
-    for (axis, limit) in &limits.axes {
-        let (Some(positions), Some(limit)) =
-            (samples.column(Column::Position(*axis)), limit.acceleration)
-        else {
-            continue;
-        };
-        let shares: Vec<f64> = positions
-            .windows(3)
-            .map(|three| (three[2] - 2.0 * three[1] + three[0]) / square / limit)
-            .collect();
-        if shares.iter().any(|share| share.abs() > 0.0) {
-            let letter = axis.to_string().to_uppercase().chars().next().unwrap_or('?');
-            all.push((letter, shares));
-        }
-    }
-    all
 }

@@ -102,8 +102,14 @@ impl Picture<'_> {
             span(all().map(|point| point[up])),
             f64::from(wide.saturating_sub(80)) / f64::from(high.saturating_sub(80)),
         );
+        let worst = self.deviation.iter().copied().fold(0.0, f64::max);
+        let off = if worst > 0.0 {
+            format!("; blue: on the path, red: {worst:.4} mm off it")
+        } else {
+            String::new()
+        };
         let mut chart = ChartBuilder::on(area)
-            .caption(what, ("sans-serif", 14).into_font().color(&INK))
+            .caption(format!("{what}{off}"), ("sans-serif", 14).into_font().color(&INK))
             .margin(10)
             .x_label_area_size(26)
             .y_label_area_size(54)
@@ -116,18 +122,12 @@ impl Picture<'_> {
         let flat = |point: &[f64; 3]| (point[across], point[up]);
         chart
             .draw_series(LineSeries::new(self.programmed.iter().map(flat), GREY.stroke_width(3)))?;
-        let worst = self.deviation.iter().copied().fold(0.0, f64::max);
         for piece in pieces(self.commanded.len()) {
             let off = self.deviation.get(piece.clone()).unwrap_or_default();
             let off = off.iter().copied().fold(0.0, f64::max);
             let colour = heat(if worst > 0.0 { off / worst } else { 0.0 });
             let points = self.commanded[piece].iter().map(flat);
             chart.draw_series(LineSeries::new(points, colour.stroke_width(1)))?;
-        }
-        if worst > 0.0 {
-            let style = ("sans-serif", 13).into_font().color(&heat(1.0));
-            let told = format!("farthest off the path: {worst:.4} mm (blue: on it)");
-            area.draw(&Text::new(told, (64, VIEWS - 62), style))?;
         }
         Ok(())
     }

@@ -115,6 +115,19 @@ impl Curve {
         self.turn.map_or(0.0, |turn| turn.angle)
     }
 
+    /// How far a point is off it.
+    pub(super) fn away(&self, point: &Nine) -> f64 {
+        let step = (self.angle().abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0).recip();
+        let mut from = 0.0;
+        let mut least = f64::INFINITY;
+        while from < 1.0 {
+            let near = self.at(self.nearest(point, from, (from + step).min(1.0)));
+            least = least.min(distance(&near, point));
+            from += step;
+        }
+        least
+    }
+
     /// How far an arc is from the line between its ends, at least; zero for a line.
     pub(super) fn rise_over_chord(&self) -> f64 {
         from_segment(&self.start, &self.end, &self.at(0.5))
@@ -346,6 +359,17 @@ mod tests {
         for part in [0.001, 0.01, 0.02] {
             let found = curve.nearest(&curve.at(part), 0.0, 0.025);
             assert!((found - part).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_point_is_as_far_off_as_from_the_nearest_turn() {
+        let curve = helix();
+        for part in [0.0, 0.31, 0.5, 0.77, 1.0] {
+            assert!(curve.away(&curve.at(part)) < 1e-9);
+            let mut beside = curve.at(part);
+            beside[3] += 0.25;
+            assert!((curve.away(&beside) - 0.25).abs() < 1e-9);
         }
     }
 }

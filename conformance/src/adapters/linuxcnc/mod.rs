@@ -16,6 +16,7 @@ mod assemble;
 mod canon;
 mod order;
 mod pool;
+mod recorder;
 mod reuse;
 mod session;
 mod setup;
@@ -28,6 +29,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::time::Duration;
 
+use gaugeblock_trace::motion::{MotionLimits, Samples};
 use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::Value;
@@ -35,7 +37,7 @@ use serde_json::Value;
 use super::probing::instrument::{Ends, Plan, is_plain};
 use super::probing::source::{DEBUG_SWITCH, Source};
 use super::probing::workspace;
-use super::{Adapter, Capabilities, ControllerError, HarnessError};
+use super::{Adapter, Capabilities, ControllerError, HarnessError, NotMoved};
 use assemble::Assembly;
 use order::{after, order, plan};
 use pool::Pool;
@@ -97,6 +99,15 @@ impl LinuxCnc {
             pool: Pool::default(),
             longest: LONGEST_RUN,
         })
+    }
+
+    /// Records the servo samples of a program, which it runs at its own pace.
+    ///
+    /// # Errors
+    /// It cannot run the program to its end, or samples are lost; a servo period that is not a whole number of nanoseconds.
+    pub fn record(&self, scenario: &Scenario, limits: &MotionLimits) -> Result<Samples, NotMoved> {
+        self.supports(scenario).map_err(NotMoved::Unsupported)?;
+        recorder::record(scenario, limits)
     }
 
     /// One run with all parameters that the plan names.

@@ -39,6 +39,7 @@ const CHANNELS: &str = "/usr/share/linuxcnc/linuxcnc.nml";
 const ERROR_BYTES: (&str, &str) = ("localhost 8192", "localhost 1000000");
 
 const DRIVER: &str = include_str!("driver.py");
+const RECORDER: &str = include_str!("record.py");
 
 /// The first process of the private name spaces: its temporary directory is the session's, so that the controller's
 /// fixed lock file and whatever a program writes stay in there. What goes to either output stays in order.
@@ -82,12 +83,18 @@ impl Session {
         let workspace = Workspace::new("linuxcnc")?;
         write_files(&workspace, setup, &tools)
             .map_err(|error| HarnessError::NotRun(format!("private directory: {error}")))?;
+        let mut session = Self::spawn(workspace, setup, tools)?;
+        session.read_until("ready", START)?;
+        Ok(session)
+    }
+
+    fn spawn(workspace: Workspace, setup: &Setup, tools: String) -> Result<Self, HarnessError> {
         let mut child = command(workspace.path())
             .spawn()
             .map_err(|error| HarnessError::NotRun(format!("unshare: {error}")))?;
         let lines = read_lines(child.stdout.take());
         let orders = child.stdin.take();
-        let mut session = Self {
+        Ok(Self {
             setup: setup.clone(),
             names: BTreeSet::new(),
             fresh: None,
@@ -96,9 +103,29 @@ impl Session {
             child,
             orders,
             lines,
-        };
-        session.read_until("ready", START)?;
-        Ok(session)
+        })
+    }
+
+    /// Starts a controller that records the motion of one program, and waits until it has ended. The samples, as the sampler prints them.
+    ///
+    /// # Errors
+    /// It could not be started, complained, hung or flooded, or left no samples.
+    pub(super) fn record(
+        setup: &Setup,
+        tools: &str,
+        parameters: &str,
+        time: Duration,
+    ) -> Result<String, HarnessError> {
+        let workspace = Workspace::new("linuxcnc")?;
+        let not_run =
+            |error: io::Error| HarnessError::NotRun(format!("private directory: {error}"));
+        write_files(&workspace, setup, tools)
+            .and_then(|()| own(&workspace, "parameters.var", parameters, 0o644))
+            .and_then(|()| own(&workspace, "record.py", RECORDER, 0o755))
+            .map_err(not_run)?;
+        let mut session = Self::spawn(workspace, setup, tools.to_owned())?;
+        session.read_until("recorded", time)?;
+        fs::read_to_string(session.workspace.path().join("samples.txt")).map_err(not_run)
     }
 
     /// Writes a file into its directory.

@@ -106,6 +106,22 @@ fn pins(scenario: &Scenario) -> Vec<Wired> {
 }
 
 fn ini(scenario: &Scenario) -> String {
+    let mut sections = machine_sections(scenario);
+    let mut put = |section: &str, line: &str| {
+        sections.entry(section.to_owned()).or_default().push(line.to_owned());
+    };
+    // Debugging output: each command as it is issued (0x10), each block as it is read and executed (0x100).
+    put("EMC", "DEBUG=0x110");
+    put("DISPLAY", "DISPLAY=./driver.py");
+    put("EMCMOT", "SERVO_PERIOD=1000000");
+    if !reads_ahead(scenario) {
+        put("TASK", "INTERP_MAX_LEN=1");
+    }
+    workspace::ini_text(&sections)
+}
+
+/// What every configuration of a machine has in its INI file, whoever drives it.
+pub(super) fn machine_sections(scenario: &Scenario) -> Sections {
     let machine = &scenario.machine;
     let mut sections: Sections = workspace::ini_sections(machine);
     // Files of subs stand beside the main program.
@@ -116,26 +132,17 @@ fn ini(scenario: &Scenario) -> String {
         let lines = lines.iter().map(|line| (*line).to_owned());
         sections.entry(section.to_owned()).or_default().extend(lines);
     };
-    // Debugging output: each command as it is issued (0x10), each block as it is read and executed (0x100).
-    put("EMC", &["VERSION=1.1", "MACHINE=gaugeblock", "DEBUG=0x110", "NML_FILE=channels.nml"]);
+    put("EMC", &["VERSION=1.1", "MACHINE=gaugeblock", "NML_FILE=channels.nml"]);
     put(
         "DISPLAY",
-        &[
-            "DISPLAY=./driver.py",
-            "PROGRAM_PREFIX=prefix",
-            "MAX_FEED_OVERRIDE=10000",
-            "MAX_SPINDLE_OVERRIDE=10",
-        ],
+        &["PROGRAM_PREFIX=prefix", "MAX_FEED_OVERRIDE=10000", "MAX_SPINDLE_OVERRIDE=10"],
     );
     put(
         "RS274NGC",
         &["PARAMETER_FILE=parameters.var", "SUBROUTINE_PATH=programs", "USER_M_PATH=user"],
     );
-    put("EMCMOT", &["EMCMOT=motmod", "COMM_TIMEOUT=4", "BASE_PERIOD=0", "SERVO_PERIOD=1000000"]);
+    put("EMCMOT", &["EMCMOT=motmod", "COMM_TIMEOUT=4", "BASE_PERIOD=0"]);
     put("TASK", &["TASK=milltask", "CYCLE_TIME=0.0002"]);
-    if !reads_ahead(scenario) {
-        put("TASK", &["INTERP_MAX_LEN=1"]);
-    }
     put("HAL", &["HALFILE=machine.hal"]);
     put("EMCIO", &["EMCIO=io", "CYCLE_TIME=0.001", "TOOL_TABLE=tools.tbl"]);
     if machine.random_tool_changer {
@@ -161,10 +168,10 @@ fn ini(scenario: &Scenario) -> String {
         put(&joint, &[kind, "HOME=0", "HOME_SEQUENCE=0", "FERROR=1e9", "MIN_FERROR=1e9"]);
         put(&joint, &limits);
     }
-    workspace::ini_text(&sections)
+    sections
 }
 
-fn is_rotary(axis: Axis) -> bool {
+pub(super) fn is_rotary(axis: Axis) -> bool {
     matches!(axis, Axis::A | Axis::B | Axis::C)
 }
 

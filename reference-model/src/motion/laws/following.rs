@@ -29,6 +29,16 @@ fn missed(
     Ok(findings)
 }
 
+/// How far each sample is off the legs for which it can stand; nothing where that is not known.
+pub(super) fn deviations(record: &Record<'_>) -> Vec<f64> {
+    let Ok((route, matching)) = &record.matched else { return Vec::new() };
+    let off = |(point, (first, last)): (&Nine, &(usize, usize))| {
+        let legs = route.legs.get(*first..=*last).unwrap_or_default();
+        legs.iter().map(|leg| leg.curve.away(point)).reduce(f64::min).unwrap_or(0.0)
+    };
+    record.points.iter().zip(&matching.legs).map(off).collect()
+}
+
 /// Rule trajectory.deviation. Every commanded point is within P of the programmed path (G64 P, section 2.3.1.3: the tool path
 /// can stay within the tolerance); on it where the path is exact (G61, G61.1: followed exactly). A row of lines that may be
 /// merged is Q wider.

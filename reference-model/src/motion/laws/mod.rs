@@ -80,5 +80,19 @@ pub fn judge_under(
     Judgement(Law::ALL.iter().map(|law| (*law, verdict(law))).collect())
 }
 
+/// How far each sample is off the programmed path (millimetres, and degrees of rotary axes): off the nearest point of the legs for which it
+/// can stand. Nothing where samples cannot be matched to a path.
+pub fn deviations(
+    samples: &Samples,
+    path: &ProgrammedPath,
+    limits: &MotionLimits,
+    script: &MotionScript,
+) -> Vec<f64> {
+    if samples.is_empty() {
+        return Vec::new();
+    }
+    following::deviations(&Record::new(Readings::default(), samples, path, limits, script))
+}
+
 #[cfg(test)]
 mod tests;

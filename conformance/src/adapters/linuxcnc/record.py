@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Runs one program on LinuxCNC, and writes what the servo thread commands in each cycle.
+
+LinuxCNC starts this script as its display, and shuts itself down when it exits. The program is `programs/main.ngc`, the
+samples go to `samples.txt`. What went wrong is told in a line that begins with the mark.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import time
+
+import linuxcnc
+
+MARK = "@gaugeblock@ "
+PAUSE = 0.01
+# Seconds of rest that are recorded before and after the motion.
+REST = 0.2
+# Seconds until the controller must have taken up the program.
+START = 5
+
+
+def report(**what):
+    sys.stdout.write(MARK + json.dumps(what) + "\n")
+    sys.stdout.flush()
+
+
+def ready(command):
+    """The program is open and the machine on."""
+    command.state(linuxcnc.STATE_ESTOP_RESET)
+    command.wait_complete()
+    command.state(linuxcnc.STATE_ON)
+    command.wait_complete()
+    command.mode(linuxcnc.MODE_AUTO)
+    command.wait_complete()
+    command.program_open(os.path.abspath("programs/main.ngc"))
+    command.wait_complete()
+
+
+def run(command, status, errors):
+    """What the controller complains of; none where the program came to its end."""
+    started = time.monotonic()
+    command.auto(linuxcnc.AUTO_RUN, 0)
+    begun = False
+    while True:
+        status.poll()
+        error = errors.poll()
+        if error:
+            return str(error[1])
+        idle = status.interp_state == linuxcnc.INTERP_IDLE
+        begun = begun or not idle
+        if begun and idle and status.inpos and status.queue == 0:
+            return None
+        if not begun and time.monotonic() - started > START:
+            # A program that is over at once may never be seen to run.
+            return None
+        time.sleep(PAUSE)
+
+
+def main():
+    command, status, errors = linuxcnc.command(), linuxcnc.stat(), linuxcnc.error_channel()
+    ready(command)
+    with open("samples.txt", "w", encoding="ascii") as samples:
+        sampler = subprocess.Popen(["halsampler", "-t"], stdout=samples)
+        time.sleep(REST)
+        complaint = run(command, status, errors)
+        time.sleep(REST)
+        sampler.terminate()
+        sampler.wait()
+    if complaint:
+        report(failed=complaint)
+    else:
+        report(recorded=True)
+
+
+main()
