@@ -61,7 +61,7 @@ pub(super) fn judge_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
         let (samples, path, limits, script) = (&samples, &path, &limits, &script);
         Drawing { title, samples, path, limits, script, told: None }.write(file)?;
     }
-    write_out(&summary.to_string());
+    write_out(&plan::told(&summary, &arguments.program));
     Ok(u8::from(!summary.holds()))
 }
 

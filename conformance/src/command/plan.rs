@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use gaugeblock_trace::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_trace::scenario::Program;
 use gaugeblock_trace::{End, Outcome, Position, Scenario};
 
 use super::controller::linuxcnc;
@@ -111,8 +112,14 @@ pub(super) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, R
         let (samples, path, limits) = (&moved.samples, &path, &limits);
         Drawing { title, samples, path, limits, script, told }.write(file)?;
     }
-    write_out(&summary.to_string());
+    write_out(&told(&summary, &arguments.file));
     Ok(u8::from(!summary.holds()))
+}
+
+/// What the laws say, with the name of the program file where the vocabulary calls it the main program.
+pub(super) fn told(summary: &Summary, file: &Path) -> String {
+    let main = format!("{}:", Program::MAIN);
+    summary.to_string().replace(&main, &format!("{}:", file.display()))
 }
 
 /// Samples, and what a planner tells of them besides: the speed along the path, and the feed that is asked for.

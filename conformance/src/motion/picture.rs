@@ -49,6 +49,8 @@ const AXES: [RGBColor; 9] = [
     RGBColor(0x66, 0x33, 0x99),
     RGBColor(0x55, 0x55, 0x55),
 ];
+/// What is no farther off the path than this is on it, millimetres.
+const ON_PATH: f64 = 1e-6;
 /// More points than this in one curve nobody can see.
 const MOST_POINTS: usize = 4000;
 
@@ -103,10 +105,12 @@ impl Picture<'_> {
             f64::from(wide.saturating_sub(80)) / f64::from(high.saturating_sub(80)),
         );
         let worst = self.deviation.iter().copied().fold(0.0, f64::max);
-        let off = if worst > 0.0 {
-            format!("; blue: on the path, red: {worst:.4} mm off it")
-        } else {
+        let off = if worst > ON_PATH {
+            format!("; blue: on the path, red: {worst:.6} mm off it")
+        } else if self.deviation.is_empty() {
             String::new()
+        } else {
+            "; all of it on the path".to_owned()
         };
         let mut chart = ChartBuilder::on(area)
             .caption(format!("{what}{off}"), ("sans-serif", 14).into_font().color(&INK))
@@ -125,7 +129,7 @@ impl Picture<'_> {
         for piece in pieces(self.commanded.len()) {
             let off = self.deviation.get(piece.clone()).unwrap_or_default();
             let off = off.iter().copied().fold(0.0, f64::max);
-            let colour = heat(if worst > 0.0 { off / worst } else { 0.0 });
+            let colour = heat(if worst > ON_PATH { off / worst } else { 0.0 });
             let points = self.commanded[piece].iter().map(flat);
             chart.draw_series(LineSeries::new(points, colour.stroke_width(1)))?;
         }

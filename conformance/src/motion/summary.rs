@@ -85,7 +85,8 @@ impl fmt::Display for Summary {
                 Verdict::NothingAsked => writeln!(f, "  not asked   {law}")?,
                 Verdict::NotJudged(why) => writeln!(f, "  not judged  {law}: {why}")?,
                 Verdict::Broken(violations) => {
-                    writeln!(f, "  broken      {law}, {} times", violations.len())?;
+                    let times = if violations.len() == 1 { "time" } else { "times" };
+                    writeln!(f, "  broken      {law}, {} {times}", violations.len())?;
                 }
             }
         }

@@ -368,7 +368,7 @@ mod tests {
         for part in [0.0, 0.31, 0.5, 0.77, 1.0] {
             assert!(curve.away(&curve.at(part)) < 1e-9);
             let mut beside = curve.at(part);
-            beside[3] += 0.25;
+            beside[8] += 0.25;
             assert!((curve.away(&beside) - 0.25).abs() < 1e-9);
         }
     }

@@ -147,8 +147,10 @@ fn compare(pin: Pin, values: &[f64], asked: &[Expected], findings: &mut Findings
                     sample.saturating_sub(wanted.last)
                 };
                 let when = if sample < wanted.first { "early" } else { "late" };
-                let words =
-                    || format!("{pin} becomes {value} in cycle {sample}, {off} cycles too {when}");
+                let cycles = if off == 1 { "cycle" } else { "cycles" };
+                let words = || {
+                    format!("{pin} becomes {value} in cycle {sample}, {off} {cycles} too {when}")
+                };
                 findings.at_most(sample, None, (count(off), 0.0), (0.0, &words));
             }
             _ if brief || !wanted.certain => (),

@@ -34,7 +34,7 @@ fn an_output_switches_with_its_motion() {
         lawful(&judged(&points, &path, Some(good)));
     }
     let message = broken(&judged(&points, &path, Some(nearest + 2)), Law::Outputs);
-    assert!(message.contains("1 cycles too late"), "{message}");
+    assert!(message.contains("1 cycle too late"), "{message}");
     broken(&judged(&points, &path, Some(nearest - 2)), Law::Outputs);
     broken(&judged(&points, &path, None), Law::Outputs);
     broken(&judged(&points, &lines(false, 0.0), Some(nearest)), Law::Outputs);
