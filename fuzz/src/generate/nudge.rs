@@ -5,28 +5,34 @@ use gaugeblock_trace::Scenario;
 /// Functions whose results differ in the last bit from one library to the next.
 const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "asin", "acos", "atan", "exp", "ln"];
 
+/// Those whose argument is turned into radians, which moves their zeros.
+const OF_ANGLES: &[&str] = &["sin", "cos", "tan"];
+
+/// About the last bit of an angle in radians.
+const LAST_BIT: &str = "0.0000000000000002";
+
 /// One and its neighbours, as they are written.
 const UP: &str = "1.0000000000000002";
 const DOWN: &str = "0.9999999999999999";
 
-/// The scenario with the result of each function moved up or down by about one unit in its last place; none where no function
-/// stands. If its outcome is another one, nothing can be said of the program.
+/// The scenario with the result of each function moved up or down by about one unit in its last place, and that of an angle's function by
+/// as much as one in the angle's moves it; none where no function stands. If its outcome is another one, nothing can be said of the program.
 pub fn nudged(scenario: &Scenario, up: bool) -> Option<Scenario> {
-    let factor = if up { UP } else { DOWN };
     let mut other = scenario.clone();
-    other.program.main = text(&scenario.program.main, factor);
+    other.program.main = text(&scenario.program.main, up);
     for (name, file) in &scenario.program.files {
-        other.program.files.insert(name.clone(), text(file, factor));
+        other.program.files.insert(name.clone(), text(file, up));
     }
     (other.program != scenario.program).then_some(other)
 }
 
-fn text(text: &str, factor: &str) -> String {
-    text.split_inclusive('\n').map(|piece| line(piece, factor)).collect()
+fn text(text: &str, up: bool) -> String {
+    text.split_inclusive('\n').map(|piece| line(piece, up)).collect()
 }
 
 /// Inner functions stand to the right of outer ones, so that they are wrapped first.
-fn line(line: &str, factor: &str) -> String {
+fn line(line: &str, up: bool) -> String {
+    let (factor, sign) = if up { (UP, '+') } else { (DOWN, '-') };
     let mut line = line.to_owned();
     let lower = line.to_ascii_lowercase();
     let speech = lower.find(['(', ';']).unwrap_or(lower.len());
@@ -36,8 +42,14 @@ fn line(line: &str, factor: &str) -> String {
             |name: &&&str| rest.strip_prefix(**name).is_some_and(|rest| rest.starts_with('['));
         let in_word = at > 0 && lower.as_bytes()[at - 1].is_ascii_alphabetic();
         let named = FUNCTIONS.iter().find(begins).filter(|_| !in_word);
-        if let Some(end) = named.and_then(|name| end_of(&line, at + name.len())) {
-            let wrapped = format!("[{} * {factor}]", &line[at..end]);
+        let Some(name) = named else { continue };
+        if let Some(end) = end_of(&line, at + name.len()) {
+            let call = &line[at..end];
+            let wrapped = if OF_ANGLES.contains(name) {
+                format!("[{call} * {factor} {sign} {LAST_BIT}]")
+            } else {
+                format!("[{call} * {factor}]")
+            };
             line.replace_range(at..end, &wrapped);
         }
     }
@@ -69,11 +81,13 @@ mod tests {
     fn every_function_is_moved() {
         let up = |text| nudged(&Scenario::of(text), true).map(|other| other.program.main);
         assert_eq!(up("g1 x[1 + 2] (sin[1])\n"), None);
-        assert_eq!(up("x sin[30]\n").unwrap(), format!("x [sin[30] * {UP}]\n"));
+        assert_eq!(up("x sin[30]\n").unwrap(), format!("x [sin[30] * {UP} + {LAST_BIT}]\n"));
         assert_eq!(
             up("#1 = atan[1]/[cos[2]]\n").unwrap(),
-            format!("#1 = [atan[1]/[[cos[2] * {UP}]] * {UP}]\n")
+            format!("#1 = [atan[1]/[[cos[2] * {UP} + {LAST_BIT}]] * {UP}]\n")
         );
+        let down = nudged(&Scenario::of("#1 = tan[180]\n"), false).map(|other| other.program.main);
+        assert_eq!(down.unwrap(), format!("#1 = [tan[180] * {DOWN} - {LAST_BIT}]\n"));
         assert_eq!(up("#1 = ASIN[.5]\n").unwrap(), format!("#1 = [ASIN[.5] * {UP}]\n"));
     }
 }
