@@ -194,6 +194,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.off-not-restored",
     "rs274.orientation-too-large",
     "rs274.oriented-as-stopped",
+    "rs274.orient-forgets-turning",
     "rs274.orient-without-angle",
     "rs274.orient-without-timeout",
     "rs274.origin-number-cut",

@@ -39,6 +39,8 @@ pub(super) struct Canon {
     /// Value of #5399 after the block, which an M66 has read.
     read: f64,
     block: String,
+    /// Whether M19 has made the interpreter take the spindles for stopped.
+    forgotten: bool,
 }
 
 impl Canon {
@@ -59,6 +61,7 @@ impl Canon {
             events: Vec::new(),
             read: 0.0,
             block: String::new(),
+            forgotten: false,
         }
     }
 
@@ -79,9 +82,12 @@ impl Canon {
         let modes = state::modes(after, &self.now, &self.block)?;
         self.set(modes);
         let mut others = state::others(after);
-        if self.now.spindle.as_ref().and_then(|all| all.0.get(&0)) == Some(&SpindleTurn::Oriented)
-            && !after.is("_spindle_on")
-        {
+        // After M19 the interpreter takes every spindle for stopped; the commands tell how they turn.
+        let oriented =
+            self.now.spindle.as_ref().and_then(|all| all.0.get(&0)) == Some(&SpindleTurn::Oriented);
+        self.forgotten |= oriented || self.block.contains("m19");
+        self.forgotten &= !after.is("_spindle_on");
+        if self.forgotten {
             others.spindle = None;
         }
         others.work_offset = u32::try_from(after.mode("_coord_system")).ok().map(work_offset);

@@ -108,9 +108,21 @@ pub struct Spindle {
     pub speed_override: Switch,
     /// Whether a speed has released its brake since it was stopped; only a quirk asks for it.
     pub brake_released: bool,
+    /// Whether the interpreter takes it for stopped, however it turns; only a quirk asks for it.
+    pub taken_for_stopped: bool,
 }
 
 impl Spindle {
+    /// How it turns, as far as the interpreter knows.
+    pub fn known_turn(&self) -> SpindleTurn {
+        match self.turn {
+            SpindleTurn::Clockwise | SpindleTurn::Counterclockwise if self.taken_for_stopped => {
+                SpindleTurn::Stopped
+            }
+            turn => turn,
+        }
+    }
+
     /// A spindle before the first block.
     pub const AT_START: Self = Self {
         speed: 0.0,
@@ -119,6 +131,7 @@ impl Spindle {
         turn: SpindleTurn::Stopped,
         speed_override: Switch::On,
         brake_released: false,
+        taken_for_stopped: false,
     };
 }
 

@@ -64,7 +64,7 @@ const PREDEFINED: &[Predefined] = &[
     Predefined("_lathe_radius_mode", "parameters.lathe-mode", |state| lathe(state, Lathe::Radius)),
     Predefined("_spindle_on", "parameters.spindle-status", spindle_on),
     Predefined("_spindle_cw", "parameters.spindle-status", |state| {
-        flag(spindle(state).turn == SpindleTurn::Clockwise)
+        flag(spindle(state).known_turn() == SpindleTurn::Clockwise)
     }),
     Predefined("_mist", "parameters.coolant", |state| flag(state.modes.mist == Switch::On)),
     Predefined("_flood", "parameters.coolant", |state| flag(state.modes.flood == Switch::On)),
@@ -160,10 +160,11 @@ fn spindle(state: &State) -> Spindle {
 /// Rule parameters.spindle-status. `_spindle_on` is 1 after M3 or M4.
 /// Choice parameters.spindle-on-at-zero: as commanded, or as it turns, which it does not at a speed of zero.
 fn spindle_on(state: &State) -> f64 {
-    let Spindle { turn, speed, .. } = spindle(state);
-    let commanded = matches!(turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise);
+    let spindle = spindle(state);
+    let commanded =
+        matches!(spindle.known_turn(), SpindleTurn::Clockwise | SpindleTurn::Counterclockwise);
     let by_command = state.readings.is("parameters.spindle-on-at-zero", "commanded");
-    flag(commanded && (by_command || speed > 0.0))
+    flag(commanded && (by_command || spindle.speed > 0.0))
 }
 
 /// Rule parameters.motion-mode. `_motion_mode` is ten times the number of the active motion code; 800 for G80.

@@ -129,23 +129,30 @@ fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Hal
             return Err(refuse("rs274.surface-speed-restore", FaultKind::MissingWord, message));
         }
     }
+    let (turn, taken_for_stopped) = restored(saved, now, state);
     Ok(Spindle {
         speed,
         mode: saved.mode,
         limit,
-        turn: restored(saved.turn, now.turn, state),
+        turn,
         speed_override: now.speed_override,
         brake_released: now.brake_released,
+        taken_for_stopped,
     })
 }
 
 /// Quirk rs274.oriented-as-stopped. A spindle that has been oriented is taken for one that is stopped, which it was at the save.
-fn restored(saved: SpindleTurn, now: SpindleTurn, state: &State) -> SpindleTurn {
-    let stays = saved == SpindleTurn::Stopped && now == SpindleTurn::Oriented;
-    if stays && state.readings.quirk("rs274.oriented-as-stopped") {
-        return now;
+/// Quirk rs274.orient-forgets-turning. One that is taken for stopped is not stopped either. Returns how it turns, and whether it is taken
+/// for stopped.
+fn restored(saved: &Spindle, now: &Spindle, state: &State) -> (SpindleTurn, bool) {
+    let was_stopped = saved.known_turn() == SpindleTurn::Stopped;
+    let oriented = now.turn == SpindleTurn::Oriented;
+    if was_stopped && oriented && state.readings.quirk("rs274.oriented-as-stopped")
+        || was_stopped && now.taken_for_stopped
+    {
+        return (now.turn, now.taken_for_stopped);
     }
-    restored_turn(saved, now)
+    (restored_turn(saved.known_turn(), now.turn), false)
 }
 
 /// A number as it is written with so many decimals.
@@ -206,7 +213,7 @@ pub(crate) fn disabled_by_path(saved: &Modes, now: &Modes, state: &State) -> Opt
     }
     let comes_on = |saved: Switch, now: Switch| saved == Switch::On && now == Switch::Off;
     let none = |modes: &Modes| modes.mist == Switch::Off && modes.flood == Switch::Off;
-    let earlier = saved.spindles[0].turn != now.spindles[0].turn
+    let earlier = saved.spindles[0].known_turn() != now.spindles[0].known_turn()
         || comes_on(saved.mist, now.mist)
         || comes_on(saved.flood, now.flood)
         || none(saved) && !none(now);

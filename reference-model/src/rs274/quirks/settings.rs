@@ -126,6 +126,15 @@ pub(crate) fn program_end(state: &mut State) {
     }
 }
 
+/// Quirk rs274.orient-forgets-turning. After M19 every spindle is taken for stopped, until it is started again.
+pub(crate) fn forget_turning(state: &mut State) {
+    if state.readings.quirk("rs274.orient-forgets-turning") {
+        for spindle in &mut state.modes.spindles {
+            spindle.taken_for_stopped = true;
+        }
+    }
+}
+
 /// Quirk linuxcnc.speed-releases-brake. A speed releases the brake of a spindle that stands, until the next stop.
 pub(crate) fn speed_while_standing(place: usize, state: &mut State) {
     let quirk = state.readings.quirk("linuxcnc.speed-releases-brake");

@@ -7,6 +7,7 @@ use super::spindle::{all, number};
 use super::{pass, whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::outside::Orientation;
+use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::{Record, are_shown};
@@ -26,6 +27,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     let angle = angle(words, state)?;
     let direction = direction(words, state)?;
     let timeout = timeout(words, state)?;
+    quirks::forget_turning(state);
     if angle.is_some() {
         for place in &spindles {
             state.modes.spindles[*place].turn = SpindleTurn::Oriented;

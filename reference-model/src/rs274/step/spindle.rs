@@ -135,6 +135,7 @@ pub fn turn(words: &Words, state: &mut State) -> Result<(), Halt> {
 pub(crate) fn set_turn(turn: SpindleTurn, place: usize, state: &mut State) {
     state.modes.spindles[place].turn = turn;
     state.modes.spindles[place].brake_released = false;
+    state.modes.spindles[place].taken_for_stopped = false;
     orient::clear(place, state);
 }
 

@@ -85,7 +85,7 @@ pub(super) fn possible(cycle: &Cycle, state: &mut State) -> Result<(), Halt> {
         Kind::TapRight => tapping::possible(cycle, SpindleTurn::Clockwise, state),
         Kind::BoreSpindleStop => {
             let rule = "cycles.bore-needs-spindle";
-            let turn = state.modes.spindles[cycle.spindle].turn;
+            let turn = state.modes.spindles[cycle.spindle].known_turn();
             if matches!(turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
                 let message = "G86 while the spindle does not turn";
                 return Err(refuse(rule, FaultKind::ZeroSpeed, message));

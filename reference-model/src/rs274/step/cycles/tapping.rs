@@ -15,7 +15,7 @@ pub(super) fn possible(cycle: &Cycle, cutting: SpindleTurn, state: &State) -> Re
     if state.readings.is(rule, "any") {
         return Ok(());
     }
-    let kind = match state.modes.spindles[cycle.spindle].turn {
+    let kind = match state.modes.spindles[cycle.spindle].known_turn() {
         turn if turn == cutting => return Ok(()),
         SpindleTurn::Stopped | SpindleTurn::Oriented => FaultKind::ZeroSpeed,
         SpindleTurn::Clockwise | SpindleTurn::Counterclockwise => FaultKind::ModalConflict,

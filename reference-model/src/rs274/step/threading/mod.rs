@@ -81,7 +81,8 @@ fn selected_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
 /// Rule threading.needs-spindle. It turns; whether G76 too needs that is choice threading.cycle-spindle.
 fn turning_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
     let place = selected_spindle(words, state)?;
-    if matches!(state.modes.spindles[place].turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
+    let turn = state.modes.spindles[place].known_turn();
+    if matches!(turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
         let message = "a synchronised move while the spindle does not turn";
         return Err(refuse("threading.needs-spindle", FaultKind::ZeroSpeed, message));
     }
