@@ -115,12 +115,8 @@ pub struct Spindle {
 impl Spindle {
     /// How it turns, as far as the interpreter knows.
     pub fn known_turn(&self) -> SpindleTurn {
-        match self.turn {
-            SpindleTurn::Clockwise | SpindleTurn::Counterclockwise if self.taken_for_stopped => {
-                SpindleTurn::Stopped
-            }
-            turn => turn,
-        }
+        let turns = matches!(self.turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise);
+        if turns && self.taken_for_stopped { SpindleTurn::Stopped } else { self.turn }
     }
 
     /// A spindle before the first block.
