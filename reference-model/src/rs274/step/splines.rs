@@ -3,7 +3,7 @@
 use gaugeblock_trace::{Compensation, Distance, Effect, FaultKind, Motion, Plane, Position};
 
 use super::target::end_point;
-use super::{outputs, whole, word};
+use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::splines as quirks;
@@ -72,7 +72,6 @@ pub(super) fn perform(
     }
     state.curve.continues = motion == Motion::CubicSpline;
     state.position = end;
-    outputs::motion_begins(state);
     let points = if motion == Motion::CubicSpline { CUBIC } else { QUADRATIC };
     record.effect(state, Effect::NurbsFeed { points, end });
     Ok(())
@@ -200,7 +199,6 @@ fn close(nurbs: &Nurbs, state: &mut State, record: &mut Record) -> Result<(), Ha
     };
     state.modes.motion = Motion::None;
     state.position = end;
-    outputs::motion_begins(state);
     record.effect(state, Effect::NurbsFeed { points, end });
     state.evidence.accepted("splines.nurbs");
     if nurbs.order == DEFAULT_ORDER {
