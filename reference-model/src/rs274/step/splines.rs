@@ -1,6 +1,8 @@
 //! G5, G5.1, and the blocks between G5.2 and G5.3: splines in the XY plane.
 
-use gaugeblock_trace::{Compensation, Distance, Effect, FaultKind, Motion, Plane, Position};
+use gaugeblock_trace::{
+    Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Plane, Position,
+};
 
 use super::target::end_point;
 use super::{whole, word};
@@ -149,6 +151,9 @@ pub(super) fn nurbs(words: &Words, state: &mut State, record: &mut Record) -> Re
         || closes && (has_axis_words(words) || state.curve.open.is_none())
     {
         return Err(open("a G5.2 in an open data block, or a G5.3 without one or with a point"));
+    }
+    if state.modes.feed_mode == FeedMode::InverseTime {
+        return Err(open("which block of a NURBS has the F of inverse time"));
     }
     let at_opening = state.readings.is("splines.nurbs-feed", "at-opening");
     if if at_opening { opens } else { closes } {
