@@ -140,6 +140,7 @@ impl View<'_> {
         };
         // An integer has no negative zero.
         let value = if decimals == 0 && value.abs() <= 0.5 { 0.0 } else { value };
+        let value = if self.packer.choices.zero_signed { value } else { value + 0.0 };
         // Writing into a text cannot fail.
         let _done = write!(text, "{value:.places$}", places = usize::from(decimals));
     }

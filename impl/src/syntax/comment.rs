@@ -142,7 +142,8 @@ fn parameter(packer: &mut Packer, text: &[u8], into: &mut Segment) -> Option<(Pi
         let close = after_sign.iter().position(|byte| *byte == b'>')?;
         let name = after_sign.get(..=close)?;
         let mut cursor = Cursor::new(name);
-        let place = packer.named(&mut cursor).ok()?;
+        // What can be the name of no parameter is one that does not exist.
+        let place = packer.named(&mut cursor).unwrap_or(Place::Absent);
         let piece = match place {
             Place::Local(id) => Piece::Local(id),
             Place::Global(id) => Piece::Global(id),

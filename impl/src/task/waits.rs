@@ -131,6 +131,8 @@ impl<M: Machine> Desk<M> {
     /// M19 waits for the encoder (11.6.8).
     pub(super) fn wait_orient(&mut self, spindle: u32, timeout: f64, effect: &Effect) -> Reply {
         let reply = self.machine.perform(self.line, effect);
+        // One that answers at once is held while another one is still waited for.
+        self.look_at_spindles();
         match self.wait_for(Work::Orientation(spindle), Some(timeout)) {
             Ok(Reply::Done) => {
                 self.followed.lock(spindle);

@@ -182,6 +182,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.machine-rotary-offset",
     "rs274.machine-under-zero-radius",
     "rs274.machine-without-axes",
+    "rs274.machine-zero-sign",
     "rs274.message-blanks",
     "rs274.message-parameter-zero",
     "rs274.message-small-value",

@@ -100,4 +100,7 @@ fn overlapping_structures_are_not_specified() {
     assert_eq!(ending(&overlap), "unspecified at main.ngc:3");
     let crossed = outcome("o1 if [1]\no2 if [1]\no1 endif\no2 endif\nm2\n");
     assert_eq!(ending(&crossed), "unspecified at main.ngc:3");
+    // The skipped condition leads out of the loop in which it begins.
+    let behind = outcome("o1 while [1]\no2 if [0]\no1 endwhile\no2 endif\no1 break\nm2\n");
+    assert_eq!(ending(&behind), "unspecified at main.ngc:5");
 }

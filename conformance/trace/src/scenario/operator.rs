@@ -10,6 +10,11 @@
 //!
 //! **A pause** holds what has not begun: the next move, the next block. What waits for something outside goes on waiting.
 //!
+//! **A block is done move by move**, also where it is a canned cycle. Before a move that is held everything has been done that comes before it
+//! in its block, the start of synchronisation with a spindle too, and is recorded although the block is not over; nothing that comes
+//! after it has, not even that outputs switch which wait for a motion. An abort leaves the controlled point where the last move has led.
+//! M19 waits for one spindle after the other, each wait being told of where it begins.
+//!
 //! **Blocks by hand** are lines of the file `mdi`, the line being the place of the event among those that enter one, from 1, as they are
 //! listed. So a block has a name whatever becomes of the others, and events can stand at it.
 //!

@@ -197,8 +197,7 @@ impl Control {
         let earlier = |definition: &&Definition| {
             definition.keyword == head && definition.line < self.place.line
         };
-        let mut earlier = self.definitions(label).iter().filter(earlier);
-        let first = if to_first { earlier.next() } else { earlier.next_back() };
+        let first = self.definitions(label).iter().find(earlier).filter(|_| to_first);
         Some(first.map_or(last, |definition| definition.line))
     }
 
@@ -232,6 +231,7 @@ impl Control {
     /// Rule control.break. It leaves the loop at once.
     pub(super) fn break_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         let (place, structure, first) = self.loop_of(label, state)?;
+        self.within(label, structure, first, state)?;
         let left = state.frame_mut().open.split_off(place);
         if left.iter().any(|open| is_repeat(open.structure)) {
             state.evidence.accepted("control.break-in-repeat");
@@ -244,6 +244,23 @@ impl Control {
         left.into_iter().for_each(|open| state.frame_mut().end(open));
         state.evidence.accepted("control.break");
         Ok(Next::At(self.line(line + 1)))
+    }
+
+    /// A break or continue stands in the loop that it names. One behind it is reached only where a condition that was skipped overlaps the loop,
+    /// which the documents do not know.
+    fn within(
+        &self,
+        label: &str,
+        structure: Structure,
+        first: u32,
+        state: &mut State,
+    ) -> Result<(), Halt> {
+        let end = self.find(label, &[structure.end()], first, state);
+        if end.is_some_and(|end| end < self.place.line) {
+            let why = format!("{} is named behind its end", o_word(label));
+            return Err(Halt::Unspecified(why));
+        }
+        Ok(())
     }
 
     /// What a loop holds ends before it does: the documents do not know conditions and loops that overlap.
@@ -261,6 +278,7 @@ impl Control {
     /// Rule control.continue. It goes to the next test of the condition.
     pub(super) fn continue_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         let (place, structure, first) = self.loop_of(label, state)?;
+        self.within(label, structure, first, state)?;
         state.frame_mut().open.truncate(place + 1);
         state.evidence.accepted("control.continue");
         if structure == Structure::Do {

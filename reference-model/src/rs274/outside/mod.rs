@@ -108,12 +108,16 @@ impl Outside {
 
     /// A wait that was counted as a whole is broken off now: what would have come about by its end has not, neither on the pins nor with
     /// spindles on their way.
-    pub(crate) fn drop_what_was_to_come(&mut self, before: &Self) {
+    ///
+    /// There were so many changes of pins when the wait was counted; what has changed since is what somebody did meanwhile.
+    pub(crate) fn drop_what_was_to_come(&mut self, before: &Self, counted: usize) {
         let known = before.changes.len();
         let (began, now) = (before.time, self.time);
+        let meanwhile = self.changes.split_off(counted);
         let later = self.changes.split_off(known);
         self.levels.clone_from(&before.levels);
-        for change in later.into_iter().filter(|change| change.time < now || change.time <= began) {
+        let has_come = |change: &PinChange| change.time < now || change.time <= began;
+        for change in later.into_iter().filter(has_come).chain(meanwhile) {
             self.levels.insert(change.pin, change.value);
             self.changes.push(change);
         }

@@ -40,26 +40,22 @@ impl Outside {
         touching == (wanted == Wanted::Touching)
     }
 
-    /// Where the probe changes on a straight move between two machine positions, if it does; it stays like that as long as the
-    /// controlled point is there.
-    pub(crate) fn probe(
-        &mut self,
-        wanted: Wanted,
-        from: Position,
-        to: Position,
-    ) -> Option<Position> {
-        let contact = if self.is_stand_alone() {
-            Some(to)
-        } else {
-            match self.bench.probe {
-                Some(ProbeContact::AtTarget) => Some(to),
-                Some(ProbeContact::At(point)) => on_the_way(point, from, to),
-                Some(ProbeContact::Never) | None => None,
-            }
-        };
-        let touching = contact.is_some() == (wanted == Wanted::Touching);
-        self.probed = Some(Probed { at: contact.unwrap_or(to), touching });
-        contact
+    /// Where the probe changes on a straight move between two machine positions, if it does.
+    pub(crate) fn probe(&self, from: Position, to: Position) -> Option<Position> {
+        if self.is_stand_alone() {
+            return Some(to);
+        }
+        match self.bench.probe {
+            Some(ProbeContact::AtTarget) => Some(to),
+            Some(ProbeContact::At(point)) => on_the_way(point, from, to),
+            Some(ProbeContact::Never) | None => None,
+        }
+    }
+
+    /// A probing move has been made; the probe stays as it is as long as the controlled point is there.
+    pub(crate) fn has_probed(&mut self, wanted: Wanted, to: Position, changed: Option<Position>) {
+        let touching = changed.is_some() == (wanted == Wanted::Touching);
+        self.probed = Some(Probed { at: changed.unwrap_or(to), touching });
     }
 }
 

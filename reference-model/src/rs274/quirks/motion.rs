@@ -29,6 +29,11 @@ pub(crate) fn machine_without_axes(words: &Words, state: &State) -> bool {
     programmed && state.readings.quirk("rs274.machine-without-axes")
 }
 
+/// Quirk rs274.machine-zero-sign. G53 computes the axes anew that it does not move.
+pub(crate) fn computes_all_anew(state: &State) -> bool {
+    state.readings.quirk("rs274.machine-zero-sign")
+}
+
 /// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, or the program end turns back to G54, the point
 /// is turned without the local offset, which it keeps as it was.
 pub(crate) fn turn_system(reload: fn(&mut State), state: &mut State) {

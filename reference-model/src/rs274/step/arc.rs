@@ -8,7 +8,7 @@ use gaugeblock_trace::{
 };
 
 use super::target::{end_point, letter};
-use super::{outputs, whole, word};
+use super::{whole, word};
 use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::motion as quirks;
@@ -62,7 +62,6 @@ pub(super) fn perform(
     accepted(axes, start, end, state);
     state.modes.motion = motion;
     state.position = end;
-    outputs::motion_begins(state);
     let turns = if clockwise { -turns } else { turns };
     let (first_centre, second_centre) = centre;
     record.effect(state, Effect::ArcFeed { end, first_centre, second_centre, turns });

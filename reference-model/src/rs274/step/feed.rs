@@ -3,7 +3,6 @@
 use gaugeblock_trace::{FaultKind, FeedMode, Motion, Switch};
 
 use super::motion::{is_feed, motion_of};
-use super::positions;
 use super::probe::is_probing;
 use super::spindle::number;
 use super::word;
@@ -96,24 +95,35 @@ pub(crate) fn may_be_held(state: &State) -> bool {
         || state.outside.feed_stop()
 }
 
+/// By what the speed of a move goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Speed {
+    /// As fast as the axes can.
+    Rapid,
+    /// The feed.
+    Feed,
+    /// A spindle, whatever the feed is.
+    Spindle,
+}
+
 /// Whether a move is held where it begins: it goes on once nothing holds it any more.
 ///
 /// Rule overrides.feed-influence. A feed override of zero holds a feed move while the control is enabled; while it is
-/// disabled it has no influence (overrides.feed-no-influence).
+/// disabled it has no influence (overrides.feed-no-influence). Of rapid moves, which have an override of their own, and of those in step
+/// with a spindle these controls do not speak.
 /// Rule overrides.adaptive-feed-zero. With adaptive feed an input of zero is as good as a feed hold, whatever the feed
 /// override does (overrides.adaptive-feed-alone); without it the input has no influence
 /// (overrides.adaptive-feed-no-influence).
 /// Rule overrides.feed-stop-holds. While the feed stop is enabled its input holds every move; while it is disabled it has no
 /// effect (overrides.feed-stop-no-effect).
-pub(crate) fn is_held(words: &Words, state: &mut State) -> bool {
-    let traverse = positions::moves(words) || motion_of(words, state) == Some(Motion::Traverse);
+pub(crate) fn is_held(speed: Speed, state: &mut State) -> bool {
     let panel = &state.panel;
-    let factor = if traverse { panel.rapid_override } else { panel.feed_override };
+    let feed_override = speed == Speed::Feed && panel.feed_override <= 0.0;
     let (adaptive, stop) = (state.outside.adaptive_feed(), state.outside.feed_stop());
     let controls = [
         (
             state.modes.feed_override,
-            factor <= 0.0,
+            feed_override,
             ["overrides.feed-influence", "overrides.feed-no-influence"],
         ),
         (
@@ -127,7 +137,7 @@ pub(crate) fn is_held(words: &Words, state: &mut State) -> bool {
             ["overrides.feed-stop-holds", "overrides.feed-stop-no-effect"],
         ),
     ];
-    let mut held = false;
+    let mut held = speed == Speed::Rapid && panel.rapid_override <= 0.0;
     for (control, asks, [counts, does_not_count]) in controls {
         let enabled = control == Switch::On;
         if asks {

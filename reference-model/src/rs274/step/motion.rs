@@ -6,7 +6,7 @@ use gaugeblock_trace::{
 
 use super::arc;
 use super::target::{end_point, machine_end_point};
-use super::{cycles, outputs, probe, splines, threading, word};
+use super::{cycles, probe, splines, threading, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
 use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
@@ -170,7 +170,6 @@ fn move_to(
     motion_quirks::feed_of_move(motion, end, state);
     state.position = end;
     accepted(motion, end, words, state);
-    outputs::motion_begins(state);
     let effect = if motion == Motion::Feed {
         Effect::StraightFeed { end }
     } else {

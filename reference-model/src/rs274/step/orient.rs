@@ -47,8 +47,8 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     let Some(timeout) = timeout else { return Ok(()) };
     for place in spindles {
         let Ok(spindle) = u32::try_from(place) else { continue };
-        wait(place, timeout, state)?;
         record.effect(state, Effect::WaitOrient { spindle, timeout });
+        wait(place, timeout, state, record)?;
     }
     Ok(())
 }
@@ -155,7 +155,7 @@ fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State
 
 /// Rule orient.timeout. A spindle that does not stand at its angle within Q seconds is an error.
 /// Rule orient.fault. So is a fault that its encoder reports.
-fn wait(place: usize, timeout: f64, state: &mut State) -> Result<(), Halt> {
+fn wait(place: usize, timeout: f64, state: &mut State, record: &mut Record) -> Result<(), Halt> {
     let Some(orientation) = state.outside.orientation(place) else { return Ok(()) };
     if let Some(fault) = orientation.fault() {
         let message = format!("spindle {place} reports the fault {fault} on its way to its angle");
@@ -165,13 +165,13 @@ fn wait(place: usize, timeout: f64, state: &mut State) -> Result<(), Halt> {
     let remaining = orientation.done().map(|done| (done - state.outside.time()).max(0.0));
     match remaining.filter(|seconds| *seconds <= timeout) {
         Some(seconds) => {
-            pass(seconds, state);
+            record.wait(state, seconds);
             state.evidence.accepted("orient.wait");
             state.evidence.accepted("orient.timeout");
             Ok(())
         }
         None => {
-            pass(timeout, state);
+            record.wait(state, timeout);
             let message = format!("spindle {place} is not at its angle after {timeout} seconds");
             Err(refuse("orient.timeout", FaultKind::Orient, message))
         }

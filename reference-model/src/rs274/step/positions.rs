@@ -41,16 +41,15 @@ pub(super) fn perform(words: &Words, state: &mut State, record: &mut Record) -> 
     if second {
         state.evidence.accepted("positions.second");
     }
-    if !moves(words) {
-        store(first, state);
-        return Ok(());
-    }
     let turns = [Axis::X, Axis::Y].iter().all(|axis| state.machine.axes.contains(axis));
     if state.modes.rotation != 0.0 && !turns {
         let why = "where a stored position is in a rotated system of a machine without X or Y";
         return Err(Halt::Unspecified(why.to_owned()));
     }
-    if has_axis_words(words) {
+    if !moves(words) {
+        store(first, state);
+        Ok(())
+    } else if has_axis_words(words) {
         by_way_of(first, words, state, record)
     } else {
         straight(first, state, record);

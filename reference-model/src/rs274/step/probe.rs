@@ -4,7 +4,7 @@ use gaugeblock_trace::{
     Axis, Compensation, Effect, FaultKind, FeedMode, LengthUnit, Motion, Position,
 };
 
-use super::outputs;
+use super::feed::Speed;
 use super::target::end_point;
 use crate::math;
 use crate::rs274::machine::State;
@@ -36,7 +36,8 @@ pub(crate) fn is_probing(motion: Motion) -> bool {
 /// Rule probe.point-without-contact. Where it did not change they are the programmed point, and #5070 is 0.
 ///
 /// # Errors
-/// Those of `allowed`, and rule probe.failure: under G38.2 and G38.4 it must change.
+/// Those of `allowed`; rule probe.already-there: when the move begins the probe is not yet as it wants it; and rule probe.failure: under
+/// G38.2 and G38.4 it must change.
 pub(super) fn perform(
     motion: Motion,
     words: &Words,
@@ -45,19 +46,28 @@ pub(super) fn perform(
 ) -> Result<(), Halt> {
     let toward = matches!(motion, Motion::ProbeTowardError | Motion::ProbeToward);
     let wanted = if toward { Wanted::Touching } else { Wanted::Free };
-    let end = allowed(motion, wanted, words, state)?;
+    let end = allowed(motion, words, state)?;
     let on_machine = |point: Position, state: &State| {
         converted(state.modes.machine_point(point), state.modes.units, state.machine.length_unit)
     };
     let (from, to) = (on_machine(state.position, state), on_machine(end, state));
-    let changed = state.outside.probe(wanted, from, to);
+    if record.waits_to_move(Speed::Feed, state) {
+        return Ok(());
+    }
+    let rule = "probe.already-there";
+    if state.outside.probe_is(wanted, from) {
+        let message = "the probe is as the move wants it before it moves";
+        return Err(refuse(rule, FaultKind::Probe, message));
+    }
+    state.evidence.accepted(rule);
+    let changed = state.outside.probe(from, to);
     let contact = changed.map(|point| {
         let point = converted(point, state.machine.length_unit, state.modes.units);
         if changed == Some(to) { end } else { state.modes.program_point(point) }
     });
     state.modes.motion = motion;
-    outputs::motion_begins(state);
     record.effect(state, Effect::StraightProbe { end, contact });
+    state.outside.has_probed(wanted, to, changed);
     let stops_at = contact.unwrap_or(end);
     for (number, value) in (POINT..).zip(stops_at.to_array()) {
         state.parameters.store(number, value);
@@ -94,14 +104,8 @@ fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), Halt> {
 /// Rule probe.axis-words-missing. It needs an axis word. Rule probe.under-compensation. It is refused while cutter
 /// compensation is on. Rule probe.zero-feed. It needs a feed rate, under inverse time in its block.
 /// Rule probe.same-point. The programmed point is another than the current one.
-/// Rule probe.already-there. The probe is not yet as the move wants it.
 /// Choice probe.standing-spindle: whether probing is a feed move to the rule on constant surface speed.
-fn allowed(
-    motion: Motion,
-    wanted: Wanted,
-    words: &Words,
-    state: &mut State,
-) -> Result<Position, Halt> {
+fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position, Halt> {
     if !has_axis_words(words) {
         let message = "probing without an axis word";
         return Err(refuse("probe.axis-words-missing", FaultKind::MissingWord, message));
@@ -128,18 +132,11 @@ fn allowed(
         let message = "probing to where the controlled point is";
         return Err(refuse("probe.same-point", FaultKind::Probe, message));
     }
-    let here = state.modes.machine_point(state.position);
-    let here = converted(here, state.modes.units, state.machine.length_unit);
-    if state.outside.probe_is(wanted, here) {
-        let message = "the probe is as the move wants it before it moves";
-        return Err(refuse("probe.already-there", FaultKind::Probe, message));
-    }
     for rule in [
         "probe.axis-words-missing",
         "probe.under-compensation",
         "probe.zero-feed",
         "probe.same-point",
-        "probe.already-there",
     ] {
         state.evidence.accepted(rule);
     }

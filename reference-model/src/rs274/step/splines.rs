@@ -1,9 +1,11 @@
 //! G5, G5.1, and the blocks between G5.2 and G5.3: splines in the XY plane.
 
-use gaugeblock_trace::{Compensation, Distance, Effect, FaultKind, Motion, Plane, Position};
+use gaugeblock_trace::{
+    Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Plane, Position,
+};
 
 use super::target::end_point;
-use super::{outputs, whole, word};
+use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::splines as quirks;
@@ -72,7 +74,6 @@ pub(super) fn perform(
     }
     state.curve.continues = motion == Motion::CubicSpline;
     state.position = end;
-    outputs::motion_begins(state);
     let points = if motion == Motion::CubicSpline { CUBIC } else { QUADRATIC };
     record.effect(state, Effect::NurbsFeed { points, end });
     Ok(())
@@ -151,6 +152,9 @@ pub(super) fn nurbs(words: &Words, state: &mut State, record: &mut Record) -> Re
     {
         return Err(open("a G5.2 in an open data block, or a G5.3 without one or with a point"));
     }
+    if state.modes.feed_mode == FeedMode::InverseTime {
+        return Err(open("which block of a NURBS has the F of inverse time"));
+    }
     let at_opening = state.readings.is("splines.nurbs-feed", "at-opening");
     if if at_opening { opens } else { closes } {
         super::motion::feed_possible(words, state)?;
@@ -200,7 +204,6 @@ fn close(nurbs: &Nurbs, state: &mut State, record: &mut Record) -> Result<(), Ha
     };
     state.modes.motion = Motion::None;
     state.position = end;
-    outputs::motion_begins(state);
     record.effect(state, Effect::NurbsFeed { points, end });
     state.evidence.accepted("splines.nurbs");
     if nurbs.order == DEFAULT_ORDER {

@@ -94,10 +94,19 @@ pub(crate) fn end_point(words: &Words, state: &mut State) -> Result<Position, Ha
 pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
     let mut end = state.modes.machine_point(state.position);
     let beside = beside_machine_point(state);
-    for (axis, value) in moved(words, state) {
-        *end.get_mut(axis) = value + beside.get(axis) + beside_machine_angle(axis, state);
+    let moved = moved(words, state);
+    for (axis, value) in &moved {
+        *end.get_mut(*axis) = value + beside.get(*axis) + beside_machine_angle(*axis, state);
     }
-    state.modes.program_point(end)
+    let mut there = state.modes.program_point(end);
+    // An axis that does not move stays where it is to the last bit; in a rotated system X and Y move together.
+    let turned = |axis: Axis| state.modes.rotation != 0.0 && matches!(axis, Axis::X | Axis::Y);
+    let moves = |axis: Axis| moved.iter().any(|(by, _)| *by == axis || turned(*by) && turned(axis));
+    let stays = |axis: &Axis| !moves(*axis) && !quirks::computes_all_anew(state);
+    for axis in Axis::ALL.iter().copied().filter(stays) {
+        *there.get_mut(axis) = state.position.get(axis);
+    }
+    there
 }
 
 /// The point that polar words name.

@@ -4,7 +4,7 @@ use gaugeblock_trace::{Effect, FaultKind, Position, SpindleTurn};
 
 use super::positions;
 use super::tool::entry;
-use super::{outputs, pass, spindle, whole, word};
+use super::{pass, spindle, whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
@@ -89,7 +89,6 @@ fn moves(state: &mut State, record: &mut Record) {
 /// A rapid move to a machine position, active length unit.
 pub(super) fn traverse(machine: Position, state: &mut State, record: &mut Record) {
     state.position = state.modes.program_point(machine);
-    outputs::motion_begins(state);
     record.effect(state, Effect::StraightTraverse { end: state.position });
 }
 

@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | [`program`] | block after block: parsed, evaluated, checked, executed, recorded |
 //! | [`operator`] | what the operator does, and when |
+//! | [`moves`] | moves of a block that are held where they begin |
 //! | [`wait`] | what the operator does while the program waits, pauses or stands |
 //! | [`request`] | what the controller does with a request, or refuses, by its mode |
 //! | [`idle`] | while no program runs: blocks by hand, cycle start |
@@ -13,6 +14,7 @@
 
 mod abort;
 mod idle;
+mod moves;
 mod operator;
 mod pins;
 mod program;

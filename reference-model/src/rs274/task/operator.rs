@@ -54,20 +54,6 @@ impl<'a> Operator<'a> {
         }
     }
 
-    /// Whether up to a time something happens that would hold or drop a move, or that the controller would answer between two moves.
-    pub(super) fn acts_on_moves(&self, until: f64) -> bool {
-        self.events.iter().filter(|event| event.due.is_some_and(|due| due <= until)).any(|event| {
-            matches!(
-                event.event.action,
-                Action::Pause
-                    | Action::FeedHold(true)
-                    | Action::Abort
-                    | Action::Mode(_)
-                    | Action::Mdi(_)
-            )
-        })
-    }
-
     /// Takes the next event that happens up to a time; of several at one time the one that is listed first.
     pub(super) fn next(&mut self, until: f64) -> Option<Happening<'a>> {
         let due = |(place, event): (usize, &Event<'a>)| Some((event.due?, place));

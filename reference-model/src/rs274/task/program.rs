@@ -140,22 +140,22 @@ impl Run<'_> {
             {
                 control::assign(settings, &mut self.state)?;
             }
-            let to_position = phase == Phase::OffsetData && step::positions::moves(words);
-            let change = &self.state.machine.tool_change;
-            let to_change = phase == Phase::ChangeTool && (change.at_g30 || change.quill_up);
-            if phase == Phase::Motion || to_position || to_change {
-                self.may_move(phase, words)?;
-            } else if phase == Phase::Dwell {
+            if phase == Phase::Dwell {
                 self.stand_in_dwell()?;
             }
             self.waits_for_machine = waits_for_machine(phase, words, &self.state);
             if self.waits_for_machine && self.ahead {
                 return Err(self.read_up_to(phase, words));
             }
-            let began = self.state.outside.time();
-            let may_break_off = may_take_time(phase, words, &self.state) && self.operator.is_due();
+            let mut began = self.state.outside.time();
+            let may_break_off = may_take_time(phase) && self.operator.is_due();
             let before = may_break_off.then(|| self.without_evidence());
-            let refused = match order::execute(phase, words, &mut self.state, &mut self.record) {
+            let executed = if self.is_watched(phase, words) {
+                self.watched(phase, words, &mut began)
+            } else {
+                order::execute(phase, words, &mut self.state, &mut self.record)
+            };
+            let refused = match executed {
                 Ok(done) => {
                     rest = done;
                     None
@@ -175,13 +175,14 @@ impl Run<'_> {
             if rest == Rest::Drop {
                 break;
             }
+            let counted = self.state.outside.changes().len();
             if let Err(halt) = self.took_time_since(began, phase) {
                 let evidence = std::mem::take(&mut self.state.evidence);
                 if let Some(before) = before {
                     let after = std::mem::replace(&mut self.state, before);
                     self.broken_off(phase, &after);
                     let outside = std::mem::replace(&mut self.state.outside, after.outside);
-                    self.state.outside.drop_what_was_to_come(&outside);
+                    self.state.outside.drop_what_was_to_come(&outside, counted);
                     self.state.panel = after.panel;
                 }
                 self.state.evidence = evidence;
@@ -218,7 +219,7 @@ impl Run<'_> {
     }
 
     /// The state as an abort brings it back: what was reached stays reached.
-    fn without_evidence(&mut self) -> State {
+    pub(super) fn without_evidence(&mut self) -> State {
         let evidence = std::mem::take(&mut self.state.evidence);
         let state = self.state.clone();
         self.state.evidence = evidence;
@@ -227,7 +228,7 @@ impl Run<'_> {
 
     /// A phase has been broken off while it waited. What it has told a spindle stays, and the way to where the tool is changed has been
     /// made.
-    fn broken_off(&mut self, phase: Phase, after: &State) {
+    pub(super) fn broken_off(&mut self, phase: Phase, after: &State) {
         if !matches!(phase, Phase::Spindle | Phase::ChangeTool) {
             return;
         }
@@ -275,7 +276,7 @@ impl Run<'_> {
 }
 
 /// Whether time may go by in a phase, so that somebody can break it off.
-fn may_take_time(phase: Phase, words: &Words, state: &State) -> bool {
+fn may_take_time(phase: Phase) -> bool {
     const TAKE_TIME: Phases = Phases::these(&[
         Phase::InputsOutputs,
         Phase::ChangeTool,
@@ -283,8 +284,12 @@ fn may_take_time(phase: Phase, words: &Words, state: &State) -> bool {
         Phase::UserCode,
         Phase::Dwell,
     ]);
-    let cycles = || step::motion::motion_of(words, state).is_some_and(step::cycles::is_cycle);
-    TAKE_TIME.contains(phase) || phase == Phase::Motion && cycles()
+    TAKE_TIME.contains(phase)
+}
+
+/// Whether the motion of a block is a canned cycle.
+pub(super) fn is_cycle(words: &Words, state: &State) -> bool {
+    step::motion::motion_of(words, state).is_some_and(step::cycles::is_cycle)
 }
 
 /// Whether a phase waits for what the machine answers, so that nothing behind it can be read before: M66, M6, a probe.

@@ -7,9 +7,12 @@ use gaugeblock_trace::{
     Block, Effect, End, Event, Indexed, Language, Outcome, PinChange, Rs274State, Settings, Step,
 };
 
+use super::moves::{Begins, Watch, Why};
 use crate::rs274::machine::State;
 use crate::rs274::modes::Modes;
 use crate::rs274::parameters::{self, Name};
+use crate::rs274::step::feed::Speed;
+use crate::rs274::step::{outputs, pass};
 
 /// What has been observed so far.
 ///
@@ -35,6 +38,19 @@ pub struct Record {
     most_effects: u32,
     /// Whether a block is being executed.
     in_block: bool,
+    /// Whether moves go by the spindle now.
+    in_step: bool,
+    /// The moves of the phase that is executed, where they may be held.
+    pub(super) watch: Option<Watch>,
+}
+
+/// What has been observed of a block so far.
+#[derive(Clone, Debug)]
+pub(super) struct Mark {
+    events: Vec<Event>,
+    modes: Modes,
+    effects: u32,
+    in_step: bool,
 }
 
 impl Record {
@@ -53,6 +69,8 @@ impl Record {
             effects: 0,
             most_effects: Budget::default().effects,
             in_block: false,
+            in_step: false,
+            watch: None,
         }
     }
 
@@ -66,12 +84,111 @@ impl Record {
         self.effects >= self.most_effects
     }
 
-    /// An effect, under the settings now in force.
-    pub fn effect(&mut self, state: &State, effect: Effect) {
+    /// An effect, under the settings now in force. A move begins with it, unless it is held.
+    pub fn effect(&mut self, state: &mut State, effect: Effect) {
+        let speed = speed_of(&effect, self.in_step);
+        if self.has_stopped() || speed.is_some_and(|speed| self.waits_to_move(speed, state)) {
+            return self.does_not_happen();
+        }
+        if speed.is_some() {
+            outputs::motion_begins(state);
+        }
+        self.happened(state, effect);
+        if let Some(watch) = self.watch.as_mut().filter(|_| speed.is_some()) {
+            watch.moved(state);
+        }
+    }
+
+    /// Whether a move has to wait, so that nothing that depends on its beginning has happened.
+    pub(crate) fn waits_to_move(&mut self, speed: Speed, state: &mut State) -> bool {
+        let begins = self.begins(Why::Move(speed), state);
+        if let Begins::After(refused) = begins {
+            refused.into_iter().for_each(|refused| self.happened(state, refused));
+        }
+        self.has_stopped()
+    }
+
+    /// A dwell between the moves of a canned cycle: so many seconds go by.
+    pub fn dwell(&mut self, state: &mut State, seconds: f64) {
+        self.effect(state, Effect::Dwell { seconds });
+        self.passes(Why::Dwell(seconds), seconds, state);
+    }
+
+    /// A wait of so many seconds for something outside.
+    pub fn wait(&mut self, state: &mut State, seconds: f64) {
+        self.passes(Why::Wait(seconds), seconds, state);
+    }
+
+    fn passes(&mut self, why: Why, seconds: f64, state: &mut State) {
+        match self.begins(why, state) {
+            Begins::AtOnce => pass(seconds, state),
+            Begins::After(refused) => {
+                refused.into_iter().for_each(|refused| self.happened(state, refused));
+            }
+            Begins::Later => {}
+        }
+    }
+
+    /// When a move or wait of a phase begins that is watched; others begin at once.
+    fn begins(&mut self, why: Why, state: &mut State) -> Begins {
+        if self.has_stopped() {
+            return Begins::Later;
+        }
+        let Some(mut watch) = self.watch.take() else { return Begins::AtOnce };
+        let begins = watch.comes_to(why, state);
+        if matches!(begins, Begins::Later) {
+            watch.stops(why, self.mark(), state);
+        }
+        self.watch = Some(watch);
+        begins
+    }
+
+    /// What comes after a move that waits has not happened. It is counted, so that a phase without an end is bounded.
+    fn does_not_happen(&mut self) {
+        self.effects = self.effects.saturating_add(1);
+    }
+
+    fn has_stopped(&self) -> bool {
+        self.watch.as_ref().is_some_and(Watch::has_stopped)
+    }
+
+    fn happened(&mut self, state: &State, effect: Effect) {
         self.settings(state);
         self.effects = self.effects.saturating_add(1);
+        let begins = matches!(effect, Effect::StartSpindleSynchronisation { .. });
+        self.in_step = begins || self.in_step && effect != Effect::StopSpindleSynchronisation {};
         self.events.push(Event::Do(effect));
         self.leave_to_last();
+    }
+
+    /// What has been observed of the block so far, to come back to.
+    pub(super) fn mark(&self) -> Mark {
+        Mark {
+            events: self.events.clone(),
+            modes: self.modes.clone(),
+            effects: self.effects,
+            in_step: self.in_step,
+        }
+    }
+
+    /// What was observed since has not happened.
+    pub(super) fn back_to(&mut self, mark: Mark) {
+        let Mark { events, modes, effects, in_step } = mark;
+        self.events = events;
+        self.modes = modes;
+        self.effects = effects;
+        self.in_step = in_step;
+    }
+
+    /// The effects of the block since then.
+    pub(super) fn effects_since(&self, mark: &Mark) -> Vec<Effect> {
+        let later = self.events.iter().skip(mark.events.len());
+        later
+            .filter_map(|event| match event {
+                Event::Do(effect) => Some(effect.clone()),
+                Event::Set(_) => None,
+            })
+            .collect()
     }
 
     /// Between blocks the one before is what everything belongs to.
@@ -92,6 +209,7 @@ impl Record {
     /// A block begins.
     pub fn begin(&mut self) {
         self.in_block = true;
+        self.in_step = false;
     }
 
     /// What was being executed was no block.
@@ -232,6 +350,19 @@ impl Record {
             pins,
             samples: Vec::new(),
         }
+    }
+}
+
+/// By what the speed of a move goes; none for what is no move.
+fn speed_of(effect: &Effect, in_step: bool) -> Option<Speed> {
+    if !is_move(effect) {
+        None
+    } else if matches!(effect, Effect::StraightTraverse { .. }) {
+        Some(Speed::Rapid)
+    } else if in_step || matches!(effect, Effect::RigidTap { .. }) {
+        Some(Speed::Spindle)
+    } else {
+        Some(Speed::Feed)
     }
 }
 

@@ -144,7 +144,7 @@ impl Run<'_> {
     pub(super) fn change_mode_to(&mut self, mode: ControllerMode) {
         if self.state.modes.controller_mode != mode {
             self.state.modes.controller_mode = mode;
-            self.record.effect(&self.state, Effect::ChangeControllerMode { mode });
+            self.record.effect(&mut self.state, Effect::ChangeControllerMode { mode });
         }
     }
 
@@ -179,7 +179,7 @@ impl Run<'_> {
 
     /// The controller does not do what it is asked for, and says so.
     fn refuse(&mut self, request: Request) -> Answer {
-        self.record.effect(&self.state, Effect::RequestRefused { request });
+        self.record.effect(&mut self.state, Effect::RequestRefused { request });
         Answer::Nothing
     }
 

@@ -2,12 +2,11 @@
 
 use gaugeblock_trace::{Block, End};
 
+use super::Run;
 use super::request::{Activity, Answer};
-use super::{Record, Run};
-use crate::rs274::order::{self, Phase};
+use crate::rs274::order::Phase;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::Halt;
-use crate::rs274::step;
 
 impl Run<'_> {
     /// A block begins: what the operator does at that moment comes before the block.
@@ -42,18 +41,12 @@ impl Run<'_> {
     /// A phase of the block has taken the time since it began: what the operator did meanwhile.
     ///
     /// Choice pause.during-dwell. A dwell stands still with its program, or goes on. What something outside takes goes on.
-    ///
-    /// What the operator does in the dwell of a canned cycle, between two of its moves, is out of this model's reach.
     pub(super) fn took_time_since(&mut self, began: f64, phase: Phase) -> Result<(), Halt> {
         let end = self.state.outside.time();
         if end <= began || self.operator.is_done() {
             return Ok(());
         }
         self.state.outside.within_wait(began);
-        if phase == Phase::Motion && self.operator.acts_on_moves(end) {
-            let what = "what the operator does in the dwell of a canned cycle";
-            return Err(Halt::Unsupported(what.to_owned()));
-        }
         let longer = self.meanwhile(end, phase == Phase::Dwell)?;
         self.state.outside.within_wait(end + longer);
         Ok(())
@@ -61,7 +54,7 @@ impl Run<'_> {
 
     /// What the operator does up to a time while a block is executed; the seconds by which a pause makes it longer, where it is
     /// a dwell.
-    fn meanwhile(&mut self, until: f64, dwells: bool) -> Result<f64, Halt> {
+    pub(super) fn meanwhile(&mut self, until: f64, dwells: bool) -> Result<f64, Halt> {
         let mut longer = 0.0;
         while let Some(happening) = self.operator.next(until + longer) {
             let now = self.state.outside.time();
@@ -113,7 +106,7 @@ impl Run<'_> {
     /// Stands until the operator lets the program go on; the seconds that it took.
     ///
     /// Where the operator does nothing more the run ends here.
-    fn stand_paused(&mut self, activity: Activity) -> Result<f64, Halt> {
+    pub(super) fn stand_paused(&mut self, activity: Activity) -> Result<f64, Halt> {
         self.pause_asked = false;
         let began = self.state.outside.time();
         while let Some(happening) = self.operator.next(f64::INFINITY) {
@@ -137,47 +130,5 @@ impl Run<'_> {
             }
         }
         Halt::WaitsForEver
-    }
-
-    /// A motion begins only once the feed is not held, and the program not paused.
-    ///
-    /// Rules overrides.feed-zero, overrides.adaptive-feed-zero, overrides.feed-stop-holds. Until then the block stands, and the
-    /// operator or an input may change what holds it.
-    pub(super) fn may_move(&mut self, phase: Phase, words: &Words) -> Result<(), Halt> {
-        let may_be_held = self.pause_asked || step::feed::may_be_held(&self.state);
-        if self.ahead || !may_be_held || !self.moves(phase, words) {
-            return Ok(());
-        }
-        if phase == Phase::ChangeTool {
-            step::tool_change::before_moving(&mut self.state);
-            self.show(None);
-        }
-        if self.pause_asked {
-            self.stand_paused(Activity::Paused { after_pallets: false })?;
-        }
-        while step::feed::is_held(words, &mut self.state) {
-            let change = self.state.outside.next_change_of_feed();
-            let now = self.state.outside.time();
-            if let Some(happening) = self.operator.next(change.unwrap_or(f64::INFINITY)) {
-                self.state.outside.within_wait(happening.time.max(now));
-                if self.request(happening, Activity::Running)? == Answer::Pauses {
-                    self.stand_paused(Activity::Paused { after_pallets: false })?;
-                }
-            } else if let Some(change) = change {
-                self.state.outside.within_wait(change);
-            } else {
-                return Err(Halt::Ended(End::Paused));
-            }
-        }
-        Ok(())
-    }
-
-    /// Whether a block moves: one that is refused does not even begin to.
-    fn moves(&self, phase: Phase, words: &Words) -> bool {
-        let mut state = self.state.clone();
-        let mut record = Record::new(&state);
-        let moved = order::execute(phase, words, &mut state, &mut record);
-        moved.is_ok()
-            && if phase == Phase::ChangeTool { record.has_moved() } else { record.effects() > 0 }
     }
 }

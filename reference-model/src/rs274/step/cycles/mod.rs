@@ -11,7 +11,7 @@ mod tapping;
 use gaugeblock_trace::{Axis, Distance, Effect, FaultKind, Motion, Path, Plane, Position};
 
 use super::target::{moved, polar};
-use super::{outputs, whole, word};
+use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::motion_mode;
 use crate::rs274::quirks::cycles as quirks;
@@ -134,7 +134,6 @@ pub(super) fn perform(
     state.modes.motion = motion;
     state.series = Some(series);
     accepted(words, rule, state);
-    outputs::motion_begins(state);
     rise(&cycle, state, record);
     let path = state.modes.path;
     if state.readings.quirk("rs274.cycle-exact-path") {

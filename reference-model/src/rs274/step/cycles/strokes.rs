@@ -1,6 +1,6 @@
 //! What each cycle does in its hole, from R down and back to its clear height.
 
-use gaugeblock_trace::{Effect, FaultKind, LengthUnit, SpindleTurn};
+use gaugeblock_trace::{FaultKind, LengthUnit, SpindleTurn};
 
 use super::{Cycle, Kind, feed_along, tapping, traverse_along};
 use crate::rs274::machine::State;
@@ -8,7 +8,7 @@ use crate::rs274::order::Phase;
 use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
-use crate::rs274::step::{pass, spindle, word};
+use crate::rs274::step::{spindle, word};
 use crate::rs274::task::{Record, show};
 
 /// A bottom that is this close is reached: what is left is rounding of the increments.
@@ -146,8 +146,7 @@ pub(super) fn turns(turn: SpindleTurn, cycle: &Cycle, state: &mut State) {
 }
 
 pub(super) fn dwells(seconds: f64, state: &mut State, record: &mut Record) {
-    record.effect(state, Effect::Dwell { seconds });
-    pass(seconds, state);
+    record.dwell(state, seconds);
 }
 
 /// Pecks: each feeds deeper by Q, or to the bottom where that is less.

@@ -121,9 +121,11 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
                     .for_each(|rule| state.evidence.accepted(rule));
             }
             let value = quirks::told(value, &state.readings);
+            let signed = value != 0.0 || state.readings.is("expressions.negative-zero", "kept");
+            let value = if signed { value } else { 0.0 };
             let text = format!("{value:.decimals$}");
-            let zero = text.chars().all(|character| matches!(character, '-' | '0' | '.'));
-            Ok(if zero { text.trim_start_matches('-').to_owned() } else { text })
+            // An integer has no negative zero.
+            Ok(if text == "-0" { "0".to_owned() } else { text })
         }
         None | Some(Err(Halt::Refused(_))) => {
             state.evidence.accepted("active-comments.absent-named");

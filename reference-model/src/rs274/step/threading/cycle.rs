@@ -9,7 +9,7 @@ use crate::rs274::machine::State;
 use crate::rs274::quirks::threading as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
-use crate::rs274::step::{letter, outputs, whole, word};
+use crate::rs274::step::{letter, whole, word};
 use crate::rs274::task::Record;
 
 /// A thread, all its numbers found; lengths are radii, active length unit.
@@ -60,7 +60,6 @@ pub(in crate::rs274::step) fn perform(
 ) -> Result<(), Halt> {
     let thread = find(words, state)?;
     state.modes.motion = gaugeblock_trace::Motion::Thread76;
-    outputs::motion_begins(state);
     let mut count = 1.0;
     let mut left = thread.springs;
     while left >= 0 || thread.springs < 0 {

@@ -7,7 +7,7 @@ use gaugeblock_trace::{
 };
 
 use super::target::end_point;
-use super::{outputs, spindle, word};
+use super::{spindle, word};
 use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, each, unit_size};
@@ -51,7 +51,6 @@ pub(super) fn perform(
     let end = end_point(words, state)?;
     within_velocities(place, pitch, end, state)?;
     state.modes.motion = motion;
-    outputs::motion_begins(state);
     record.effect(state, Effect::StartSpindleSynchronisation { spindle: number(place), pitch });
     if motion == Motion::SpindleSynchronised {
         state.position = end;

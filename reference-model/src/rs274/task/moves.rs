@@ -1,0 +1,236 @@
+//! Moves are held where they begin, each for itself, and the operator acts in the dwells between them.
+//!
+//! A canned cycle is the moves and dwells that it stands for, and what it computes does not depend on how long they take. So a phase that may be
+//! held is executed up to the first move or dwell that takes time; the operator acts there; and then it is executed again, with that
+//! wait in its place.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_trace::{Effect, End, Position};
+
+use super::Run;
+use super::request::{Activity, Answer};
+use crate::rs274::machine::{Panel, State};
+use crate::rs274::order::{self, Phase, Rest};
+use crate::rs274::outside::Outside;
+use crate::rs274::read::Words;
+use crate::rs274::refusal::Halt;
+use crate::rs274::step;
+use crate::rs274::step::feed::Speed;
+
+/// The moves and dwells of a phase, looked at one by one.
+#[derive(Clone, Debug)]
+pub(super) struct Watch {
+    /// How many of them there were so far.
+    place: usize,
+    /// Those before this one have been waited for, or need not be.
+    from: usize,
+    /// What came of each wait, by the place of its move or dwell.
+    waited: BTreeMap<usize, Waited>,
+    /// Whether the program is to pause before the next move.
+    pause_asked: bool,
+    /// Whether the operator may act in a dwell.
+    operator_is_due: bool,
+    /// Where the controlled point is, program coordinates, active length unit.
+    position: Position,
+    /// Where the phase came to wait; what it computes after that has not happened.
+    stop: Option<Stop>,
+}
+
+/// What a wait has changed.
+#[derive(Clone, Debug)]
+struct Waited {
+    outside: Outside,
+    panel: Panel,
+    /// What the controller refused meanwhile.
+    refused: Vec<Effect>,
+}
+
+/// Where a phase waits.
+#[derive(Clone, Debug)]
+pub(super) struct Stop {
+    /// The state there.
+    state: Box<State>,
+    /// What is recorded of the block there.
+    record: super::record::Mark,
+    why: Why,
+}
+
+/// What a phase waits for.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Why {
+    /// That a move may begin.
+    Move(Speed),
+    /// That a dwell of so many seconds is over.
+    Dwell(f64),
+    /// That something outside is done, which takes so many seconds.
+    Wait(f64),
+}
+
+/// When a move or a dwell begins.
+#[derive(Clone, Debug)]
+pub(super) enum Begins {
+    /// Now: nothing holds it.
+    AtOnce,
+    /// After a wait that is over, in which the controller refused this; a dwell is over with it.
+    After(Vec<Effect>),
+    /// Not before it has been waited for.
+    Later,
+}
+
+impl Watch {
+    /// Whether the phase has come to wait.
+    pub(super) fn has_stopped(&self) -> bool {
+        self.stop.is_some()
+    }
+
+    /// A move or a dwell begins. Where it has been waited for, that takes place.
+    pub(super) fn comes_to(&mut self, why: Why, state: &mut State) -> Begins {
+        let place = self.place;
+        self.place += 1;
+        if let Some(waited) = self.waited.get(&place) {
+            state.outside.clone_from(&waited.outside);
+            state.panel.clone_from(&waited.panel);
+            state.shown = None;
+            return Begins::After(waited.refused.clone());
+        }
+        let waits = place >= self.from
+            && match why {
+                Why::Move(speed) => self.pause_asked || step::feed::is_held(speed, state),
+                Why::Dwell(_) | Why::Wait(_) => self.operator_is_due,
+            };
+        if waits { Begins::Later } else { Begins::AtOnce }
+    }
+
+    /// The phase waits here.
+    pub(super) fn stops(&mut self, why: Why, record: super::record::Mark, state: &State) {
+        let state = Box::new(State { position: self.position, ..state.clone() });
+        self.stop = Some(Stop { state, record, why });
+    }
+
+    /// A move has been made.
+    pub(super) fn moved(&mut self, state: &State) {
+        self.position = state.position;
+    }
+}
+
+impl Run<'_> {
+    /// Whether a move of the phase may be held, or somebody may act between its moves.
+    pub(super) fn is_watched(&self, phase: Phase, words: &Words) -> bool {
+        let outside = &self.state.outside;
+        let may_be_held = self.pause_asked || step::feed::may_be_held(&self.state);
+        let acts_between = || self.operator.is_due() || outside.next_change_of_feed().is_some();
+        let dwells = || phase == Phase::Motion && super::program::is_cycle(words, &self.state);
+        let moves = matches!(phase, Phase::Motion | Phase::OffsetData | Phase::ChangeTool);
+        let orients = phase == Phase::Spindle && words.m.contains(&19);
+        !self.ahead
+            && (moves && (may_be_held || acts_between() && dwells())
+                || orients && self.operator.is_due())
+    }
+
+    /// Executes a phase whose moves may be held.
+    ///
+    /// Rules overrides.feed-influence, overrides.adaptive-feed-zero, overrides.feed-stop-holds. A move begins only once the feed is not held, and the
+    /// program not paused. Until then the block stands, and the operator or an input may change what holds it.
+    ///
+    /// An abort leaves the point where the last move has led, and a spindle as it was told; the rest of the phase has not been done.
+    ///
+    /// `began` becomes the time of the last wait.
+    pub(super) fn watched(
+        &mut self,
+        phase: Phase,
+        words: &Words,
+        began: &mut f64,
+    ) -> Result<Rest, Halt> {
+        let before = self.without_evidence();
+        let mark = self.record.mark();
+        let mut watch = Watch {
+            place: 0,
+            from: 0,
+            waited: BTreeMap::new(),
+            pause_asked: self.pause_asked,
+            operator_is_due: self.operator.is_due(),
+            position: self.state.position,
+            stop: None,
+        };
+        loop {
+            self.record.watch = Some(watch);
+            let done = order::execute(phase, words, &mut self.state, &mut self.record);
+            watch = self.record.watch.take().expect("moves: it was set for the phase");
+            let Some(stop) = watch.stop.take() else { return done };
+            self.state = *stop.state;
+            self.record.back_to(stop.record.clone());
+            self.show(None);
+            if let Err(halt) = self.waits_for(stop.why) {
+                if halt == Halt::Ended(End::Aborted) {
+                    self.breaks_off(phase, before);
+                }
+                return Err(halt);
+            }
+            *began = self.state.outside.time();
+            let waited = Waited {
+                outside: self.state.outside.clone(),
+                panel: self.state.panel.clone(),
+                refused: self.record.effects_since(&stop.record),
+            };
+            watch.from = watch.place;
+            watch.waited.insert(watch.place - 1, waited);
+            watch = Watch {
+                place: 0,
+                pause_asked: self.pause_asked,
+                operator_is_due: self.operator.is_due(),
+                position: before.position,
+                ..watch
+            };
+            let evidence = std::mem::take(&mut self.state.evidence);
+            self.state = State { evidence, ..before.clone() };
+            self.record.back_to(mark.clone());
+        }
+    }
+
+    /// Waits until a move may begin or a dwell is over.
+    fn waits_for(&mut self, why: Why) -> Result<(), Halt> {
+        match why {
+            Why::Move(speed) => self.may_move(speed),
+            Why::Dwell(seconds) | Why::Wait(seconds) => {
+                let end = self.state.outside.time() + seconds;
+                let longer = self.meanwhile(end, matches!(why, Why::Dwell(_)))?;
+                self.state.outside.within_wait(end + longer);
+                step::pass(0.0, &mut self.state);
+                Ok(())
+            }
+        }
+    }
+
+    /// A move begins only once nothing holds it, and the program is not paused.
+    fn may_move(&mut self, speed: Speed) -> Result<(), Halt> {
+        if self.pause_asked {
+            self.stand_paused(Activity::Paused { after_pallets: false })?;
+        }
+        while step::feed::is_held(speed, &mut self.state) {
+            let change = self.state.outside.next_change_of_feed();
+            let now = self.state.outside.time();
+            if let Some(happening) = self.operator.next(change.unwrap_or(f64::INFINITY)) {
+                self.state.outside.within_wait(happening.time.max(now));
+                if self.request(happening, Activity::Running)? == Answer::Pauses {
+                    self.stand_paused(Activity::Paused { after_pallets: false })?;
+                }
+            } else if let Some(change) = change {
+                self.state.outside.within_wait(change);
+            } else {
+                return Err(Halt::Ended(End::Paused));
+            }
+        }
+        Ok(())
+    }
+
+    /// The phase has been broken off where it waited.
+    fn breaks_off(&mut self, phase: Phase, before: State) {
+        let after = std::mem::replace(&mut self.state, before);
+        self.broken_off(phase, &after);
+        self.state.position = after.position;
+        self.state.outside = after.outside;
+        self.state.panel = after.panel;
+        self.state.evidence = after.evidence;
+    }
+}
