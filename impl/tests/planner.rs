@@ -6,6 +6,8 @@ mod bits;
 mod check;
 #[path = "motion/found.rs"]
 mod found;
+#[path = "motion/memory.rs"]
+mod memory;
 #[path = "motion/operators.rs"]
 mod operators;
 #[path = "motion/programs.rs"]

@@ -87,10 +87,7 @@ pub fn plan_under(
     for step in &outcome.steps {
         for event in &step.events {
             let done = match event {
-                Event::Set(change) => {
-                    drive.set(change);
-                    Ok(())
-                }
+                Event::Set(change) => drive.set(change),
                 Event::Do(effect) => drive.perform(step.block.line, effect),
             };
             done.map_err(|stopped| Stopped { block: Some(step.block.clone()), ..stopped })?;
@@ -116,6 +113,11 @@ struct Drive<'a> {
     resolver: Resolver,
     settings: Settings,
     planner: Planner,
+    /// Whether anything that is queued may still follow the spindle.
+    follows: bool,
+    /// Whether turns are recorded, and turns per second in the last cycle.
+    turning: bool,
+    turns: f64,
     input: InputParameter,
     output: OutputParameter,
     outputs: BTreeMap<Pin, f64>,
@@ -196,7 +198,9 @@ impl<'a> Drive<'a> {
         let outputs = pins(outcome).into_iter().map(|pin| (pin, 0.0)).collect::<BTreeMap<_, _>>();
         let columns = limits.axes.keys().copied().map(Column::Position);
         let columns = columns.chain([Column::Line, Column::Queued]);
-        let columns = columns.chain(outputs.keys().copied().map(Column::Output)).collect();
+        let columns = columns.chain(outputs.keys().copied().map(Column::Output));
+        let turning = follows_spindle(outcome);
+        let columns = columns.chain(turning.then_some(Column::SpindleSpeed(0))).collect();
         let samples = Samples::new(limits.period, 0.0, columns)
             .map_err(|error| Stopped::new(error.to_string()))?;
         let mut resolver = Resolver::new(start);
@@ -211,6 +215,9 @@ impl<'a> Drive<'a> {
             resolver,
             settings: outcome.start.clone(),
             planner,
+            follows: false,
+            turning,
+            turns: 0.0,
             input: InputParameter::default(),
             output: OutputParameter { position: start, ..OutputParameter::default() },
             outputs,
@@ -226,9 +233,18 @@ impl<'a> Drive<'a> {
         Ok(drive)
     }
 
-    fn set(&mut self, change: &Settings) {
+    /// A spindle turns on until all is done that follows it: else nothing would bring the last of that to its end.
+    fn set(&mut self, change: &Settings) -> Result<(), Stopped> {
+        if self.follows {
+            let mut after = self.settings.clone();
+            after.overlay(change);
+            if spindle(&after).to_bits() != spindle(&self.settings).to_bits() {
+                self.rest()?;
+            }
+        }
         self.settings.overlay(change);
         self.resolver.set(change);
+        Ok(())
     }
 
     fn perform(&mut self, line: u32, effect: &Effect) -> Result<(), Stopped> {
@@ -271,6 +287,7 @@ impl<'a> Drive<'a> {
         if let Path::Dwell { seconds } = segment.path {
             self.dwells += seconds;
         }
+        self.follows |= matches!(segment.feed, Feed::PerTurn(_));
         self.lines.push(line);
         self.controls.push(self.in_force());
         self.feeds.push(if let Feed::PerSecond(feed) = segment.feed { feed } else { f64::NAN });
@@ -318,6 +335,7 @@ impl<'a> Drive<'a> {
     /// Goes on until everything is done that was asked for.
     fn rest(&mut self) -> Result<(), Stopped> {
         while self.cycle()? != Phase::Idle {}
+        self.follows = false;
         Ok(())
     }
 
@@ -336,14 +354,16 @@ impl<'a> Drive<'a> {
             return Err(Stopped::new("it takes more than a hundred million servo cycles"));
         }
         self.operate();
-        let turns = self.operator.turns.unwrap_or_else(|| self.spindle());
+        let turns = self.operator.turns.unwrap_or_else(|| spindle(&self.settings));
+        self.turns = turns;
         self.input.spindle_turns += turns * self.limits.period;
         let phase = self.planner.update(&self.input, &mut self.output);
         self.rests = if self.output.speed <= 0.0 { self.rests + 1.0 } else { 0.0 };
         if self.rests > MOST_REST + self.dwells / self.limits.period && self.events.is_empty() {
             return Err(Stopped::new("it rests, and nobody lets it go on"));
         }
-        if phase == Phase::Waiting && turns <= 0.0 && !self.may_dwell() {
+        let dwells = self.rests <= self.dwells / self.limits.period + 2.0;
+        if phase == Phase::Waiting && turns <= 0.0 && self.follows && !dwells {
             return Err(Stopped::new("it follows a spindle that stands"));
         }
         while let Some(switch) = self.planner.switched() {
@@ -379,19 +399,6 @@ impl<'a> Drive<'a> {
         };
     }
 
-    /// Turns per second of the first spindle.
-    fn spindle(&self) -> f64 {
-        let turn = self.settings.spindle.as_ref().and_then(|spindles| spindles.0.get(&0));
-        let speed = self.settings.spindle_speed.as_ref().and_then(|speeds| speeds.0.get(&0));
-        let turns = matches!(turn, Some(SpindleTurn::Clockwise | SpindleTurn::Counterclockwise));
-        if turns { speed.copied().unwrap_or(0.0).abs() / 60.0 } else { 0.0 }
-    }
-
-    /// Whether the segment that is executed follows no spindle.
-    fn may_dwell(&self) -> bool {
-        self.settings.feed_mode != Some(FeedMode::PerRevolution)
-    }
-
     fn record(&mut self) -> Result<(), Stopped> {
         let number = usize::try_from(self.output.segment).unwrap_or(0);
         let line = self.lines.get(number).copied().unwrap_or(0);
@@ -401,6 +408,7 @@ impl<'a> Drive<'a> {
         row.push(f64::from(line));
         row.push(f64::from(self.given));
         row.extend(self.outputs.values());
+        row.extend(self.turning.then_some(self.turns));
         self.samples.push(&row).map_err(|error| Stopped::new(error.to_string()))?;
         self.speed.push(self.output.speed);
         self.asked.push(self.feeds.get(number).copied().unwrap_or(f64::NAN));
@@ -443,6 +451,22 @@ fn is_element(effect: &Effect) -> bool {
         | Effect::ChangeControllerMode { .. }
         | Effect::RequestRefused { .. } => false,
     }
+}
+
+/// Turns per second of the first spindle.
+fn spindle(settings: &Settings) -> f64 {
+    let turn = settings.spindle.as_ref().and_then(|spindles| spindles.0.get(&0));
+    let speed = settings.spindle_speed.as_ref().and_then(|speeds| speeds.0.get(&0));
+    let turns = matches!(turn, Some(SpindleTurn::Clockwise | SpindleTurn::Counterclockwise));
+    if turns { speed.copied().unwrap_or(0.0).abs() / 60.0 } else { 0.0 }
+}
+
+/// Whether any feed of a program is one per revolution.
+fn follows_spindle(outcome: &Outcome) -> bool {
+    let follows = |settings: &Settings| settings.feed_mode == Some(FeedMode::PerRevolution);
+    let mut events = outcome.steps.iter().flat_map(|step| &step.events);
+    follows(&outcome.start)
+        || events.any(|event| matches!(event, Event::Set(change) if follows(change)))
 }
 
 /// The outputs that a program switches.

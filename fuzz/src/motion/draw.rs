@@ -47,17 +47,10 @@ pub fn ride(dice: &mut Dice<'_>) -> Ride {
         let step = pen.step(dice, plane, kind);
         ride.steps.push(step);
     }
-    // Whether a move that leads nowhere is the next motion of an output is not settled: one that moves shall be last.
-    let mut last = pen.here;
-    last[0] = on_grid(last[0] + size);
-    ride.steps.push(Step::Line(last));
-    if ride.steps.iter().any(|step| matches!(step, Step::Rapid(_))) {
-        // Whether a feed override of 0 stops a rapid move is not settled.
-        for event in &mut ride.script.events {
-            if event.action == MotionAction::FeedOverride(0.0) {
-                event.action = MotionAction::FeedOverride(0.05);
-            }
-        }
+    if dice.chance(70) {
+        let mut last = pen.here;
+        last[0] = on_grid(last[0] + size);
+        ride.steps.push(Step::Line(last));
     }
     if ride.steps.iter().any(|step| matches!(step, Step::Pace(Pace::PerTurn(_)))) {
         let action = MotionAction::SpindleSpeed { spindle: 0, turns: any_size(dice, 2.0, 50.0) };

@@ -19,6 +19,9 @@ const COST: f64 = 0.05;
 const ROUND: f64 = 0.1;
 /// How much of a tolerance is used: rounding has the rest.
 const KEPT: f64 = 1.0 - 1e-9;
+/// A blend that turns by less, radians, and is longer than an axis moves in so many cycles from rest, may be worth to speed up and slow down in.
+const FLAT: f64 = 0.2;
+const WORTH: f64 = 4.0;
 /// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much where a feed limits it.
 const UNEQUAL: f64 = 1.001;
 
@@ -222,6 +225,32 @@ pub(super) fn parabola(before: &Leg, after: &Leg, (d, e): (f64, f64), limits: &L
     slower(&mut blend, &Piece { feed: before.whole.feed * before.felt / most, ..before.whole });
     blend.feed /= blend.exit.max(1.0);
     blend
+}
+
+/// A parabola as two, each with an acceleration of its own along it: with one alone, a long flat blend between two slow corners would be
+/// passed slowly as a whole. `None` where nothing is won, or where pieces would be so short that their number limits the speed.
+pub(super) fn halves(blend: &Piece, limits: &Limits) -> Option<(Piece, Piece)> {
+    let turn = norm(&blend.bend) * blend.length;
+    if turn > FLAT {
+        return None;
+    }
+    let along = least(&limits.acceleration, &blend.rate, blend.axes);
+    let across = least(&limits.acceleration, &blend.bend, blend.axes);
+    let fastest = match blend.pace {
+        Pace::Second => blend.ceiling.min(squared(2.0 * blend.feed)),
+        Pace::Rapid | Pace::Turn => blend.ceiling,
+    };
+    let far = math::sqrt(fastest.min(across)) * limits.cycle;
+    if blend.length < far || blend.length < along * squared(WORTH * limits.cycle) {
+        return None;
+    }
+    let middle = blend.begins.unwrap_or(0.5 * blend.length);
+    let mut first = blend.part(0.0, middle);
+    let mut second = blend.part(middle, blend.length);
+    second.begins = Some(0.0);
+    limits.rule(&mut first);
+    limits.rule(&mut second);
+    Some((first, second))
 }
 
 /// The last d of the leg before a corner, bent by half of its turn.

@@ -5,7 +5,7 @@
 //! is never changed so that it could not be kept to: then the corner keeps the form it has, a stop at worst.
 
 use super::ahead::Ahead;
-use super::corner::{Corner, bent_end, bent_start, parabola, share, turn};
+use super::corner::{Corner, bent_end, bent_start, halves, parabola, share, turn};
 use super::leg::Leg;
 use super::limits::{Limits, squared};
 use super::parameters::Axes;
@@ -260,7 +260,13 @@ fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
     }
     if let Corner::Blend { .. } = after.corner {
         if lines(before, &after.leg) {
-            push(&parabola(before, &after.leg, (d, e), queue.limits), queue);
+            let blend = parabola(before, &after.leg, (d, e), queue.limits);
+            if let Some((first, second)) = halves(&blend, queue.limits) {
+                push(&first, queue);
+                push(&second, queue);
+            } else {
+                push(&blend, queue);
+            }
         } else {
             let turn = turn(before, &after.leg);
             push(&bent_end((before, &after.leg), &turn, d, queue.limits), queue);

@@ -84,6 +84,8 @@ pub struct Planner {
     position: Axes,
     /// Outputs that wait for the segment of that number.
     switches: Ring<(u64, OutputSwitch)>,
+    /// The first switch behind the last segment that moves nothing: those before it need not wait for one that does.
+    met: u64,
     /// How many segments that move have been queued.
     queued: u64,
     aborting: bool,
@@ -134,6 +136,7 @@ impl Planner {
             motion: Motion::default(),
             position,
             switches: Ring::new(queue),
+            met: 0,
             queued: 0,
             aborting: false,
             retraced: None,
@@ -161,6 +164,9 @@ impl Planner {
             limits: &self.limits,
             changed: u64::MAX,
         };
+        if let Resolved::Nowhere = resolved {
+            self.met = self.switches.end();
+        }
         match resolved {
             Resolved::Nowhere if segment.blend == Blend::ExactStop => self.course.stop(),
             Resolved::Nowhere => {}
@@ -181,8 +187,9 @@ impl Planner {
         Ok(())
     }
 
-    /// Lets an output switch when the next segment that moves, and that is not queued yet, begins: in the cycle in which the
-    /// commanded point passes the start of the segment, or on a blend its middle. Without such a segment it never switches.
+    /// Lets an output switch when the next segment that is not queued yet begins: in the cycle in which the commanded point passes the
+    /// start of the segment, or on a blend its middle. A segment that moves nothing begins with the one after it, or where the path ends.
+    /// Without such a segment it never switches.
     ///
     /// # Errors
     /// As many wait as the queue holds segments.
@@ -196,8 +203,9 @@ impl Planner {
 
     /// The next output that has switched, in the order of queueing; to be asked after each cycle until there is none.
     pub fn switched(&mut self) -> Option<OutputSwitch> {
-        let (segment, switch) = *self.switches.get(self.switches.first())?;
-        if segment > self.motion.begun {
+        let first = self.switches.first();
+        let (segment, switch) = *self.switches.get(first)?;
+        if segment > self.motion.begun && !(first < self.met && self.is_over()) {
             return None;
         }
         self.switches.drop_first();
@@ -370,21 +378,28 @@ impl Planner {
             return if wish.rest { Phase::Holding } else { Phase::Moving };
         }
         let Some(piece) = self.ring.get(motion.at) else { return Phase::Idle };
-        let (dwells, over) = match piece.law {
-            Law::Dwell(seconds) => (true, motion.dwelt >= seconds),
-            Law::Even { .. } | Law::Bent | Law::Round { .. } => {
-                (false, motion.remaining(piece) <= 0.0)
-            }
-        };
-        if over && !motion.backwards && motion.at.saturating_add(1) == self.ring.end() {
+        if self.is_over() {
             return Phase::Idle;
         }
+        let dwells = matches!(piece.law, Law::Dwell(_));
         match piece.pace {
             _ if wish.rest => Phase::Holding,
             _ if dwells => Phase::Waiting,
             Pace::Turn if wish.turns <= 0.0 && wish.feed > 0.0 => Phase::Waiting,
             Pace::Turn | Pace::Second | Pace::Rapid => Phase::Moving,
         }
+    }
+
+    /// Whether the motion rests at the end of all that is queued.
+    fn is_over(&self) -> bool {
+        let motion = &self.motion;
+        let Some(piece) = self.ring.get(motion.at) else { return true };
+        let over = match piece.law {
+            Law::Dwell(seconds) => motion.dwelt >= seconds,
+            Law::Even { .. } | Law::Bent | Law::Round { .. } => motion.remaining(piece) <= 0.0,
+        };
+        let last = motion.at.saturating_add(1) == self.ring.end();
+        motion.speed <= 0.0 && over && last && !motion.backwards
     }
 
     /// Forgets the queue, at rest.

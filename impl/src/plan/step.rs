@@ -173,12 +173,16 @@ impl Motion {
         left: f64,
     ) -> f64 {
         let remaining = self.remaining(piece);
-        let ramp = self.ramp(piece, exit, wish.ease, left);
+        let mut ramp = self.ramp(piece, exit, wish.ease, left);
         if wish.rest {
             let low = math::lesser(ramp.low, self.hardest(piece, limits, left));
             return self.go(piece, low, exit, left);
         }
         let wanted = wanted(piece, wish);
+        if self.speed + ramp.low * left > wanted {
+            // Whoever lowers an override wants all of the brakes, too.
+            ramp.low = math::lesser(ramp.low, self.hardest(piece, limits, left));
+        }
         // The speed at the end of the cycle at which look-ahead's bound is just met.
         let half = 0.5 * ramp.slope * left;
         let met = half * half + 4.0 * (ramp.bound + half * self.speed);
@@ -200,7 +204,7 @@ impl Motion {
     }
 
     /// The least acceleration that all axes allow on an arc in this cycle. Its law has one limit for all directions, which is less than the
-    /// axes can do in most of them; who holds the motion wants all of it.
+    /// axes can do in most of them; who holds the motion, or slows it down, wants all of it.
     fn hardest(&self, piece: &Piece, limits: &Limits, left: f64) -> f64 {
         let Some(circle) = &piece.circle else { return 0.0 };
         let far = math::lesser(self.speed * left, self.remaining(piece));

@@ -135,3 +135,19 @@ fn hold_on_an_arc_uses_what_the_axes_can_do_in_each_direction() {
     // What the model says that the axes need, and two cycles.
     assert!(way <= 0.634 + 2.0 * 51.0 * 0.001 + 1e-3, "{way}");
 }
+
+/// A long flat blend had one acceleration, and was slow as a whole where the corners at both of its ends are.
+#[test]
+fn long_flat_blend_speeds_up_and_slows_down() {
+    let start = at(0.0, 159.429_93, -78.820_16);
+    let time = |tolerance: f64| {
+        let to = |y: f64, z: f64| Segment {
+            feed: Feed::PerSecond(12741.0 / 60.0),
+            ..line(at(0.0, y, z), Blend::Within(tolerance))
+        };
+        let program = [to(159.435_01, -78.9409), to(159.438_23, -79.067_15), to(159.0, -79.0)];
+        run(start, &program, Feeding::Full).time()
+    };
+    let (strict, loose) = (time(0.000_29), time(0.000_8));
+    assert!(loose <= strict + 0.002, "{strict} s, {loose} s with more allowed");
+}

@@ -46,6 +46,8 @@ pub(super) enum Task {
     AtOnce(Switching),
     /// Outputs with the start of a motion.
     WithMotion(Vec<Switching>),
+    /// Outputs with a motion that leads nowhere.
+    InPlace(Vec<Switching>),
 }
 
 /// The point where a leg ends or the first one starts.
@@ -125,7 +127,10 @@ impl<'a> Route<'a> {
                     return Err(format!("{what} at {}", element.block));
                 };
                 if !element.switches.is_empty() {
-                    corner.tasks.push(Task::WithMotion(element.switches.clone()));
+                    let switches = element.switches.clone();
+                    let here = curve.is_empty();
+                    let task = if here { Task::InPlace } else { Task::WithMotion };
+                    corner.tasks.push(task(switches));
                 }
                 let rests = matches!(element.shape, Shape::Probe { .. });
                 if rests || element.mode == PathMode::ExactStop && curve.is_empty() {

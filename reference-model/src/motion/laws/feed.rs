@@ -32,22 +32,23 @@ pub(super) fn feed(record: &Record<'_>) -> Verdict {
         let (first, last) = matching.legs[sample - 1];
         let legs = first.min(matching.legs[sample].0)..=last.max(matching.legs[sample].1);
         let legs: Vec<&Leg<'_>> = route.legs[legs].iter().collect();
-        if legs.iter().any(|leg| leg.element.feed == Feed::Rapid) {
-            rapid(record, sample, &chord, settled.rapid[sample], &mut findings);
-            continue;
-        }
+        let is_rapid = |leg: &&Leg<'_>| leg.element.feed == Feed::Rapid;
         let spindle = |number| spindles.turns(number, sample);
-        let held = legs.iter().map(|leg| {
+        let held = legs.iter().filter(|leg| !is_rapid(leg)).map(|leg| {
             let measured = leg.curve.counted().length(&chord) / record.period;
             (measured, settled.factor(leg, sample) * speed(leg, spindle), leg)
         });
         // It is enough if one leg allows it: between two of them the chord is neither's.
         let excess = |(measured, limit, _): &(f64, f64, &&Leg<'_>)| measured - limit;
-        let Some((measured, limit, leg)) = held.min_by(|a, b| excess(a).total_cmp(&excess(b)))
-        else {
-            continue;
-        };
         let off = 4.0 * (record.samples.resolution() + RELATIVE * 1e-3) / record.period;
+        let least = held.min_by(|a, b| excess(a).total_cmp(&excess(b)));
+        let allows =
+            least.is_some_and(|(measured, limit, _)| measured <= limit * (1.0 + RELATIVE) + off);
+        if !allows && legs.iter().any(is_rapid) {
+            rapid(record, sample, &chord, settled.rapid[sample], &mut findings);
+            continue;
+        }
+        let Some((measured, limit, leg)) = least else { continue };
         let words =
             || format!("{measured} per second at {} where {limit} are allowed", leg.element.block);
         findings.at_most(sample, None, (measured, limit * (1.0 + RELATIVE) + off), (limit, &words));

@@ -6,7 +6,7 @@ use super::matching::{Matching, Miss, Missed};
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
 use crate::motion::route::{Leg, Route};
-use crate::motion::vector::{Nine, distance, dot, from_segment, minus, plus};
+use crate::motion::vector::{Nine, direction, dot, from_segment, length, minus, plus};
 
 type Matched<'a> = (Route<'a>, Matching);
 
@@ -159,9 +159,14 @@ pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
     findings.verdict()
 }
 
-/// The distance of a point from the triangle of a corner and the middles of its legs.
+/// The distance of a point from the triangle of a corner and the middles of its legs. The middle of an arc makes no triangle with a corner.
 fn from_corner(route: &Route<'_>, corner: usize, point: &Nine) -> f64 {
     let at = route.corners[corner].at;
+    let beside = [corner.checked_sub(1), Some(corner)].into_iter().flatten();
+    let mut legs = beside.filter_map(|leg| route.legs.get(leg));
+    if legs.any(|leg| !leg.curve.is_straight()) {
+        return 0.0;
+    }
     let middle = |leg: Option<&Leg<'_>>| leg.map_or(at, |leg| leg.curve.at(0.5));
     let before = corner.checked_sub(1).and_then(|leg| route.legs.get(leg));
     from_triangle([&middle(before), &at, &middle(route.legs.get(corner))], point)
@@ -174,16 +179,19 @@ fn from_triangle([a, b, c]: [&Nine; 3], point: &Nine) -> f64 {
         .iter()
         .map(|(one, other)| from_segment(one, other, point))
         .fold(f64::INFINITY, f64::min);
+    // Along one edge and across it, which keeps its digits however flat the triangle is.
     let (ab, ac, ap) = (minus(b, a), minus(c, a), minus(point, a));
-    let (bb, bc, cc) = (dot(&ab, &ab), dot(&ab, &ac), dot(&ac, &ac));
-    let area = bb * cc - bc * bc;
-    if area <= 1e-12 * bb * cc {
+    let Some(along) = direction(&ab) else { return edge };
+    let height = plus(&ac, &along, -dot(&ac, &along));
+    if length(&height) <= 1e-9 * length(&ac) {
         return edge;
     }
-    let (pb, pc) = (dot(&ap, &ab), dot(&ap, &ac));
-    let (beta, gamma) = ((cc * pb - bc * pc) / area, (bb * pc - bc * pb) / area);
+    let Some(across) = direction(&height) else { return edge };
+    let (x, y) = (dot(&ap, &along), dot(&ap, &across));
+    let gamma = y / length(&height);
+    let beta = (x - gamma * dot(&ac, &along)) / length(&ab);
     if beta < 0.0 || gamma < 0.0 || beta + gamma > 1.0 {
         return edge;
     }
-    distance(&plus(&plus(a, &ab, beta), &ac, gamma), point).min(edge)
+    length(&plus(&plus(&ap, &along, -x), &across, -y)).min(edge)
 }

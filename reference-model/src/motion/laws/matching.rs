@@ -79,6 +79,8 @@ pub(super) struct Matching {
     pub(super) missed: Vec<Miss>,
     /// First and last leg that each sample can stand for.
     pub(super) legs: Vec<(usize, usize)>,
+    /// How many legs may be behind each sample: those before the last one, and that one if the sample can stand for its end.
+    pub(super) ended: Vec<usize>,
     /// The corners of which each sample can be on the way from the middle before to the middle behind, in order.
     pub(super) corners: Vec<Vec<usize>>,
 }
@@ -123,6 +125,11 @@ pub(super) fn matched(route: &Route<'_>, measure: Measure<'_>) -> Matching {
         let leg = |reach: Option<&Reach>| reach.map_or(0, |reach| matcher.pieces[reach.piece].leg);
         (leg(row.first()), leg(row.last()))
     });
+    let ended = matcher.rows.iter().map(|row| {
+        row.last().map_or(0, |reach| {
+            matcher.pieces[reach.piece].leg + usize::from(reach.high >= 1.0 - 1e-9)
+        })
+    });
     let corners = matcher.rows.iter().map(|row| {
         let mut corners: Vec<usize> =
             row.iter().flat_map(|reach| matcher.corners(*reach)).collect();
@@ -132,6 +139,7 @@ pub(super) fn matched(route: &Route<'_>, measure: Measure<'_>) -> Matching {
     Matching {
         places,
         legs: legs.collect(),
+        ended: ended.collect(),
         corners: corners.collect(),
         missed: matcher.missed.clone(),
     }

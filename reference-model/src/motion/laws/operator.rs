@@ -1,6 +1,6 @@
 //! Hold, abort, and what is left to stop on.
 
-use gaugeblock_trace::motion::Column;
+use gaugeblock_trace::motion::{Column, Feed};
 
 use super::matching::Matching;
 use super::record::Record;
@@ -14,14 +14,18 @@ const CYCLES: usize = 2;
 
 impl Record<'_> {
     /// Whether something holds the motion at a sample: the operator, the feed stop where M53 lets it, an override or an adaptive
-    /// feed of zero where M50 and M52 let them (section 11.6.12: zero is as good as a feed hold).
+    /// feed of zero where M50 and M52 let them (section 11.6.12: zero is as good as a feed hold). That is said of the
+    /// adaptive feed; of an override of the feed nobody says that it acts on rapid moves, which have one of their own (section 13.3.4.17).
     pub(super) fn holds(&self, sample: usize) -> bool {
         let requests = &self.requests;
         let Ok((route, matching)) = &self.matched else { return requests.hold[sample] };
         let controls = route.legs[matching.places[sample].leg].element.controls;
+        let (first, last) = matching.legs[sample];
+        let mut legs = route.legs[first..=last].iter();
+        let traverses = legs.any(|leg| leg.element.feed == Feed::Rapid);
         requests.hold[sample]
             || controls.feed_stop && requests.feed_stop[sample]
-            || controls.feed_override && requests.feed_override[sample] <= 0.0
+            || controls.feed_override && !traverses && requests.feed_override[sample] <= 0.0
             || controls.adaptive_feed && requests.adaptive[sample] == 0.0
     }
 }
@@ -111,6 +115,9 @@ fn stops(
 
 /// Rule trajectory.reserve. At each instant the elements that the planner was given suffice to stop on, so that it may be
 /// starved at any cycle (section 2.3.1.3: never at such a speed that it cannot come to an exact stop).
+///
+/// The speed from one sample to the next is that of some instant between them, at which the motion is no nearer than at the first of
+/// them: from there the speed has to suffice.
 pub(super) fn reserve(record: &Record<'_>) -> Verdict {
     let Some(queued) = record.samples.column(Column::Queued) else {
         return Verdict::NotJudged("what was queued is not recorded".to_owned());
@@ -129,20 +136,20 @@ pub(super) fn reserve(record: &Record<'_>) -> Verdict {
         ends.push(way);
     }
     let mut findings = Findings::of(Law::Reserve);
-    for (sample, queued) in queued.iter().enumerate() {
-        let place = matching.places[sample];
+    for (sample, queued) in queued.iter().enumerate().skip(1) {
+        let place = matching.places[sample - 1];
         let legs =
             route.legs.partition_point(|leg| crate::motion::vector::count(leg.place) < *queued);
         let leg = &route.legs[place.leg];
         let here = ends[place.leg] + place.part * leg.curve.length();
         let left = (ends[legs] - here).max(0.0);
         let speed = record.speed(sample);
-        let off = speed * record.period + record.bulge + record.slack + leg.tolerance;
+        let off = record.bulge + record.slack + leg.tolerance;
         if speed * speed <= 2.0 * record.envelope.least() * left {
             continue;
         }
-        let needed =
-            shortest_stopping(route, &record.envelope, (place.leg, place.part), speed).distance;
+        let from = (place.leg, place.part);
+        let needed = shortest_stopping(route, &record.envelope, from, speed, legs).distance;
         let words =
             || format!("{needed} mm are needed to stop from {speed} mm/s and {left} mm are queued");
         findings.at_most(sample, None, (needed, left * (1.0 + 1e-9) + off), (0.0, &words));

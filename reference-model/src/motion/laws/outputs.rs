@@ -73,10 +73,13 @@ fn ask(
             let new = Expected { value: switching.value, first, last, certain };
             expected.entry(switching.pin).or_default().push(new);
         }
-        Task::WithMotion(switches) => {
+        Task::WithMotion(switches) | Task::InPlace(switches) => {
             let near = start(record, (route, matching), number, visit);
+            // A motion that leads nowhere may start at any time of the rest.
+            let stays = matches!(task, Task::InPlace(_));
+            let (near, until) = visit.at.filter(|_| stays).unwrap_or((near, near));
             for switching in switches {
-                let (first, last) = (near.saturating_sub(1), near + 1);
+                let (first, last) = (near.saturating_sub(1), until + 1);
                 let new = Expected { value: switching.value, first, last, certain };
                 expected.entry(switching.pin).or_default().push(new);
             }

@@ -110,7 +110,7 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
 }
 
 /// Rule trajectory.dwell. The axes stand for the time of a dwell (G4), to the cycle more or less; at least so long where
-/// something else is waited for or held there too, or where the planner does not know yet how it goes on.
+/// something else is waited for or held there too, or where the planner does not know yet how it goes on. An abort ends it.
 pub(super) fn dwell(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -130,13 +130,18 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
         let (least, most) = rest(record, visit, &route.corners[number].at);
         let words = || format!("rest for less than {most} s where {seconds} s are asked for");
         let after = visit.at.map_or(visit.after(record), |(_, end)| (end + 1).min(last));
-        findings.at_most(
-            after,
-            None,
-            ((seconds - record.period) * (1.0 - RELATIVE), most),
-            (0.0, &words),
-        );
-        let alone = tasks.iter().all(|task| matches!(task, Task::Dwell(_) | Task::WithMotion(_)));
+        let aborted = record.requests.aborted.is_some_and(|cycle| cycle <= after);
+        if !aborted {
+            findings.at_most(
+                after,
+                None,
+                ((seconds - record.period) * (1.0 - RELATIVE), most),
+                (0.0, &words),
+            );
+        }
+        let alone = tasks
+            .iter()
+            .all(|task| matches!(task, Task::Dwell(_) | Task::WithMotion(_) | Task::InPlace(_)));
         let open = number == 0
             || visit.at.is_none_or(|(_, end)| end == last)
             || held(record, visit)

@@ -60,7 +60,7 @@ pub(super) fn visits(
         let legs = |sample: usize| matching.legs[sample];
         let can_be_behind = |sample: usize| {
             legs(sample).1 >= number && number < route.legs.len()
-                || is_at(sample) && legs(sample).1 + 1 >= number
+                || is_at(sample) && matching.ended[sample] >= number
         };
         let can_be_before =
             |sample: usize| legs(sample).0 < number || is_at(sample) && legs(sample).0 <= number;
