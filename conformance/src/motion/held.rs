@@ -26,6 +26,11 @@ pub fn asked(
 ) -> Result<(Scenario, ProgrammedPath), String> {
     let mut scenario = Setup::default().scenario(&case.program, options);
     scenario.bench.name = bench.cloned();
+    // The machine has every axis of which the case says what it can do.
+    let axes = &mut scenario.machine.axes;
+    axes.extend(case.limits()?.axes.into_keys());
+    axes.sort_unstable();
+    axes.dedup();
     let (outcome, _) = gaugeblock_reference::run(&scenario);
     if outcome.end != End::ProgramEnd {
         return Err(format!("the model does not come to its end: {}", outcome.end.name()));

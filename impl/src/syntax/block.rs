@@ -168,13 +168,13 @@ impl Packer {
         let mut other = false;
         while !cursor.is_at_end() {
             match cursor.peek() {
-                byte @ (b'a'..=b'n' | b'p'..=b'z') => {
-                    other = true;
-                    self.word(byte.wrapping_sub(b'a'), &mut cursor, &mut items, into)?;
-                }
                 b'o' if !other => {
                     let commented = items.comment.is_some();
                     return self.oword(&mut cursor, commented, block, into);
+                }
+                byte @ b'a'..=b'z' => {
+                    other = true;
+                    self.word(byte.wrapping_sub(b'a'), &mut cursor, &mut items, into)?;
                 }
                 b'(' | b';' => self.comment(&mut cursor, &mut items)?,
                 byte => {
@@ -195,7 +195,7 @@ impl Packer {
         if self.choices.line_end_free { 256 } else { 255 }
     }
 
-    /// A word or a setting.
+    /// A setting, or a word that has no letter.
     #[inline]
     fn item(
         &mut self,
@@ -205,7 +205,6 @@ impl Packer {
         into: &mut Segment,
     ) -> Packed<()> {
         match byte {
-            b'a'..=b'z' => self.word(byte.wrapping_sub(b'a'), cursor, items, into),
             b'#' => self.setting(cursor, into),
             b'$' => self.sign_word(26, Op::Dollar, cursor, items, into),
             b'@' => self.sign_word(27, Op::At, cursor, items, into),

@@ -15,11 +15,9 @@ use super::outputs::Outputs;
 use super::panel::Panel;
 use super::pins::{Followed, bit};
 
-/// What the controller is doing.
+/// What the controller is doing, or did before it became idle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Doing {
-    /// It is idle.
-    Nothing,
     /// It runs a program.
     Program,
     /// It executes a block that was entered by hand.
@@ -107,7 +105,7 @@ impl<M: Machine> Desk<M> {
             machine,
             panel: Panel::new(),
             mode: ControllerMode::Auto,
-            doing: Doing::Nothing,
+            doing: Doing::Program,
             pause: None,
             broken: None,
             followed: Followed::new(&interpreter.settings()),
@@ -185,7 +183,7 @@ impl<M: Machine> Desk<M> {
         self.items = all;
     }
 
-    /// A program or a block by hand begins.
+    /// A program or a block by hand begins; nothing of what was left by the one before counts.
     pub(super) fn begin(&mut self, doing: Doing) {
         self.doing = doing;
         self.pause = None;
@@ -196,14 +194,6 @@ impl<M: Machine> Desk<M> {
         self.pallets = false;
         self.level = 0;
         self.renew_items();
-    }
-
-    /// Nothing is being executed any more.
-    pub(super) fn rest(&mut self) {
-        self.doing = Doing::Nothing;
-        self.pause = None;
-        self.ahead = false;
-        self.synchronised = false;
     }
 
     /// After an abort: what waits for a motion is gone with the motions that were queued, or waits for the next one.

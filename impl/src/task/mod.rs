@@ -215,14 +215,10 @@ impl<M: Machine> Task<M> {
             Ok(Progress::More | Progress::Stopped) => Ok(Activity::More),
             Ok(Progress::Broken) => Ok(self.broken(source)),
             Ok(Progress::Ended(end)) => {
-                self.desk.rest();
                 self.interpreter.set_controller_mode(self.desk.mode);
                 Ok(Activity::Ended(end))
             }
-            Err(error) => {
-                self.desk.rest();
-                Err(error)
-            }
+            Err(error) => Err(error),
         }
     }
 
@@ -269,7 +265,6 @@ impl<M: Machine> Task<M> {
         };
         if is_over {
             self.desk.within = false;
-            self.desk.rest();
             return Ok(Activity::Entered);
         }
         activity
@@ -277,7 +272,6 @@ impl<M: Machine> Task<M> {
 
     /// Lets time go by on an idle controller, until it is asked to execute something. Other requests are answered.
     pub fn idle(&mut self) -> Idle {
-        self.desk.rest();
         loop {
             match self.desk.machine.wait(None) {
                 Happening::Asked(action) => {
@@ -303,7 +297,6 @@ impl<M: Machine> Task<M> {
     fn broken<S: Source>(&mut self, source: &mut S) -> Activity {
         if let Some(why) = self.desk.take_open() {
             self.desk.machine.broken_off();
-            self.desk.rest();
             let block = self.interpreter.block();
             return Activity::Ended(End::Unspecified { block, why: why.into() });
         }
@@ -315,7 +308,6 @@ impl<M: Machine> Task<M> {
         self.desk.take_abort();
         self.desk.forget_waiting();
         self.desk.take_over();
-        self.desk.rest();
         self.interpreter.abort(&mut self.desk);
         self.desk.release_spindles();
         self.desk.look_at_spindles();
