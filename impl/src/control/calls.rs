@@ -25,7 +25,7 @@ const P_AND_L: u32 = 1 << (b'P' - b'A') | 1 << (b'L' - b'A');
 impl Interpreter {
     /// The segment of a sub.
     #[inline]
-    fn segment_of(&self, label: NameId) -> Option<u32> {
+    pub(super) fn segment_of(&self, label: NameId) -> Option<u32> {
         let place = usize::try_from(label).ok()?;
         self.subs.get(place).copied().filter(|segment| *segment != NONE)
     }

@@ -173,11 +173,15 @@ impl Interpreter {
             return Ok(());
         }
         let gathered = self.gather_sub(oword.label, code.file, source)?;
+        let is_it = |block: &Block| matches!(block.kind, Kind::Definition { label, .. } if label == oword.label);
+        let defined = self.segment_of(oword.label).is_some() || code.blocks.iter().any(is_it);
         let Some(block) = code.blocks.last_mut() else { return Ok(()) };
         match gathered {
             Ok(segment) => block.kind = Kind::Definition { label: oword.label, segment },
             Err(bad) => {
                 let (kind, message) = match bad {
+                    // Its head is come to before what is wrong within.
+                    _ if defined => (FaultKind::DuplicateSub, "the sub is defined twice"),
                     Bad::Nested(line) => {
                         block.line = line;
                         (FaultKind::NestedSub, "a sub within a sub")

@@ -76,7 +76,7 @@ impl Modal {
     pub(super) fn add_control_point(&mut self, words: &Words) -> Result<(), Refusal> {
         self.check_spline(words)?;
         let open = self.series.curve.filter(|_| self.motion == Motion::Nurbs);
-        if open.is_none() && self.choices.nurbs_feed_at_opening {
+        if self.choices.nurbs_feed_at_opening {
             self.check_feed_move()?;
         }
         let mut curve = open.unwrap_or(Curve { points: 1, order: 3, last: self.position });
@@ -116,7 +116,9 @@ impl Modal {
             let why = "a curve with fewer control points than its order (11.5.9)";
             return Err(Refusal::Unspecified(why.into()));
         }
-        self.check_feed_move()?;
+        if !self.choices.nurbs_feed_at_opening {
+            self.check_feed_move()?;
+        }
         self.motion = Motion::None;
         self.series = Series::default();
         let start = core::mem::replace(&mut self.position, curve.last);

@@ -131,7 +131,9 @@ pub(crate) fn function(function: Function, value: f64, choices: &Choices) -> Res
             RoundHalf::Even => math::round_even(value),
             RoundHalf::Up => {
                 let below = math::floor(value);
-                if value - below >= 0.5 { below + 1.0 } else { below }
+                // What rounds up to zero from below is a zero below zero.
+                let rounded = if value - below >= 0.5 { below + 1.0 } else { below };
+                rounded.copysign(value)
             }
         },
         Function::Logarithm => {

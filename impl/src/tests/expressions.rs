@@ -164,3 +164,14 @@ fn words_take_any_value() {
     case.check("#31=-#1\nm2\n", "refused at 1");
     case.check("#31=[1--1]\nm2\n", "#31 = 2");
 }
+
+/// However halves are rounded; which zero it is ATAN tells.
+#[test]
+fn what_is_rounded_up_to_zero_is_a_zero_below_zero() {
+    for option in ["away", "up", "even"] {
+        let options =
+            [("expressions.negative-zero", "kept"), ("expressions.round-half", option)].into();
+        let case = Case { options, ..Case::default() };
+        case.check("#31=atan[0]/[round[-0.25]]\nm2\n", "#31 = 180");
+    }
+}

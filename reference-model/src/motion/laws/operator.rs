@@ -138,6 +138,10 @@ pub(super) fn reserve(record: &Record<'_>) -> Verdict {
     let mut findings = Findings::of(Law::Reserve);
     for (sample, queued) in queued.iter().enumerate().skip(1) {
         let place = matching.places[sample - 1];
+        // Who runs back stops on what has been passed.
+        if matching.places[sample] < place {
+            continue;
+        }
         let legs =
             route.legs.partition_point(|leg| crate::motion::vector::count(leg.place) < *queued);
         let leg = &route.legs[place.leg];

@@ -156,7 +156,7 @@ pub(super) fn nurbs(words: &Words, state: &mut State, record: &mut Record) -> Re
         return Err(open("which block of a NURBS has the F of inverse time"));
     }
     let at_opening = state.readings.is("splines.nurbs-feed", "at-opening");
-    if if at_opening { opens } else { closes } {
+    if at_opening != closes {
         super::motion::feed_possible(words, state)?;
     }
     let mut nurbs = match state.curve.open.take() {
