@@ -8,8 +8,8 @@ const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "asin", "acos", "atan", "exp",
 /// Those whose argument is turned into radians, which moves their zeros.
 const OF_ANGLES: &[&str] = &["sin", "cos", "tan"];
 
-/// About the last bit of an angle in radians.
-const LAST_BIT: &str = "0.0000000000000002";
+/// About the last bit of an angle of one turn, in radians.
+const LAST_BIT: &str = "0.000000000000001";
 
 /// One and its neighbours, as they are written.
 const UP: &str = "1.0000000000000002";
