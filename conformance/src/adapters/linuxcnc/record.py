@@ -53,8 +53,8 @@ def run(command, status, errors):
         if begun and idle and status.inpos and status.queue == 0:
             return None
         if not begun and time.monotonic() - started > START:
-            # A program that is over at once may never be seen to run.
-            return None
+            # Samples of nothing would accuse the controller of what it was never asked.
+            return "the program was not taken up"
         time.sleep(PAUSE)
 
 
