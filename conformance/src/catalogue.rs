@@ -13,7 +13,8 @@ use crate::suite::{
 /// The editions in which a case runs, the default edition first.
 pub fn editions_of<'a>(suite: &'a Suite, rule: &Rule, case: &Case) -> Vec<&'a Edition> {
     let runs = |edition: &&Edition| {
-        !rule.void.contains_key(&edition.id)
+        edition.language == rule.language
+            && !rule.void.contains_key(&edition.id)
             && (case.editions.is_empty() || case.editions.contains(&edition.id))
     };
     let mut editions: Vec<_> = suite.editions.iter().filter(runs).collect();

@@ -158,7 +158,8 @@ fn select<'a>(plan: Plan<'a>, controller: &dyn Adapter) -> Selected<'a> {
     let wanted = |rule: &&Rule| {
         plan.only.is_empty() || plan.only.iter().any(|p| rule.id.starts_with(p.as_str()))
     };
-    for rule in plan.suite.rules.iter().filter(wanted) {
+    let speaks = |rule: &&Rule| rule.language == plan.edition.language;
+    for rule in plan.suite.rules.iter().filter(wanted).filter(speaks) {
         if let Some(why) = rule.void.get(edition) {
             void.push((rule, why.as_str()));
             continue;
@@ -310,6 +311,7 @@ fn samples_of(
 /// The scenario of a case under an edition. The edition's bench answers where the case has none of its own.
 pub fn scenario_of(case: &Case, options: &Options, edition: &Edition) -> Scenario {
     let mut scenario = case.setup.scenario(&case.program, options);
+    scenario.program.language = edition.language;
     if scenario.bench == Bench::default() {
         scenario.bench.name.clone_from(&edition.bench);
     }

@@ -84,7 +84,7 @@ impl<'a> Departed<'a> {
     /// Each other option of what the rule names, then of each quirk.
     fn candidates(&self) -> Vec<Other<'a>> {
         let is_named = |choice: &&Choice| self.rule.options.contains(&choice.id);
-        let choices = self.suite.choices.iter();
+        let choices = self.suite.choices.iter().filter(|c| c.language == self.rule.language);
         let named = choices.clone().filter(is_named);
         let quirks = choices.filter(|c| c.kind == ChoiceKind::Quirk && !is_named(c));
         let in_force = &self.scenario.options;

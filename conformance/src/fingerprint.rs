@@ -41,7 +41,9 @@ pub fn fingerprint<'a>(
         let shown = if is_known { used } else { shown(choice, options, bench, controller, true) };
         (choice, shown)
     };
-    let mut all: Vec<_> = suite.choices.iter().map(of).collect();
+    // Choices in another language than the controller's are no options of its edition.
+    let listed = suite.choices.iter().filter(|choice| options.get(&choice.id).is_some());
+    let mut all: Vec<_> = listed.map(of).collect();
     hide_what_does_not_tell(&mut all);
     all
 }
@@ -70,6 +72,7 @@ pub fn shown(
     anew: bool,
 ) -> Shown {
     let mut scenario = choice.setup.scenario(&choice.program, options);
+    scenario.program.language = choice.language;
     if scenario.bench == Bench::default() {
         scenario.bench.name = bench.map(str::to_owned);
     }

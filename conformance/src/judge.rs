@@ -1,6 +1,6 @@
 //! Assertions held against what was observed.
 
-use gaugeblock_trace::{Effect, End, Entry, Language, Pin, Position, Settings, State, Value};
+use gaugeblock_trace::{Channel, Effect, End, Entry, Pin, Position, Settings, State, Value};
 
 use crate::adapters::Capabilities;
 use crate::compare::{end_text, pin_values, pins, rounded, tolerance};
@@ -47,6 +47,8 @@ pub fn judge(assertion: &Assertion, run: &Observed, shows: &Capabilities) -> Fin
         }
         Claim::Count(name, count) => judge.count(name, *count),
         Claim::Messages(texts) => judge.messages(texts),
+        Claim::Output(text) => judge.output(text),
+        Claim::Warnings(texts) => judge.warnings(texts),
         Claim::Pin(pin, values) => judge.pin(*pin, values),
     }
 }
@@ -170,12 +172,14 @@ impl Judge<'_> {
                 masked = Some(Finding::Masked(field.field.clone()));
                 continue;
             }
-            match value_of(entries, &field.field, index) {
+            match value_of(entries, &field.field, index).or_else(|| initial(&field.field)) {
                 None => masked = Some(Finding::Masked(field.field.clone())),
                 Some(found) => {
                     let expected = expected_value(field);
                     let resolution = self.shows.resolution_of(&field.field, entries);
-                    if !expected.is_some_and(|e| tolerance::values(&e, &found, resolution)) {
+                    if !expected
+                        .is_some_and(|e| tolerance::fields(&field.field, &e, &found, resolution))
+                    {
                         let index = index.map_or_else(String::new, |index| format!("[{index}]"));
                         let found = rounded(&found);
                         return Finding::Fails(format!("{}{index} = {found}", field.field));
@@ -221,12 +225,7 @@ impl Judge<'_> {
     }
 
     fn same_effect(&self, a: &Effect, b: &Effect) -> bool {
-        let (left, right) = (a.arguments(), b.arguments());
-        a.name() == b.name()
-            && left.len() == right.len()
-            && left.iter().zip(&right).all(|((name, a), (other, b))| {
-                name == other && tolerance::values(a, b, self.shows.resolution)
-            })
+        tolerance::effects(a, b, self.shows.resolution)
     }
 
     fn count(&self, name: &str, count: usize) -> Finding {
@@ -256,6 +255,31 @@ impl Judge<'_> {
         })
     }
 
+    /// The texts of one channel.
+    fn said(&self, on: Channel) -> impl Iterator<Item = &str> {
+        self.run.effects.iter().filter_map(move |observed| {
+            let Effect::Message { channel, text } = &observed.effect else { return None };
+            (*channel == on).then_some(text.as_str())
+        })
+    }
+
+    fn output(&self, expected: &str) -> Finding {
+        if !self.shows.effects.contains("message") {
+            return Finding::Masked("message".to_owned());
+        }
+        let found: String = self.said(Channel::Output).collect();
+        ok(found == expected, || format!("output: {found:?}"))
+    }
+
+    fn warnings(&self, expected: &[String]) -> Finding {
+        if !self.shows.effects.contains("message") {
+            return Finding::Masked("message".to_owned());
+        }
+        let found = self.said(Channel::Display).map(|text| text.trim_start_matches("warning: "));
+        let found: Vec<&str> = found.collect();
+        ok(found == expected, || format!("warnings: {}", found.join(" | ")))
+    }
+
     fn pin(&self, pin: Pin, expected: &[f64]) -> Finding {
         if !self.shows.pins.contains(pin.name()) {
             return Finding::Masked(pin.name().to_owned());
@@ -282,6 +306,15 @@ fn without_moves_in_place(effects: &[Effect], begin: Option<Position>) -> Vec<&E
     effects.iter().filter(moves).collect()
 }
 
+/// What a field of a post-processor's variable is before it is recorded for the first time.
+fn initial(field: &str) -> Option<Value> {
+    match field {
+        "variable" => Some(Value::Text(String::new())),
+        "set" => Some(Value::Word("off".to_owned())),
+        _ => None,
+    }
+}
+
 /// The value that is written, read as the field's type.
 fn expected_value(field: &Expected) -> Option<Value> {
     let index = field.index.as_deref();
@@ -289,7 +322,7 @@ fn expected_value(field: &Expected) -> Option<Value> {
     let entries = if settings.read(&field.field, index, &field.value).is_ok() {
         settings.entries()
     } else {
-        let mut state = State::empty(Language::Rs274);
+        let mut state = State::empty(field.language());
         state.read(&field.field, index, &field.value).ok()?;
         state.entries()
     };

@@ -4,14 +4,15 @@ use std::collections::BTreeSet;
 use std::num::NonZero;
 use std::sync::atomic::AtomicBool;
 
+use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::reference::Reference;
 use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
 use gaugeblock::fuzz::groups::{Find, Groups, merged, shrunk};
 use gaugeblock::fuzz::journal::Chunk;
 use gaugeblock::fuzz::statistics::Statistics;
-use gaugeblock::fuzz::{Extent, Plan, Shard, run};
+use gaugeblock::fuzz::{Came, Extent, Plan, Shard, run};
 use gaugeblock_fuzz::generate::{Recipe, Setups};
-use gaugeblock_trace::{Effect, Event, Options, Outcome, Scenario};
+use gaugeblock_trace::{Effect, Event, LengthUnit, Options, Outcome, Scenario};
 
 /// Few enough for a debug build, and several chunks.
 const PROGRAMS: u64 = 300;
@@ -118,6 +119,25 @@ fn an_interrupted_run_tells_the_same() {
     let rest = chunks(&plan, WHOLE, &done);
     assert_eq!(rest.len() + before.len(), whole.len());
     assert_eq!(together([before, rest].concat()), together(whole));
+}
+
+#[test]
+fn where_the_rounding_of_a_position_decides_nothing_is_said() {
+    let (production, reference) = (Production::default(), Reference::default());
+    let plan = plan(&production, &reference);
+    // An arc to where the point stands, a turn about it, half of a number: each but for the last bit of a position.
+    for (unit, text) in [
+        (LengthUnit::Millimetre, "g0 x2\ng20 f1\ng21 g10 l2 p0 x1\ng2 x1 r0\nm2\n"),
+        (LengthUnit::Inch, "g0 x3 y4\ng10 l2 p0 x3 y4\ng91 ^0\nm2\n"),
+        (LengthUnit::Inch, "f1\ng10 l2 p0 x1\ng1 zround[[#<_x> + .5]]\nm2\n"),
+    ] {
+        let mut scenario = Scenario::of(text);
+        scenario.machine.length_unit = unit;
+        let (choice, option) = ("arcs.radius-just-too-small", "half-circle");
+        scenario.options.0.insert(choice.to_owned(), option.to_owned());
+        let came = plan.judge(&scenario, &mut Statistics::default());
+        assert!(matches!(came, Came::Fragile | Came::Same), "{text}: {came:?}");
+    }
 }
 
 mod command {

@@ -7,7 +7,8 @@ use gaugeblock::adapters::Adapter;
 use gaugeblock::adapters::production::Production;
 use gaugeblock::certify::{Plan, Run, Verdict, certify};
 use gaugeblock::fingerprint::{Shown, shown};
-use gaugeblock::suite::{ChoiceKind, Edition, Suite, files};
+use gaugeblock::suite::{Choice, ChoiceKind, Edition, Suite, files};
+use gaugeblock_trace::Language;
 
 /// Why cases are unsupported: they are about what another controller only stubs.
 const OTHERS: &[&str] = &["the bench \"stand-alone rs274\" is another controller's"];
@@ -16,11 +17,12 @@ fn suite() -> Suite {
     Suite::read(&files::built_in()).unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
 }
 
-/// Editions of documents, not of what a real controller does.
+/// Editions of documents in the language that it speaks, not of what a real controller does.
 fn editions(suite: &Suite) -> Vec<&Edition> {
     let honoured =
         |edition: &&Edition| Production::default().honours(&suite.options(edition)).is_ok();
-    suite.editions.iter().filter(honoured).collect()
+    let spoken = |edition: &&Edition| edition.language == Language::Rs274;
+    suite.editions.iter().filter(honoured).filter(spoken).collect()
 }
 
 fn run<'a>(suite: &'a Suite, edition: &'a Edition) -> Run<'a> {
@@ -76,7 +78,9 @@ fn it_does_what_each_option_says() {
     let editions = editions(&suite);
     let production = Production::default();
     let (mut wrong, mut left_out) = (Vec::new(), Vec::new());
-    for choice in suite.choices.iter().filter(|choice| choice.kind == ChoiceKind::Choice) {
+    let spoken = |choice: &&Choice| choice.language == Language::Rs274;
+    let choices = suite.choices.iter().filter(|choice| choice.kind == ChoiceKind::Choice);
+    for choice in choices.filter(spoken) {
         let shown = |edition: &Edition, option: &str| {
             let mut options = suite.options(edition);
             options.0.insert(choice.id.clone(), option.to_owned());

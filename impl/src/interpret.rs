@@ -433,11 +433,6 @@ impl Interpreter {
     pub fn options(&self) -> &Options {
         &self.options
     }
-
-    /// The bounds that apply.
-    pub fn limits(&self) -> Limits {
-        self.limits
-    }
 }
 
 /// A segment by its number.

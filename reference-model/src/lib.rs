@@ -2,18 +2,22 @@
 //!
 //! Read it top to bottom: [`rs274`] has the pipeline
 //! `text → syntax → read → modes → parameters → machine → check → order → step → control → task`. Each section carries the id
-//! of the rule that it states; the rule's page in the suite has its sentence, its sources and its cases.
+//! of the rule that it states; the rule's page in the suite has its sentence, its sources and its cases. [`gpp`] has another
+//! language, in `text → formats → variables → toolpath → syntax → evaluate → status → print → record → run`.
 //!
 //! **Invariants.** It reads nothing but the scenario: no clock, no file, no environment, no random source. It panics on
 //! no scenario. It is written from the documents, without reading the production interpreter.
 
 mod by_name;
 mod evidence;
+pub mod gpp;
 mod math;
 pub mod motion;
 pub mod rs274;
 
 pub use evidence::{Evidence, RuleOutcome, Tally};
+
+pub use rs274::modes::Rounding;
 
 use gaugeblock_trace::{Language, Outcome, Scenario};
 
@@ -21,10 +25,14 @@ use gaugeblock_trace::{Language, Outcome, Scenario};
 ///
 /// Time and memory are linear in the executed blocks, which the scenario's budget bounds.
 pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
+    run_rounded(scenario, Rounding::AsComputed)
+}
+
+/// The same, with positions rounded in another way. Where that changes the answer, the documents have none.
+pub fn run_rounded(scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
     match scenario.program.language {
-        Language::Rs274 => rs274::run(scenario),
-        language @ (Language::Nct | Language::Gpp) => {
-            (rs274::not_specified(language), Evidence::default())
-        }
+        Language::Rs274 => rs274::run(scenario, rounding),
+        Language::Gpp => gpp::run(scenario),
+        Language::Nct => (rs274::not_specified(Language::Nct), Evidence::default()),
     }
 }

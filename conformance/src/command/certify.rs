@@ -82,6 +82,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     }
     let mut controller = controller::controller(&arguments.controller)?;
     controller::honours(controller.as_ref(), &suite.options(edition))?;
+    controller::speaks(controller.as_ref(), edition)?;
     if arguments.check_observation {
         controller.check_observation();
     }

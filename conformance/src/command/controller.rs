@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use gaugeblock_trace::Options;
+use gaugeblock_trace::{Language, Options, Scenario};
 
 use super::Refused;
 use crate::adapters::linuxcnc::LinuxCnc;
@@ -10,6 +10,7 @@ use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::rs274::Rs274;
 use crate::adapters::{Adapter, ControllerError};
+use crate::suite::Edition;
 
 /// The names, as the help tells them.
 pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine";
@@ -103,6 +104,22 @@ pub(super) fn honours(controller: &dyn Adapter, options: &Options) -> Result<(),
         Refused::wrong(
             format!("{name} cannot be held to this edition: {why}"),
             "an edition of what a real controller does is for that controller; name one of the documents'",
+        )
+    })
+}
+
+/// Refuses an edition in another language than the controller's: of such programs each would be unsupported, which is no certificate.
+pub(super) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), Refused> {
+    if edition.language == Language::Rs274 {
+        return Ok(());
+    }
+    let mut scenario = Scenario::default();
+    scenario.program.language = edition.language;
+    controller.supports(&scenario).map_err(|why| {
+        let name = &controller.capabilities().name;
+        Refused::unfinished(
+            format!("unsupported: {name} cannot be held to {}: {why}", edition.id),
+            "nothing was run and nothing is certified; `reference` speaks this language",
         )
     })
 }

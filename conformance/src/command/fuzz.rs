@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use gaugeblock_fuzz::generate::{Recipe, Setups};
-use gaugeblock_trace::Options;
+use gaugeblock_trace::{Language, Options};
 
 use super::{Format, Refused, controller, fuzz_report, place, write_error, write_out};
 use crate::adapters::Adapter;
@@ -18,7 +18,7 @@ use crate::fuzz::groups::{Find, Groups, merged, shrunk};
 use crate::fuzz::journal::{Header, Journal};
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{Extent, Plan, Shard, run};
-use crate::suite::{Edition, RuleOutcome, Suite};
+use crate::suite::{Choice, Edition, Rule, RuleOutcome, Suite};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock fuzz
@@ -108,6 +108,10 @@ fn shard(text: &str) -> Result<Shard, String> {
 pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     let own = controller::own_edition(&arguments.iut);
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    if edition.language != Language::Rs274 {
+        let message = format!("no programs are generated in the language {} yet", edition.language);
+        return Err(Refused::wrong(message, "name an edition of rs274"));
+    }
     let (options, random) = options(arguments, suite, edition)?;
     let known = arguments.known.as_deref().map(fuzz_report::read).transpose()?.unwrap_or_default();
     if let Some(folder) = &arguments.report {
@@ -126,7 +130,7 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
         spliced: if arguments.only.is_empty() { arguments.spliced } else { 0 },
         seeds: seeds(suite, edition, &options),
         options,
-        random: if random { suite.choices.iter().collect() } else { Vec::new() },
+        random: if random { of_language(suite, edition) } else { Vec::new() },
         bench: edition.bench.clone(),
     };
     let header = header(arguments, &plan, edition);
@@ -309,6 +313,11 @@ fn options(
     }
 }
 
+/// The choices in an edition's language.
+fn of_language<'a>(suite: &'a Suite, edition: &Edition) -> Vec<&'a Choice> {
+    suite.choices.iter().filter(|choice| choice.language == edition.language).collect()
+}
+
 /// Options without those that hold where nothing is listed.
 fn without_defaults(mut options: Options, suite: &Suite) -> Options {
     for choice in &suite.choices {
@@ -362,7 +371,9 @@ fn outcomes<'a>(
     suite: &'a Suite,
     edition: &'a Edition,
 ) -> impl Iterator<Item = (&'a str, gaugeblock_reference::RuleOutcome)> {
-    let rules = suite.rules.iter().filter(|rule| !rule.void.contains_key(&edition.id));
+    let exists =
+        |rule: &&Rule| rule.language == edition.language && !rule.void.contains_key(&edition.id);
+    let rules = suite.rules.iter().filter(exists);
     rules.flat_map(|rule| {
         rule.outcomes.iter().map(move |outcome| {
             let reached = match outcome {

@@ -1,14 +1,18 @@
 //! `gaugeblock run`.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use clap::Args;
 use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{End, Outcome, Program, Scenario};
+use gaugeblock_trace::{End, Language, Outcome, Program, Scenario};
 
 use super::{Format, Refused, controller, place, write_error, write_out};
 use crate::suite::Suite;
+
+/// What drives a post-processor program, and how its file's name ends.
+const TOOLPATH: &str = "toolpath";
 
 const EXAMPLES: &str = "Examples:
   gaugeblock run part.ngc
@@ -16,9 +20,10 @@ const EXAMPLES: &str = "Examples:
   gaugeblock run part.ngc --iut linuxcnc
   gaugeblock run part.ngc --scenario mill.toml --format json
   gaugeblock run part.ngc --option saved-state.motion-mode=restored
+  gaugeblock run part.gpp --edition gpp-classic
 
-Subroutine files (*.ngc) beside the program are found by their names. The exit status is 0 also when the program
-faults: that is the answer.";
+Subroutine files (*.ngc) beside the program are found by their names. A program *.gpp is of a post-processor and has its toolpath
+beside it: part.toolpath. The exit status is 0 also when the program faults: that is the answer.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -39,9 +44,9 @@ pub(super) struct Arguments {
 /// How programs are run.
 #[derive(Debug, Args)]
 pub(super) struct How {
-    /// The edition of the documents that applies
-    #[arg(long, value_name = "EDITION", default_value = crate::suite::DEFAULT_EDITION)]
-    edition: String,
+    /// The edition of the documents that applies [default: linuxcnc-2.8; gpp2 for a program *.gpp]
+    #[arg(long, value_name = "EDITION")]
+    edition: Option<String>,
     /// Another option of a choice or quirk; may be repeated
     #[arg(long, value_name = "CHOICE=OPTION")]
     option: Vec<String>,
@@ -56,7 +61,11 @@ pub(super) struct How {
 impl How {
     /// The scenario of a program file, with the subroutine files beside it.
     pub(super) fn scenario(&self, suite: &Suite, file: &Path) -> Result<Scenario, Refused> {
-        let edition = super::edition(suite, &self.edition)?;
+        let edition = super::edition(suite, self.edition.as_deref().unwrap_or(by_name(file)))?;
+        let is_of_gpp = edition.language == Language::Gpp;
+        if is_of_gpp && self.edition.is_none() {
+            write_error(&format!("note: {}: edition {}, by its name", file.display(), edition.id));
+        }
         let mut scenario = match &self.scenario {
             Some(path) => {
                 let text = place::program(path)?;
@@ -69,7 +78,8 @@ impl How {
         };
         scenario.program = Program {
             main: place::program(file)?,
-            files: beside(file),
+            language: edition.language,
+            files: if is_of_gpp { toolpath(file, &scenario.program)? } else { beside(file) },
             block_delete: self.block_delete || scenario.program.block_delete,
             ..scenario.program
         };
@@ -81,8 +91,23 @@ impl How {
     }
 }
 
+/// The edition that a file's name stands for.
+fn by_name(file: &Path) -> &'static str {
+    let is_of_gpp = file.extension().is_some_and(|extension| extension == "gpp");
+    if is_of_gpp { "gpp2" } else { crate::suite::DEFAULT_EDITION }
+}
+
+/// The toolpath beside a post-processor program, or else that of the scenario's file.
+fn toolpath(file: &Path, program: &Program) -> Result<BTreeMap<String, String>, Refused> {
+    let beside = file.with_extension(TOOLPATH);
+    if !beside.exists() {
+        return Ok(program.files.clone());
+    }
+    Ok(BTreeMap::from([(TOOLPATH.to_owned(), place::program(&beside)?)]))
+}
+
 /// The other programs of the same folder; what is no readable text is left out, since it may never be called.
-fn beside(file: &Path) -> std::collections::BTreeMap<String, String> {
+fn beside(file: &Path) -> BTreeMap<String, String> {
     let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
     let entries =
         std::fs::read_dir(folder.unwrap_or(Path::new("."))).into_iter().flatten().flatten();

@@ -76,7 +76,7 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
         }
         Came::Fragile => {
             write_out(&format!(
-                "{name}: they differ, but the last bit of a transcendental function decides\n"
+                "{name}: they differ, but the last bit of a transcendental function or of a position decides\n"
             ));
             return Ok(1);
         }

@@ -129,14 +129,8 @@ impl Walk<'_> {
         a: &ObservedEffect,
         b: &ObservedEffect,
     ) -> Option<Divergence> {
-        let same_name = a.effect.name() == b.effect.name();
-        let (left, right) = (a.effect.arguments(), b.effect.arguments());
-        let same = same_name
-            && left.len() == right.len()
-            && left.iter().zip(&right).all(|((name, a), (other, b))| {
-                name == other && tolerance::values(a, b, self.shows.resolution)
-            });
-        self.comparison.compared.add(Basis::Effects, 1 + left.len());
+        let same = tolerance::effects(&a.effect, &b.effect, self.shows.resolution);
+        self.comparison.compared.add(Basis::Effects, 1 + a.effect.arguments().len());
         if !same {
             return Some(missing(Some(block.clone()), describe(a), describe(b)));
         }
@@ -200,7 +194,7 @@ impl Walk<'_> {
             let basis = if is_setting { Basis::Settings } else { Basis::State };
             self.comparison.compared.add(basis, 1);
             let resolution = self.shows.resolution_of(entry.field, found);
-            if !tolerance::values(&entry.value, &other.value, resolution) {
+            if !tolerance::fields(entry.field, &entry.value, &other.value, resolution) {
                 return Some(Divergence {
                     block: Some(block.clone()),
                     field: entry.name(),
@@ -270,7 +264,9 @@ impl Walk<'_> {
     }
 
     fn parameters(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
-        let (Some(left), Some(right)) = (&expected.parameters, &found.parameters) else {
+        // A language without numbered parameters has none to show.
+        let left = expected.parameters.as_ref()?;
+        let Some(right) = &found.parameters else {
             self.comparison.masked.insert("parameters at the end".to_owned());
             return None;
         };

@@ -172,20 +172,14 @@ fn overlay(state: &mut State, change: &State) {
 }
 
 fn same_effect(a: &Effect, b: &Effect) -> bool {
-    let same_argument = |((name, a), (other, b)): (&(_, _), &(_, _))| -> bool {
-        name == other && tolerance::values(a, b, 0.0)
-    };
-    a == b
-        || a.name() == b.name() && {
-            let (left, right) = (a.arguments(), b.arguments());
-            left.len() == right.len() && left.iter().zip(&right).all(same_argument)
-        }
+    a == b || tolerance::effects(a, b, 0.0)
 }
 
 fn same_entries(a: &[Entry], b: &[Entry]) -> bool {
     a.len() == b.len()
         && a.iter().zip(b).all(|(a, b)| {
-            (a.field, &a.index) == (b.field, &b.index) && tolerance::values(&a.value, &b.value, 0.0)
+            (a.field, &a.index) == (b.field, &b.index)
+                && tolerance::fields(a.field, &a.value, &b.value, 0.0)
         })
 }
 

@@ -4,11 +4,12 @@
 //! | --- | --- |
 //! | positions, settings, arguments of effects, pins | 1e-6 absolute, 1e-9 relative |
 //! | numbers inside messages | 2e-6 absolute: they are written with six decimals |
+//! | what a post-processor prints | none: each character counts |
 //! | all | plus the resolution that the controller declares |
 //!
 //! A case never carries a tolerance of its own.
 
-use gaugeblock_trace::{Axis, Position, Value};
+use gaugeblock_trace::{Axis, Channel, Effect, Position, Value};
 
 /// Version of the table.
 pub const VERSION: u32 = 0;
@@ -36,6 +37,25 @@ pub fn values(a: &Value, b: &Value, resolution: f64) -> bool {
         (Value::Word(a), Value::Word(b)) => a == b,
         _ => false,
     }
+}
+
+/// Whether two values of a field are equal. What a post-processor would print is read by a machine: there each character counts.
+pub fn fields(field: &str, a: &Value, b: &Value, resolution: f64) -> bool {
+    if field == "variable" { a == b } else { values(a, b, resolution) }
+}
+
+/// Whether two effects are equal, argument by argument. In what a post-processor has printed each character counts.
+pub fn effects(a: &Effect, b: &Effect, resolution: f64) -> bool {
+    if let Effect::Message { channel: Channel::Output, .. } = a {
+        return a == b;
+    }
+    let (left, right) = (a.arguments(), b.arguments());
+    a.name() == b.name()
+        && left.len() == right.len()
+        && left
+            .iter()
+            .zip(&right)
+            .all(|((name, a), (other, b))| name == other && values(a, b, resolution))
 }
 
 /// Whether two sequences are as long as each other and equal number by number.

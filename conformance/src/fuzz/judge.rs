@@ -1,7 +1,7 @@
 //! One scenario on both controllers.
 
 use gaugeblock_fuzz::generate::nudged;
-use gaugeblock_reference::Evidence;
+use gaugeblock_reference::{Evidence, Rounding};
 use gaugeblock_trace::{End, Outcome, Scenario};
 
 use super::signature::Signature;
@@ -27,7 +27,7 @@ pub enum Came {
     Same,
     /// A difference, or a controller that crashed, hung or flooded.
     Differs(Box<Difference>),
-    /// The last bit of a transcendental function decides: nothing can be said.
+    /// The last bit of a transcendental function, or of a position that was computed, decides: nothing can be said.
     Fragile,
     /// One of the two does not do this.
     Unsupported,
@@ -102,18 +102,21 @@ impl Plan<'_> {
         comparison.divergence.map(|divergence| comparable::named(divergence, &expected, &found))
     }
 
-    /// Whether the model's own answer changes when every transcendental result moves by its last bit.
+    /// Whether the model's own answer changes when every transcendental result moves by its last bit, or every position that a conversion of
+    /// units or an offset has computed is rounded in another way.
     fn is_fragile(&self, scenario: &Scenario) -> bool {
         let plain = gaugeblock_reference::run(scenario).0;
         let shows = Capabilities::everything("reference", "");
-        let differs = |other: Scenario| {
-            let other = gaugeblock_reference::run(&other).0;
-            !surely_same(&plain, &other, true)
-                && compare(&Observed::of(&plain), &Observed::of(&other), &shows)
-                    .divergence
-                    .is_some()
+        let differs = |other: &Outcome| {
+            !surely_same(&plain, other, true)
+                && compare(&Observed::of(&plain), &Observed::of(other), &shows).divergence.is_some()
         };
-        [true, false].into_iter().filter_map(|up| nudged(scenario, up)).any(differs)
+        let nudged = [true, false].into_iter().filter_map(|up| nudged(scenario, up));
+        let nudged = nudged.map(|other| gaugeblock_reference::run(&other).0);
+        let rounded = [Rounding::ToDecimals, Rounding::Up, Rounding::Down];
+        let rounded =
+            rounded.map(|rounding| gaugeblock_reference::run_rounded(scenario, rounding).0);
+        nudged.chain(rounded).any(|other| differs(&other))
     }
 
     /// A controller that crashed, hung or flooded is a find; one that was not understood is not judged.

@@ -7,9 +7,9 @@
 use gaugeblock_fuzz::generate::Dice;
 use gaugeblock_fuzz::motion::change::Change;
 use gaugeblock_fuzz::motion::{Ride, Step, draw, shrink};
-use gaugeblock_reference::motion::laws::{Law, Verdict, judge};
+use gaugeblock_reference::motion::laws::{Verdict, judge};
 use gaugeblock_reference::motion::path::programmed;
-use gaugeblock_trace::motion::{MotionAction, MotionEvent, PathMode};
+use gaugeblock_trace::motion::{MotionAction, MotionEvent};
 use gaugeblock_trace::{End, Outcome};
 
 use super::drive::{Circumstances, Planned, plan_under};
@@ -58,9 +58,6 @@ pub fn judged((seed, number): (u64, u64), (ride, change): (&Ride, Change), runs:
     let judgement = judge(&planned.samples, &path, &ride.limits, &ride.script);
     let mut breaches = Vec::new();
     for (law, verdict) in &judgement.0 {
-        if !is_sure(*law, ride) {
-            continue;
-        }
         if let Verdict::Broken(violations) = verdict {
             let first = violations.first().map_or(String::new(), ToString::to_string);
             let words = format!("{} times; {first}", violations.len());
@@ -72,17 +69,6 @@ pub fn judged((seed, number): (u64, u64), (ride, change): (&Ride, Change), runs:
         Err(why) => return Came::NotPlanned(why),
     }
     if breaches.is_empty() { Came::Held(planned.samples.len()) } else { Came::Broken(breaches) }
-}
-
-/// Whether what a law says of a ride is sure (`fuzz/FINDINGS.md`, F2): how far a rounded corner is from where its legs stop is known
-/// within a tolerance alone.
-fn is_sure(law: Law, ride: &Ride) -> bool {
-    let loose = |step: &Step| matches!(step, Step::Mode(PathMode::BetweenMidpoints));
-    // G64 without P is in force before the first mode, too.
-    let first =
-        ride.steps.iter().find(|step| step.end().is_some() || matches!(step, Step::Mode(_)));
-    let loose = ride.steps.iter().any(loose) || !matches!(first, Some(Step::Mode(_)));
-    !(loose && [Law::Hold, Law::Abort, Law::Reserve].contains(&law))
 }
 
 /// The smallest ride that breaks the same.

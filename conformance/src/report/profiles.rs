@@ -51,7 +51,7 @@ pub fn profiles<'a>(suite: &'a Suite, run: &Run<'a>, claimed: &[String]) -> Vec<
         let runs = |case: &Case| case.editions.is_empty() || case.editions.contains(edition);
         let exists = |rule: &&Rule| {
             let has_cases = rule.cases.iter().any(runs) || !rule.motion.is_empty();
-            !rule.void.contains_key(edition) && has_cases
+            rule.language == run.edition.language && !rule.void.contains_key(edition) && has_cases
         };
         let of_profile = suite.rules.iter().filter(|rule| rule.profile == profile.id);
         for rule in of_profile.filter(exists) {

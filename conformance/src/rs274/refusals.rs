@@ -49,6 +49,8 @@ pub(super) fn reached(fault: &Fault, words: &Words, modal: u16) -> Phase {
     match fault.kind {
         Some(_) if says(&AT_ONCE) => Phase::Comment,
         Some(_) if says(&WITH_MOTION) => Phase::Motion,
+        // The spindle is on its way when its time is looked at.
+        Some(_) if says(&["Q of M19"]) => Phase::Saved,
         Some(FaultKind::CompensationActive) => under_compensation(&fault.message),
         Some(_) if fault_of_compensation(fault, words) => Phase::Compensation,
         Some(

@@ -4,8 +4,8 @@ use std::fmt;
 use std::str::FromStr;
 
 use gaugeblock_trace::{
-    Effect, End, FaultKind, Language, Pin, Rs274State, Scalar, Settings, State, TextError,
-    text::Arguments,
+    Effect, End, FaultKind, GppState, Language, Pin, Rs274State, Scalar, Settings, State,
+    TextError, text::Arguments,
 };
 
 /// A block of a program, and perhaps one of its executions.
@@ -65,6 +65,10 @@ pub enum Claim {
     Count(String, usize),
     /// The texts of all messages.
     Messages(Vec<String>),
+    /// All that a post-processor has printed, joined.
+    Output(String),
+    /// The warnings of a post-processor, without the word.
+    Warnings(Vec<String>),
     /// The values that a pin takes over the whole run, in order, without the one that it had before.
     Pin(Pin, Vec<f64>),
 }
@@ -139,6 +143,11 @@ fn claim(text: &str) -> Result<Claim, String> {
         "messages:" if rest == "none" => Ok(Claim::Messages(Vec::new())),
         "messages:" => {
             Ok(Claim::Messages(rest.split(" | ").map(|m| m.trim().to_owned()).collect()))
+        }
+        "output:" => Ok(Claim::Output(String::from_text(rest).map_err(|error| error.message)?)),
+        "warnings:" if rest == "none" => Ok(Claim::Warnings(Vec::new())),
+        "warnings:" => {
+            Ok(Claim::Warnings(rest.split(" | ").map(|text| text.trim().to_owned()).collect()))
         }
         "pin" => {
             let (pin, values) = rest.split_once(": ").ok_or("`pin digital_out[0]: 1, 0`")?;
@@ -225,14 +234,21 @@ fn field_of(text: &str) -> Result<Expected, String> {
 }
 
 impl Expected {
+    /// The language whose state has this field.
+    pub fn language(&self) -> Language {
+        let is_of_gpp = GppState::FIELDS.contains(&self.field.as_str());
+        if is_of_gpp { Language::Gpp } else { Language::Rs274 }
+    }
+
     /// Whether field, index and value are readable.
     fn check(&self) -> Result<(), TextError> {
         let index = self.index.as_deref();
         if Settings::FIELDS.contains(&self.field.as_str()) {
             return Settings::default().read(&self.field, index, &self.value);
         }
-        if Rs274State::FIELDS.contains(&self.field.as_str()) {
-            return State::empty(Language::Rs274).read(&self.field, index, &self.value);
+        let of_state = [Rs274State::FIELDS, GppState::FIELDS].concat();
+        if of_state.contains(&self.field.as_str()) {
+            return State::empty(self.language()).read(&self.field, index, &self.value);
         }
         Err(TextError::new(format!("there is no field named {}", self.field)))
     }
@@ -279,6 +295,9 @@ mod tests {
             "effects: none",
             "count straight_feed = 3",
             "messages: a=1 | b=2",
+            "output: \"N10 X1\\n\"",
+            "warnings: X has no value | AXIS(3) is not modal",
+            "after 3 variable[AXIS(3)] = \"1.5\", set[X_CURPOS] = on, modal[AXIS] = no",
             "pin digital_out[0]: 1, 0",
             "pin analog_out[3]: -1.5",
             "pin coolant_mist: none",
@@ -301,6 +320,8 @@ mod tests {
             "after units = inch",
             "at end unit = mm",
             "ends well",
+            "output: N10",
+            "after 3 set[X] = yes",
             "kind odd",
             "pin digital_out[0]",
             "pin digital_out: 1",

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_trace::Language;
 use gaugeblock_trace::scenario::{Bench, Budget, Machine, OperatorEvent, Program, Scenario, Start};
 use serde::{Deserialize, Serialize};
 
@@ -49,6 +50,9 @@ pub enum RuleOutcome {
 pub struct Rule {
     /// `<chapter>.<rule>`.
     pub id: String,
+    /// The language of its programs.
+    #[serde(default = "rs274")]
+    pub language: Language,
     /// What it demands, in our own words.
     pub sentence: String,
     /// Which documents demand it.
@@ -70,6 +74,11 @@ pub struct Rule {
     /// Its cases of motion.
     #[serde(default)]
     pub motion: Vec<MotionCase>,
+}
+
+/// The language of what names none.
+fn rs274() -> Language {
+    Language::Rs274
 }
 
 impl Rule {
@@ -168,6 +177,9 @@ pub struct Choice {
     pub id: String,
     /// Choice or quirk.
     pub kind: ChoiceKind,
+    /// The language of its program.
+    #[serde(default = "rs274")]
+    pub language: Language,
     /// What is chosen.
     pub sentence: String,
     /// Where the documents differ or are silent.
@@ -235,6 +247,9 @@ pub struct Edition {
     pub id: String,
     /// What it is.
     pub sentence: String,
+    /// The language that its documents are about.
+    #[serde(default = "rs274")]
+    pub language: Language,
     /// Its documents, its own first.
     pub documents: Vec<String>,
     /// The edition whose options it takes over.

@@ -110,8 +110,24 @@ words! {
         ControllerMode = "controller_mode",
         /// A macro call or variable that is not allowed (NCT).
         Macro = "macro",
-        /// A statement that a post-processor refuses (GPP).
+        /// A statement of a wrong form (GPP).
         Statement = "statement",
+        /// A declaration that is not allowed, or not here (GPP).
+        Declaration = "declaration",
+        /// A variable that is not declared (GPP).
+        NoSuchVariable = "no_such_variable",
+        /// A text where a number belongs, or a number where a text does (GPP).
+        WrongType = "wrong_type",
+        /// More variables than are allowed (GPP).
+        TooManyVariables = "too_many_variables",
+        /// A text of more characters than are allowed (GPP).
+        TextTooLong = "text_too_long",
+        /// A number with more digits than its format has (GPP).
+        NumberTooLong = "number_too_long",
+        /// An index that leads to no member of the array (GPP).
+        IndexOutOfRange = "index_out_of_range",
+        /// A variable that has no value yet (GPP).
+        NoValue = "no_value",
     }
 }
 

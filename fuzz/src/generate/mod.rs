@@ -17,7 +17,7 @@ mod values;
 mod writer;
 mod wrong;
 
-use gaugeblock_trace::scenario::Budget;
+use gaugeblock_trace::scenario::{Budget, Start};
 use gaugeblock_trace::{Program, Scenario};
 
 pub use dice::Dice;
@@ -78,7 +78,11 @@ pub fn scenario(dice: &mut Dice<'_>, recipe: &Recipe) -> Scenario {
     }
     let block_delete = dice.chance(30);
     let main = Writer::new(dice, recipe, state).main();
-    scenario.program = Program { main, files, block_delete, ..scenario.program };
+    let by_hand = matches!(recipe.setups, Setups::Any | Setups::Operated)
+        && scenario.operator.is_empty()
+        && dice.chance(4);
+    let start = if by_hand { Start::Mdi } else { Start::Program };
+    scenario.program = Program { main, files, block_delete, start, ..scenario.program };
     scenario.budget = BUDGET;
     scenario
 }

@@ -40,8 +40,10 @@ fn line(line: &str, up: bool) -> String {
         let Some(rest) = lower.get(at..) else { continue };
         let begins =
             |name: &&&str| rest.strip_prefix(**name).is_some_and(|rest| rest.starts_with('['));
-        let in_word = at > 0 && lower.as_bytes()[at - 1].is_ascii_alphabetic();
-        let named = FUNCTIONS.iter().find(begins).filter(|_| !in_word);
+        // The letter of a word may stand before a function; an A there makes it another one.
+        let in_word = at > 0 && lower.as_bytes()[at - 1] == b'a';
+        let named =
+            FUNCTIONS.iter().find(begins).filter(|name| !(in_word && OF_ANGLES.contains(*name)));
         let Some(name) = named else { continue };
         if let Some(end) = end_of(&line, at + name.len()) {
             let call = &line[at..end];
@@ -89,5 +91,8 @@ mod tests {
         let down = nudged(&Scenario::of("#1 = tan[180]\n"), false).map(|other| other.program.main);
         assert_eq!(down.unwrap(), format!("#1 = [tan[180] * {DOWN} - {LAST_BIT}]\n"));
         assert_eq!(up("#1 = ASIN[.5]\n").unwrap(), format!("#1 = [ASIN[.5] * {UP}]\n"));
+        assert_eq!(up("xsin[30]\n").unwrap(), format!("x[sin[30] * {UP} + {LAST_BIT}]\n"));
+        // How a half is rounded the documents say; where a computed position decides, the model is asked to round that otherwise.
+        assert_eq!(up("x round[#5420]\n"), None);
     }
 }

@@ -4,7 +4,7 @@ use gaugeblock_trace::scenario::{
     Action, Bench, Folder, InputChange, Machine, OperatorEvent, OrientAnswer, ProbeContact,
     Scenario, Tool, ToolChange, UserProgram, When,
 };
-use gaugeblock_trace::{Axis, Block, ControllerMode, LengthUnit, Position, Program};
+use gaugeblock_trace::{Axis, Block, ControllerMode, LengthUnit, Program};
 
 use super::dice::Dice;
 
@@ -67,32 +67,62 @@ fn machine(dice: &mut Dice<'_>, free: bool) -> Machine {
         }
     }
     if (free || machine.length_unit == LengthUnit::Inch) && dice.chance(70) {
-        stored(dice, &mut machine);
+        stored(dice, free, &mut machine);
     }
     machine
 }
 
 /// A tool table and stored parameters.
-fn stored(dice: &mut Dice<'_>, machine: &mut Machine) {
+fn stored(dice: &mut Dice<'_>, free: bool, machine: &mut Machine) {
     for number in 1..=dice.range(0, 4) {
         let number = number + 10 * dice.below(2);
-        let offset = Position {
-            z: quarter(dice),
-            x: if dice.chance(20) { quarter(dice) } else { 0.0 },
-            ..Position::default()
-        };
-        let tool =
-            Tool { number, pocket: None, offset, diameter: quarter(dice), ..Tool::default() };
+        let mut tool = Tool { number, diameter: quarter(dice), ..Tool::default() };
+        tool.offset.z = quarter(dice);
+        if dice.chance(20) {
+            tool.offset.x = quarter(dice);
+        }
+        if free && dice.chance(15) {
+            let far = quarter(dice);
+            let axis = *dice.pick(&machine.axes);
+            *tool.offset.get_mut(axis) = far;
+        }
+        if free && dice.chance(10) {
+            tool.front_angle = quarter(dice);
+            tool.back_angle = -quarter(dice);
+            tool.orientation = u8::try_from(dice.below(10)).unwrap_or_default();
+        }
         machine.tools.push(tool);
+    }
+    if free && dice.chance(20) {
+        pockets(dice, &mut machine.tools);
     }
     if dice.chance(40) {
         let system = dice.below(9);
         machine.parameters.0.insert(5221 + 20 * system, quarter(dice));
         machine.parameters.0.insert(5223 + 20 * system, -quarter(dice));
         machine.parameters.0.insert(5220, f64::from(system + 1));
+        let turns = [Axis::X, Axis::Y].iter().all(|axis| machine.axes.contains(axis));
+        if turns && dice.chance(15) {
+            let turn = f64::from(*dice.pick(&[90, 30, 180]));
+            machine.parameters.0.insert(5230 + 20 * system, turn);
+        }
     }
     if dice.chance(10) {
-        machine.parameters.0.insert(*dice.pick(&[31, 500, 5161, 5181]), quarter(dice));
+        machine.parameters.0.insert(5210, f64::from(dice.below(2)));
+        machine.parameters.0.insert(5211 + dice.below(3), quarter(dice));
+    }
+    if dice.chance(10) {
+        let number = *dice.pick(&[31, 500, 5161, 5181, 5163, 5182]);
+        machine.parameters.0.insert(number, quarter(dice));
+    }
+}
+
+/// Pockets that are not the tools' numbers; each is taken once, and one may be that of the spindle.
+fn pockets(dice: &mut Dice<'_>, tools: &mut [Tool]) {
+    let mut pocket = dice.below(3);
+    for tool in tools {
+        tool.pocket = Some(pocket);
+        pocket += dice.range(1, 3);
     }
 }
 
@@ -111,8 +141,10 @@ fn bench(dice: &mut Dice<'_>) -> Bench {
     let mut time = 0.0;
     for _ in 0..dice.below(4) {
         time += quarter(dice);
-        let (input, value) = match dice.below(3) {
-            0 => (format!("analog_in[{}]", dice.below(3)), quarter(dice)),
+        let (input, value) = match dice.below(12) {
+            0 => ("adaptive_feed".to_owned(), f64::from(dice.below(3)) / 2.0),
+            1 => ("feed_hold".to_owned(), f64::from(dice.below(2))),
+            2..=5 => (format!("analog_in[{}]", dice.below(3)), quarter(dice)),
             _ => (format!("digital_in[{}]", dice.below(3)), f64::from(dice.below(2))),
         };
         bench.inputs.push(InputChange { time, input, value });
@@ -131,6 +163,7 @@ fn bench(dice: &mut Dice<'_>) -> Bench {
     }
     if dice.chance(20) {
         bench.tool_change_time = quarter(dice);
+        bench.manual_tool_change = dice.chance(30);
     }
     for _ in 0..dice.below(3) {
         let file = format!("M{}", dice.range(100, 105));
@@ -142,6 +175,8 @@ fn bench(dice: &mut Dice<'_>) -> Bench {
                 file,
                 folder,
                 duration,
+                executable: !dice.chance(8),
+                exit_status: if dice.chance(10) { 3 } else { 0 },
                 ..UserProgram::default()
             });
         }
@@ -172,14 +207,28 @@ fn operator(dice: &mut Dice<'_>) -> Vec<OperatorEvent> {
         Action::FeedHold(true),
         Action::FeedHold(false),
         Action::Mdi("g0 x5".to_owned()),
+        Action::Mdi("g91 g20 m3 s100".to_owned()),
+        Action::Mdi("m70 g54 f7".to_owned()),
+        Action::Mdi("#31=#<_metric>".to_owned()),
+        Action::Mdi("t1 m6 g43".to_owned()),
     ];
     let mut events: Vec<OperatorEvent> = (0..dice.below(4))
         .map(|_| {
             let block = Block::new(Program::MAIN, dice.range(1, 20));
-            let when = When { block, execution: 1, offset: quarter(dice) };
+            let execution = if dice.chance(8) { 2 } else { 1 };
+            let when = When { block, execution, offset: quarter(dice) };
             OperatorEvent { when, action: dice.pick(&actions).clone() }
         })
         .collect();
+    if dice.chance(3) {
+        // A spindle that stands at an override of zero turns once that is turned up.
+        for factor in [0.0, 1.0] {
+            let block = Block::new(Program::MAIN, dice.range(1, 20));
+            let when = When { block, execution: 1, offset: 0.0 };
+            let action = Action::SpindleOverride { spindle: 0, factor };
+            events.push(OperatorEvent { when, action });
+        }
+    }
     events.sort_by_key(|event| event.when.block.line);
     events
 }

@@ -224,6 +224,14 @@ impl Modal {
         Some(code_of(self.motion)).filter(|code| *code != 800)
     }
 
+    /// The code of the move that axis words alone make again.
+    pub(super) fn made_again(&self) -> Result<u16, Refusal> {
+        let Some(code) = self.motion_code() else {
+            return refuse(FaultKind::AxisWords, "axis words, and no motion mode is left");
+        };
+        Ok(code)
+    }
+
     /// The move that is made again because there are axis words and no code that uses them (11.4.11).
     fn implied_motion(&self, block: &Block<'_>, taken: &Taken) -> Option<u16> {
         let words = block.words;

@@ -299,13 +299,20 @@ impl Modal {
         if !block.motion.is_some_and(takes_inverse_time) {
             return feed.map_or(Ok(()), |feed| checked_feed(feed).map(drop));
         }
-        match feed {
-            Some(feed) => self.set_feed(feed),
-            None if planted(Fault::InverseTimeOld) => Ok(()),
-            // Where a motion code alone sets the mode and moves nothing, there is no move that F would time.
-            None if !block.axes_move && !self.choices.move_in_place => Ok(()),
-            None => refuse(FaultKind::MissingWord, "inverse time without an F word"),
+        feed.map_or(Ok(()), |feed| self.set_feed(feed))
+    }
+
+    /// A move under inverse time has its F in its block (11.5.59). Which mode is in force M72 of the same block may have decided.
+    pub(super) fn check_inverse_time(&self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
+        // Where a motion code alone sets the mode and moves nothing, there is no move that F would time.
+        let moves = block.axes_move || self.choices.move_in_place;
+        let needs = self.in_force.now().feed_mode == FeedMode::InverseTime
+            && takes_inverse_time(code)
+            && moves;
+        if needs && block.words.get(b'F').is_none() && !planted(Fault::InverseTimeOld) {
+            return refuse(FaultKind::MissingWord, "inverse time without an F word");
         }
+        Ok(())
     }
 
     /// Performs an effect under the settings in force.

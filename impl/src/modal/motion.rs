@@ -47,6 +47,13 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         let Some(code) = block.motion else { return Ok(()) };
+        let code = if block.g(MOTION).is_none() && block.m().any(|(_, code)| code == 72) {
+            // Which motion is made again M72 of the same block may have decided.
+            self.made_again()?
+        } else {
+            code
+        };
+        self.check_inverse_time(block, code)?;
         if self.motion == Motion::Nurbs {
             self.check_open_curve(code)?;
         }

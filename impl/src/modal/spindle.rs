@@ -117,8 +117,9 @@ impl Modal {
         if refused || !(0.0..=360.0).contains(&angle) {
             return refuse(FaultKind::WordOutOfRange, "R of M19 is 0 to 360");
         }
-        if waits && not_negative(timeout, "Q")? <= 0.0 && !self.choices.orient_at_once {
-            return refuse(FaultKind::WordOutOfRange, "Q of M19 is greater than zero");
+        // rs274 has begun to turn when it looks at Q.
+        if !self.imitates {
+            self.check_orient_timeout(timeout)?;
         }
         let direction = match words.get(b'P').map_or(Ok(0), |p| integer(p, "P"))? {
             0 => OrientDirection::Shortest,
@@ -137,8 +138,18 @@ impl Modal {
         for spindle in spindles_of(which).filter(|_| turns) {
             self.perform(words.line, &Effect::OrientSpindle { spindle, angle, direction }, sink)?;
         }
+        if waits && self.imitates {
+            self.check_orient_timeout(timeout)?;
+        }
         for spindle in spindles_of(which).filter(|_| waits) {
             self.perform(words.line, &Effect::WaitOrient { spindle, timeout }, sink)?;
+        }
+        Ok(())
+    }
+
+    fn check_orient_timeout(&self, timeout: f64) -> Result<(), Refusal> {
+        if timeout < 0.0 || timeout <= 0.0 && !self.choices.orient_at_once {
+            return refuse(FaultKind::WordOutOfRange, "Q of M19 is greater than zero");
         }
         Ok(())
     }

@@ -105,8 +105,10 @@ impl Modal {
             self.traverse_to(line, self.in_force.now().program_of(up), sink)?;
         }
         if self.tool_change.at_g30 {
-            let place =
-                offsets::row(numbered, offsets::G30_POSITION).converted(self.stored_to_active());
+            let stored = offsets::row(numbered, offsets::G30_POSITION);
+            // An axis that the machine has not stands at zero, whatever is stored of it.
+            let place = Coordinates::default().taking(self.axes, stored);
+            let place = place.converted(self.stored_to_active());
             self.traverse_to(line, self.in_force.now().program_of(place), sink)?;
         }
         Ok(())

@@ -174,6 +174,8 @@ choices! {
         uncalled_free "fanuc-subs.zero-count-unknown" ["refused", "accepted"],
         /// A global parameter that was never set is zero.
         absent_zero "parameters.absent-global" ["refused", "zero"],
+        /// A function may stand behind a number sign.
+        function_number "parameters.function-number" ["refused", "accepted"],
         /// #5400 to #5428 can be set.
         position_writable "parameters.read-only-numbered" ["refused", "written"],
         /// The settings of a block take effect before its words act.

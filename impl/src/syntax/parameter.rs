@@ -88,7 +88,9 @@ impl Packer {
                 into.ops.push(op);
                 return Ok(Place::Indirect);
             }
-            b'a'..=b'z' if self.imitates => self.value(cursor, into, depth)?,
+            b'a'..=b'z' if self.imitates || self.choices.function_number => {
+                self.value(cursor, into, depth)?;
+            }
             _ => return cursor.refuse(FaultKind::BadExpression, "a parameter number is missing"),
         }
         let Some(Op::Number(number)) = into.ops.last().copied() else {

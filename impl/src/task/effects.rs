@@ -1,6 +1,6 @@
 //! Effects and settings on their way from the interpreter to the machine: each is handed on when the machine may have it.
 
-use gaugeblock_trace::{Effect, Settings};
+use gaugeblock_trace::{Effect, FaultKind, Settings};
 
 use crate::begun::BlockBegun;
 use crate::canon::{Reply, Sink};
@@ -162,10 +162,13 @@ impl<M: Machine> Desk<M> {
 
     /// What is read ahead does nothing; it ends where the machine would have to answer.
     #[expect(clippy::wildcard_enum_match_arm, reason = "only these wait for the machine")]
-    fn pass_over(effect: &Effect) -> Reply {
+    fn pass_over(&mut self, effect: &Effect) -> Reply {
         match effect {
             Effect::WaitInput { .. } | Effect::StraightProbe { .. } | Effect::ChangeTool { .. } => {
-                Reply::Broken
+                self.broken_waiting()
+            }
+            Effect::UserCode { code, .. } if !self.machine.has_user_program(*code) => {
+                Reply::Failed(FaultKind::UnknownCode)
             }
             _ => Reply::Done,
         }
@@ -195,7 +198,7 @@ impl<M: Machine> Sink for Desk<M> {
 
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply {
         if self.ahead {
-            return Self::pass_over(effect);
+            return self.pass_over(effect);
         }
         self.line = line;
         match motion_of(effect, self.synchronised) {
@@ -206,7 +209,7 @@ impl<M: Machine> Sink for Desk<M> {
 
     fn probe(&mut self, line: u32, effect: &Effect, probing: &Probing) -> Reply {
         if self.ahead {
-            return Reply::Broken;
+            return self.broken_waiting();
         }
         self.line = line;
         let reply = self.move_(Motion::Feed, |machine| machine.probe(line, effect, probing));

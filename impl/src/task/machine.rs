@@ -36,6 +36,12 @@ pub trait Machine: Sink {
     /// The block that is being executed was broken off: what it has begun is not done, and [`Sink::block_done`] is not called for it.
     fn broken_off(&mut self) {}
 
+    /// Whether there is a program of a user-defined code: where the interpreter reads ahead, it executes none, but misses one.
+    fn has_user_program(&self, code: u32) -> bool {
+        let _code = code;
+        true
+    }
+
     /// Whether a person changes tools, and is to be asked for each.
     fn prompts_for_tools(&self) -> bool {
         false

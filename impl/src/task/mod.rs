@@ -275,7 +275,6 @@ impl<M: Machine> Task<M> {
         loop {
             match self.desk.machine.wait(None) {
                 Happening::Asked(action) => {
-                    self.desk.look_at_spindles();
                     let idle = self.desk.asked_idle(action);
                     self.interpreter.set_controller_mode(self.desk.mode);
                     if self.desk.take_abort() {
@@ -283,12 +282,13 @@ impl<M: Machine> Task<M> {
                         self.interpreter.abort(&mut self.desk);
                         self.interpreter.set_controller_mode(self.desk.mode);
                     }
+                    self.desk.look_at_spindles();
                     if let Some(idle) = idle {
                         return idle;
                     }
                 }
                 Happening::Never => return Idle::Nothing,
-                Happening::Time | Happening::Changed => {}
+                Happening::Time | Happening::Changed => self.desk.look_at_spindles(),
             }
         }
     }
@@ -319,6 +319,8 @@ impl<M: Machine> Task<M> {
     /// Where an abort leaves what was read ahead, the interpreter goes on up to a block that waits for the machine, and nothing of that is done.
     fn read_ahead<S: Source>(&mut self, source: &mut S) {
         if !self.desk.reads_ahead() {
+            // The block itself may have been read to where it waits for the machine.
+            self.interpreter.stand();
             return;
         }
         self.interpreter.read_ahead();

@@ -76,6 +76,8 @@ impl<M: Machine> Desk<M> {
             Action::Mdi(text) => match self.mode {
                 ControllerMode::Mdi => return Some(Idle::Enter(text)),
                 ControllerMode::Manual if self.choices.enters_in_manual => {
+                    // By itself, before there is a block, which may be refused.
+                    self.change_mode(ControllerMode::Mdi);
                     return Some(Idle::Enter(text));
                 }
                 ControllerMode::Auto if planted(Fault::EnteredInAuto) => {

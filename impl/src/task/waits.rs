@@ -43,7 +43,11 @@ impl<M: Machine> Desk<M> {
                 {
                     self.asked(action);
                 }
-                if self.broken.is_some() { Err(Broken) } else { Ok(Woken::Perhaps) }
+                if self.broken.is_some() {
+                    return Err(Broken);
+                }
+                self.look_at_spindles();
+                Ok(Woken::Perhaps)
             }
             Happening::Never if until.is_some() => Ok(Woken::InTime),
             Happening::Never => {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::{Machine, Position, Rs274State, Settings, Shared};
+use gaugeblock_trace::{Machine, Plane, Position, Rs274State, Settings, Shared};
 
 use super::control::Frame;
 use super::modes::Modes;
@@ -50,6 +50,10 @@ pub struct State {
     pub cycle_dwell: f64,
     /// What the next spline may need of the one before.
     pub curve: Curve,
+    /// Spindle that cycles and synchronised moves follow without $; another than the first only by a quirk.
+    pub chosen_spindle: usize,
+    /// The plane in force before the block that is executed; only a quirk asks for it.
+    pub plane_before: Plane,
     /// Whether a log file is open.
     pub log_open: bool,
     /// Whether a file for probed points is open.
@@ -95,6 +99,14 @@ impl Panel {
     pub fn spindle_override(&self, number: u16) -> f64 {
         self.spindle_overrides.get(usize::from(number)).copied().unwrap_or(1.0)
     }
+}
+
+/// The tool that is in the spindle at the start; 0 for none. Pocket 0 represents the spindle where tools change places (11.2.2.1); of any
+/// other changer a pocket's number says nothing.
+pub(crate) fn in_pocket_zero(machine: &Machine) -> i32 {
+    let mut tools = machine.tools.iter().filter(|_| machine.random_tool_changer);
+    let tool = tools.find(|tool| tool.pocket == Some(0));
+    tool.and_then(|tool| i32::try_from(tool.number).ok()).unwrap_or(0)
 }
 
 /// The tool of each slot of a changer, as the tool table has them.
@@ -173,6 +185,8 @@ impl State {
             frames: vec![Frame::default()],
             line: 1,
             cycle_dwell: 0.0,
+            chosen_spindle: 0,
+            plane_before: Plane::Xy,
             log_open: false,
             probe_log_open: false,
             series: None,

@@ -38,8 +38,8 @@ use gaugeblock_trace::{Block, End, Language, Outcome, Program, Scenario, Setting
 use crate::Evidence;
 
 /// Runs a scenario as the documents say.
-pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
-    task::run(scenario)
+pub fn run(scenario: &Scenario, rounding: modes::Rounding) -> (Outcome, Evidence) {
+    task::run(scenario, rounding)
 }
 
 /// The outcome of a program in a language that this edition of the model does not specify yet.

@@ -155,6 +155,10 @@ fn machine(machine: &Machine) -> Result<(), String> {
     if machine.digital_io > MOST_SIGNALS || machine.analog_io > MOST_SIGNALS {
         return Err(format!("at most {MOST_SIGNALS} inputs and outputs of each kind"));
     }
+    if machine.random_tool_changer && machine.tools.iter().any(|tool| tool.pocket == Some(0)) {
+        return Err("it is given a tool table while it runs, which puts no tool into the spindle"
+            .to_owned());
+    }
     let cannot_be_stored = |number: &&u32| !(1..=LAST_PARAMETER).contains(*number);
     if let Some(number) = machine.parameters.0.keys().find(cannot_be_stored) {
         return Err(format!("#{number} cannot be stored"));

@@ -156,6 +156,13 @@ impl Source {
         })
     }
 
+    /// A line with a message that ends within the name of a parameter: what it shows is what happens to lie in memory.
+    pub(in crate::adapters) fn shows_open_name(&self) -> Option<Block> {
+        self.all()
+            .find(|(_, _, line)| shows_open_name(line))
+            .map(|(file, number, _)| self.block(file, number))
+    }
+
     /// A line that would reach beyond the interpreter: it runs Python, or looks for a sub outside of the directory.
     pub(in crate::adapters) fn reaches_host(&self) -> Option<Block> {
         let escapes = |line: &str| {
@@ -168,6 +175,16 @@ impl Source {
             .find(|(_, _, line)| escapes(line))
             .map(|(file, number, _)| self.block(file, number))
     }
+}
+
+/// Whether a message ends within the name of a parameter: `(print,a#)`, `(debug,#<x)`.
+fn shows_open_name(line: &str) -> bool {
+    let Some((keyword, text)) = last_comment(line).and_then(|text| text.split_once(',')) else {
+        return false;
+    };
+    let shows = ["debug", "print", "log", "abort"].contains(&compact(keyword).as_str());
+    let open = text.rsplit_once("#<").is_some_and(|(_, name)| !name.contains('>'));
+    shows && (open || text.ends_with('#'))
 }
 
 /// Lines without their ends; text after the last line break counts if there is any.
@@ -256,6 +273,12 @@ pub(in crate::adapters) fn form(line: &str) -> Form {
 fn logs_probing(line: &str) -> bool {
     let comment = last_comment(line).map(compact).unwrap_or_default();
     comment.starts_with("probeopen") || comment == "probeclose"
+}
+
+/// Whether a line opens or closes the file for probed points, where it does one of these.
+pub(in crate::adapters) fn opens_probe_log(line: &str) -> Option<bool> {
+    logs_probing(line)
+        .then(|| last_comment(line).map(compact).is_some_and(|text| text.starts_with("probeopen")))
 }
 
 /// Without what stands between `<` and `>`.
@@ -391,6 +414,21 @@ mod tests {
         };
         assert!(has("G33 z1 k1") && has("m3g38.2x1"));
         assert!(!has("g33.1 z1 k1") && !has("g3 x1") && !has("(g33)"));
+    }
+
+    #[test]
+    fn messages_that_end_within_a_name_are_found() {
+        for (line, expected) in [
+            ("(print,a#)", true),
+            ("g0 x1 (DEBUG, #<x)", true),
+            ("(log,#<x> #<y)", true),
+            ("(print,a# )", false),
+            ("(print,#<x>)", false),
+            ("(msg,a#)", false),
+            ("(plain #)", false),
+        ] {
+            assert_eq!(shows_open_name(line), expected, "{line}");
+        }
     }
 
     #[test]

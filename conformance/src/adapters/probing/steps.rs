@@ -9,7 +9,7 @@ use gaugeblock_trace::{
 
 use super::instrument::Plan;
 use super::probe::Probe;
-use super::source::{Form, Source, form, has_slash};
+use super::source::{Form, Source, code, form, has_slash, opens_probe_log};
 use super::state;
 use crate::adapters::HarnessError;
 use crate::observe::is_local_name;
@@ -26,6 +26,8 @@ pub(in crate::adapters) struct Steps<'a> {
     at: Option<(usize, u32)>,
     /// Whether the tool was changed since the last T: then none is selected, though parameters may keep the old one.
     changed: bool,
+    /// Whether a file for probed points is open.
+    probe_log: bool,
     /// Mode of the controller, where it has modes.
     pub(in crate::adapters) mode: Option<ControllerMode>,
     /// The blocks with what they did.
@@ -44,6 +46,7 @@ impl<'a> Steps<'a> {
             level: 0,
             at: None,
             changed: false,
+            probe_log: false,
             mode: None,
             taken: Vec::new(),
         }
@@ -98,7 +101,9 @@ impl<'a> Steps<'a> {
         if level != self.level || self.next_form() == Form::Return {
             self.led_elsewhere();
         }
+        let closes_nothing = self.closes_nothing(next);
         match self.next_form() {
+            Form::Other if closes_nothing && events.is_empty() => {}
             Form::Call if jumped => {
                 // The call counts when it returns; what its block did, it did before the sub.
                 if !events.is_empty() {
@@ -123,6 +128,15 @@ impl<'a> Steps<'a> {
         }
         self.at = Some(here);
         Ok(())
+    }
+
+    /// Whether a line is a (PROBECLOSE) alone, and no file is open: a comment that does nothing is no block.
+    fn closes_nothing(&mut self, (file, line): (usize, u32)) -> bool {
+        let line = self.source.line(file, line);
+        let is_skipped = self.block_delete && has_slash(line);
+        let Some(opens) = opens_probe_log(line).filter(|_| !is_skipped) else { return false };
+        let was_open = std::mem::replace(&mut self.probe_log, opens);
+        !opens && !was_open && matches!(code(line).as_str(), "" | "/")
     }
 
     /// After a call or return the level is recorded anew, and with it the local names that exist.

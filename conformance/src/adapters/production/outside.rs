@@ -211,7 +211,7 @@ impl<'a> Outside<'a> {
     }
 
     /// The first executable program, in the folder of programs before the search path.
-    fn user_program(&self, code: u32) -> Option<&'a UserProgram> {
+    pub(super) fn user_program(&self, code: u32) -> Option<&'a UserProgram> {
         let name = format!("M{code}");
         let fits =
             |program: &&UserProgram| program.file == name && program.at_start && program.executable;

@@ -297,6 +297,10 @@ impl Machine for Recorder<'_> {
         self.elsewhere |= self.state.call_level != Some(0);
     }
 
+    fn has_user_program(&self, code: u32) -> bool {
+        self.outside.user_program(code).is_some()
+    }
+
     fn prompts_for_tools(&self) -> bool {
         self.outside.prompts_for_tools()
     }

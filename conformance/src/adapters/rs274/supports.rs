@@ -76,10 +76,12 @@ fn program(program: &Program) -> Result<(), String> {
             return Err(format!("{name:?} is no file name for a sub"));
         }
     }
-    match Source::new(program).reaches_host() {
-        Some(block) => {
-            Err(format!("{block} would reach beyond the program's files, or run Python"))
-        }
+    let source = Source::new(program);
+    if let Some(block) = source.reaches_host() {
+        return Err(format!("{block} would reach beyond the program's files, or run Python"));
+    }
+    match source.shows_open_name() {
+        Some(_) => Err("a message that ends within a name shows what lies in memory".to_owned()),
         None => Ok(()),
     }
 }

@@ -6,7 +6,8 @@
 //! it stands before it does anything.
 //!
 //! **In which order.** Events happen in the order of their times, those at one time as they are listed. All that is due when a block
-//! begins, or where the text ends, happens before anything else does; what is due when a dwell or a wait ends comes before its end.
+//! begins, or where the text ends, happens before anything else does; what is due when a dwell or a wait ends comes before its end. What the
+//! bench does at the same time comes after it: an encoder at whose answer somebody aborts has not answered.
 //!
 //! **A pause** holds what has not begun: the next move, the next block. What waits for something outside goes on waiting.
 //!

@@ -98,6 +98,27 @@ pub(in super::super) const ROWS: &[Row] = &[
         },
     ),
     Row::when(
+        "sub.own-label",
+        Kind::Sub,
+        1,
+        |s| !s.nested,
+        |w| {
+            let label = w.new_label();
+            let head = *w.dice.pick(&["do", "if [1]", "repeat [1]", "while [0]"]);
+            let end = match head {
+                "do" => "while [0]",
+                "if [1]" => "endif",
+                "repeat [1]" => "endrepeat",
+                _ => "endwhile",
+            };
+            w.structure(&format!("o{label} sub"));
+            w.structure(&format!("o{label} {head}"));
+            w.structure(&format!("o{label} {end}"));
+            w.structure(&format!("o{label} endsub"));
+            w.structure(&format!("o{label} call"));
+        },
+    ),
+    Row::when(
         "sub.recursive",
         Kind::Sub,
         3,
@@ -157,6 +178,24 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.structure("#<width> = 3");
             w.structure(&format!("m98 p{label}"));
             w.behind_end(&format!("o{label}\n#32 = {value}\nm99\n"));
+        },
+    ),
+    Row::when(
+        "numbered.saved",
+        Kind::Numbered,
+        1,
+        |s| s.fanuc && !s.in_sub && !s.nested,
+        |w| {
+            let label = w.new_label();
+            // Each level has saved modes of its own, so that one restores only what it saved itself.
+            let pairs =
+                [("m70", "m70"), ("m70", "m70"), ("g40", "m70"), ("g40", "m70"), ("m70", "g40")];
+            let (caller, called) = *w.dice.pick(&pairs);
+            w.structure(caller);
+            w.structure(&format!("m98 p{label}"));
+            w.behind_end(&format!("o{label}\n{called}\ng91\nm72\nm99\n"));
+            w.state.forget_modes();
+            w.state.per_minute = false;
         },
     ),
     Row::when(

@@ -68,7 +68,13 @@ pub(in super::super) const ROWS: &[Row] = &[
         |s| s.feed && s.per_minute,
         |w| {
             let code = *w.dice.pick(&["g38.2", "g38.3", "g38.4", "g38.5"]);
-            w.block(&format!("{code} z[#<_z> - 10]"));
+            let inverse = w.dice.chance(10);
+            if inverse {
+                w.block(&format!("g93 {code} z[#<_z> - 10] f2"));
+                w.block("g94 f100");
+            } else {
+                w.block(&format!("{code} z[#<_z> - 10]"));
+            }
             w.block("#31 = #5070");
             w.block("#32 = #5063");
             w.state.moving = false;

@@ -104,6 +104,13 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.state.saved = true;
         },
     ),
+    Row::any("crowded.m-words", Kind::Crowded, 2, |w| {
+        let all = ["m5", "m9", "m48", "m70", "m61 q0", "m1"];
+        let most = if w.dice.chance(5) { 5 } else { 4 };
+        w.block(&all[..most].join(" "));
+        w.state.saved = true;
+        w.state.turning = false;
+    }),
     Row::any("crowded.modes", Kind::Crowded, 25, |w| {
         let mut words = Vec::new();
         for group in [

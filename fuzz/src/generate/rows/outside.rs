@@ -49,8 +49,10 @@ pub(in super::super) const ROWS: &[Row] = &[
         |w| {
             let last = w.state.io - 1;
             let (number, mode) = (w.whole(0, last), w.dice.range(1, 4));
-            let timeout = *w.dice.pick(&["0.5", "1", "3"]);
-            w.block(&format!("m66 p{number} l{mode} q{timeout}"));
+            // Without Q it is refused, or waits for as long as it takes.
+            let timeout =
+                if w.dice.chance(1) { "" } else { *w.dice.pick(&[" q0.5", " q1", " q3"]) };
+            w.block(&format!("m66 p{number} l{mode}{timeout}"));
         },
     ),
     Row::when(
@@ -74,7 +76,7 @@ pub(in super::super) const ROWS: &[Row] = &[
     Row::when(
         "stop",
         Kind::Outside,
-        1,
+        2,
         |s| !s.nested,
         |w| {
             let code = *w.dice.pick(&["m0", "m60"]);

@@ -2,8 +2,8 @@
 
 use crate::motion::curve::Curve;
 use crate::motion::envelope::Envelope;
-use crate::motion::route::{Leg, Passing, Route};
-use crate::motion::vector::{Nine, direction, distance, length};
+use crate::motion::route::{Passing, Route};
+use crate::motion::vector::{Nine, direction, distance, length, minus};
 
 /// The angle of an arc in one step, radians.
 const STEP: f64 = 0.005;
@@ -17,92 +17,172 @@ pub(in crate::motion) struct Stop {
     pub(in crate::motion) seconds: f64,
 }
 
-/// The least distance in which a motion at a point of a route can stop on it, from a speed.
+/// A distance in which a motion at a point of a route can stop on it, from a speed, however its corners are rounded.
 ///
-/// The point brakes as hard as the axis that is loaded most allows, with what turning leaves
-/// of its acceleration. A corner that may be rounded is passed at a steady speed for as long as its longest blend: the blend
-/// may take all of the acceleration. Beyond the end of the route there is nothing to stop on.
+/// The point brakes as hard as the axis that is loaded most allows, with what turning leaves of its acceleration. How long the blend at a
+/// corner is, only who plans it knows. Where turning into the other leg takes all of the acceleration, it is so short that it ends within
+/// [`Blend::inner`]: there the speed is steady. Where a blend is twice as long, half of the acceleration is left: so much brakes as far as the
+/// longest blend reaches. Beyond the end of the route there is nothing to stop on.
 pub(in crate::motion) fn stopping(
     route: &Route<'_>,
     envelope: &Envelope,
     from: (usize, f64),
     speed: f64,
 ) -> Stop {
-    along(&route.legs, envelope, from, speed, |number| blend(route, number)).0
+    // Where the leg ends or turns to axes that are livelier, the motion brakes for that before; in no less time than it takes here.
+    let (first, second) = route.legs[from.0].curve.derivatives(from.1);
+    let rate = rate(envelope, (&first, &second), speed);
+    let seconds = if rate > 0.0 { speed / rate } else { 0.0 };
+    let mut stop = Stop::default();
+    let (mut speed, mut part) = (speed, from.1);
+    for number in from.0..route.legs.len() {
+        for stretch in stretches(route, envelope, number, speed) {
+            if stretch.to > part {
+                let on = Stretch { from: stretch.from.max(part), ..stretch };
+                speed = on.passed(&route.legs[number].curve, envelope, speed, &mut stop);
+            }
+            if speed == 0.0 {
+                return Stop { seconds: stop.seconds.max(seconds), ..stop };
+            }
+        }
+        part = 0.0;
+    }
+    Stop { seconds: stop.seconds.max(seconds), ..stop }
 }
 
-/// The same if no corner costs anything, and if nothing is known but so many legs: no motion near them stops in less.
+/// How a motion stops at least, if nothing is known but so many legs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::motion) enum Shortest {
+    /// In no less than this.
+    Within(Stop),
+    /// It comes to where a blend may begin, no slower than so: how a blend brakes, nobody knows but who plans it.
+    Rounds { place: (usize, f64), speed: f64 },
+}
+
+/// How a motion at a point of a route stops from a speed, if nothing is known but so many legs.
 ///
 /// What is left of the speed at the end of the last of them is braked as hard as it is there. A leg that nobody knows of yet may
-/// be one on which braking takes longer, and it must not count.
+/// be one on which braking takes longer, and it must not count. A corner that is not rounded costs nothing.
 pub(in crate::motion) fn shortest_stopping(
     route: &Route<'_>,
     envelope: &Envelope,
     from: (usize, f64),
     speed: f64,
     legs: usize,
-) -> Stop {
+) -> Shortest {
     let last = legs.clamp(from.0 + 1, route.legs.len());
-    let (mut stop, speed) = along(&route.legs[..last], envelope, from, speed, |_| 0.0);
-    if speed > 0.0 {
-        let (first, second) = route.legs[last - 1].curve.derivatives(1.0);
-        let rate = rate(envelope, (&first, &second), speed);
-        stop.distance += speed * speed / (2.0 * rate);
-        stop.seconds += speed / rate;
-    }
-    stop
-}
-
-/// The distance and time until rest or the end of the legs, and the speed there.
-fn along(
-    legs: &[Leg<'_>],
-    envelope: &Envelope,
-    from: (usize, f64),
-    speed: f64,
-    blend: impl Fn(usize) -> f64,
-) -> (Stop, f64) {
     let mut stop = Stop::default();
     let (mut speed, mut part) = (speed, from.1);
-    for (number, leg) in legs.iter().enumerate().skip(from.0) {
-        let blend = if number > from.0 { blend(number) } else { 0.0 };
-        if blend > 0.0 {
-            stop.distance += blend;
-            stop.seconds += blend / speed;
+    for number in from.0..last {
+        let curve = &route.legs[number].curve;
+        let share = |blend: Option<Blend>| blend.map_or(0.0, |blend| blend.reach / curve.length());
+        let begun = share(Blend::at(route, envelope, number).filter(|_| number == from.0));
+        let ahead = Blend::at(route, envelope, number + 1).filter(|_| number + 1 < last);
+        let rounds = 1.0 - share(ahead);
+        if part < begun || part > rounds {
+            return Shortest::Rounds { place: (number, part), speed };
         }
-        speed = brake(&leg.curve, envelope, part, speed, &mut stop);
+        let whole = Stretch { from: part, to: rounds, brakes: Brakes::Fully };
+        speed = whole.passed(curve, envelope, speed, &mut stop);
         if speed == 0.0 {
-            break;
+            return Shortest::Within(stop);
+        }
+        if rounds < 1.0 {
+            return Shortest::Rounds { place: (number, rounds), speed };
         }
         part = 0.0;
     }
-    (stop, speed)
+    let (first, second) = route.legs[last - 1].curve.derivatives(1.0);
+    let rate = rate(envelope, (&first, &second), speed);
+    stop.distance += speed * speed / (2.0 * rate);
+    stop.seconds += speed / rate;
+    Shortest::Within(stop)
 }
 
-/// Brakes on one curve from a parameter on; the speed at its end.
-fn brake(curve: &Curve, envelope: &Envelope, from: f64, speed: f64, stop: &mut Stop) -> f64 {
-    let steps = (curve.angle().abs() * (1.0 - from) / STEP).ceil().max(1.0);
-    let (mut speed, mut done) = (speed, 0.0);
-    while done < steps {
-        let part = from + (1.0 - from) * done / steps;
-        let (first, second) = curve.derivatives(part);
-        let scale = length(&first);
-        if scale == 0.0 {
-            return speed;
+/// How hard a motion brakes.
+#[derive(Clone, Copy, Debug)]
+enum Brakes {
+    /// As its axes allow.
+    Fully,
+    /// With half of that, and no more than half of what another leg allows, millimetres per second squared.
+    Half(f64),
+    /// Not at all.
+    Not,
+}
+
+/// A stretch of a leg, by its parameter.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    from: f64,
+    to: f64,
+    brakes: Brakes,
+}
+
+/// The stretches of a leg that is entered at a speed.
+fn stretches(
+    route: &Route<'_>,
+    envelope: &Envelope,
+    number: usize,
+    speed: f64,
+) -> impl Iterator<Item = Stretch> + use<> {
+    let length = route.legs[number].curve.length();
+    let ends = [Blend::at(route, envelope, number), Blend::at(route, envelope, number + 1)];
+    let shares = ends.map(|blend| {
+        let blend = blend.unwrap_or_default();
+        (blend.inner(speed) / length, blend.reach / length, blend.rate)
+    });
+    let [(steady, bends, rate), (last_steady, last_bends, last_rate)] = shares;
+    let mut places = [0.0, steady, bends, 1.0 - last_bends, 1.0 - last_steady, 1.0];
+    places.sort_by(f64::total_cmp);
+    (1..places.len()).filter_map(move |place| {
+        let (from, to) = (places[place - 1].max(0.0), places[place].min(1.0));
+        let middle = 0.5 * (from + to);
+        let brakes = if middle < steady || middle > 1.0 - last_steady {
+            Brakes::Not
+        } else {
+            match (middle < bends, middle > 1.0 - last_bends) {
+                (true, true) => Brakes::Half(rate.min(last_rate)),
+                (true, false) => Brakes::Half(rate),
+                (false, true) => Brakes::Half(last_rate),
+                (false, false) => Brakes::Fully,
+            }
+        };
+        (to > from).then_some(Stretch { from, to, brakes })
+    })
+}
+
+impl Stretch {
+    /// Brakes on it; the speed at its end.
+    fn passed(&self, curve: &Curve, envelope: &Envelope, speed: f64, stop: &mut Stop) -> f64 {
+        let all = self.to - self.from;
+        let steps = (curve.angle().abs() * all / STEP).ceil().max(1.0);
+        let (mut speed, mut done) = (speed, 0.0);
+        while done < steps {
+            let (first, second) = curve.derivatives(self.from + all * done / steps);
+            let scale = length(&first);
+            if scale == 0.0 {
+                return speed;
+            }
+            let fully = || rate(envelope, (&first, &second), speed);
+            let rate = match self.brakes {
+                Brakes::Fully => fully(),
+                Brakes::Half(other) => 0.5 * fully().min(other),
+                Brakes::Not => 0.0,
+            };
+            let way = scale * all / steps;
+            if 2.0 * rate * way >= speed * speed {
+                stop.distance += speed * speed / (2.0 * rate);
+                stop.seconds += speed / rate;
+                return 0.0;
+            }
+            let after = crate::math::square_root(speed * speed - 2.0 * rate * way);
+            stop.distance += way;
+            stop.seconds += 2.0 * way / (speed + after);
+            speed = after;
+            done += 1.0;
         }
-        let rate = rate(envelope, (&first, &second), speed);
-        let way = scale * (1.0 - from) / steps;
-        if 2.0 * rate * way >= speed * speed {
-            stop.distance += speed * speed / (2.0 * rate);
-            stop.seconds += speed / rate;
-            return 0.0;
-        }
-        let after = crate::math::square_root(speed * speed - 2.0 * rate * way);
-        stop.distance += way;
-        stop.seconds += 2.0 * way / (speed + after);
-        speed = after;
-        done += 1.0;
+        speed
     }
-    speed
 }
 
 /// How hard the point may brake where a curve has these derivatives, millimetres per second squared.
@@ -113,26 +193,44 @@ fn rate(envelope: &Envelope, (first, second): (&Nine, &Nine), speed: f64) -> f64
     if low <= high && low < 0.0 { -low * scale } else { 0.0 }
 }
 
-/// How long the blend at the start of a leg may be, at most: what the tolerance allows of a parabola that is tangent to both
-/// legs, and no more than the legs.
-fn blend(route: &Route<'_>, number: usize) -> f64 {
-    let legs = (&route.legs[number - usize::from(number > 0)], &route.legs[number]);
-    let reach = match route.corners[number].passing {
-        Passing::Rest | Passing::Exact => return 0.0,
-        Passing::BetweenMidpoints => f64::INFINITY,
-        Passing::Within(tolerance) => {
-            let before = direction(&legs.0.curve.derivatives(1.0).0);
-            let after = direction(&legs.1.curve.derivatives(0.0).0);
-            match (before, after) {
-                (Some(before), Some(after)) => 4.0 * tolerance / distance(&before, &after),
-                _ => f64::INFINITY,
-            }
+/// A corner that may be rounded.
+#[derive(Clone, Copy, Debug, Default)]
+struct Blend {
+    /// How much of a leg the longest blend takes: what the tolerance allows of a parabola that is tangent to both legs, and no more than the
+    /// shorter leg, or its half between midpoints.
+    reach: f64,
+    /// What turning costs: the acceleration of the axis that turns most, over its limit, for a square of speed and per length of a blend's half.
+    turn: f64,
+    /// How hard the point may brake in either direction.
+    rate: f64,
+}
+
+impl Blend {
+    /// That of a corner, where it may be rounded.
+    fn at(route: &Route<'_>, envelope: &Envelope, corner: usize) -> Option<Self> {
+        if !route.breaks(corner) || corner == 0 || corner == route.legs.len() {
+            return None;
         }
-    };
-    if !route.breaks(number) {
-        return 0.0;
+        let legs = (&route.legs[corner - 1].curve, &route.legs[corner].curve);
+        let (before, after) = (legs.0.derivatives(1.0), legs.1.derivatives(0.0));
+        let (one, other) = (direction(&before.0)?, direction(&after.0)?);
+        let shorter = legs.0.length().min(legs.1.length());
+        let reach = match route.corners[corner].passing {
+            Passing::Rest | Passing::Exact => return None,
+            Passing::BetweenMidpoints => 0.5 * shorter,
+            Passing::Within(tolerance) => shorter.min(4.0 * tolerance / distance(&one, &other)),
+        };
+        let used = minus(&other, &one);
+        let turn = (0..9).map(|axis| used[axis].abs() / envelope.acceleration[axis]);
+        let rest = [0.0; 9];
+        let rate = rate(envelope, (&one, &rest), 0.0).min(rate(envelope, (&other, &rest), 0.0));
+        Some(Self { reach, turn: 0.5 * turn.fold(0.0, f64::max), rate })
     }
-    reach.min(legs.0.curve.length()) + reach.min(legs.1.curve.length())
+
+    /// How far from the corner a blend may still take more than half of the acceleration at a speed.
+    fn inner(&self, speed: f64) -> f64 {
+        self.reach.min(2.0 * self.turn * speed * speed)
+    }
 }
 
 #[cfg(test)]
@@ -145,7 +243,7 @@ mod tests {
 
     use super::*;
 
-    fn stop(mode: PathMode, shapes: Vec<Shape>, speed: f64) -> (Stop, Stop) {
+    fn stop(mode: PathMode, shapes: Vec<Shape>, speed: f64) -> (Stop, Shortest) {
         let element = |shape| Element {
             block: Block::new("main.ngc", 1),
             shape,
@@ -202,14 +300,35 @@ mod tests {
         let shapes = vec![line(1.0, 0.0), line(1.0, 50.0)];
         let mode = PathMode::Within { tolerance: 0.1, merge: 0.0 };
         let (stop, least) = stop(mode, shapes, 100.0);
-        close(least.distance, 2.5);
-        close(stop.distance, 2.5 + 2.0 * 0.4 / std::f64::consts::SQRT_2);
+        let blend = 0.4 / std::f64::consts::SQRT_2;
+        close(stop.distance, 2.5 + 2.0 * blend);
+        let Shortest::Rounds { place: (0, part), speed } = least else { panic!("{least:?}") };
+        close(part, 1.0 - blend);
+        close(speed * speed, 100.0 * 100.0 - 2.0 * 2000.0 * (1.0 - blend));
+    }
+
+    #[test]
+    fn in_a_blend_that_has_begun_nothing_is_known_of_braking() {
+        let shapes = vec![line(0.2, 0.0), line(0.2, 50.0)];
+        let mode = PathMode::Within { tolerance: 0.1, merge: 0.0 };
+        let (stop, least) = stop(mode, shapes, 20.0);
+        close(stop.distance, 2.0 * 0.2 + 0.1);
+        assert_eq!(least, Shortest::Rounds { place: (0, 0.0), speed: 20.0 });
+    }
+
+    #[test]
+    fn where_a_corner_is_flat_most_of_the_brakes_is_left() {
+        let shapes = vec![line(10.0, 0.0), line(20.0, 0.1)];
+        let mode = PathMode::Within { tolerance: 0.1, merge: 0.0 };
+        let (stop, _) = stop(mode, shapes, 100.0);
+        assert!(stop.distance > 4.9 && stop.distance < 5.1, "{stop:?}");
     }
 
     #[test]
     fn beyond_the_end_there_is_nothing_to_stop_on() {
         let (stop, least) = stop(PathMode::ExactPath, vec![line(1.0, 0.0)], 100.0);
         close(stop.distance, 1.0);
+        let Shortest::Within(least) = least else { panic!("{least:?}") };
         close(least.distance, 2.5);
     }
 }

@@ -186,6 +186,8 @@ fn from_triangle([a, b, c]: [&Nine; 3], point: &Nine) -> f64 {
     if length(&height) <= 1e-9 * length(&ac) {
         return edge;
     }
+    // What rounding leaves of the first direction in a small height is no longer small in its direction.
+    let height = plus(&height, &along, -dot(&height, &along));
     let Some(across) = direction(&height) else { return edge };
     let (x, y) = (dot(&ap, &along), dot(&ap, &across));
     let gamma = y / length(&height);

@@ -1,16 +1,19 @@
 //! Hold, abort, and what is left to stop on.
 
+use gaugeblock_trace::Axis;
 use gaugeblock_trace::motion::{Column, Feed};
 
 use super::matching::Matching;
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
-use crate::motion::bound::{shortest_stopping, stopping};
-use crate::motion::route::Route;
-use crate::motion::vector::distance;
+use crate::motion::bound::{Shortest, Stop, shortest_stopping, stopping};
+use crate::motion::route::{Leg, Route};
+use crate::motion::vector::{Nine, direction, distance, minus};
 
 /// Within so many cycles what was asked for is in force.
 const CYCLES: usize = 2;
+/// The angle of an arc between two of its points, radians.
+const STEP: f64 = 0.005;
 
 impl Record<'_> {
     /// Whether something holds the motion at a sample: the operator, the feed stop where M53 lets it, an override or an adaptive
@@ -117,7 +120,7 @@ fn stops(
 /// starved at any cycle (section 2.3.1.3: never at such a speed that it cannot come to an exact stop).
 ///
 /// The speed from one sample to the next is that of some instant between them, at which the motion is no nearer than at the first of
-/// them: from there the speed has to suffice.
+/// them: from there the speed has to suffice. On the way through a blend each axis has to stop by itself at least.
 pub(super) fn reserve(record: &Record<'_>) -> Verdict {
     let Some(queued) = record.samples.column(Column::Queued) else {
         return Verdict::NotJudged("what was queued is not recorded".to_owned());
@@ -153,10 +156,68 @@ pub(super) fn reserve(record: &Record<'_>) -> Verdict {
             continue;
         }
         let from = (place.leg, place.part);
-        let needed = shortest_stopping(route, &record.envelope, from, speed, legs).distance;
-        let words =
-            || format!("{needed} mm are needed to stop from {speed} mm/s and {left} mm are queued");
-        findings.at_most(sample, None, (needed, left * (1.0 + 1e-9) + off), (0.0, &words));
+        match shortest_stopping(route, &record.envelope, from, speed, legs) {
+            Shortest::Within(Stop { distance, .. }) => {
+                let words = || {
+                    format!(
+                        "{distance} mm are needed to stop from {speed} mm/s and {left} mm are queued"
+                    )
+                };
+                findings.at_most(
+                    sample,
+                    None,
+                    (distance, left * (1.0 + 1e-9) + off),
+                    (0.0, &words),
+                );
+            }
+            Shortest::Rounds { place, speed } => {
+                let curve = &route.legs[place.0].curve;
+                let onwards = direction(&curve.derivatives(place.1).0).unwrap_or_default();
+                let (at, velocity) = if place == from {
+                    let step = minus(&record.points[sample], &record.points[sample - 1]);
+                    (record.points[sample - 1], step.map(|step| step / record.period))
+                } else {
+                    (curve.at(place.1), onwards.map(|share| share * speed))
+                };
+                let known = &route.legs[place.0..legs.max(place.0 + 1)];
+                each_axis(record, sample, known, (&at, &velocity), &mut findings);
+            }
+        }
     }
     findings.verdict()
+}
+
+/// Holds each axis by itself to what some legs leave it from a point on: however corners are rounded, an axis moves on for as
+/// long as it brakes.
+fn each_axis(
+    record: &Record<'_>,
+    sample: usize,
+    legs: &[Leg<'_>],
+    (at, velocity): (&Nine, &Nine),
+    findings: &mut Findings,
+) {
+    for axis in Axis::ALL.iter().copied() {
+        let speed = velocity[axis.place()];
+        let needed = speed * speed / (2.0 * record.envelope.acceleration[axis.place()]);
+        let (mut left, mut off) = (0.0_f64, record.bulge + record.slack);
+        for leg in legs {
+            if needed <= left + off {
+                break;
+            }
+            let steps = (leg.curve.angle().abs() / STEP).ceil().max(1.0);
+            let mut done = 1.0;
+            while done <= steps {
+                let gained = leg.curve.at(done / steps)[axis.place()] - at[axis.place()];
+                left = left.max(gained * speed.signum());
+                done += 1.0;
+            }
+            // Between two of these points an arc is no farther from them than a share of its radius.
+            let bow = if leg.curve.is_straight() { 0.0 } else { leg.curve.length() * STEP };
+            off = off.max(record.bulge + record.slack + leg.tolerance + bow);
+        }
+        let words = || {
+            format!("{axis} needs {needed} mm to stop from {speed} mm/s and {left} mm are queued")
+        };
+        findings.at_most(sample, Some(axis), (needed, left * (1.0 + 1e-9) + off), (0.0, &words));
+    }
 }

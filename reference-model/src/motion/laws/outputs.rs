@@ -77,7 +77,7 @@ fn ask(
             let near = start(record, (route, matching), number, visit);
             // A motion that leads nowhere may start at any time of the rest.
             let stays = matches!(task, Task::InPlace(_));
-            let (near, until) = visit.at.filter(|_| stays).unwrap_or((near, near));
+            let (near, until) = visit.at.filter(|_| stays).unwrap_or(near);
             for switching in switches {
                 let (first, last) = (near.saturating_sub(1), until + 1);
                 let new = Expected { value: switching.value, first, last, certain };
@@ -87,7 +87,7 @@ fn ask(
     }
 }
 
-/// The sample with which the motion from a corner starts.
+/// First and last of the samples with which the motion from a corner may start.
 ///
 /// Choice trajectory.motion-start. At a rounded corner it starts nearest to the corner, or where the blend has ended: at the first
 /// sample on its own path. Elsewhere these are the same.
@@ -96,8 +96,8 @@ fn start(
     (route, matching): (&Route<'_>, &Matching),
     number: usize,
     visit: Visit,
-) -> usize {
-    let near = visit.nearest(record, &route.corners[number].at);
+) -> (usize, usize) {
+    let near = visit.near(record, &route.corners[number].at);
     let leg = route.legs.get(number).filter(|_| visit.at.is_none());
     let (Some(leg), MotionStart::BlendEnd) = (leg, record.readings.motion_start) else {
         return near;
@@ -110,7 +110,9 @@ fn start(
         distance(&leg.curve.at(part), point) <= record.slack && part > 0.0
     };
     let in_time = |sample: &usize| matching.legs[*sample].0 <= number;
-    (near..record.points.len()).take_while(in_time).find(on_path).unwrap_or(near)
+    let blend_ends =
+        |near: usize| (near..record.points.len()).take_while(in_time).find(on_path).unwrap_or(near);
+    (blend_ends(near.0), blend_ends(near.1))
 }
 
 /// The samples that may show an output first that switches while the motion rests at a corner.

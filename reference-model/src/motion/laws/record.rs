@@ -99,7 +99,9 @@ impl<'a> Record<'a> {
             if route.legs.is_empty() {
                 return Err("the path leads nowhere".to_owned());
             }
-            let measure = Measure { points: &points, slack, bulge, backwards: &backwards };
+            let finished = requests.aborted.is_none();
+            let measure =
+                Measure { points: &points, slack, bulge, backwards: &backwards, finished };
             let matching = matching::matched(&route, measure);
             Ok((route, matching))
         });

@@ -110,7 +110,8 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
 }
 
 /// Rule trajectory.dwell. The axes stand for the time of a dwell (G4), to the cycle more or less; at least so long where
-/// something else is waited for or held there too, or where the planner does not know yet how it goes on. An abort ends it.
+/// something else is waited for or held there too, or where the planner does not know yet how it goes on. An abort ends it. Who runs
+/// back out of it makes the rest of it, or all, when the motion has come again.
 pub(super) fn dwell(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -127,9 +128,21 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
             .sum();
         let Some(visit) = visit.filter(|visit| visit.passed && seconds > 0.0) else { continue };
         asked = true;
-        let (least, most) = rest(record, visit, &route.corners[number].at);
+        let corner = &route.corners[number].at;
+        let turned = runs_back(record, visit);
+        // Who runs back comes again: all stays count.
+        let stays: Vec<(usize, usize)> = if turned {
+            stays(record, visit, corner).collect()
+        } else {
+            visit.at.into_iter().collect()
+        };
+        let (mut least, mut most) = rest(record, stays.first().copied(), corner);
+        for stay in stays.iter().skip(1) {
+            let (shorter, longer) = rest(record, Some(*stay), corner);
+            (least, most) = (least + shorter, most + longer);
+        }
         let words = || format!("rest for less than {most} s where {seconds} s are asked for");
-        let after = visit.at.map_or(visit.after(record), |(_, end)| (end + 1).min(last));
+        let after = stays.last().map_or(visit.after(record), |(_, end)| (end + 1).min(last));
         let aborted = record.requests.aborted.is_some_and(|cycle| cycle <= after);
         if !aborted {
             findings.at_most(
@@ -143,6 +156,7 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
             .iter()
             .all(|task| matches!(task, Task::Dwell(_) | Task::WithMotion(_) | Task::InPlace(_)));
         let open = number == 0
+            || turned
             || visit.at.is_none_or(|(_, end)| end == last)
             || held(record, visit)
             || starves(record, route.legs.get(number), visit);
@@ -162,10 +176,10 @@ fn starves(record: &Record<'_>, next: Option<&Leg<'_>>, visit: Visit) -> bool {
     queued.is_some_and(|queued| queued[first] <= count(next.place))
 }
 
-/// How long the motion may have rested in a visit, at least and at most, seconds: from the first to the last sample there, and beyond
+/// How long the motion may have rested during a stay, at least and at most, seconds: from the first to the last sample there, and beyond
 /// them as long as the axes do not need to come and to go.
-fn rest(record: &Record<'_>, visit: Visit, corner: &Nine) -> (f64, f64) {
-    let Some((first, last)) = visit.at else { return (0.0, record.period) };
+fn rest(record: &Record<'_>, stay: Option<(usize, usize)>, corner: &Nine) -> (f64, f64) {
+    let Some((first, last)) = stay else { return (0.0, record.period) };
     let least = count(last - first) * record.period;
     let spare = |sample: Option<usize>| {
         let sample = sample.filter(|sample| *sample < record.points.len());
@@ -173,6 +187,27 @@ fn rest(record: &Record<'_>, visit: Visit, corner: &Nine) -> (f64, f64) {
         (record.period - away).max(0.0)
     };
     (least, least + spare(first.checked_sub(1)) + spare(Some(last + 1)))
+}
+
+/// First and last sample of each stay at a corner during a visit.
+fn stays<'a>(
+    record: &'a Record<'_>,
+    visit: Visit,
+    corner: &'a Nine,
+) -> impl Iterator<Item = (usize, usize)> + 'a {
+    let is_at = move |sample: &usize| record.is_at(*sample, corner);
+    let mut next = visit.first;
+    std::iter::from_fn(move || {
+        let first = (next..=visit.last).find(is_at)?;
+        let last = (first..=visit.last).take_while(is_at).last()?;
+        next = last + 1;
+        Some((first, last))
+    })
+}
+
+/// Whether the motion is asked to run back during a visit.
+fn runs_back(record: &Record<'_>, visit: Visit) -> bool {
+    record.requests.adaptive[visit.first..=visit.after(record)].iter().any(|factor| *factor < 0.0)
 }
 
 /// Whether somebody holds the motion during a visit.

@@ -4,7 +4,7 @@ use super::matching::Matching;
 use super::record::Record;
 use crate::math;
 use crate::motion::route::Route;
-use crate::motion::vector::{Nine, distance};
+use crate::motion::vector::{Nine, distance, from_segment};
 
 /// How a corner is passed: the samples that can stand for points on both sides of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +34,36 @@ impl Visit {
         let away = |sample: &usize| distance(&record.points[*sample], corner);
         let near = self.first.saturating_sub(1)..=self.after(record);
         near.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(self.first)
+    }
+
+    /// First and last of the samples that may be the nearest one.
+    ///
+    /// Between two samples the motion may have been as near, since it is a·h²/8 from their chord at most. And where it comes near more than
+    /// once, nobody knows which time is the corner's, if one is no farther away than the other and the way to the next sample.
+    pub(super) fn near(&self, record: &Record<'_>, corner: &Nine) -> (usize, usize) {
+        let nearest = self.nearest(record, corner);
+        let (mut first, mut last) = (nearest, nearest);
+        if self.at.is_some() {
+            return (first, last);
+        }
+        let place = |sample: usize| &record.points[sample];
+        let away = |sample: usize| distance(place(sample), corner);
+        let least = away(nearest);
+        let inner = record.points.len().saturating_sub(2);
+        for sample in self.first.max(1)..=self.after(record).min(inner) {
+            let way = [sample - 1, sample].map(|from| distance(place(from), place(from + 1)));
+            let nearer = away(sample) < away(sample - 1) && away(sample) <= away(sample + 1);
+            let again = nearer && away(sample) <= least + way[0].max(way[1]);
+            let between = [sample - 1, sample].iter().any(|from| {
+                let ends = [*from, from + 1].map(away);
+                let near = from_segment(place(*from), place(from + 1), corner);
+                away(sample) <= ends[0].min(ends[1]) && near <= least + record.bulge
+            });
+            if again || between {
+                (first, last) = (first.min(sample), last.max(sample));
+            }
+        }
+        (first, last)
     }
 
     /// The first sample that stands for a point behind it alone; the last of all where there is none.

@@ -77,12 +77,14 @@ fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let uses_none = |code: u32| letter == '$' && quirks::uses_no_dollar(code, state);
     let by_g = words.g.iter().filter(|code| !uses_none(**code));
     let by_g = by_g.filter(|code| **code != 100 || used_by_offset_data(letter, words));
+    let takes_none = |code: u32| letter == '$' && quirks::m_uses_no_dollar(code, state);
+    let by_m = words.m.iter().filter(|code| !takes_none(**code));
     let mut codes = by_g
         .copied()
         .chain(moves_by_axis_words(words).then(|| motion_code(state.modes.motion)))
         .filter(|code| !cycles::is_unused(letter, *code, state))
         .filter_map(g_code)
-        .chain(words.m.iter().filter_map(|code| m_code(*code)));
+        .chain(by_m.filter_map(|code| m_code(*code)));
     serves_speed || codes.any(uses) || by_arc(letter, words, state)
 }
 

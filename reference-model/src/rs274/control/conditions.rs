@@ -138,6 +138,9 @@ impl Control {
     }
 
     /// A label of a condition or loop is defined once in its sub, and does not meet the sub's own number.
+    ///
+    /// Choice control.skipped-definition: where only what is executed defines a label, nothing says whether what another call of the sub has
+    /// executed counts.
     pub(super) fn defined_once(
         &mut self,
         label: &str,
@@ -145,10 +148,15 @@ impl Control {
         state: &mut State,
     ) -> Result<(), Halt> {
         self.not_of_sub(label, rule, state)?;
-        if self.defined_elsewhere(label, state).is_some() {
-            return Err(duplicate(label, rule));
+        if self.defined_elsewhere(label, state).is_none() {
+            return Ok(());
         }
-        Ok(())
+        let executed = state.readings.is("control.skipped-definition", "does-not-count");
+        if executed && !state.frame().has_met(label) && !quirks::control::is_left_behind(state) {
+            let why = format!("{} has been defined in another call of its sub", o_word(label));
+            return Err(Halt::Unspecified(why));
+        }
+        Err(duplicate(label, rule))
     }
 
     /// Choice control.sub-number-as-label: whether a condition or loop may carry the number of the sub around it.

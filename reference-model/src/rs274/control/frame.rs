@@ -123,6 +123,13 @@ impl Frame {
         }
     }
 
+    /// Whether a condition or loop with this label has begun in this call.
+    pub fn has_met(&self, label: &str) -> bool {
+        self.open.iter().any(|open| open.label == label)
+            || self.ended_conditions.contains(label)
+            || self.ended_loops.contains_key(label)
+    }
+
     /// Whether it is a sub that ends with endsub.
     pub fn is_sub(&self) -> bool {
         self.call.as_ref().is_some_and(|call| call.style == Style::OWord)

@@ -26,6 +26,8 @@ pub(super) struct Labels {
     definers: BTreeMap<String, BTreeSet<usize>>,
     /// Lines with the keyword sub, by label.
     subs: BTreeMap<String, Vec<u32>>,
+    /// Lines of the subs without an end.
+    unended: Vec<u32>,
     /// Lines with a number alone, by number.
     numbers: BTreeMap<String, Vec<u32>>,
     /// Lines with a number alone inside a sub.
@@ -59,21 +61,26 @@ impl Labels {
         }
     }
 
-    /// Gives each mark its scope: what stands between a sub and its endsub, or after a program's number.
+    /// Gives each mark its scope: what stands between a sub and its endsub, or after a program's number. A sub without its end holds
+    /// nothing.
     pub(super) fn finish(&mut self) {
         self.scopes.push((0, 0));
         let ends = Ends::of(&self.marks);
         let (mut outer, mut scopes) = (0, 1);
-        let mut sub: Option<(Option<u32>, usize)> = None;
+        let mut sub: Option<(u32, usize)> = None;
         for mark in &mut self.marks {
             mark.scope = sub.as_ref().map_or(outer, |(_, scope)| *scope);
             match (mark.keyword, &sub) {
                 (Keyword::Sub, None) => {
-                    sub = Some((ends.of_sub(mark), scopes));
+                    let Some(end) = ends.of_sub(mark) else {
+                        self.unended.push(mark.line);
+                        continue;
+                    };
+                    sub = Some((end, scopes));
                     self.scopes.push((mark.line + 1, scopes));
                     scopes += 1;
                 }
-                (Keyword::EndSub, Some((Some(end), _))) if *end == mark.line => {
+                (Keyword::EndSub, Some((end, _))) if *end == mark.line => {
                     sub = None;
                     self.scopes.push((mark.line + 1, outer));
                 }
@@ -83,7 +90,7 @@ impl Labels {
                     self.scopes.push((mark.line, outer));
                     scopes += 1;
                 }
-                (Keyword::ProgramNumber, Some((Some(_), _))) => {
+                (Keyword::ProgramNumber, Some(_)) => {
                     self.numbers_in_subs.insert(mark.line);
                 }
                 _ => {}
@@ -158,6 +165,27 @@ impl Labels {
         self.marks.iter().find(fits).map(|mark| mark.line)
     }
 
+    /// Quirk rs274.ends-in-other-subs. Line of the next block after `after` with this label and one of these keywords, whichever sub it
+    /// stands in, before a numbered program begins.
+    pub(super) fn find_in_any_sub(
+        &self,
+        label: &str,
+        keywords: &[Keyword],
+        after: u32,
+        state: &mut State,
+    ) -> Option<u32> {
+        let later = self.marks.partition_point(|mark| mark.line <= after);
+        let mut later = self.marks[later..]
+            .iter()
+            .take_while(|mark| mark.keyword != Keyword::ProgramNumber)
+            .filter(|mark| keywords.contains(&mark.keyword));
+        let found = later.find(|mark| match &mark.label {
+            Some(found) => found == label,
+            None => label_of(&mark.written, state).is_ok_and(|found| found == label),
+        });
+        found.map(|mark| mark.line)
+    }
+
     /// Whether a block with this label and one of these keywords stands further on, behind the beginning of a numbered program.
     pub(super) fn ends_in_program(&self, label: &str, keywords: &[Keyword], after: u32) -> bool {
         let later = self.marks.iter().filter(|mark| mark.line > after);
@@ -195,6 +223,11 @@ impl Labels {
     pub(super) fn all_subs(&self) -> impl Iterator<Item = (u32, Option<&str>)> {
         let marks = self.marks.iter().filter(|mark| mark.keyword == Keyword::Sub);
         marks.map(|mark| (mark.line, mark.label.as_deref()))
+    }
+
+    /// Whether a sub without its end begins between two lines.
+    pub(super) fn unended_between(&self, after: u32, before: u32) -> bool {
+        self.unended.iter().any(|line| (after..before).contains(line))
     }
 
     /// Line of the first sub that begins after a line, but not after another one.

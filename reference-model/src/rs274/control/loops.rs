@@ -276,7 +276,17 @@ impl Control {
     }
 
     /// Rule control.continue. It goes to the next test of the condition.
+    ///
+    /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether that is tested again.
     pub(super) fn continue_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+        let ended = state.frame().ended_loops.get(label);
+        let ended =
+            ended.is_some_and(|(keyword, _)| matches!(keyword, Keyword::While | Keyword::Do));
+        let open = state.frame().find_open(label, |_| true).is_some();
+        if ended && !open && state.readings.is("control.ended-label", "followed") {
+            let why = format!("{} is named behind its end", o_word(label));
+            return Err(Halt::Unspecified(why));
+        }
         let (place, structure, first) = self.loop_of(label, state)?;
         self.within(label, structure, first, state)?;
         state.frame_mut().open.truncate(place + 1);

@@ -27,6 +27,8 @@ use gaugeblock_trace::{End, FaultKind, Program};
 pub use files::{ENTRIES, Files, Place};
 pub use frame::{Call, Frame, Open, Structure, Style};
 pub(crate) use loops::turns;
+pub(crate) use numbered::enabled;
+pub(crate) use subs::passed;
 
 use super::machine::State;
 use super::parameters::Name;
@@ -204,6 +206,8 @@ impl Control {
     }
 
     /// Rule control.missing-end. What is skipped must have its end further on, within its sub.
+    ///
+    /// A sub without its end is refused where it is come to; what it holds where it is skipped nothing says.
     fn end_of_skipped(
         &mut self,
         label: &str,
@@ -211,14 +215,21 @@ impl Control {
         after: u32,
         state: &mut State,
     ) -> Result<u32, Halt> {
-        let end = self.find(label, keywords, after, state);
-        let of_loop = [Keyword::While, Keyword::EndWhile].contains(&keywords[0]);
-        let sought = Sought::Structure { label, of_loop };
+        let end = if state.readings.quirk("rs274.ends-in-other-subs") {
+            self.files.labels(self.place.file).find_in_any_sub(label, keywords, after, state)
+        } else {
+            self.find(label, keywords, after, state)
+        };
+        let sought = Sought::Structure { label, ends: keywords };
         quirks::skipping::pass_over(self, sought, end, state)?;
         let labels = self.files.labels(self.place.file);
         if end.is_none() && labels.ends_in_program(label, keywords, after) {
             let why =
                 format!("{} goes on behind the beginning of a numbered program", o_word(label));
+            return Err(Halt::Unspecified(why));
+        }
+        if end.is_some_and(|end| labels.unended_between(after, end)) {
+            let why = "what a sub without its end holds, where it is skipped".to_owned();
             return Err(Halt::Unspecified(why));
         }
         end.ok_or_else(|| {

@@ -69,12 +69,15 @@ impl Control {
             return Err(refuse("fanuc-subs.number-missing", FaultKind::MissingWord, message));
         };
         let turns = words.letters.get(&'l').copied().unwrap_or(1.0);
+        quirks::control::count_too_large(turns, state)?;
         let label = counted(*number, "P of M98")?.to_string();
         let turns = counted(turns, "L of M98")?;
         let none = turns == 0 && !state.readings.quirk("rs274.fanuc-zero-loops");
         let back = Place { line: self.place.line + 1, ..self.place };
         let free = turns == 0 && state.readings.is("fanuc-subs.zero-count-unknown", "accepted");
-        quirks::skipping::to_numbered(self, &label, state)?;
+        if turns > 0 {
+            quirks::skipping::to_numbered(self, &label, state)?;
+        }
         let first = match self.numbered_program(&label, state) {
             Err(_) if free => back,
             first => first?,
@@ -133,6 +136,11 @@ impl Control {
         }
         if begins.iter().any(|line| labels.is_inside_sub(*line)) {
             let why = "a numbered program that begins inside a sub";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
+        let later = begins.iter().copied().find(|line| *line > self.place.line);
+        if later.is_some_and(|number| labels.subs(label).iter().any(|sub| *sub < number)) {
+            let why = "which one M98 calls of a sub and a numbered program of the same number";
             return Err(Halt::Unspecified(why.to_owned()));
         }
         if begins.len() > 1 {
@@ -203,7 +211,7 @@ impl Control {
 }
 
 /// Rule fanuc-subs.disabled. Numbered programs can be disabled: their calls, their ends and their numbers alone.
-fn enabled(state: &mut State) -> Result<(), Halt> {
+pub(crate) fn enabled(state: &mut State) -> Result<(), Halt> {
     if !state.machine.fanuc_subs {
         let message = "numbered programs are disabled";
         return Err(refuse("fanuc-subs.disabled", FaultKind::FanucDisabled, message));

@@ -22,7 +22,7 @@ impl Control {
     ///
     /// Rule subroutines.unique-name. A second definition is refused; the same one may be reached again.
     pub(super) fn sub(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
-        if quirks::control::is_head_in_file(self, state) {
+        if quirks::control::is_head_within(self, state) {
             return Ok(Next::Following);
         }
         if quirks::control::is_reached_again(self.subs.get(label), self.place, state) {
@@ -58,7 +58,7 @@ impl Control {
     fn define(&mut self, label: &str, place: Place, state: &mut State) -> Result<u32, Halt> {
         let labels = self.files.labels(place.file);
         let end = labels.find(label, &[Keyword::EndSub], place.line, place.line + 1, state);
-        quirks::skipping::pass_over(self, Sought::EndSub, end, state)?;
+        quirks::skipping::pass_over(self, Sought::EndSub { label }, end, state)?;
         let labels = self.files.labels(place.file);
         if let Some(inner) = labels.sub_between(place.line, end.unwrap_or(u32::MAX)) {
             self.place = Place { line: inner, ..place };
@@ -132,7 +132,7 @@ impl Control {
         state: &mut State,
     ) -> Result<Next, Halt> {
         let arguments = arguments(&word.arguments, state)?;
-        let sub = self.found(label, state)?;
+        let sub = self.found(label, &arguments, state)?;
         deeper("subroutines.level-limit", state)?;
         if !state.readings.quirk("rs274.value-cleared-at-return") {
             clear_value(state);
@@ -165,7 +165,7 @@ impl Control {
     /// Rule subroutines.unknown-sub. Calling what neither the program nor a file defines is refused.
     ///
     /// Rule fanuc-subs.mixed-o-call. A numbered subprogram is called by M98 only.
-    fn found(&mut self, label: &str, state: &mut State) -> Result<Place, Halt> {
+    fn found(&mut self, label: &str, arguments: &[f64], state: &mut State) -> Result<Place, Halt> {
         if let Some(sub) = self.subs.get(label) {
             state.evidence.accepted("subroutines.defined-before-call");
             state.evidence.accepted("subroutines.unknown-sub");
@@ -173,15 +173,19 @@ impl Control {
         }
         let labels = self.files.labels(self.place.file);
         let is_numbered = !labels.numbers(label).is_empty();
-        let later = labels.subs(label).iter().copied().find(|line| *line > self.place.line);
+        let behind = |lines: &[u32]| lines.iter().copied().find(|line| *line > self.place.line);
+        let (later, number) = (behind(labels.subs(label)), behind(labels.numbers(label)));
         if let Some(sub) = self.in_file(label, state)? {
             return Ok(sub);
         }
-        if is_numbered {
+        let is_found_first = state.readings.quirk("rs274.sub-found-later")
+            && later.is_some_and(|sub| number.is_none_or(|number| sub < number));
+        if is_numbered && !is_found_first {
+            quirks::skipping::to_called(self, label, arguments, number, state)?;
             let message = format!("{} is a numbered program: it is called by M98", o_word(label));
             return Err(refuse("fanuc-subs.mixed-o-call", FaultKind::MixedStyles, message));
         }
-        quirks::skipping::pass_over(self, Sought::Called { label }, later, state)?;
+        quirks::skipping::to_called(self, label, arguments, later, state)?;
         if let Some(line) = later {
             if state.readings.quirk("rs274.sub-found-later") {
                 let sub = Place { line, ..self.place };
@@ -271,7 +275,7 @@ fn arguments(values: &[Expression], state: &mut State) -> Result<Vec<f64>, Halt>
 }
 
 /// Rule subroutines.unpassed-arguments. From the first one not passed, #1 to #30 have the caller's values.
-fn passed(arguments: &[f64], state: &mut State) -> [f64; 30] {
+pub(crate) fn passed(arguments: &[f64], state: &mut State) -> [f64; 30] {
     state.evidence.accepted("subroutines.unpassed-arguments");
     let mut all = if state.readings.quirk("rs274.unpassed-arguments-zero") {
         [0.0; 30]

@@ -15,6 +15,48 @@ pub fn unit_size(unit: LengthUnit) -> f64 {
     }
 }
 
+/// What becomes of the last bits of a coordinate that a conversion of units or an offset has computed.
+///
+/// The documents do not say how exactly a controller computes, so that nothing can be said of a program whose meaning depends on it: there
+/// the model's own answer changes with this.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rounding {
+    /// They stay.
+    #[default]
+    AsComputed,
+    /// The coordinate is the number of few decimals that it misses by its last bits, if it misses one.
+    ToDecimals,
+    /// It is larger by its last bit.
+    Up,
+    /// It is smaller by its last bit.
+    Down,
+}
+
+impl Rounding {
+    /// A position that was computed from another one; a coordinate that is as it was has no bits to lose.
+    pub(crate) fn of(self, computed: Position, from: Position) -> Position {
+        if self == Self::AsComputed {
+            return computed;
+        }
+        each(computed, from, |computed, from| {
+            if (computed - from).abs() > 0.0 { self.coordinate(computed, from) } else { computed }
+        })
+    }
+
+    fn coordinate(self, computed: f64, from: f64) -> f64 {
+        let last_bit = computed.abs().max(from.abs()) * f64::EPSILON;
+        match self {
+            Self::AsComputed => computed,
+            Self::ToDecimals => {
+                let decimals = (computed * 1e6).round() / 1e6;
+                if (decimals - computed).abs() < 64.0 * last_bit { decimals } else { computed }
+            }
+            Self::Up => computed + last_bit,
+            Self::Down => computed - last_bit,
+        }
+    }
+}
+
 /// Whether an axis counts in degrees.
 pub(crate) fn is_rotary(axis: Axis) -> bool {
     matches!(axis, Axis::A | Axis::B | Axis::C)
@@ -54,7 +96,8 @@ impl Modes {
         let without_tool = each(machine, self.tool_offset, |point, offset| point - offset);
         let in_system = each(without_tool, self.g5x_offset, |point, offset| point - offset);
         let turned = turned(in_system, -self.rotation);
-        each(turned, self.g92_offset, |point, offset| point - offset)
+        let program = each(turned, self.g92_offset, |point, offset| point - offset);
+        self.rounding.of(program, machine)
     }
 
     /// All that lies between a point of the program and one of the machine.
@@ -137,6 +180,20 @@ mod tests {
     fn a_machine_point_is_the_inverse_of_a_program_point() {
         let program = Position { x: -3.0, y: 0.5, z: 7.0, c: 30.0, w: 1.0, ..Position::default() };
         close(modes().program_point(modes().machine_point(program)), program);
+    }
+
+    #[test]
+    fn only_what_was_computed_is_rounded() {
+        let from = Position { x: 3.0, y: 2.0, z: 1.0, ..Position::default() };
+        let computed = Position { x: 3.0, y: 0.1 + 0.2, z: 1.0 / 3.0, ..Position::default() };
+        let moved = |rounding: Rounding| {
+            let apart = each(rounding.of(computed, from), computed, |a, b| (a - b).abs());
+            [apart.x, apart.y, apart.z].map(|distance| distance > 0.0)
+        };
+        assert_eq!(moved(Rounding::AsComputed), [false; 3]);
+        assert_eq!(moved(Rounding::ToDecimals), [false, true, false]);
+        assert_eq!(moved(Rounding::Up), [false, true, true]);
+        assert_eq!(moved(Rounding::Down), [false, true, true]);
     }
 
     #[test]

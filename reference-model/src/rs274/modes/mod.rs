@@ -8,7 +8,7 @@ mod saved_state;
 mod settings;
 
 pub use codes::{ARC, Code, G_CODES, M_CODES, g_code, g_text, m_code};
-pub use coordinates::{converted, unit_size};
+pub use coordinates::{Rounding, converted, unit_size};
 pub(crate) use coordinates::{each, first_parameter, is_rotary};
 pub use groups::ModalGroup;
 pub use motions::{motion_code, motion_mode};
@@ -91,6 +91,8 @@ pub struct Modes {
     pub feed_stop: Switch,
     /// Mode of the controller: a program runs in auto mode, and its end leaves MDI mode.
     pub controller_mode: ControllerMode,
+    /// What becomes of the last bits of positions that are computed.
+    pub rounding: Rounding,
 }
 
 /// A spindle as it was told to turn.
@@ -186,6 +188,7 @@ impl Modes {
             adaptive_feed: Switch::Off,
             feed_stop: Switch::On,
             controller_mode: ControllerMode::Auto,
+            rounding: Rounding::default(),
         };
         modes.load_work_offset(stored, machine.length_unit);
         modes.load_local_offset(stored, machine.length_unit);

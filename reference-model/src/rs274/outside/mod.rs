@@ -42,6 +42,8 @@ pub struct Outside {
     awaiting_motion: BTreeMap<Pin, f64>,
     /// Orientations that have begun and not ended, by spindle.
     orienting: BTreeMap<usize, Orientation>,
+    /// Whether the operator asks for something now: what else happens at this moment happens afterwards.
+    is_asked: bool,
     /// The last orientation of each spindle, ended or not.
     last_orientations: BTreeMap<usize, Orientation>,
     /// What the last probing move left behind.
@@ -67,6 +69,7 @@ impl Outside {
             changes: Vec::new(),
             awaiting_motion: BTreeMap::new(),
             orienting: BTreeMap::new(),
+            is_asked: false,
             last_orientations: BTreeMap::new(),
             probed: None,
             synchronised: Synchronised::default(),

@@ -34,9 +34,12 @@ impl Outside {
         self.last_orientations.insert(spindle, orientation);
     }
 
-    /// What is only read ahead waits for no encoder.
+    /// What is only read ahead waits for no encoder, and executes no program that could fail.
     pub(crate) fn answers_at_once(&mut self) {
         self.bench.orient.clear();
+        for program in &mut self.bench.user_programs {
+            program.exit_status = 0;
+        }
     }
 
     /// Whether a spindle turns to an angle.
@@ -54,10 +57,22 @@ impl Outside {
         self.orienting.remove(&spindle);
     }
 
+    /// When the next of the spindles that are on their way comes to its angle.
+    pub(crate) fn next_orientation(&self) -> Option<f64> {
+        let done = self.orienting.values().filter_map(|orientation| orientation.done());
+        done.reduce(f64::min).map(|time| time.max(self.time))
+    }
+
+    /// The operator asks for something now, or that is answered: what answers at the same time does so afterwards.
+    pub(crate) fn is_asked(&mut self, is_asked: bool) {
+        self.is_asked = is_asked;
+    }
+
     /// Spindles that stand at their angle by now, each with the time at which it got there.
     pub(crate) fn oriented(&self) -> Vec<(usize, f64)> {
         let done =
             self.orienting.iter().filter_map(|(spindle, begun)| Some((*spindle, begun.done()?)));
-        done.filter(|(_, time)| *time <= self.time).collect()
+        let has_come = |time: f64| time < self.time || time <= self.time && !self.is_asked;
+        done.filter(|(_, time)| has_come(*time)).collect()
     }
 }

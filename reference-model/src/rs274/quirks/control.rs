@@ -1,10 +1,12 @@
 //! Quirks of subroutines and control.
 
+use gaugeblock_trace::FaultKind;
+
 use crate::rs274::control::{Control, Frame, Next, Place, Structure, turns};
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::read;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::syntax::{self, Expression, Keyword, Parameter};
 use crate::rs274::text::Line;
 
@@ -42,15 +44,32 @@ pub fn shared_repeat(
 }
 
 /// Quirk rs274.file-with-two-subs. Within a called file the head of another sub is passed over: what follows is executed.
-pub fn is_head_in_file(control: &Control, state: &State) -> bool {
-    let called = state.call_level() > 0 && control.place.file != 0;
-    called && state.readings.quirk("rs274.file-with-two-subs")
+/// Quirk rs274.sub-found-later. So it is within a sub of the main program, which nobody has looked at where it was found by its call.
+pub fn is_head_within(control: &Control, state: &State) -> bool {
+    let quirk = if control.place.file == 0 {
+        state.frame().is_sub() && state.readings.quirk("rs274.sub-found-later")
+    } else {
+        state.readings.quirk("rs274.file-with-two-subs")
+    };
+    state.call_level() > 0 && quirk
 }
 
 /// Quirk rs274.numbers-of-all-files. The numbered program of this number that was called first, whichever file it stands in.
 pub fn known_number(control: &Control, label: &str, state: &State) -> Option<Place> {
     let first = control.numbers_called.get(label).copied();
     first.filter(|_| state.readings.quirk("rs274.numbers-of-all-files"))
+}
+
+/// Quirk rs274.fanuc-count-too-large. L of M98 is refused, as if it were negative, from 2147483648 on.
+///
+/// # Errors
+/// Such an L.
+pub fn count_too_large(turns: f64, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.fanuc-count-too-large";
+    if turns.round() > f64::from(i32::MAX) && state.readings.quirk(rule) {
+        return Err(refuse(rule, FaultKind::WordOutOfRange, "L of M98 is too large"));
+    }
+    Ok(())
 }
 
 /// Quirk rs274.fanuc-zero-loops. A call with L0 leaves a call level behind: what follows is executed as if it belonged
@@ -113,9 +132,31 @@ pub fn is_reached_again(known: Option<&Place>, place: Place, state: &State) -> b
 pub fn value_at_definition(control: &mut Control, end: u32, state: &mut State) -> Result<(), Halt> {
     control.place.line = end;
     let Some(Line::Block(text)) = control.files.line(control.place, state) else { return Ok(()) };
-    let values = syntax::parse(text, state)?.o_word.map_or_else(Vec::new, |word| word.arguments);
-    let value = values.first().map(|value| with_zeros(value, state));
-    let value = value.map(|value| read::evaluate(&value, state)).transpose()?;
+    let value = value_behind(text, state)?.map(|value| with_zeros(&value, state));
+    leave(value.as_ref(), state)
+}
+
+/// The value behind an endsub or a return; nobody looks at what stands behind that.
+///
+/// # Errors
+/// The block is refused for what stands up to there.
+pub(super) fn value_behind(text: &str, state: &mut State) -> Result<Option<Expression>, Halt> {
+    let word = match syntax::parse(text, state) {
+        Ok(block) => block.o_word,
+        Err(Halt::Refused(refusal)) if refusal.rule == "control.unrelated-words" => {
+            syntax::o_word_of(text, state)
+        }
+        Err(halt) => return Err(halt),
+    };
+    Ok(word.and_then(|word| word.arguments.into_iter().next()))
+}
+
+/// A value is left as if a sub had returned it; none, where there is none.
+///
+/// # Errors
+/// It has no value.
+pub(super) fn leave(value: Option<&Expression>, state: &mut State) -> Result<(), Halt> {
+    let value = value.map(|value| read::evaluate(value, state)).transpose()?;
     state.parameters.returned = value.unwrap_or(0.0);
     state.parameters.has_returned = value.is_some();
     Ok(())

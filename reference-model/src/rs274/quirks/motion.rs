@@ -51,12 +51,13 @@ pub(crate) fn table_under_compensation(state: &State) -> bool {
 }
 
 /// Quirk rs274.per-revolution-standing. Under feed per revolution straight feeds and arcs are refused while the speed of the spindle is zero,
-/// whether it turns or not.
+/// whether it turns or not. Which spindle that is, quirk rs274.chosen-spindle says.
 pub(crate) fn per_revolution(words: &Words, state: &State) -> Result<(), Halt> {
     let rule = "rs274.per-revolution-standing";
     let moves =
         motion_of(words, state).is_some_and(|motion| motion == Motion::Feed || is_arc(motion));
-    let no_speed = state.modes.spindles.first().is_some_and(|spindle| spindle.speed == 0.0);
+    let spindle = state.modes.spindles.get(state.chosen_spindle);
+    let no_speed = spindle.is_some_and(|spindle| spindle.speed == 0.0);
     let per_revolution = state.modes.feed_mode == FeedMode::PerRevolution;
     if moves && no_speed && per_revolution && state.readings.quirk(rule) {
         let message = "a feed per revolution, and no speed";
@@ -81,6 +82,12 @@ pub(crate) fn feed_of_move(motion: Motion, end: Position, state: &mut State) {
     }
 }
 
+/// Quirk rs274.inverse-time-zero-rate. Under inverse time F may be zero, with straight feeds, arcs, G5 and G5.1.
+pub(crate) fn takes_no_time(state: &State) -> bool {
+    state.modes.feed_mode == FeedMode::InverseTime
+        && state.readings.quirk("rs274.inverse-time-zero-rate")
+}
+
 /// Quirk rs274.polar-needs-angle. At the origin a polar move without an angle is refused, in absolute distance mode too.
 pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), Halt> {
     let rule = "rs274.polar-needs-angle";
@@ -92,10 +99,11 @@ pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Quirk rs274.polar-plane. Polar words are refused outside of the XY plane.
+/// Quirk rs274.polar-plane. Polar words are refused where the block before left another plane than XY; what their own block selects does
+/// not count.
 pub(crate) fn polar_plane(state: &State) -> Result<(), Halt> {
     let rule = "rs274.polar-plane";
-    if state.modes.plane != Plane::Xy && state.readings.quirk(rule) {
+    if state.plane_before != Plane::Xy && state.readings.quirk(rule) {
         let message = "polar words outside of the XY plane";
         return Err(refuse(rule, FaultKind::ModalConflict, message));
     }

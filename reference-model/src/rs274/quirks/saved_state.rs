@@ -9,6 +9,7 @@ use gaugeblock_trace::{
 
 use crate::rs274::machine::State;
 use crate::rs274::modes::{Modes, Spindle, unit_size};
+use crate::rs274::quirks::settings::choose;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::restore::{restored_turn, same};
 use crate::rs274::step::tool_length::{apply, table_offset};
@@ -40,16 +41,17 @@ pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Quirk rs274.local-offset-restore. A local offset that did not apply at the save does not apply after the restore; its
-/// parameters stay.
+/// Quirk rs274.local-offset-restore. A local offset that did not apply at the save is suspended, and one that did apply resumed: by its
+/// parameters, as they are now.
 pub(crate) fn local_offset(saved: &Modes, state: &mut State) {
-    if state.modes.local_applies && !saved.local_applies {
-        let machine = state.modes.machine_point(state.position);
-        state.modes.local_applies = false;
-        state.modes.g92_offset = Position::default();
-        state.position = state.modes.program_point(machine);
-        state.parameters.store(5210, 0.0);
+    if state.modes.local_applies == saved.local_applies {
+        return;
     }
+    let machine = state.modes.machine_point(state.position);
+    state.parameters.store(5210, if saved.local_applies { 1.0 } else { 0.0 });
+    let parameters = &state.parameters;
+    state.modes.load_local_offset(|number| parameters.stored(number), state.machine.length_unit);
+    state.position = state.modes.program_point(machine);
 }
 
 /// Quirk rs274.dynamic-compensation-restore. G41.1 comes back as G41 and G42.1 as G42, by the tool in the spindle.
@@ -87,6 +89,9 @@ pub(crate) fn feed(saved: &Modes, state: &mut State) {
         state.modes.feed_rate = number;
         state.modes.feed_number = number;
     }
+    if mode_changed {
+        choose(0, state);
+    }
     state.modes.feed_mode = saved.feed_mode;
     state.modes.feed_awaited = saved.feed_awaited;
 }
@@ -103,6 +108,9 @@ pub(crate) const SPINDLES: &[&str] = &[
 pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     let first_only = state.readings.quirk("rs274.first-spindle-saved");
     let count = if first_only { 1 } else { saved.spindles.len() };
+    if saved.spindles[0].mode != state.modes.spindles[0].mode {
+        choose(0, state);
+    }
     for (place, saved) in saved.spindles.iter().enumerate().take(count) {
         state.modes.spindles[place] = spindle(saved, &state.modes.spindles[place], state)?;
     }
@@ -145,14 +153,20 @@ fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Hal
 /// Quirk rs274.orient-forgets-turning. One that is taken for stopped is not stopped either. Returns how it turns, and whether it is taken
 /// for stopped.
 fn restored(saved: &Spindle, now: &Spindle, state: &State) -> (SpindleTurn, bool) {
-    let was_stopped = saved.known_turn() == SpindleTurn::Stopped;
+    let as_stopped = state.readings.quirk("rs274.oriented-as-stopped");
+    let was_stopped = taken_turn(saved, state) == SpindleTurn::Stopped;
     let oriented = now.turn == SpindleTurn::Oriented;
-    if was_stopped && oriented && state.readings.quirk("rs274.oriented-as-stopped")
-        || was_stopped && now.taken_for_stopped
-    {
+    if was_stopped && (oriented && as_stopped || now.taken_for_stopped) {
         return (now.turn, now.taken_for_stopped);
     }
     (restored_turn(saved.known_turn(), now.turn), false)
+}
+
+/// Quirk rs274.oriented-as-stopped. How a spindle is taken to turn.
+fn taken_turn(spindle: &Spindle, state: &State) -> SpindleTurn {
+    let as_stopped = state.readings.quirk("rs274.oriented-as-stopped");
+    let turn = spindle.known_turn();
+    if turn == SpindleTurn::Oriented && as_stopped { SpindleTurn::Stopped } else { turn }
 }
 
 /// A number as it is written with so many decimals.
@@ -213,7 +227,8 @@ pub(crate) fn disabled_by_path(saved: &Modes, now: &Modes, state: &State) -> Opt
     }
     let comes_on = |saved: Switch, now: Switch| saved == Switch::On && now == Switch::Off;
     let none = |modes: &Modes| modes.mist == Switch::Off && modes.flood == Switch::Off;
-    let earlier = saved.spindles[0].known_turn() != now.spindles[0].known_turn()
+    let turn = |modes: &Modes| taken_turn(&modes.spindles[0], state);
+    let earlier = turn(saved) != turn(now)
         || comes_on(saved.mist, now.mist)
         || comes_on(saved.flood, now.flood)
         || none(saved) && !none(now);

@@ -7,6 +7,7 @@ use crate::rs274::modes::{ModalGroup, converted, each, is_rotary};
 use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::step::spindle;
 
 /// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch. In
 /// millimetres.
@@ -19,13 +20,19 @@ pub(crate) fn switch_of_any_p(value: f64) -> Switch {
     if value == 0.0 { Switch::Off } else { Switch::On }
 }
 
-/// Quirk rs274.override-dollar. M48 and M49 take no $.
-/// Quirk rs274.speed-override-dollar. M51 takes no $0.
-pub(crate) fn override_dollar(words: &Words, spindle: f64, state: &State) -> Result<(), Halt> {
+/// Quirk rs274.override-dollar. M48 and M49 do not use $: whether one of them stands in a block where it is not theirs.
+pub(crate) fn is_of_others(words: &Words, state: &State) -> bool {
     let both = words.m.iter().any(|code| [48, 49].contains(code));
-    if both && state.readings.quirk("rs274.override-dollar") {
-        return Err(refuse("rs274.override-dollar", FaultKind::UnusedWord, "$ with M48 or M49"));
-    }
+    both && state.readings.quirk("rs274.override-dollar")
+}
+
+/// Quirk rs274.override-dollar. M48 and M49 do not use $.
+pub(crate) fn m_uses_no_dollar(m_code: u32, state: &State) -> bool {
+    [48, 49].contains(&m_code) && state.readings.quirk("rs274.override-dollar")
+}
+
+/// Quirk rs274.speed-override-dollar. M51 takes no $0.
+pub(crate) fn override_dollar(spindle: f64, state: &State) -> Result<(), Halt> {
     if spindle == 0.0 && state.readings.quirk("rs274.speed-override-dollar") {
         let message = "M51 with $0";
         return Err(refuse("rs274.speed-override-dollar", FaultKind::SpindleOutOfRange, message));
@@ -41,6 +48,28 @@ pub(crate) fn uses_no_dollar(g_code: u32, state: &State) -> bool {
         970 => state.readings.quirk("rs274.rpm-mode-dollar"),
         _ => false,
     }
+}
+
+/// Quirk rs274.chosen-spindle. A block with G33, G33.1 or G76 and a $, and one with G93 to G97, where no $ means spindle 0, choose the
+/// spindle that cycles, synchronised moves and feeds per revolution follow where they have no $.
+pub(crate) fn choose(place: usize, state: &mut State) {
+    if state.readings.quirk("rs274.chosen-spindle") {
+        state.chosen_spindle = place;
+    }
+}
+
+/// Quirk rs274.chosen-spindle. The codes of the feed mode choose too, be $ another code's.
+///
+/// # Errors
+/// $ names no spindle of the machine.
+pub(crate) fn choose_by_feed_mode(words: &Words, state: &mut State) -> Result<(), Halt> {
+    let rule = "rs274.chosen-spindle";
+    if state.readings.quirk(rule) {
+        let dollar = words.letters.get(&'$').copied();
+        let named = dollar.map(|number| spindle::number(number, state, rule)).transpose()?;
+        state.chosen_spindle = named.unwrap_or(0);
+    }
+    Ok(())
 }
 
 /// Quirk rs274.spindle-number-cut. The fraction of $ is cut off.

@@ -4,9 +4,11 @@
 use gaugeblock_trace::FaultKind;
 
 use crate::math;
-use crate::rs274::control::{Control, Place, label_of};
+use crate::rs274::control::{Call, Control, Frame, Place, Style, enabled, label_of, passed};
 use crate::rs274::machine::State;
-use crate::rs274::quirks::control::{known_number, with_zeros};
+use crate::rs274::quirks::control::{
+    count_too_large, known_number, leave, value_behind, with_zeros,
+};
 use crate::rs274::read;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::syntax::{self, Keyword, Label, PassedOver};
@@ -19,11 +21,14 @@ pub(crate) enum Sought<'a> {
     Structure {
         /// Its label.
         label: &'a str,
-        /// Whether it is a while or do, which break and continue may name.
-        of_loop: bool,
+        /// What it may end with, or go on with.
+        ends: &'a [Keyword],
     },
     /// The endsub of the sub that is defined.
-    EndSub,
+    EndSub {
+        /// The label of that sub.
+        label: &'a str,
+    },
     /// A sub that is called.
     Called {
         /// Its label.
@@ -84,21 +89,52 @@ pub(crate) fn to_numbered(
     pass_over(control, Sought::Numbered, end, state)
 }
 
+/// On the way to a sub that stands behind its call: what is evaluated there is evaluated as within the sub.
+///
+/// # Errors
+/// A line that is refused.
+pub(crate) fn to_called(
+    control: &mut Control,
+    label: &str,
+    arguments: &[f64],
+    end: Option<u32>,
+    state: &mut State,
+) -> Result<(), Halt> {
+    if !QUIRKS.iter().any(|quirk| state.readings.quirk(quirk)) {
+        return Ok(());
+    }
+    let call = Call { label: label.to_owned(), back: control.place, style: Style::OWord };
+    let arguments = passed(arguments, state);
+    state.frames.push(Frame { arguments, call: Some(call), ..Frame::default() });
+    let passed_over = pass_over(control, Sought::Called { label }, end, state);
+    state.frames.pop();
+    passed_over
+}
+
 /// A line that is passed over.
 fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), Halt> {
     let reads = state.readings.quirk("rs274.skipped-is-read");
-    let in_sub = sought == Sought::EndSub;
+    let in_sub = matches!(sought, Sought::EndSub { .. });
     let read = match syntax::passed_over(text, state) {
         Ok(read) => read,
-        Err(halt) if reads && !(is_passable(&halt, in_sub, text)) => return Err(halt),
+        Err(halt) if reads && !is_passable(&halt, text) => return Err(halt),
+        Err(halt) if reads => return comments_behind(&halt, text, state),
         Err(_) => return Ok(()),
     };
     let word = match read {
         PassedOver::Nothing => return Ok(()),
-        PassedOver::NumberedCall if reads => return numbered_call(text, state),
+        PassedOver::NumberedCall if reads => {
+            enabled(state)?;
+            return numbered_call(text, state);
+        }
         PassedOver::NumberedCall => return Ok(()),
+        PassedOver::WithoutKeyword(halt) if reads && !in_sub => return Err(halt),
+        PassedOver::WithoutKeyword(_) => return Ok(()),
         PassedOver::OWord(word) => word,
     };
+    if word.keyword == Keyword::ProgramNumber && reads {
+        enabled(state)?;
+    }
     let written = match &word.label {
         Label::Number(number) if in_sub => Label::Number(with_zeros(number, state)),
         label @ (Label::Number(_) | Label::Name(_)) => label.clone(),
@@ -108,49 +144,76 @@ fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), Halt>
         label => label.ok(),
     };
     match sought {
-        Sought::Structure { label: own, of_loop }
+        Sought::Structure { label: own, ends }
             if label.as_deref() == Some(own) && state.readings.quirk("rs274.skipped-labels") =>
         {
-            own_label(word.keyword, of_loop)
+            own_label(word.keyword, ends)
         }
-        Sought::EndSub
+        Sought::EndSub { .. }
             if word.keyword == Keyword::ProgramNumber
                 && state.readings.quirk("rs274.number-in-sub") =>
         {
             let message = "a number alone within a sub that is defined";
             Err(refuse("rs274.number-in-sub", FaultKind::NestedSub, message))
         }
-        Sought::EndSub if word.keyword == Keyword::Sub && reads => {
+        Sought::EndSub { .. } if word.keyword == Keyword::Sub && reads => {
             let rule = "subroutines.nested-definition";
             Err(refuse(rule, FaultKind::NestedSub, "a sub within a sub that is defined"))
+        }
+        Sought::EndSub { label: own }
+            if label.as_deref() == Some(own)
+                && word.keyword == Keyword::Return
+                && state.readings.quirk("rs274.value-at-definition") =>
+        {
+            returned(true, text, state)
         }
         Sought::Called { label: own }
             if label.as_deref() == Some(own)
                 && matches!(word.keyword, Keyword::EndSub | Keyword::Return)
                 && state.readings.quirk("rs274.value-at-definition") =>
         {
-            returned(text, state)
+            returned(false, text, state)
         }
-        Sought::Structure { .. } | Sought::EndSub | Sought::Called { .. } | Sought::Numbered => {
-            Ok(())
-        }
+        Sought::Structure { .. }
+        | Sought::EndSub { .. }
+        | Sought::Called { .. }
+        | Sought::Numbered => Ok(()),
     }
 }
 
-/// Quirk rs274.value-at-definition. An endsub or return of the sub that is sought behind its call leaves its value.
-fn returned(text: &str, state: &mut State) -> Result<(), Halt> {
-    let values = syntax::parse(text, state)?.o_word.map_or_else(Vec::new, |word| word.arguments);
-    let value = values.first().map(|value| read::evaluate(value, state)).transpose()?;
-    state.parameters.returned = value.unwrap_or(0.0);
-    state.parameters.has_returned = value.is_some();
+/// Quirk rs274.value-at-definition. A return of the sub that is defined, and an endsub or return of the one that is sought behind its
+/// call, leaves its value. In the former, named parameters that do not exist count as zero.
+fn returned(in_definition: bool, text: &str, state: &mut State) -> Result<(), Halt> {
+    let value = value_behind(text, state)?;
+    let value = value.map(|value| if in_definition { with_zeros(&value, state) } else { value });
+    leave(value.as_ref(), state)
+}
+
+/// What is wrong with a line and passes all the same: a right parenthesis without a comment.
+fn is_passable(halt: &Halt, text: &str) -> bool {
+    !matches!(halt, Halt::Refused(_)) || behind_parenthesis(halt, text).is_some()
+}
+
+/// What stands behind a right parenthesis that is passed is read for its comments.
+fn comments_behind(halt: &Halt, text: &str, state: &mut State) -> Result<(), Halt> {
+    let mut rest = behind_parenthesis(halt, text).map(str::to_owned);
+    while let Some(behind) = rest.take() {
+        // What begins with a parenthesis has no O-word: a letter takes its place.
+        let line = format!("x{behind}");
+        if let Err(halt) = syntax::passed_over(&line, state) {
+            let Some(behind) = behind_parenthesis(&halt, &line) else { return Err(halt) };
+            rest = Some(behind.to_owned());
+        }
+    }
     Ok(())
 }
 
-/// What is wrong with a line and passes all the same: a right parenthesis without a comment; within a sub what is no keyword.
-fn is_passable(halt: &Halt, in_sub: bool, text: &str) -> bool {
-    let Halt::Refused(refusal) = halt else { return true };
-    let part = refusal.span.and_then(|span| text.get(span.start as usize..span.end as usize));
-    part == Some(")") || in_sub && refusal.rule == "control.unrelated-words"
+/// The text behind the right parenthesis that is refused, if it is one that is.
+fn behind_parenthesis<'a>(halt: &Halt, text: &'a str) -> Option<&'a str> {
+    let Halt::Refused(refusal) = halt else { return None };
+    let span = refusal.span?;
+    let part = text.get(span.start as usize..span.end as usize);
+    text.get(span.end as usize..).filter(|_| part == Some(")"))
 }
 
 /// The P and L of an M98 are read, and must be numbers of programs and of turns.
@@ -169,14 +232,18 @@ fn numbered_call(text: &str, state: &mut State) -> Result<(), Halt> {
     if turns < 0.0 {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "L of M98 is negative"));
     }
-    Ok(())
+    count_too_large(turns, state)
 }
 
 /// The label whose end is looked for, before that end: what could not begin there, or end there, is refused.
-fn own_label(keyword: Keyword, of_loop: bool) -> Result<(), Halt> {
+/// A while or do may be named by break and continue, and a condition has any number of further branches.
+fn own_label(keyword: Keyword, ends: &[Keyword]) -> Result<(), Halt> {
+    let of_loop = ends.iter().any(|end| matches!(end, Keyword::While | Keyword::EndWhile));
+    let of_condition = ends.contains(&Keyword::EndIf);
     let kind = match keyword {
         Keyword::If | Keyword::While | Keyword::Repeat => FaultKind::DuplicateLabel,
         Keyword::Break | Keyword::Continue if of_loop => return Ok(()),
+        Keyword::Else | Keyword::ElseIf if of_condition => return Ok(()),
         Keyword::ElseIf
         | Keyword::Else
         | Keyword::EndIf

@@ -58,6 +58,18 @@ pub(crate) fn absolute(argument: f64, readings: &Readings) -> f64 {
     if left { argument } else { argument.abs() }
 }
 
+/// Quirk rs274.repeated-negative-word: a P or Q of -1 or less counts as none, so that another one may follow it.
+pub(crate) fn may_be_repeated(letter: char, earlier: f64, readings: &Readings) -> bool {
+    let counts_as_none = matches!(letter, 'p' | 'q') && earlier <= -1.0;
+    counts_as_none && readings.quirk("rs274.repeated-negative-word")
+}
+
+/// Quirk rs274.rounded-zero-sign: what ROUND makes zero has no sign.
+pub(crate) fn rounded(value: f64, readings: &Readings) -> f64 {
+    let zero = value == 0.0 && readings.quirk("rs274.rounded-zero-sign");
+    if zero { 0.0 } else { value }
+}
+
 /// Quirk rs274.dynamic-compensation-code: `_ccomp` does not tell G41.1 and G42.1 from G41 and G42.
 pub(crate) fn compensation_code(compensation: Compensation) -> u32 {
     match compensation {

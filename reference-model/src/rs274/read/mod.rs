@@ -70,7 +70,9 @@ fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), Ha
         'g' => words.g.push(codes::g_code(word, value, state)?),
         'm' => words.m.push(codes::m_code(word, value, state)?),
         letter => {
-            if words.letters.insert(letter, value).is_some() {
+            let earlier = words.letters.insert(letter, value);
+            let counts = |value| !quirks::may_be_repeated(letter, value, &state.readings);
+            if earlier.is_some_and(counts) {
                 let message = format!("the letter {} stands twice", letter.to_ascii_uppercase());
                 let kind = FaultKind::RepeatedWord;
                 return Err(refuse_at("modal-groups.repeated-letter", kind, word.span, message));

@@ -133,7 +133,10 @@ pub(super) fn function(function: Function, argument: f64, state: &mut State) -> 
         Function::SquareRoot => ("expressions.square-root", argument.sqrt()),
         Function::RoundDown => ("expressions.rounding-functions", argument.floor()),
         Function::RoundUp => ("expressions.rounding-functions", argument.ceil()),
-        Function::Round => ("expressions.rounding-functions", round(argument, &state.readings)),
+        Function::Round => {
+            let rounded = round(argument, &state.readings);
+            ("expressions.rounding-functions", quirks::rounded(rounded, &state.readings))
+        }
     };
     if !value.is_finite() {
         let message = format!("{argument} lies outside of the domain of its function");

@@ -7,6 +7,7 @@ use super::probe::is_probing;
 use super::spindle::number;
 use super::word;
 use crate::rs274::machine::State;
+use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 
@@ -30,6 +31,7 @@ pub fn select_mode(words: &Words, state: &mut State) -> Result<(), Halt> {
         number(spindle, state, "feed.per-revolution-spindle")?;
         state.evidence.accepted("feed.per-revolution-spindle");
     }
+    quirks::choose_by_feed_mode(words, state)?;
     state.evidence.accepted(rule);
     change_mode(mode, state);
     Ok(())

@@ -225,7 +225,7 @@ pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt
         }
         state.evidence.accepted("feed.inverse-time-needs-rate");
     }
-    if state.modes.feed_rate == 0.0 {
+    if state.modes.feed_rate == 0.0 && !motion_quirks::takes_no_time(state) {
         if state.modes.feed_awaited {
             state.evidence.refused("feed.rate-after-mode-change");
         }

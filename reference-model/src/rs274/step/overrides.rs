@@ -44,7 +44,7 @@ fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), Halt> {
         Switch::On => "overrides.enable-both",
         Switch::Off => "overrides.disable-both",
     });
-    let selected = word(words, '$').is_some();
+    let selected = word(words, '$').is_some() && !quirks::is_of_others(words, state);
     if selected {
         state.evidence.accepted("overrides.both-selected");
     }
@@ -110,12 +110,13 @@ fn switch(words: &Words, state: &State) -> Result<Switch, Halt> {
 /// Rule overrides.without-dollar. Which they are without $ is a choice.
 /// Rule overrides.speed-selected. With $ it is that of one.
 fn speed_overrides(words: &Words, state: &mut State) -> Result<Vec<usize>, Halt> {
-    let Some(value) = word(words, '$') else {
+    let dollar = word(words, '$').filter(|_| !quirks::is_of_others(words, state));
+    let Some(value) = dollar else {
         state.evidence.accepted("overrides.without-dollar");
         let every = state.readings.is("overrides.without-dollar", "all");
         return Ok(if every { all(state) } else { vec![0] });
     };
-    quirks::override_dollar(words, value, state)?;
+    quirks::override_dollar(value, state)?;
     let place = number(value, state, "overrides.out-of-range")?;
     state.evidence.accepted("overrides.out-of-range");
     state.evidence.accepted("overrides.speed-selected");

@@ -81,7 +81,8 @@ pub(super) fn stored(first: u32, state: &State) -> Position {
     converted(there, state.machine.length_unit, state.modes.units)
 }
 
-/// Rule positions.go. G28 alone moves every axis to the stored position at rapid speed.
+/// Rule positions.go. G28 alone moves every axis to the stored position at rapid speed; what the machine has no axis for does not move, wherever
+/// the rotation of a coordinate system has led it.
 /// Rule positions.not-stored. That is the machine's zero where nothing was stored.
 /// Quirk rs274.position-move-in-place. A move of no length goes before.
 fn straight(first: u32, state: &mut State, record: &mut Record) {
@@ -92,7 +93,11 @@ fn straight(first: u32, state: &mut State, record: &mut Record) {
     if state.readings.quirk("rs274.position-move-in-place") {
         traverse(state.modes.machine_point(state.position), state, record);
     }
-    traverse(destination(first, state), state, record);
+    let (here, mut there) = (state.modes.machine_point(state.position), destination(first, state));
+    for axis in Axis::ALL.iter().filter(|axis| !state.machine.axes.contains(axis)) {
+        *there.get_mut(*axis) = here.get(*axis);
+    }
+    traverse(there, state, record);
 }
 
 /// Where G28 and G30 lead.

@@ -33,10 +33,17 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), Halt> {
         Some(number) => vec![one(number, state)?],
         None => vec![0],
     };
+    if mode_too {
+        quirks::choose(spindles[0], state);
+    }
     if surface {
         surface_speed(words, speed, state)?;
     }
-    let limit = word(words, 'd').filter(|_| surface).map_or(SpindleLimit::None, SpindleLimit::Rpm);
+    let limit = word(words, 'd').filter(|_| surface);
+    if limit.is_some_and(|limit| limit < 0.0) {
+        return Err(Halt::Unspecified("a limit of G96 below zero".to_owned()));
+    }
+    let limit = limit.map_or(SpindleLimit::None, SpindleLimit::Rpm);
     if words.g.contains(&970) {
         rpm_mode(speed, state)?;
     }

@@ -1,6 +1,6 @@
 //! M6 and M61.
 
-use gaugeblock_trace::{Effect, FaultKind, Position, SpindleTurn};
+use gaugeblock_trace::{ControllerMode, Effect, FaultKind, Position, SpindleTurn};
 
 use super::positions;
 use super::tool::entry;
@@ -124,7 +124,8 @@ fn swap(tool: i32, state: &mut State) {
 /// Rules tool.set-number-range, tool.set-number-integer, tool.set-number-unknown, tool.set-number-in-program.
 pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
     let in_program = "tool.set-number-in-program";
-    if state.readings.is(in_program, "refused") {
+    let by_program = state.modes.controller_mode == ControllerMode::Auto;
+    if by_program && state.readings.is(in_program, "refused") {
         let message = "M61 in a program";
         return Err(refuse(in_program, FaultKind::ControllerMode, message));
     }

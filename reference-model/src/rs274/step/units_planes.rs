@@ -60,7 +60,8 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
     }
     let modes = &mut state.modes;
     modes.units = units;
-    state.position = converted(state.position, before, units);
+    let here = state.position;
+    state.position = modes.rounding.of(converted(here, before, units), here);
     modes.g5x_offset = converted(modes.g5x_offset, before, units);
     modes.g92_offset = converted(modes.g92_offset, before, units);
     modes.tool_offset = converted(modes.tool_offset, before, units);

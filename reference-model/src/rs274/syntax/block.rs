@@ -2,6 +2,8 @@
 
 use gaugeblock_trace::Span;
 
+use crate::rs274::refusal::Halt;
+
 /// A block: one line's worth of program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Block {
@@ -199,6 +201,8 @@ pub enum PassedOver {
     Nothing,
     /// A label and its keyword; what stands behind them is not read.
     OWord(OWord),
+    /// A label without a keyword, and how that is refused where it is no label either.
+    WithoutKeyword(Halt),
     /// M98.
     NumberedCall,
 }

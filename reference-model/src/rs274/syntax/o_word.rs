@@ -108,25 +108,49 @@ impl Parser<'_> {
         if self.peek() != Some('o') {
             return Ok(PassedOver::Nothing);
         }
-        let word = self.label_and_keyword()?;
+        let start = self.place();
+        let label = self.label()?;
+        let word = self.keyword(label.clone(), start);
         self.comments();
+        let word = match word {
+            Ok(word) => word,
+            Err(halt) if self.peek().is_some() => return Ok(PassedOver::WithoutKeyword(halt)),
+            // A name alone counts as a number alone does.
+            Err(_) => OWord {
+                label,
+                keyword: Keyword::ProgramNumber,
+                arguments: Vec::new(),
+                span: self.span_from(start),
+            },
+        };
         if word.keyword == Keyword::ProgramNumber && self.peek().is_some() {
             let message = "behind the number of an O-word stands a keyword, which does not begin";
-            return Err(self.refuse("control.unrelated-words", FaultKind::BadBlock, message));
+            let halt = self.refuse("control.unrelated-words", FaultKind::BadBlock, message);
+            return Ok(PassedOver::WithoutKeyword(halt));
         }
         Ok(PassedOver::OWord(word))
     }
 
     /// Rule subroutines.numbered-o-words, subroutines.named-o-words, subroutines.computed-o-words: what stands behind
     /// the letter O is a number, perhaps computed, or a name in angle brackets.
-    fn label_and_keyword(&mut self) -> Result<OWord, Halt> {
-        let start = self.place();
+    fn label(&mut self) -> Result<Label, Halt> {
         self.advance();
-        let label = if self.peek() == Some('<') {
+        Ok(if self.peek() == Some('<') {
             Label::Name(self.name()?)
         } else {
             Label::Number(self.value(Wanted::Label)?)
-        };
+        })
+    }
+
+    /// A label with its keyword.
+    fn label_and_keyword(&mut self) -> Result<OWord, Halt> {
+        let start = self.place();
+        let label = self.label()?;
+        self.keyword(label, start)
+    }
+
+    /// The keyword behind a label; none makes a number alone that of a program.
+    fn keyword(&mut self, label: Label, start: usize) -> Result<OWord, Halt> {
         let keyword = match KEYWORDS.iter().find(|(spelling, _)| self.sees(spelling)) {
             Some((spelling, keyword)) => {
                 self.take(spelling);

@@ -160,6 +160,7 @@ impl Parser<'_> {
     /// parameter's number.
     /// Rule parameters.sign-first. The number sign binds closer than any operator.
     /// Rule parameters.name-marks. A name stands between < and >.
+    /// Choice parameters.function-number: whether a function gives the number.
     pub(super) fn parameter(&mut self) -> Result<Parameter, Halt> {
         self.advance();
         if self.peek() == Some('<') {
@@ -167,6 +168,10 @@ impl Parser<'_> {
         }
         if matches!(self.peek(), Some('#' | '[')) {
             self.reach("parameters.indirect");
+        }
+        if self.sees_function() && self.readings.is("parameters.function-number", "refused") {
+            let message = "a parameter's number is wanted, not a function, which stands";
+            return Err(self.refuse("parameters.indirect", FaultKind::BadExpression, message));
         }
         let number = self.value(Wanted::ParameterNumber)?;
         self.reach("parameters.sign-first");

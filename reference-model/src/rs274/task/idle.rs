@@ -41,6 +41,11 @@ impl Run<'_> {
                 Answer::Nothing | Answer::Pauses | Answer::GoesOn => {}
             }
         }
+        // A spindle that an abort has left on its way comes to its angle all the same.
+        while let Some(time) = self.state.outside.next_orientation() {
+            self.state.outside.within_wait(time);
+            self.show(None);
+        }
         Ok(Then::Nothing)
     }
 

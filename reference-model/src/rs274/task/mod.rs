@@ -24,7 +24,7 @@ mod wait;
 
 use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{
-    Block, Bound, ControllerMode, End, Fault, Indexed, Language, Outcome, Position, Program,
+    Block, Bound, ControllerMode, End, Fault, Indexed, Language, Outcome, Plane, Position, Program,
     Scenario, Settings,
 };
 
@@ -34,8 +34,8 @@ pub use record::Record;
 
 use self::operator::Operator;
 use super::control::{Control, Frame, MAIN, Place};
-use super::machine::{Panel, State, slots};
-use super::modes::Modes;
+use super::machine::{Panel, State, in_pocket_zero, slots};
+use super::modes::{Modes, Rounding};
 use super::outside::Outside;
 use super::parameters::{self, Name, Parameters};
 use super::readings::Readings;
@@ -43,15 +43,15 @@ use super::refusal::{Halt, Refusal};
 use super::step;
 use crate::Evidence;
 
-/// Runs a scenario as the documents say.
+/// Runs a scenario as the documents say; how positions are rounded they leave open.
 ///
 /// Options that the model does not know end the run before its first block.
-pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
+pub fn run(scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
     let readings = match Readings::new(&scenario.options) {
         Ok(readings) => readings,
         Err(what) => return (not_begun(what), Evidence::default()),
     };
-    let mut state = start(scenario, readings);
+    let mut state = start(scenario, readings, rounding);
     state.evidence.accepted("modal-groups.initial-modes");
     state.evidence.accepted("offsets.start-system");
     let mut record = Record::new(&state);
@@ -65,13 +65,14 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
 }
 
 /// The state before the first block.
-fn start(scenario: &Scenario, readings: Readings) -> State {
+fn start(scenario: &Scenario, readings: Readings, rounding: Rounding) -> State {
     let machine = scenario.machine.clone();
-    let mut modes = Modes::new(&machine, &readings);
+    let mut modes = Modes { rounding, ..Modes::new(&machine, &readings) };
     if scenario.program.start == Start::Mdi {
         modes.controller_mode = ControllerMode::Mdi;
     }
     let outside = Outside::new(&scenario.bench, modes.spindles.len(), &readings);
+    let tool = in_pocket_zero(&machine);
     State {
         position: modes.program_point(Position::default()),
         modes,
@@ -80,8 +81,8 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         panel: Panel::new(&machine),
         outside,
         machine: machine.into(),
-        tool: 0,
-        known_tool: 0,
+        tool,
+        known_tool: tool,
         prepared_tool: -1,
         selected_tool: -1,
         selected_for_change: false,
@@ -89,6 +90,8 @@ fn start(scenario: &Scenario, readings: Readings) -> State {
         frames: vec![Frame::default()],
         line: 1,
         cycle_dwell: 0.0,
+        chosen_spindle: 0,
+        plane_before: Plane::Xy,
         log_open: false,
         probe_log_open: false,
         series: None,

@@ -95,6 +95,7 @@ impl Run<'_> {
             return Ok(next);
         }
         check::check(&words, &mut self.state)?;
+        self.state.plane_before = self.state.modes.plane;
         let rest = self.execute(&words)?;
         stub::after_block(self.record.has_moved(), &mut self.state);
         if rest == Rest::ProgramEnd {
@@ -107,9 +108,6 @@ impl Run<'_> {
             // A comment that says nothing is no block.
             self.record.is_no_block();
             return Ok(Next::Following);
-        }
-        if rest == Rest::Pause {
-            self.paused(&words)?;
         }
         self.record.step(place, &mut self.state);
         Ok(Next::Following)
@@ -125,7 +123,8 @@ impl Run<'_> {
 
     /// Executes a block that the check let pass, phase by phase.
     ///
-    /// Choice parameters.setting-time: its settings take effect after its words, or before them and after its comment.
+    /// Choice parameters.setting-time: its settings take effect after its words, and so once the program goes on that they pause, or before them
+    /// and after its comment.
     ///
     /// In a phase that takes time the operator may act. What an abort breaks off has not been done.
     fn execute(&mut self, words: &Words) -> Result<Rest, Halt> {
@@ -196,6 +195,9 @@ impl Run<'_> {
             order::completed(words, phases, &mut self.state);
         }
         step::pass(0.0, &mut self.state);
+        if rest == Rest::Pause {
+            self.paused(words)?;
+        }
         if let Some(settings) = settings {
             control::assign(settings, &mut self.state)?;
         }

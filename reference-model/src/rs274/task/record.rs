@@ -268,7 +268,7 @@ impl Record {
                 || state.modes.settings_since(&self.modes) == Settings::default())
     }
 
-    /// Whether the block that is being executed has moved anything.
+    /// Whether the block that is being executed has moved anything where the stub of a machine follows: splines it does not.
     pub fn has_moved(&self) -> bool {
         self.events.iter().any(|event| matches!(event, Event::Do(effect) if is_move(effect)))
     }

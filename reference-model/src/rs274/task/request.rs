@@ -38,7 +38,7 @@ pub(super) enum Answer {
 }
 
 impl Run<'_> {
-    /// Does what the operator asks for.
+    /// Does what the operator asks for. An encoder that answers at the same time does so afterwards.
     ///
     /// # Errors
     /// An abort of what is being executed; what the documents leave open.
@@ -47,6 +47,13 @@ impl Run<'_> {
         happening: Happening<'_>,
         activity: Activity,
     ) -> Result<Answer, Halt> {
+        self.state.outside.is_asked(true);
+        let answer = self.answer(happening, activity);
+        self.state.outside.is_asked(false);
+        answer
+    }
+
+    fn answer(&mut self, happening: Happening<'_>, activity: Activity) -> Result<Answer, Halt> {
         // A spindle may have come to its angle meanwhile.
         self.show(None);
         let panel = &mut self.state.panel;

@@ -50,6 +50,11 @@ pub(super) struct Canon {
     block: String,
 }
 
+/// Whether an effect is one of a comment.
+fn is_said(effect: &Effect) -> bool {
+    matches!(effect, Effect::Message { .. } | Effect::LogOpen { .. } | Effect::LogClose {})
+}
+
 type Done = Result<Mark, HarnessError>;
 
 impl Canon {
@@ -188,8 +193,7 @@ impl Canon {
     fn show_inverse_time(&mut self, end: [f64; 6]) {
         let Some(speed) = self.speed else { return };
         if let Some(feed) = plain_word(&self.block, 'f') {
-            let change = self.lengths.feed(feed, Some(FeedMode::InverseTime));
-            return self.set(change);
+            return self.rate_of_block(feed);
         }
         let from = self.position.to_array();
         let squares = |axes: std::ops::Range<usize>| -> f64 {
@@ -198,9 +202,19 @@ impl Canon {
         let linear = squares(0..3).sqrt();
         let length = if linear > 0.0 { linear } else { squares(3..6).sqrt() };
         if length > 0.0 {
-            let change = self.lengths.feed(speed / length, Some(FeedMode::InverseTime));
-            self.set(change);
+            self.rate_of_block(speed / length);
         }
+    }
+
+    /// F under inverse time is set with the other words of its block, behind what a comment says; the first call that shows it is the one
+    /// of the move.
+    fn rate_of_block(&mut self, rate: f64) {
+        let change = self.lengths.feed(rate, Some(FeedMode::InverseTime));
+        let mut set = Vec::new();
+        state::set(&mut self.now, &mut set, &change);
+        let is_said = |event: &&Event| matches!(event, Event::Do(effect) if is_said(effect));
+        let behind = self.events.iter().take_while(is_said).count();
+        self.events.splice(behind..behind, set);
     }
 
     /// The same for an arc: its length is that of the helix.
@@ -211,8 +225,7 @@ impl Canon {
             return;
         };
         if let Some(feed) = plain_word(&self.block, 'f') {
-            let change = self.lengths.feed(feed, Some(FeedMode::InverseTime));
-            return self.set(change);
+            return self.rate_of_block(feed);
         }
         let Position { x, y, z, .. } = self.position;
         let (from_first, from_second, from_along) = match self.now.plane {
@@ -227,9 +240,7 @@ impl Canon {
         let part = if part < 1e-9 { TAU } else { part };
         let radius = libm::hypot(from_first - first_centre, from_second - second_centre);
         let length = radius * (part + (turns.abs() - 1.0) * TAU);
-        let change = speed / libm::hypot(length, along - from_along);
-        let change = self.lengths.feed(change, Some(FeedMode::InverseTime));
-        self.set(change);
+        self.rate_of_block(speed / libm::hypot(length, along - from_along));
     }
 
     fn move_to(&mut self, [x, y, z, a, b, c]: [f64; 6]) -> Position {

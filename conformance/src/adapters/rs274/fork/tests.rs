@@ -110,7 +110,8 @@ fn scenarios(controller: &Rs274) -> Vec<Scenario> {
     let suite = Suite::read(&files::built_in()).unwrap();
     let edition = suite.edition("rs274-2.9-observed").unwrap();
     let options = suite.options(edition);
-    let cases = suite.rules.iter().flat_map(|rule| &rule.cases);
+    let spoken = suite.rules.iter().filter(|rule| rule.language == edition.language);
+    let cases = spoken.flat_map(|rule| &rule.cases);
     let all = cases.map(|case| scenario_of(case, &options, edition)).enumerate();
     let rare = |it: &Scenario| it.program.block_delete || !it.machine.tools.is_empty();
     let chosen = all.filter(|(place, it)| place.is_multiple_of(SAMPLE) || rare(it));

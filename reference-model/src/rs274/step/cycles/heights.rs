@@ -140,10 +140,12 @@ fn unchanged(
     Ok(())
 }
 
-/// Rule cycles.spindle. $ names the spindle of G74, G84 and G86; without it that is spindle 0.
+/// Rule cycles.spindle. $ names the spindle of G74, G84 and G86; without it that is spindle 0, unless quirk rs274.chosen-spindle
+/// holds. Where no cycle takes $ (quirk rs274.cycle-dollar), it is another code's.
 fn spindle_of(words: &Words, state: &mut State) -> Result<usize, Halt> {
     let rule = "cycles.spindle";
-    let Some(number) = word(words, '$') else { return Ok(0) };
+    let dollar = word(words, '$').filter(|_| !state.readings.quirk("rs274.cycle-dollar"));
+    let Some(number) = dollar else { return Ok(state.chosen_spindle) };
     let place = spindle::number(number, state, rule)?;
     state.evidence.accepted(rule);
     Ok(place)

@@ -39,7 +39,7 @@ struct Thread {
     tapers_out: bool,
     /// Passes at full depth after the last.
     springs: i32,
-    /// The spindle.
+    /// The spindle, as effects tell it.
     spindle: usize,
 }
 
@@ -89,18 +89,20 @@ pub(in crate::rs274::step) fn perform(
 }
 
 impl Thread {
-    /// How far beyond the crest a pass is, counted from 1.
+    /// How far beyond the crest a pass is, counted from 1. One that is at K but for its rounding is the last one: three times 0.3 is 0.9.
     fn depth(&self, pass: f64) -> f64 {
         let deeper = if self.degression > 1.0 { crate::math::square_root(pass) } else { pass };
-        (self.first * deeper).min(self.full)
+        let depth = self.first * deeper;
+        let rounding = 8.0 * f64::EPSILON * self.full;
+        if depth > self.full - rounding { self.full } else { depth }
     }
 }
 
 /// Rule threading.thread-slide. The slide angle Q moves a pass along the drive line, the deeper the further; how it moves the
 /// pass's end is a choice.
 fn ends(thread: &Thread, depth: f64, state: &State) -> [f64; 2] {
-    let along =
-        (thread.end - thread.start.z).signum() * crate::math::tangent_of_degrees(thread.slide);
+    let direction = quirks::direction(thread.end - thread.start.z, state);
+    let along = direction * crate::math::tangent_of_degrees(thread.slide);
     let both = state.readings.is("threading.slide-end", "with-depth");
     let behind = if both { (thread.full - depth) * along } else { 0.0 };
     [thread.start.z + depth * along, thread.end - behind]
@@ -213,7 +215,7 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, Halt> {
         tapers_in: matches!(tapers, Some(1 | 3)),
         tapers_out: matches!(tapers, Some(2 | 3)),
         springs: springs.unwrap_or(-2),
-        spindle,
+        spindle: quirks::told(spindle, words, state),
     };
     open(&thread, state)?;
     Ok(thread)

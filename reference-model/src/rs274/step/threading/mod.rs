@@ -12,7 +12,7 @@ use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, each, unit_size};
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::threading as quirks;
+use crate::rs274::quirks::{settings, threading as quirks};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -51,7 +51,8 @@ pub(super) fn perform(
     let end = end_point(words, state)?;
     within_velocities(place, pitch, end, state)?;
     state.modes.motion = motion;
-    record.effect(state, Effect::StartSpindleSynchronisation { spindle: number(place), pitch });
+    let spindle = number(quirks::told(place, words, state));
+    record.effect(state, Effect::StartSpindleSynchronisation { spindle, pitch });
     if motion == Motion::SpindleSynchronised {
         state.position = end;
         record.effect(state, Effect::StraightFeed { end });
@@ -65,12 +66,13 @@ pub(super) fn perform(
     Ok(())
 }
 
-/// The spindle that $ names; without $ it is spindle 0.
+/// The spindle that $ names; without $ it is spindle 0, unless quirk rs274.chosen-spindle holds.
 ///
 /// Rule threading.spindle. It is one that the machine has.
 fn selected_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
-    let Some(number) = word(words, '$') else { return Ok(0) };
+    let Some(number) = word(words, '$') else { return Ok(state.chosen_spindle) };
     let place = spindle::number(number, state, "threading.spindle")?;
+    settings::choose(place, state);
     state.evidence.accepted("threading.spindle");
     Ok(place)
 }

@@ -4,9 +4,14 @@
 //! sample before, and each corner on the way is within tolerance of the chord between two samples. So a path that
 //! crosses itself or goes to and fro is followed, and not the nearest of all its points. For each sample the set of all such
 //! points is kept, as an interval on each piece of the path (the free space of two curves, of which the Fréchet distance
-//! is read off); if it becomes empty, something was missed, and matching goes on from the nearest point.
+//! is read off); if it becomes empty, something was missed, and matching goes on from the nearest point. Of these points
+//! those remain that lead on to what comes later.
 //!
 //! The work is linear in samples times pieces within tolerance of a sample.
+
+mod leading;
+
+use std::collections::BTreeSet;
 
 use crate::motion::curve::Curve;
 use crate::motion::route::{Passing, Route};
@@ -96,6 +101,8 @@ pub(super) struct Measure<'a> {
     pub(super) bulge: f64,
     /// Whether the path may be followed backwards at a sample.
     pub(super) backwards: &'a [bool],
+    /// Whether the samples lead to the end of the path, if they come there.
+    pub(super) finished: bool,
 }
 
 struct Matcher<'a> {
@@ -105,6 +112,8 @@ struct Matcher<'a> {
     /// The least distance of each piece's end to the chords so far.
     closest: Vec<f64>,
     rows: Vec<Vec<Reach>>,
+    /// The samples that stand for no point which can be reached from those of the sample before.
+    lost: BTreeSet<usize>,
     missed: Vec<Miss>,
 }
 
@@ -117,9 +126,11 @@ pub(super) fn matched(route: &Route<'_>, measure: Measure<'_>) -> Matching {
         pieces,
         measure,
         rows: Vec::new(),
+        lost: BTreeSet::new(),
         missed: Vec::new(),
     };
     matcher.forward();
+    matcher.lead();
     let places = matcher.backward();
     let legs = matcher.rows.iter().map(|row| {
         let leg = |reach: Option<&Reach>| reach.map_or(0, |reach| matcher.pieces[reach.piece].leg);
@@ -163,11 +174,11 @@ pub(in crate::motion) fn follows(points: &[Nine], curves: &[Curve], tolerance: f
         curves.iter().enumerate().flat_map(|(leg, curve)| quarters(leg, curve)).collect();
     // An arc is farther from the chord between two points than its ends are.
     let bulge = tolerance;
-    let measure = Measure { points, slack: 0.0, bulge, backwards: &[] };
+    let measure = Measure { points, slack: 0.0, bulge, backwards: &[], finished: false };
     let closest = vec![f64::INFINITY; pieces.len()];
     let curves = curves.to_vec();
-    let mut matcher =
-        Matcher { measure, curves, pieces, closest, rows: Vec::new(), missed: Vec::new() };
+    let (rows, lost, missed) = (Vec::new(), BTreeSet::new(), Vec::new());
+    let mut matcher = Matcher { measure, curves, pieces, closest, rows, lost, missed };
     let starts = matcher.free(0, &points[0]).is_some_and(|reach| reach.low <= 0.0);
     matcher.forward();
     starts && matcher.missed.is_empty()
@@ -219,6 +230,7 @@ impl Matcher<'_> {
             let mut row = self.step(sample);
             if row.is_empty() {
                 row = vec![self.recover(sample)];
+                self.lost.insert(sample);
             }
             self.rows.push(row);
         }

@@ -1,0 +1,63 @@
+//! Which of the points that a sample can stand for lead on to the end of the record.
+
+use super::{Matcher, Reach, passes};
+
+impl Matcher<'_> {
+    /// Leaves out points from which those of the next sample cannot be reached: a sample that may still be on a line from which
+    /// it has long gone away is on it in no reading.
+    ///
+    /// Nothing is left out where the next sample stands for no point that can be reached, or where the path may be followed backwards.
+    pub(super) fn lead(&mut self) {
+        let Some(last) = self.rows.len().checked_sub(1) else { return };
+        if self.measure.finished {
+            self.finish(last);
+        }
+        for sample in (0..last).rev() {
+            let back = self.measure.backwards.get(sample + 1).copied().unwrap_or(false);
+            if back || self.lost.contains(&(sample + 1)) {
+                continue;
+            }
+            let row = self.leading(sample);
+            if !row.is_empty() {
+                self.rows[sample] = row;
+            }
+        }
+    }
+
+    /// Who has come to the end of the path stands there, and nowhere else.
+    fn finish(&mut self, last: usize) {
+        let end = self.pieces.len() - 1;
+        let row = &mut self.rows[last];
+        if row.last().is_some_and(|reach| reach.piece == end && reach.high >= 1.0 - 1e-9) {
+            row.drain(..row.len() - 1);
+        }
+    }
+
+    /// Those points of a sample from which a point of the next one can be reached.
+    fn leading(&self, sample: usize) -> Vec<Reach> {
+        let (row, next) = (&self.rows[sample], &self.rows[sample + 1]);
+        let chord = (&self.measure.points[sample], &self.measure.points[sample + 1]);
+        let mut later = next.iter().rev().peekable();
+        let mut here = row.iter().rev().peekable();
+        let (mut leading, mut onwards) = (Vec::with_capacity(row.len()), false);
+        let highest = next.last().map_or(0, |reach| reach.piece);
+        let lowest = row.first().map_or(0, |reach| reach.piece);
+        for piece in (lowest..=highest).rev() {
+            let mut closest = f64::INFINITY;
+            onwards = onwards
+                && passes(&self.pieces[piece], &self.curves, &mut closest, chord, &self.measure);
+            let goal = later.next_if(|reach| reach.piece == piece);
+            if let Some(reach) = here.next_if(|reach| reach.piece == piece) {
+                let limit = match goal {
+                    _ if onwards => Some(reach.high),
+                    Some(goal) if goal.high >= reach.low => Some(goal.high.min(reach.high)),
+                    Some(_) | None => None,
+                };
+                leading.extend(limit.map(|high| Reach { high, ..*reach }));
+            }
+            onwards |= goal.is_some();
+        }
+        leading.reverse();
+        leading
+    }
+}
