@@ -156,6 +156,12 @@ impl Source {
         })
     }
 
+    /// Whether a HAL item is named, or the switch in the INI file for naming them, spelled in any way.
+    pub(in crate::adapters) fn names_hal(&self) -> bool {
+        let names = |line: &str| ["_hal[", "hal_pin_vars"].iter().any(|name| line.contains(name));
+        self.all().any(|(_, _, line)| line.contains(['h', 'H']) && names(&compact(line)))
+    }
+
     /// A line with a message that ends within the name of a parameter: what it shows is what happens to lie in memory.
     pub(in crate::adapters) fn shows_open_name(&self) -> Option<Block> {
         self.all()

@@ -12,6 +12,7 @@
 mod assemble;
 mod canon;
 mod fork;
+mod hal;
 mod output;
 mod process;
 mod python;
@@ -30,6 +31,7 @@ use super::probing::source::Source;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};
 use assemble::Seen;
 use fork::Servers;
+use hal::Hal;
 use process::{Limits, Started, Stop};
 use python::Home;
 use session::{Session, Unprobed};
@@ -152,12 +154,15 @@ impl Adapter for Rs274 {
         // What is refused here could reach the host: it must not run even if nobody asked before.
         self.supports(scenario).map_err(HarnessError::NotRun)?;
         let source = Source::new(&scenario.program);
+        let hal = Hal::of(&source).map_err(|error| HarnessError::NotRun(error.to_string()))?;
+        let machine = hal.machine(&scenario.machine);
         let session = Session {
             program: self.program(),
             servers: &self.servers,
             limits: self.limits,
             unprobed: self.unprobed,
             scenario,
+            machine: &machine,
             source: &source,
         };
         let observed = session.observe()?;

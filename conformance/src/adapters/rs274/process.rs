@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, waitid};
 
 use super::fork::Fork;
+use super::hal;
 use super::streams::Streams;
 use crate::adapters::HarnessError;
 
@@ -119,7 +120,8 @@ impl Run<'_> {
         let early = self.streams.pass(input, limits.bytes, deadline);
         let early = early.or_else(|| (!self.process.exits(deadline)).then_some(Stop::TimedOut));
         let status = self.process.end().map_err(not_run)?;
-        let (stdout, stderr) = (self.streams.output.text(), self.streams.errors.text());
+        let stdout = self.streams.output.text();
+        let stderr = hal::without_complaints(self.streams.errors.text());
         let stop = match early {
             Some(early) => early,
             None => Stop::Exited(exit_code(status, &stderr)?),

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 
-use gaugeblock_trace::{FaultKind, Program, Scenario};
+use gaugeblock_trace::{FaultKind, Machine, Program, Scenario};
 
 use super::fork::{Servers, Start};
 use super::output::{self, Line};
@@ -37,6 +37,8 @@ pub(super) struct Session<'a> {
     pub(super) unprobed: Unprobed,
     /// What is run.
     pub(super) scenario: &'a Scenario,
+    /// The machine it runs on: the scenario's, with HAL or without.
+    pub(super) machine: &'a Machine,
     /// Its files.
     pub(super) source: &'a Source,
 }
@@ -98,12 +100,7 @@ impl Session<'_> {
         let end_entered_anyway = observed.refused && !ends.are_bound();
         let exited = matches!(observed.output.stop, Stop::Exited(_));
         if exited && (end_entered_anyway || self.needs_plain(&observed)) {
-            // A program that reads a HAL item attaches to memory that the whole system shares, where another run may be in its
-            // way: what disturbs does so twice.
-            match self.run_plain(&mut observed) {
-                Err(HarnessError::ObservationDisturbs { .. }) => self.run_plain(&mut observed)?,
-                done => done?,
-            }
+            self.run_plain(&mut observed)?;
         }
         Ok(observed)
     }
@@ -196,7 +193,7 @@ impl Session<'_> {
         text: impl Fn(usize, &[String]) -> String,
     ) -> Result<(Output, Workspace), HarnessError> {
         let workspace = Workspace::in_memory("rs274")?;
-        workspace.write_machine(&self.scenario.machine, &self.source.listed())?;
+        workspace.write_machine(self.machine, &self.source.listed())?;
         for (file, (name, lines)) in self.source.files().iter().enumerate() {
             workspace.write(name, &text(file, lines))?;
         }
@@ -225,7 +222,7 @@ impl Session<'_> {
         }
         arguments.extend(how.iter().map(OsString::from));
         arguments.push(Program::MAIN.into());
-        Start { arguments, tools: tool_table(&self.scenario.machine) }
+        Start { arguments, tools: tool_table(self.machine) }
     }
 }
 

@@ -335,3 +335,19 @@ fn all_programs_run_unobserved_where_that_is_asked_for() {
     controller.check_observation();
     assert_eq!(sampled, controller.run(&scenario));
 }
+
+#[test]
+fn programs_that_share_the_memory_of_hal_take_turns() {
+    let Some(controller) = controller() else { return };
+    let scenario = Scenario::of("#31=#<_ H A L [motion.on]>\nm2\n");
+    let many = || (0..20).map(|_| controller.run(&scenario)).collect::<Vec<_>>();
+    let runs: Vec<_> = std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..8).map(|_| scope.spawn(many)).collect();
+        threads.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
+    });
+    for run in runs {
+        let end = run.map(|outcome| outcome.end);
+        let Ok(End::Fault(fault)) = end else { panic!("{end:?}") };
+        assert_eq!(fault.kind, Some(FaultKind::NoSuchParameter));
+    }
+}

@@ -131,6 +131,7 @@ fn a_fork_does_what_a_start_does() {
             limits: LIMITS,
             unprobed: Unprobed::Sample,
             scenario,
+            machine: &scenario.machine,
             source: &source,
         };
         let ends = Ends::new(&source, scenario.program.block_delete);
