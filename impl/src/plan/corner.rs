@@ -199,8 +199,13 @@ pub(super) fn share(most: f64, (before, after): (f64, f64), lines: bool, exit: f
 }
 
 /// The parabola between two lines that takes d of the first and e of the second.
-pub(super) fn parabola(before: &Leg, after: &Leg, (d, e): (f64, f64), limits: &Limits) -> Piece {
-    let mut blend = after.whole;
+pub(super) fn parabola(
+    (before, after): (&Leg, &Leg),
+    (d, e): (f64, f64),
+    limits: &Limits,
+    blend: &mut Piece,
+) {
+    *blend = after.whole;
     blend.length = 2.0 * d;
     blend.exit = e / d;
     blend.axes = before.whole.axes.max(after.whole.axes);
@@ -217,19 +222,18 @@ pub(super) fn parabola(before: &Leg, after: &Leg, (d, e): (f64, f64), limits: &L
         *bend = (blend.exit * to - from) / blend.length;
     }
     blend.begins = Some(d);
-    limits.rule(&mut blend);
+    limits.rule(blend);
     // On its way from one direction to the other a blend has more of what a feed is measured along than one of its legs, and no more than the
     // other.
     let most = before.felt.max(after.felt);
     blend.feed *= after.felt / most;
-    slower(&mut blend, &Piece { feed: before.whole.feed * before.felt / most, ..before.whole });
+    slower(blend, &before.whole, before.whole.feed * before.felt / most);
     blend.feed /= blend.exit.max(1.0);
-    blend
 }
 
-/// A parabola as two, each with an acceleration of its own along it: with one alone, a long flat blend between two slow corners would be
-/// passed slowly as a whole. `None` where nothing is won, or where pieces would be so short that their number limits the speed.
-pub(super) fn halves(blend: &Piece, limits: &Limits) -> Option<(Piece, Piece)> {
+/// Leaves of a parabola its first half and gives back its second, each with an acceleration of its own along it: with one alone, a long flat blend
+/// between two slow corners would be passed slowly as a whole. `None` where nothing is won, or where pieces would be so short that their number limits the speed.
+pub(super) fn halve(blend: &mut Piece, limits: &Limits) -> Option<Piece> {
     let turn = norm(&blend.bend) * blend.length;
     if turn > FLAT {
         return None;
@@ -245,12 +249,12 @@ pub(super) fn halves(blend: &Piece, limits: &Limits) -> Option<(Piece, Piece)> {
         return None;
     }
     let middle = blend.begins.unwrap_or(0.5 * blend.length);
-    let mut first = blend.part(0.0, middle);
     let mut second = blend.part(middle, blend.length);
     second.begins = Some(0.0);
-    limits.rule(&mut first);
     limits.rule(&mut second);
-    Some((first, second))
+    blend.cut(0.0, middle);
+    limits.rule(blend);
+    Some(second)
 }
 
 /// The last d of the leg before a corner, bent by half of its turn.
@@ -309,10 +313,10 @@ fn stricter(before: Blend, after: Blend) -> Blend {
 }
 
 /// A blend has the slower of both feeds.
-fn slower(blend: &mut Piece, other: &Piece) {
+fn slower(blend: &mut Piece, other: &Piece, feed: f64) {
     blend.rapid = blend.pace == Pace::Rapid || other.pace == Pace::Rapid;
-    if other.pace != Pace::Rapid && (blend.pace == Pace::Rapid || other.feed < blend.feed) {
-        blend.feed = other.feed;
+    if other.pace != Pace::Rapid && (blend.pace == Pace::Rapid || feed < blend.feed) {
+        blend.feed = feed;
         blend.pace = other.pace;
     }
 }

@@ -5,7 +5,7 @@
 //! is never changed so that it could not be kept to: then the corner keeps the form it has, a stop at worst.
 
 use super::ahead::Ahead;
-use super::corner::{Corner, bent_end, bent_start, halves, parabola, share, turn};
+use super::corner::{Corner, bent_end, bent_start, halve, parabola, share, turn};
 use super::leg::Leg;
 use super::limits::{Limits, squared};
 use super::parameters::Axes;
@@ -241,13 +241,17 @@ fn push_main(open: &mut Open, given: f64, queue: &mut Queue<'_>) {
     if !open.own {
         return;
     }
-    let mut piece = if from > 0.0 || given > 0.0 { whole.part(from, to) } else { *whole };
+    let Some(piece) = queue.ring.append() else { return };
+    *piece = *whole;
+    if from > 0.0 || given > 0.0 {
+        piece.cut(from, to);
+    }
     match open.corner {
         Corner::Stop => (piece.entry, piece.begins) = (0.0, Some(0.0)),
         Corner::Smooth => piece.begins = Some(0.0),
         Corner::Kink(_) | Corner::Blend { .. } => {}
     }
-    push(&piece, queue);
+    spread(queue);
 }
 
 fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
@@ -260,13 +264,7 @@ fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
     }
     if let Corner::Blend { .. } = after.corner {
         if lines(before, &after.leg) {
-            let blend = parabola(before, &after.leg, (d, e), queue.limits);
-            if let Some((first, second)) = halves(&blend, queue.limits) {
-                push(&first, queue);
-                push(&second, queue);
-            } else {
-                push(&blend, queue);
-            }
+            push_blend((before, &after.leg), (d, e), queue);
         } else {
             let turn = turn(before, &after.leg);
             push(&bent_end((before, &after.leg), &turn, d, queue.limits), queue);
@@ -277,14 +275,30 @@ fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
     after.main = queue.ring.end();
 }
 
-/// Appends a piece, and limits the speed where too many would fit into a cycle.
+/// Appends the blend of two lines.
+fn push_blend((before, after): (&Leg, &Leg), given: (f64, f64), queue: &mut Queue<'_>) {
+    let Some(blend) = queue.ring.append() else { return };
+    parabola((before, after), given, queue.limits, blend);
+    let second = halve(blend, queue.limits);
+    spread(queue);
+    if let Some(second) = second {
+        push(&second, queue);
+    }
+}
+
 fn push(piece: &Piece, queue: &mut Queue<'_>) {
     queue.ring.push(piece);
+    spread(queue);
+}
+
+/// Limits the speed of the last pieces where too many would fit into a cycle.
+fn spread(queue: &mut Queue<'_>) {
+    let end = queue.ring.end();
+    let Some(last) = queue.ring.get(end.wrapping_sub(1)) else { return };
     // A piece that takes a cycle by itself is no part of a crowd.
-    if piece.length >= piece.fastest * queue.limits.cycle {
+    if last.length >= last.fastest * queue.limits.cycle {
         return;
     }
-    let end = queue.ring.end();
     let first = end.saturating_sub(CROWD);
     let mut length = 0.0;
     for place in first..end {

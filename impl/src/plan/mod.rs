@@ -250,7 +250,12 @@ impl Planner {
         let adaptive = math::lesser(1.0, math::greater(0.0, input.adaptive_feed.abs()));
         let feed = math::greater(0.0, input.feed_override * adaptive);
         let rapid = math::lesser(1.0, math::greater(0.0, input.rapid_override)) * adaptive;
-        let turns = feed * (input.spindle_turns - self.turns).abs() / self.limits.cycle;
+        let follows = self.motion.at < self.followed;
+        let turns = if follows {
+            feed * (input.spindle_turns - self.turns).abs() / self.limits.cycle
+        } else {
+            0.0
+        };
         self.turns = input.spindle_turns;
         self.aborting |= input.hold == Hold::Abort;
         self.turn_round(back);
@@ -258,7 +263,7 @@ impl Planner {
         // Below the slowest that is planned for, a piece is left no slower: what it is asked to have then brings it to rest.
         let share = |asked: f64, planned: f64| math::greater(SLOWEST, asked) / planned;
         let mut ease = math::lesser(share(feed, planned.feed), share(rapid, planned.rapid));
-        if self.motion.at < self.followed {
+        if follows {
             ease = math::lesser(ease, share(turns, planned.turns));
         }
         let ease = squared(math::lesser(1.0, ease));

@@ -26,6 +26,18 @@ impl Circle {
     pub(super) fn grown(&self, x: f64) -> f64 {
         1.0 + self.growth * x
     }
+
+    /// Lets it begin further on.
+    fn begin_at(&mut self, from: f64) {
+        let (sine, cosine) = math::turned(self.turn * from);
+        let grown = self.grown(from);
+        self.growth /= grown;
+        for (along, across) in self.cosine.iter_mut().zip(&mut self.sine) {
+            let (was_along, was_across) = (*along, *across);
+            *along = grown * (was_along * cosine + was_across * sine);
+            *across = grown * (was_across * cosine - was_along * sine);
+        }
+    }
 }
 
 /// What keeps speed and acceleration of a piece within the limits of all axes.
@@ -158,32 +170,36 @@ impl Piece {
     /// The part of it from one place to another, as if nothing began there.
     pub(super) fn part(&self, from: f64, to: f64) -> Self {
         let mut part = *self;
-        part.entry = f64::INFINITY;
-        part.begins = None;
-        let motion = self.rate.iter().zip(&self.bend);
-        for ((origin, rate), (old_rate, bend)) in
-            part.origin.iter_mut().zip(&mut part.rate).zip(motion)
-        {
-            *origin += from * (old_rate + 0.5 * from * bend);
+        part.cut(from, to);
+        part
+    }
+
+    /// Leaves of it the part from one place to another, as if nothing began there.
+    pub(super) fn cut(&mut self, from: f64, to: f64) {
+        self.entry = f64::INFINITY;
+        self.begins = None;
+        if to < self.length {
+            self.end = self.position(to);
+            self.exit = 1.0;
+        }
+        self.length = to - from;
+        if self.axes <= 3 {
+            self.begin_at::<3>(from);
+        } else {
+            self.begin_at::<9>(from);
+        }
+        if let Some(circle) = &mut self.circle {
+            circle.begin_at(from);
+        }
+    }
+
+    /// Lets the part of it that does not turn begin further on.
+    #[inline]
+    fn begin_at<const N: usize>(&mut self, from: f64) {
+        let motion = self.origin.iter_mut().zip(&mut self.rate).zip(&self.bend).take(N);
+        for ((origin, rate), bend) in motion {
+            *origin += from * (*rate + 0.5 * from * bend);
             *rate += from * bend;
         }
-        if let (Some(circle), Some(old)) = (&mut part.circle, &self.circle) {
-            let (sine, cosine) = math::turned(old.turn * from);
-            let grown = old.grown(from);
-            circle.growth /= grown;
-            let turned = old.cosine.iter().zip(&old.sine);
-            for ((along, across), (was_along, was_across)) in
-                circle.cosine.iter_mut().zip(&mut circle.sine).zip(turned)
-            {
-                *along = grown * (was_along * cosine + was_across * sine);
-                *across = grown * (was_across * cosine - was_along * sine);
-            }
-        }
-        part.length = to - from;
-        if to < self.length {
-            part.end = self.position(to);
-            part.exit = 1.0;
-        }
-        part
     }
 }

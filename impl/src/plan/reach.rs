@@ -171,20 +171,23 @@ fn bent_over<const N: usize>(
     {
         return cap;
     }
-    for (two, ((first, last), limit)) in strips.iter_mut().zip(ends) {
+    let mut free = strips.as_flattened_mut().iter_mut();
+    for ((first, last), limit) in ends.take(N) {
         let limit = double * limit;
-        *two = [
+        for strip in [
             Strip::new(2.0 * last - 3.0 * first, *first, limit),
             Strip::new(-last, 3.0 * last - 2.0 * first, limit),
-        ];
-        for strip in two {
+        ] {
             if strip.slope.is_infinite() {
                 exit = math::lesser(exit, strip.limit);
-                *strip = NONE;
+            } else if let Some(place) = free.next() {
+                *place = strip;
             }
         }
     }
+    let unused = free.len();
     let strips = strips.as_flattened();
+    let strips = strips.get(..strips.len().saturating_sub(unused)).unwrap_or_default();
     walk(strips, exit).unwrap_or_else(|| {
         // As fast at the end as at the start is possible, if that is slow enough.
         let balanced = limits.planned.iter().zip(&piece.bend).take(N);

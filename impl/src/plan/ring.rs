@@ -47,13 +47,21 @@ impl<T: Copy + Default> Ring<T> {
 
     /// Appends an element; without room it is lost, so ask first.
     pub(super) fn push(&mut self, element: &T) {
-        if self.room() > 0 {
-            let slot = self.slot(self.end);
-            if let Some(place) = self.slots.get_mut(slot) {
-                *place = *element;
-                self.end = self.end.wrapping_add(1);
-            }
+        if let Some(place) = self.append() {
+            *place = *element;
         }
+    }
+
+    /// Appends what was in the slot before, to be written there; nothing without room.
+    #[inline]
+    pub(super) fn append(&mut self) -> Option<&mut T> {
+        if self.room() == 0 {
+            return None;
+        }
+        let slot = self.slot(self.end);
+        let place = self.slots.get_mut(slot)?;
+        self.end = self.end.wrapping_add(1);
+        Some(place)
     }
 
     /// Forgets the oldest element.

@@ -62,6 +62,15 @@ struct Ramp {
     slope: f64,
 }
 
+/// The end of a piece in the direction of motion.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    /// Square of the speed at which the piece may be left there.
+    exit: f64,
+    /// How far it is.
+    remaining: f64,
+}
+
 impl Motion {
     /// Moves on by a cycle; over how many ends of pieces.
     pub(super) fn cycle(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) -> u64 {
@@ -75,9 +84,11 @@ impl Motion {
         self.acceleration = 0.0;
         let Some(mut piece) = ring.get(self.at) else { return };
         for _ in 0..TOUCHED {
-            if self.remaining(piece) <= 0.0 {
+            let mut remaining = self.remaining(piece);
+            if remaining <= 0.0 {
                 let Some(next) = self.over(ring, piece, &mut left) else { return };
                 piece = next;
+                remaining = self.remaining(piece);
             }
             if let Law::Dwell(_) = piece.law {
                 if left > 0.0 && !wish.rest {
@@ -85,9 +96,9 @@ impl Motion {
                 }
                 return;
             }
-            let exit = self.exit(ring, piece);
+            let end = End { exit: self.exit(ring, piece), remaining };
             let from = self.x;
-            left -= self.within(piece, exit, (limits, wish), left);
+            left -= self.within(piece, end, (limits, wish), left);
             if !self.backwards {
                 self.note(piece, from);
             }
@@ -156,27 +167,30 @@ impl Motion {
     }
 
     /// Moves within a piece for as long as there is time and path; how long that was.
-    fn within(&mut self, piece: &Piece, exit: f64, asked: (&Limits, &Wish), left: f64) -> f64 {
+    #[inline]
+    fn within(&mut self, piece: &Piece, end: End, asked: (&Limits, &Wish), left: f64) -> f64 {
         match piece.law {
-            Law::Bent => self.bend(piece, exit, asked, left),
+            Law::Bent if piece.axes <= 3 => self.bend::<3>(piece, end, asked, left),
+            Law::Bent => self.bend::<9>(piece, end, asked, left),
             Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
-                self.along(piece, exit, asked, left)
+                self.along(piece, end, asked, left)
             }
         }
     }
 
+    #[inline]
     fn along(
         &mut self,
         piece: &Piece,
-        exit: f64,
+        end: End,
         (limits, wish): (&Limits, &Wish),
         left: f64,
     ) -> f64 {
-        let remaining = self.remaining(piece);
-        let mut ramp = self.ramp(piece, exit, wish.ease, left);
+        let End { exit, remaining } = end;
+        let mut ramp = self.ramp(piece, end, wish.ease, left);
         if wish.rest {
             let low = math::lesser(ramp.low, self.hardest(piece, limits, left));
-            return self.go(piece, low, exit, left);
+            return self.go(piece, low, end, left);
         }
         let wanted = wanted(piece, wish);
         if self.speed + ramp.low * left > wanted {
@@ -190,7 +204,7 @@ impl Motion {
         let acceleration = within_bounds((math::lesser(wanted, met) - self.speed) / left, &ramp);
         let travel = (self.speed + 0.5 * acceleration * left) * left;
         if met > 0.0 && travel < remaining {
-            return self.go(piece, acceleration, exit, left);
+            return self.go(piece, acceleration, end, left);
         }
         // The end comes first.
         let y = squared(self.speed);
@@ -200,7 +214,7 @@ impl Motion {
         } else {
             most = math::lesser(most, (squared(wanted) - y) / (2.0 * remaining));
         }
-        self.go(piece, within_bounds(most, &ramp), exit, left)
+        self.go(piece, within_bounds(most, &ramp), end, left)
     }
 
     /// The least acceleration that all axes allow on an arc in this cycle. Its law has one limit for all directions, which is less than the
@@ -236,8 +250,7 @@ impl Motion {
         low
     }
 
-    fn ramp(&self, piece: &Piece, exit: f64, ease: f64, left: f64) -> Ramp {
-        let remaining = self.remaining(piece);
+    fn ramp(&self, piece: &Piece, End { exit, remaining }: End, ease: f64, left: f64) -> Ramp {
         match (piece.law, &piece.circle) {
             (Law::Round { acceleration, .. }, Some(circle)) => {
                 let y = squared(self.speed);
@@ -262,51 +275,50 @@ impl Motion {
         }
     }
 
-    fn bend(&mut self, piece: &Piece, exit: f64, asked: (&Limits, &Wish), left: f64) -> f64 {
-        if piece.axes <= 3 {
-            self.bend_of::<3>(piece, exit, asked, left)
-        } else {
-            self.bend_of::<9>(piece, exit, asked, left)
-        }
-    }
-
-    fn bend_of<const N: usize>(
+    fn bend<const N: usize>(
         &mut self,
         piece: &Piece,
-        exit: f64,
+        end: End,
         (limits, wish): (&Limits, &Wish),
         left: f64,
     ) -> f64 {
-        let remaining = self.remaining(piece);
+        let End { exit, remaining } = end;
         let mut most = f64::NEG_INFINITY;
         if !wish.rest {
             let met = (wish.ease * exit - squared(self.speed)) / (2.0 * remaining);
             most = math::lesser((wanted(piece, wish) - self.speed) / left, met);
             if most > 0.0 {
-                let (high, calm) = self.greatest::<N>(piece, limits);
+                let (high, calm) = self.greatest::<N>(piece, remaining, limits);
                 most = math::lesser(most, high);
                 if calm {
-                    return self.go(piece, math::greater(most, 0.0), exit, left);
+                    return self.go(piece, math::greater(most, 0.0), end, left);
                 }
-            } else if self.allows::<N>(piece, most, limits) {
-                return self.go(piece, most, exit, left);
+            } else if self.allows::<N>(piece, remaining, most, limits) {
+                return self.go(piece, most, end, left);
             }
         }
         let low = self.least::<N>(piece, remaining, limits);
         if most >= low {
-            most = math::lesser(most, math::greater(self.greatest::<N>(piece, limits).0, low));
-            return self.go(piece, most, exit, left);
+            let (high, _) = self.greatest::<N>(piece, remaining, limits);
+            most = math::lesser(most, math::greater(high, low));
+            return self.go(piece, most, end, left);
         }
         // More than can be kept up to the end of the piece may be possible within this cycle.
         let near = math::lesser(self.speed * left, remaining);
         let now = self.least::<N>(piece, near, limits);
-        self.go(piece, math::greater(most, math::lesser(now, low)), exit, left)
+        self.go(piece, math::greater(most, math::lesser(now, low)), end, left)
     }
 
     /// Whether all axes allow an acceleration up to the end of a bend: what is asked for mostly is.
-    fn allows<const N: usize>(&self, piece: &Piece, acceleration: f64, limits: &Limits) -> bool {
+    fn allows<const N: usize>(
+        &self,
+        piece: &Piece,
+        remaining: f64,
+        acceleration: f64,
+        limits: &Limits,
+    ) -> bool {
         let y = squared(self.speed);
-        let later = 3.0 * self.remaining(piece) * acceleration;
+        let later = 3.0 * remaining * acceleration;
         let along = if self.backwards { -acceleration } else { acceleration };
         let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
         let mut allows = true;
@@ -318,9 +330,14 @@ impl Motion {
     }
 
     /// The greatest acceleration that is planned with up to the end of a bend; and whether none is allowed too.
-    fn greatest<const N: usize>(&self, piece: &Piece, limits: &Limits) -> (f64, bool) {
+    fn greatest<const N: usize>(
+        &self,
+        piece: &Piece,
+        remaining: f64,
+        limits: &Limits,
+    ) -> (f64, bool) {
         let (mut high, mut calm) = (f64::INFINITY, true);
-        let (y, thrice) = (squared(self.speed), 3.0 * self.remaining(piece));
+        let (y, thrice) = (squared(self.speed), 3.0 * remaining);
         let sense = if self.backwards { -1.0 } else { 1.0 };
         let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
         for ((rate, bend), limit) in axes {
@@ -355,8 +372,13 @@ impl Motion {
     }
 
     /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
-    fn go(&mut self, piece: &Piece, acceleration: f64, exit: f64, left: f64) -> f64 {
-        let remaining = self.remaining(piece);
+    fn go(
+        &mut self,
+        piece: &Piece,
+        acceleration: f64,
+        End { exit, remaining }: End,
+        left: f64,
+    ) -> f64 {
         self.acceleration = acceleration;
         let end = self.speed + acceleration * left;
         let travel = 0.5 * (self.speed + end) * left;
@@ -408,7 +430,10 @@ impl Motion {
         match piece.law {
             Law::Bent => {
                 let low = self.least::<9>(piece, remaining, limits);
-                let high = self.greatest::<9>(piece, limits).0.min((ahead - y) / (2.0 * remaining));
+                let high = self
+                    .greatest::<9>(piece, remaining, limits)
+                    .0
+                    .min((ahead - y) / (2.0 * remaining));
                 low <= high + 1e-9 * (1.0 - low)
             }
             Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
