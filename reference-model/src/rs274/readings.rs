@@ -243,6 +243,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.spindle-mode-at-end",
     "rs274.spindle-number-cut",
     "rs274.spline-not-modal",
+    "rs274.stored-rotation",
     "rs274.sub-found-later",
     "rs274.sub-reached-again",
     "rs274.surface-speed-restore",

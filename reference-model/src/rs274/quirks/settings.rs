@@ -3,7 +3,7 @@
 use gaugeblock_trace::{Axis, Distance, FaultKind, Position, SpindleLimit, SpindleMode, Switch};
 
 use crate::rs274::machine::State;
-use crate::rs274::modes::{ModalGroup, converted, each, is_rotary};
+use crate::rs274::modes::{ModalGroup, Modes, converted, each, is_rotary};
 use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
@@ -75,6 +75,15 @@ pub(crate) fn choose_by_feed_mode(words: &Words, state: &mut State) -> Result<()
 /// Quirk rs274.spindle-number-cut. The fraction of $ is cut off.
 pub(crate) fn spindle_number(number: f64, state: &State) -> f64 {
     if state.readings.quirk("rs274.spindle-number-cut") { number.trunc() } else { number }
+}
+
+/// Quirk rs274.stored-rotation. Where the machine stands at the start is told without the stored rotation.
+pub(crate) fn start(modes: &Modes, readings: &Readings) -> Position {
+    let mut seen = modes.clone();
+    if readings.quirk("rs274.stored-rotation") {
+        seen.rotation = 0.0;
+    }
+    seen.program_point(Position::default())
 }
 
 /// Quirk rs274.same-system-kept. Whether a coordinate system stays as it is, since it is selected already.

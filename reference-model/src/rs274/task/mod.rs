@@ -24,8 +24,8 @@ mod wait;
 
 use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{
-    Block, Bound, ControllerMode, End, Fault, Indexed, Language, Outcome, Plane, Position, Program,
-    Scenario, Settings,
+    Block, Bound, ControllerMode, End, Fault, Indexed, Language, Outcome, Plane, Program, Scenario,
+    Settings,
 };
 
 pub use pins::Shown;
@@ -38,6 +38,7 @@ use super::machine::{Panel, State, in_pocket_zero, slots};
 use super::modes::{Modes, Rounding};
 use super::outside::Outside;
 use super::parameters::{self, Name, Parameters};
+use super::quirks::settings;
 use super::readings::Readings;
 use super::refusal::{Halt, Refusal};
 use super::step;
@@ -74,7 +75,7 @@ fn start(scenario: &Scenario, readings: Readings, rounding: Rounding) -> State {
     let outside = Outside::new(&scenario.bench, modes.spindles.len(), &readings);
     let tool = in_pocket_zero(&machine);
     State {
-        position: modes.program_point(Position::default()),
+        position: settings::start(&modes, &readings),
         modes,
         parameters: Parameters::new(&machine, &readings),
         readings: readings.into(),
