@@ -91,7 +91,8 @@ impl Judge<'_> {
         let before = self.run.steps[..place].iter().rev().find_map(|step| step.state.as_ref());
         match before {
             Some(State::Rs274(state)) => state.position,
-            Some(State::Nct(_) | State::Gpp(_)) => None,
+            Some(State::Nct(state)) => state.position,
+            Some(State::Gpp(_)) => None,
             None => Some(Position::default()),
         }
     }
@@ -306,11 +307,13 @@ fn without_moves_in_place(effects: &[Effect], begin: Option<Position>) -> Vec<&E
     effects.iter().filter(moves).collect()
 }
 
-/// What a field of a post-processor's variable is before it is recorded for the first time.
+/// What a field of a variable or of a modal call is before it is recorded for the first time.
 fn initial(field: &str) -> Option<Value> {
     match field {
         "variable" => Some(Value::Text(String::new())),
         "set" => Some(Value::Word("off".to_owned())),
+        "local" | "common" => Some(Value::Word("vacant".to_owned())),
+        "modal_call" => Some(Value::Number(0.0)),
         _ => None,
     }
 }

@@ -115,8 +115,10 @@ impl Observed {
             if let Some(change) = &step.state {
                 forget_local_names(&mut state, change);
                 state.overlay(change);
-                if let State::Rs274(state) = &state {
-                    point = state.position.or(point);
+                match &state {
+                    State::Rs274(state) => point = state.position.or(point),
+                    State::Nct(state) => point = state.position.or(point),
+                    State::Gpp(_) => {}
                 }
             }
             let execution = executions.entry(&step.block).or_default();

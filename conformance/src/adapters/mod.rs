@@ -18,7 +18,7 @@ use std::ops::RangeInclusive;
 
 use gaugeblock_trace::motion::{MotionLimits, MotionScript, Samples};
 use gaugeblock_trace::{
-    Effect, Entry, GppState, Options, Outcome, Pin, Rs274State, Scenario, Settings, Value,
+    Effect, Entry, GppState, NctState, Options, Outcome, Pin, Rs274State, Scenario, Settings, Value,
 };
 
 /// What a controller shows; declared before the run.
@@ -57,7 +57,8 @@ impl Capabilities {
     /// Everything, exactly: what an interpreter in this process shows.
     pub fn everything(name: &str, version: &str) -> Self {
         let fields = || {
-            let all = [Settings::FIELDS, Rs274State::FIELDS, GppState::FIELDS].concat();
+            let of_state = [Rs274State::FIELDS, GppState::FIELDS, NctState::FIELDS].concat();
+            let all = [Settings::FIELDS, &of_state].concat();
             all.into_iter().map(str::to_owned).collect()
         };
         Self {

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use gaugeblock_trace::{
-    Effect, End, FaultKind, GppState, Language, Pin, Rs274State, Scalar, Settings, State,
+    Effect, End, FaultKind, GppState, Language, NctState, Pin, Rs274State, Scalar, Settings, State,
     TextError, text::Arguments,
 };
 
@@ -234,10 +234,14 @@ fn field_of(text: &str) -> Result<Expected, String> {
 }
 
 impl Expected {
-    /// The language whose state has this field.
+    /// A language whose state has this field. It has the same type in each that does.
     pub fn language(&self) -> Language {
-        let is_of_gpp = GppState::FIELDS.contains(&self.field.as_str());
-        if is_of_gpp { Language::Gpp } else { Language::Rs274 }
+        let field = self.field.as_str();
+        match (Rs274State::FIELDS.contains(&field), GppState::FIELDS.contains(&field)) {
+            (true, _) => Language::Rs274,
+            (false, true) => Language::Gpp,
+            (false, false) => Language::Nct,
+        }
     }
 
     /// Whether field, index and value are readable.
@@ -246,7 +250,7 @@ impl Expected {
         if Settings::FIELDS.contains(&self.field.as_str()) {
             return Settings::default().read(&self.field, index, &self.value);
         }
-        let of_state = [Rs274State::FIELDS, GppState::FIELDS].concat();
+        let of_state = [Rs274State::FIELDS, GppState::FIELDS, NctState::FIELDS].concat();
         if of_state.contains(&self.field.as_str()) {
             return State::empty(self.language()).read(&self.field, index, &self.value);
         }

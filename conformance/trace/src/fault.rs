@@ -108,9 +108,9 @@ words! {
         UserCode = "user_code",
         /// A mode of the controller in which this is not allowed.
         ControllerMode = "controller_mode",
-        /// A macro call or variable that is not allowed (NCT).
+        /// A macro call that is not allowed (NCT).
         Macro = "macro",
-        /// A statement of a wrong form (GPP).
+        /// A statement of a wrong form (GPP; NCT: 3064 BAD MACRO STATEMENT).
         Statement = "statement",
         /// A declaration that is not allowed, or not here (GPP).
         Declaration = "declaration",

@@ -169,14 +169,20 @@ impl Scalar for MacroValue {
 record! {
     /// State of an NCT custom macro after a block.
     pub struct NctState {
-        /// Macro level: 0 in the main program, 1 to 4 in macros.
+        /// Macro level: 0 in the main program, 1 and above in macros.
         macro_level: u32,
-        /// Local variables by `level.number`, as in `1.33`.
+        /// Local variables by `level.number`, as in `1.33`. Before the first record, and where no macro of that level is in
+        /// progress, they are vacant.
         local: Indexed<String, MacroValue>,
-        /// Common variables by number.
+        /// Common variables by number; vacant before the first record.
         common: Indexed<u32, MacroValue>,
-        /// Programs of the modal calls in force, innermost last, by depth from 0.
+        /// Programs of the modal calls in force, the one that was commanded last at the end, by depth from 0; 0 where there
+        /// is none (any more).
         modal_call: Indexed<u32, u32>,
+        /// Motion mode.
+        motion: Motion,
+        /// The controlled point in program coordinates, active length unit and degrees.
+        position: Position,
     }
 }
 

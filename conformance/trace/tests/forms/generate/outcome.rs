@@ -108,6 +108,8 @@ fn nct_state() -> BoxedStrategy<NctState> {
         local: indexed(text(), value()),
         common: indexed(any::<u32>(), value()),
         modal_call: indexed(any::<u32>(), any::<u32>()),
+        motion: word(Motion::ALL),
+        position: position(),
     })
 }
 
