@@ -31,6 +31,7 @@ fn the_model_reads_exactly_the_choices_of_the_pages() {
     let of_model: BTreeMap<&str, Vec<&str>> = gaugeblock_reference::rs274::readings::CHOICES
         .iter()
         .chain(gaugeblock_reference::gpp::readings::CHOICES)
+        .chain(gaugeblock_reference::nct::readings::CHOICES)
         .map(|(id, options)| (*id, options.to_vec()))
         .collect();
     assert_eq!(of_pages, of_model);

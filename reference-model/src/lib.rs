@@ -3,7 +3,8 @@
 //! Read it top to bottom: [`rs274`] has the pipeline
 //! `text → syntax → read → modes → parameters → machine → check → order → step → control → task`. Each section carries the id
 //! of the rule that it states; the rule's page in the suite has its sentence, its sources and its cases. [`gpp`] has another
-//! language, in `text → formats → variables → toolpath → syntax → evaluate → status → print → record → run`.
+//! language, in `text → formats → variables → toolpath → syntax → evaluate → status → print → record → run`; [`nct`] the third, in
+//! `text → syntax → programs → variables → evaluate → words → arguments → calls → modes → motion → record → run`.
 //!
 //! **Invariants.** It reads nothing but the scenario: no clock, no file, no environment, no random source. It panics on
 //! no scenario. It is written from the documents, without reading the production interpreter.
@@ -13,6 +14,7 @@ mod evidence;
 pub mod gpp;
 mod math;
 pub mod motion;
+pub mod nct;
 pub mod rs274;
 
 pub use evidence::{Evidence, RuleOutcome, Tally};
@@ -33,6 +35,6 @@ pub fn run_rounded(scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidenc
     match scenario.program.language {
         Language::Rs274 => rs274::run(scenario, rounding),
         Language::Gpp => gpp::run(scenario),
-        Language::Nct => (rs274::not_specified(Language::Nct), Evidence::default()),
+        Language::Nct => nct::run(scenario),
     }
 }

@@ -21,9 +21,10 @@ const EXAMPLES: &str = "Examples:
   gaugeblock run part.ngc --scenario mill.toml --format json
   gaugeblock run part.ngc --option saved-state.motion-mode=restored
   gaugeblock run part.gpp --edition gpp-classic
+  gaugeblock run part.nct
 
 Subroutine files (*.ngc) beside the program are found by their names. A program *.gpp is of a post-processor and has its toolpath
-beside it: part.toolpath. The exit status is 0 also when the program faults: that is the answer.";
+beside it: part.toolpath. A program *.nct has NCT custom macros, all in one file. The exit status is 0 also when the program faults: that is the answer.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -44,7 +45,7 @@ pub(super) struct Arguments {
 /// How programs are run.
 #[derive(Debug, Args)]
 pub(super) struct How {
-    /// The edition of the documents that applies [default: linuxcnc-2.8; gpp2 for a program *.gpp]
+    /// The edition of the documents that applies [default: linuxcnc-2.8; gpp2 for a program *.gpp, nct-99m for *.nct]
     #[arg(long, value_name = "EDITION")]
     edition: Option<String>,
     /// Another option of a choice or quirk; may be repeated
@@ -62,8 +63,7 @@ impl How {
     /// The scenario of a program file, with the subroutine files beside it.
     pub(super) fn scenario(&self, suite: &Suite, file: &Path) -> Result<Scenario, Refused> {
         let edition = super::edition(suite, self.edition.as_deref().unwrap_or(by_name(file)))?;
-        let is_of_gpp = edition.language == Language::Gpp;
-        if is_of_gpp && self.edition.is_none() {
+        if edition.language != Language::Rs274 && self.edition.is_none() {
             write_error(&format!("note: {}: edition {}, by its name", file.display(), edition.id));
         }
         let mut scenario = match &self.scenario {
@@ -79,7 +79,11 @@ impl How {
         scenario.program = Program {
             main: place::program(file)?,
             language: edition.language,
-            files: if is_of_gpp { toolpath(file, &scenario.program)? } else { beside(file) },
+            files: match edition.language {
+                Language::Rs274 => beside(file),
+                Language::Gpp => toolpath(file, &scenario.program)?,
+                Language::Nct => BTreeMap::new(),
+            },
             block_delete: self.block_delete || scenario.program.block_delete,
             ..scenario.program
         };
@@ -93,8 +97,11 @@ impl How {
 
 /// The edition that a file's name stands for.
 fn by_name(file: &Path) -> &'static str {
-    let is_of_gpp = file.extension().is_some_and(|extension| extension == "gpp");
-    if is_of_gpp { "gpp2" } else { crate::suite::DEFAULT_EDITION }
+    match file.extension().and_then(|extension| extension.to_str()) {
+        Some("gpp") => "gpp2",
+        Some("nct") => "nct-99m",
+        Some(_) | None => crate::suite::DEFAULT_EDITION,
+    }
 }
 
 /// The toolpath beside a post-processor program, or else that of the scenario's file.

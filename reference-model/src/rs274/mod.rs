@@ -33,27 +33,11 @@ pub mod syntax;
 pub mod task;
 pub mod text;
 
-use gaugeblock_trace::{Block, End, Language, Outcome, Program, Scenario, Settings};
+use gaugeblock_trace::{Outcome, Scenario};
 
 use crate::Evidence;
 
 /// Runs a scenario as the documents say.
 pub fn run(scenario: &Scenario, rounding: modes::Rounding) -> (Outcome, Evidence) {
     task::run(scenario, rounding)
-}
-
-/// The outcome of a program in a language that this edition of the model does not specify yet.
-pub(crate) fn not_specified(language: Language) -> Outcome {
-    Outcome {
-        language,
-        start: Settings::default(),
-        steps: Vec::new(),
-        end: End::Unsupported {
-            block: Block::new(Program::MAIN, 1),
-            what: format!("programs in the language {language}"),
-        },
-        parameters: None,
-        pins: Vec::new(),
-        samples: Vec::new(),
-    }
 }

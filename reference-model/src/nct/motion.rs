@@ -1,0 +1,135 @@
+//! G0 to G3: where a move ends, and round which centre.
+
+use gaugeblock_trace::{Axis, Distance, Effect, FaultKind, Motion, Plane, Position};
+
+use super::modes::Modes;
+use super::refusal::{Halt, open, refuse, refuse_form};
+use super::words::{Words, word};
+use crate::math;
+
+/// How far the radii of an arc may be apart, active length unit.
+const RADIUS_TOLERANCE: f64 = 0.01;
+
+/// An axis by its letter.
+pub(super) fn axis(letter: char) -> Option<Axis> {
+    Axis::ALL
+        .iter()
+        .copied()
+        .find(|axis| axis.word().eq_ignore_ascii_case(letter.encode_utf8(&mut [0; 4])))
+}
+
+/// The letters of a move besides those of axes: what an arc goes round.
+pub(super) const OF_ARC: &str = "IJKR";
+
+/// The move of a block with axis words, or of one that goes round a circle without.
+///
+/// Rule nct.motion. In absolute distance mode a word says where the axis goes, in incremental mode how far.
+///
+/// # Errors
+/// There is no motion mode or feed, the machine lacks the axis, or the words give no arc.
+pub(super) fn perform(modes: &mut Modes, words: &Words, axes: &[Axis]) -> Result<Effect, Halt> {
+    let mut end = modes.position;
+    for (letter, value) in words {
+        let Some(axis) = axis(*letter) else { continue };
+        if !axes.contains(&axis) {
+            let message = format!("the machine has no axis {letter}");
+            return Err(refuse("nct.motion", FaultKind::NoSuchAxis, message));
+        }
+        let coordinate = end.get_mut(axis);
+        *coordinate = match modes.distance {
+            Distance::Absolute => *value,
+            Distance::Incremental => *coordinate + value,
+        };
+    }
+    if end.to_array().iter().any(|coordinate| !coordinate.is_finite()) {
+        return Err(refuse_form(FaultKind::OutOfDomain, "a position that is too far away"));
+    }
+    let is_feed = modes.motion != Motion::Traverse;
+    if modes.motion == Motion::None {
+        return Err(open("axis words before any of G0 to G3"));
+    }
+    if is_feed && modes.feed_rate.abs().to_bits() == 0 {
+        return Err(open("a feed move without F"));
+    }
+    let effect = if is_arc(modes.motion) {
+        arc(modes, end, words)?
+    } else if is_feed {
+        Effect::StraightFeed { end }
+    } else {
+        Effect::StraightTraverse { end }
+    };
+    modes.position = end;
+    Ok(effect)
+}
+
+/// Whether a motion mode is that of an arc.
+pub(super) fn is_arc(motion: Motion) -> bool {
+    matches!(motion, Motion::ArcClockwise | Motion::ArcCounterclockwise)
+}
+
+/// The axes of the selected plane and the letters of its centre.
+fn plane(plane: Plane) -> [(Axis, char); 2] {
+    match plane {
+        Plane::Zx | Plane::Wu => [(Axis::Z, 'K'), (Axis::X, 'I')],
+        Plane::Yz | Plane::Vw => [(Axis::Y, 'J'), (Axis::Z, 'K')],
+        Plane::Xy | Plane::Uv => [(Axis::X, 'I'), (Axis::Y, 'J')],
+    }
+}
+
+/// Rule nct.arc. The centre counts from the start; R is the radius of the shorter arc, or, below zero, of the longer one.
+fn arc(modes: &Modes, end: Position, words: &Words) -> Result<Effect, Halt> {
+    let rule = "nct.arc";
+    let [(first, of_first), (second, of_second)] = plane(modes.plane);
+    if let Some((letter, _)) = words
+        .iter()
+        .find(|(letter, _)| "IJK".contains(*letter) && *letter != of_first && *letter != of_second)
+    {
+        let message = format!("{letter} is no offset in the selected plane");
+        return Err(refuse(rule, FaultKind::UnusedWord, message));
+    }
+    let from = (modes.position.get(first), modes.position.get(second));
+    let to = (end.get(first), end.get(second));
+    let offsets = (word(words, of_first), word(words, of_second));
+    let (first_centre, second_centre) = match (word(words, 'R'), offsets) {
+        (None, (None, None)) => {
+            let message = "an arc without a centre or a radius";
+            return Err(refuse(rule, FaultKind::MissingWord, message));
+        }
+        (Some(_), (Some(_), _) | (_, Some(_))) => {
+            return Err(open("an arc with a centre and a radius"));
+        }
+        (None, (along, across)) => (from.0 + along.unwrap_or(0.0), from.1 + across.unwrap_or(0.0)),
+        (Some(radius), (None, None)) => {
+            of_radius(from, to, radius, modes.motion == Motion::ArcClockwise)?
+        }
+    };
+    let radius =
+        |point: (f64, f64)| math::hypotenuse(point.0 - first_centre, point.1 - second_centre);
+    if (radius(from) - radius(to)).abs() > RADIUS_TOLERANCE {
+        return Err(open("an arc whose ends are not equally far from its centre"));
+    }
+    let turns = if modes.motion == Motion::ArcClockwise { -1 } else { 1 };
+    Ok(Effect::ArcFeed { end, first_centre, second_centre, turns })
+}
+
+fn of_radius(
+    from: (f64, f64),
+    to: (f64, f64),
+    radius: f64,
+    clockwise: bool,
+) -> Result<(f64, f64), Halt> {
+    let (along, across) = (to.0 - from.0, to.1 - from.1);
+    let chord = math::hypotenuse(along, across);
+    if chord.to_bits() == 0 {
+        return Err(open("an arc with a radius that ends where it begins"));
+    }
+    let square = radius * radius - chord * chord / 4.0;
+    if square < 0.0 && -square > RADIUS_TOLERANCE * radius.abs() {
+        let message = format!("a radius of {radius} for points {chord} apart");
+        return Err(refuse("nct.arc", FaultKind::BadArc, message));
+    }
+    // The centre lies beside the middle of the chord: at the left when the shorter arc goes counterclockwise.
+    let beside = math::square_root(square.max(0.0)) / chord;
+    let left = if clockwise == (radius < 0.0) { beside } else { -beside };
+    Ok((from.0 + along / 2.0 - left * across, from.1 + across / 2.0 + left * along))
+}

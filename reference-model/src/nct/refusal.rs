@@ -1,0 +1,42 @@
+//! Why a run does not go on.
+
+use gaugeblock_trace::{Bound, FaultKind};
+
+/// A block that is refused.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// The rule that refuses it; none where it is a matter of form that no document names.
+    pub rule: Option<&'static str>,
+    /// The kind of fault.
+    pub kind: FaultKind,
+    /// For people: what is wrong.
+    pub message: String,
+}
+
+/// Why it does not go on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Halt {
+    /// It is refused.
+    Refused(Refusal),
+    /// The documents leave it open, and no choice covers it.
+    Unspecified(String),
+    /// This edition does not hold it.
+    Unsupported(String),
+    /// The budget is used up.
+    Exhausted(Bound),
+}
+
+/// A refusal by a rule.
+pub fn refuse(rule: &'static str, kind: FaultKind, message: impl Into<String>) -> Halt {
+    Halt::Refused(Refusal { rule: Some(rule), kind, message: message.into() })
+}
+
+/// A refusal that no document names.
+pub fn refuse_form(kind: FaultKind, message: impl Into<String>) -> Halt {
+    Halt::Refused(Refusal { rule: None, kind, message: message.into() })
+}
+
+/// What no document settles.
+pub fn open(why: impl Into<String>) -> Halt {
+    Halt::Unspecified(why.into())
+}
