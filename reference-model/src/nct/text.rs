@@ -32,12 +32,13 @@ pub fn lines(text: &str) -> Vec<Line> {
 
 /// A line that begins with a percent sign is none.
 fn line(number: u32, text: &str) -> Option<Line> {
-    if text.trim_start_matches([' ', '\t']).starts_with('%') {
+    let begin = text.trim_start_matches([' ', '\t']);
+    if begin.starts_with('%') {
         return None;
     }
     let mut line = Line {
         number,
-        is_optional: false,
+        is_optional: begin.starts_with('/'),
         program: None,
         sequence: None,
         rest: String::new(),
