@@ -1,0 +1,163 @@
+//! NCT custom macros: what stays open, what holds for any macro, and hostile programs.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use gaugeblock_reference::run;
+use gaugeblock_trace::scenario::Budget;
+use gaugeblock_trace::{Effect, End, Event, Language, MacroValue, Outcome, Scenario, State};
+use proptest::prelude::{ProptestConfig, Strategy, proptest};
+use proptest::{collection, option};
+
+/// Programs about which the documents at hand say nothing, and no choice does.
+const OPEN: &[(&str, &str)] = &[
+    ("vacant-comparison: a number less than zero", "O1\nIF [#1 GT -1] GOTO5\n#100 = 1\nN5\nM30"),
+    ("vacant-comparison: LT", "O1\nIF [#1 LT 0] GOTO5\n#100 = 1\nN5\nM30"),
+    ("vacant-comparison: LE", "O1\nIF [#1 LE #0] GOTO5\n#100 = 1\nN5\nM30"),
+    ("goto: a number twice", "O1\nGOTO10\nN10\nN10\nM30"),
+    ("loops: into it", "O1\nGOTO10\nWHILE [1 EQ 2] DO1\nN10\nEND1\nM30"),
+    ("statement-form: IF with THEN", "O1\nIF [1 EQ 1] THEN #1 = 2\nM30"),
+    ("statement-form: DO without WHILE", "O1\nDO1\nEND1\nM30"),
+    ("modes: the feed of another unit", "O1\nG21 G1 X1 F100\nG20 X2\nM30"),
+    ("modes: a code that this edition does not hold", "O1\nG81 X1\nM30"),
+    ("motion: before any code", "O1\nX1\nM30"),
+    ("motion: without a feed", "O1\nG1 X1\nM30"),
+    ("arc: two radii", "O1\nG2 X5 I1 F100\nM30"),
+    ("open: G66 and G66.1", "O1\nG66 P2\nG66.1 P2\nM30\nO2\nM99"),
+    ("open: G66 in a modal macro", "O1\nG66 P2\nG1 X1 F100\nM30\nO2\nG66 P2\nM99"),
+    ("open: G67 in a modal macro", "O1\nG66 P2\nG1 X1 F100\nM30\nO2\nG67\nM99"),
+    ("open: motion in a macro of G65", "O1\nG66 P2\nG65 P3\nM30\nO2\nM99\nO3\nG1 X1 F100\nM99"),
+    ("open: motion and M98", "O1\nG66 P2\nG1 X1 F100 M98 P2\nM30\nO2\nM99"),
+    ("open: a modal call that outlives its program", "O1\nM98 P2\nM30\nO2\nG66 P3\nM99\nO3\nM99"),
+    ("open: an argument twice", "O1\nG65 P2 A1 A2\nM30\nO2\nM99"),
+    ("open: a program twice", "O1\nG65 P2\nM30\nO2\nM99\nO2\nM99"),
+    ("open: arguments of G66.1", "O1\nG66.1 P2 A1\nM30\nO2\nM99"),
+    ("open: M30 as arguments", "O1\nG66.1 P2\nM30\nO2\nM99"),
+    ("open: the number of a variable", "O1\n#[1.5] = 1\nM30"),
+    ("open: G67 with a motion", "O1\nG66 P2\nG67 X1\nM30\nO2\nM99"),
+];
+
+fn outcome(program: &str) -> Outcome {
+    let mut scenario = Scenario::of(program);
+    scenario.program.language = Language::Nct;
+    run(&scenario).0
+}
+
+#[test]
+fn what_no_document_settles_stays_open() {
+    let settled: Vec<_> = OPEN
+        .iter()
+        .map(|(name, program)| (name, outcome(program).end))
+        .filter(|(_, end)| !matches!(end, End::Unspecified { .. } | End::Unsupported { .. }))
+        .collect();
+    assert!(settled.is_empty(), "{settled:#?}");
+}
+
+/// The local variables of a level when a run ended, vacant ones left out.
+fn locals(outcome: &Outcome, level: u32) -> BTreeMap<String, u64> {
+    let mut locals = BTreeMap::new();
+    for step in &outcome.steps {
+        let Some(State::Nct(state)) = &step.state else { continue };
+        for (name, value) in state.local.iter().flat_map(|local| &local.0) {
+            let Some(number) = name.strip_prefix(&format!("{level}.")) else { continue };
+            match value {
+                MacroValue::Vacant(_) => locals.remove(number),
+                MacroValue::Number(value) => locals.insert(number.to_owned(), value.to_bits()),
+            };
+        }
+    }
+    locals
+}
+
+/// A value for a local variable, or none.
+type Assignment = (u32, Option<i32>);
+
+fn assignments() -> impl Strategy<Value = Vec<Assignment>> {
+    collection::vec((1_u32..=33, option::of(-1000_i32..1000)), 0..40)
+}
+
+fn written(assignments: &[Assignment]) -> String {
+    let mut text = String::new();
+    for (number, value) in assignments {
+        let written = match value {
+            Some(value) => writeln!(text, "#{number} = {value} / 8"),
+            None => writeln!(text, "#{number} = #0"),
+        };
+        written.expect("a string takes what is written");
+    }
+    text
+}
+
+/// How many moves a run has made.
+fn moves(outcome: &Outcome) -> usize {
+    let events = outcome.steps.iter().flat_map(|step| &step.events);
+    events.filter(|event| matches!(event, Event::Do(Effect::StraightFeed { .. }))).count()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_macro_leaves_the_variables_of_its_caller_as_they_are(
+        own in assignments(),
+        of_macro in assignments(),
+        of_inner in assignments(),
+        call in proptest::sample::select(vec!["G65 P2 A1 B2", "G65 P2 L3 I1 J2 K3", "G66 P2 X5\nG1 X1 F100\nG67"]),
+    ) {
+        let before = outcome(&format!("O1\n{}M30\n", written(&own)));
+        let after = outcome(&format!(
+            "O1\n{}{call}\nM30\nO2\n{}G65 P3 A1\n{}M99\nO3\n{}M99\n",
+            written(&own), written(&of_macro), written(&of_inner), written(&of_inner),
+        ));
+        assert_eq!(after.end, End::ProgramEnd);
+        assert_eq!(locals(&after, 0), locals(&before, 0));
+        assert_eq!((locals(&after, 1).len(), locals(&after, 2).len()), (0, 0));
+    }
+
+    /// With n modal calls, the last of them with m moves, a move makes F(n) = 1 + m F(n - 1) moves in all; F(0) = 1.
+    #[test]
+    fn modal_calls_make_as_many_moves_as_the_rule_says(counts in collection::vec(0_usize..4, 0..=4)) {
+        let mut program = "O1\n".to_owned();
+        let calls = 2..2 + counts.len();
+        calls.clone().for_each(|number| program.push_str(&format!("G66 P{number}\n")));
+        program.push_str("G1 X1 F100\nM30\n");
+        for (number, count) in calls.zip(&counts) {
+            program.push_str(&format!("O{number}\n{}M99\n", "G1 X2\n".repeat(*count)));
+        }
+        let found = outcome(&program);
+        assert_eq!(found.end, End::ProgramEnd, "{program}");
+        assert_eq!(moves(&found), counts.iter().fold(1, |all, count| 1 + count * all), "{program}");
+    }
+
+    #[test]
+    fn no_program_makes_it_panic(
+        lines in collection::vec("(O[12]|N[1-3]|/)?(G(65|66|66\\.1|67|0|1|2|4)|M(98|99|3|30)|P[12]|L2|X[#0-9\\[\\]]{1,4}|I1|R2|F9|#[0-9#\\[\\]+]{1,6}=?|IF\\[#1EQ#2\\]|GOTO[12]|WHILE\\[1LT2\\]DO[12]|END[12]|COS|\\(|%|=|-| ){0,5}", 0..14),
+    ) {
+        let mut scenario = Scenario::of(lines.join("\n"));
+        scenario.program.language = Language::Nct;
+        scenario.budget = Budget { steps: 2000, ..Budget::default() };
+        let (first, evidence) = run(&scenario);
+        assert!(first.steps.len() <= 2000);
+        assert_eq!((first, evidence), run(&scenario));
+    }
+}
+
+#[test]
+fn what_is_long_or_deep_ends_soon() {
+    let sum = format!("O1\n#1=1{}\nM30\n", "+1*1".repeat(200_000));
+    assert_eq!(outcome(&sum).end, End::ProgramEnd);
+    let refused = |program: String| assert!(matches!(outcome(&program).end, End::Fault(_)));
+    refused(format!("O1\n#1={}1{}\nM30\n", "[".repeat(200_000), "]".repeat(200_000)));
+    refused(format!("O1\n#1={}1\nM30\n", "-".repeat(200_000)));
+    refused(format!("O1\n#1={}1\nM30\n", "COS".repeat(200_000)));
+    refused(format!("O1\n{}1=1\nM30\n", "#".repeat(200_000)));
+    refused(format!("O1\n{}M30\n", "WHILE[1EQ1]DO1\n".repeat(50_000)));
+    refused("O1\nG65 P1 L9999\nM30\n".to_owned());
+    let steps = |program: &str| {
+        let end = outcome(program).end;
+        assert!(matches!(end, End::BudgetExhausted { .. }), "{end:?}");
+    };
+    steps("O1\nN1 GOTO1\n");
+    steps("O1\nN1 G66 P1\nGOTO1\n");
+    steps("O1\nG65 P2 L9999\nM30\nO2\nG65 P3 L9999\nM99\nO3\nG65 P4 L9999\nM99\nO4\nM99\n");
+}
