@@ -57,15 +57,14 @@ pub(super) fn perform(words: &Words, state: &mut State, record: &mut Record) -> 
     }
 }
 
-/// Rule positions.store. G28.1 stores the machine position, in the machine's unit.
+/// Rule positions.store. G28.1 stores the machine position, in the machine's unit: all nine parameters are named, and an axis that the machine
+/// does not have stands at zero.
 fn store(first: u32, state: &mut State) {
     let machine = state.modes.machine_point(state.position);
     let machine = each(machine, beside_machine_point(state), |point, beside| point - beside);
     let machine = converted(machine, state.modes.units, state.machine.length_unit);
     for (number, axis) in (first..).zip(Axis::ALL) {
-        if state.machine.axes.contains(axis) {
-            state.parameters.store(number, machine.get(*axis));
-        }
+        state.parameters.store(number, machine.get(*axis));
     }
     state.evidence.accepted("positions.store");
 }
