@@ -22,13 +22,21 @@ impl Input {
     }
 }
 
-/// How a wait ended.
+/// How a wait will end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Awaited {
-    /// What was awaited came, and the input has this value.
-    Came(f64),
-    /// It did not come in time.
-    TimedOut,
+    /// What is awaited comes.
+    Comes {
+        /// After so many seconds.
+        after: f64,
+        /// The value that the input has then.
+        value: f64,
+    },
+    /// It does not come in time.
+    TimesOut {
+        /// After so many seconds.
+        after: f64,
+    },
     /// It will never come, and nothing ends the wait.
     Never,
 }
@@ -42,24 +50,16 @@ impl Outside {
         self.wire(input).map_or_else(|| self.input_at(input, self.time), |pin| self.level(pin))
     }
 
-    /// Waits for an input: time goes by until it does what is awaited, or for so many seconds.
-    pub(crate) fn await_input(
-        &mut self,
-        input: Input,
-        mode: WaitMode,
-        timeout: Option<f64>,
-    ) -> Awaited {
+    /// What comes of a wait for an input that begins now and lasts until the input does what is awaited, or for so many seconds.
+    pub(crate) fn awaited(&self, input: Input, mode: WaitMode, timeout: Option<f64>) -> Awaited {
         let end = timeout.map(|seconds| self.time + seconds);
         match self.event(input, mode).filter(|event| end.is_none_or(|end| *event <= end)) {
             Some(event) => {
-                self.advance(event - self.time);
-                Awaited::Came(self.input(input))
+                let pin = self.wire(input);
+                let value = pin.map_or_else(|| self.input_at(input, event), |pin| self.level(pin));
+                Awaited::Comes { after: event - self.time, value }
             }
-            None if timeout.is_some() => {
-                self.advance(timeout.unwrap_or(0.0));
-                Awaited::TimedOut
-            }
-            None => Awaited::Never,
+            None => timeout.map_or(Awaited::Never, |after| Awaited::TimesOut { after }),
         }
     }
 
@@ -140,22 +140,18 @@ mod tests {
 
     #[test]
     fn an_edge_is_a_change_and_a_level_is_none() {
-        let wait = |mode, timeout| {
-            let mut outside = outside(&[(0.0, 1.0), (1.0, 0.0), (2.0, 1.0)]);
-            let awaited = outside.await_input(Input::Digital(0), mode, Some(timeout));
-            (awaited, outside.time())
-        };
-        assert_eq!(wait(WaitMode::High, 5.0), (Awaited::Came(1.0), 0.0));
-        assert_eq!(wait(WaitMode::Low, 5.0), (Awaited::Came(0.0), 1.0));
-        assert_eq!(wait(WaitMode::Fall, 5.0), (Awaited::Came(0.0), 1.0));
-        assert_eq!(wait(WaitMode::Rise, 5.0), (Awaited::Came(1.0), 2.0));
-        assert_eq!(wait(WaitMode::Rise, 1.5), (Awaited::TimedOut, 1.5));
+        let outside = outside(&[(0.0, 1.0), (1.0, 0.0), (2.0, 1.0)]);
+        let wait = |mode, timeout| outside.awaited(Input::Digital(0), mode, Some(timeout));
+        assert_eq!(wait(WaitMode::High, 5.0), Awaited::Comes { after: 0.0, value: 1.0 });
+        assert_eq!(wait(WaitMode::Low, 5.0), Awaited::Comes { after: 1.0, value: 0.0 });
+        assert_eq!(wait(WaitMode::Fall, 5.0), Awaited::Comes { after: 1.0, value: 0.0 });
+        assert_eq!(wait(WaitMode::Rise, 5.0), Awaited::Comes { after: 2.0, value: 1.0 });
+        assert_eq!(wait(WaitMode::Rise, 1.5), Awaited::TimesOut { after: 1.5 });
     }
 
     #[test]
     fn a_wait_without_end_never_ends() {
-        let mut outside = outside(&[]);
-        let awaited = outside.await_input(Input::Digital(0), WaitMode::High, None);
+        let awaited = outside(&[]).awaited(Input::Digital(0), WaitMode::High, None);
         assert_eq!(awaited, Awaited::Never);
     }
 }

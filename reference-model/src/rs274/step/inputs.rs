@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::{Effect, FaultKind, WaitMode};
 
-use super::{pass, whole, word};
+use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::outside::{Awaited, Input, stub};
 use crate::rs274::quirks::outputs as quirks;
@@ -34,32 +34,31 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         analog_mode(mode, state)?;
     }
     let timeout = timeout(mode, words, state)?;
-    let awaited = match quirks::waits_for_nothing(words, state) {
-        Some(seconds) => {
-            pass(seconds, state);
-            Awaited::TimedOut
-        }
+    let (seconds, read) = match quirks::waits_for_nothing(words, state) {
+        Some(seconds) => (seconds, None),
         None if state.outside.is_stand_alone() => {
-            Awaited::Came(stub::answer(input, state.parameters.stored(RESULT)))
+            (0.0, Some(stub::answer(input, state.parameters.stored(RESULT))))
         }
-        None => state.outside.await_input(input, mode, timeout),
+        None => match state.outside.awaited(input, mode, timeout) {
+            Awaited::Comes { after, value } => (after, Some(value)),
+            Awaited::TimesOut { after } => (after, None),
+            Awaited::Never => return Err(Halt::WaitsForEver),
+        },
     };
-    pass(0.0, state);
-    let read = match awaited {
-        Awaited::Came(value) => value,
-        Awaited::TimedOut => {
-            state.evidence.accepted("inputs.timeout");
-            TIMED_OUT
-        }
-        Awaited::Never => return Err(Halt::WaitsForEver),
-    };
+    if read.is_none() {
+        state.evidence.accepted("inputs.timeout");
+    }
+    let read = read.unwrap_or(TIMED_OUT);
     accepted(input, mode, state);
-    state.parameters.store(RESULT, read);
     let (digital, analog) = match input {
         Input::Digital(number) => (i32::try_from(number).ok(), None),
         Input::Analog(number) => (None, i32::try_from(number).ok()),
     };
     record.effect(state, Effect::WaitInput { digital, analog, mode, timeout, read });
+    if seconds > 0.0 {
+        record.wait(state, seconds);
+    }
+    state.parameters.store(RESULT, read);
     state.outside.synchronise();
     Ok(())
 }

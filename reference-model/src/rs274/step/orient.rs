@@ -191,6 +191,7 @@ pub(crate) fn settle(state: &mut State) {
         let Some(spindle) = index(place) else { continue };
         state.outside.set_at(time, Pin::SpindleOrient(spindle), 0.0);
         state.outside.set_at(time, Pin::SpindleLocked(spindle), 1.0);
+        brake_at(time, place, state);
         state.evidence.accepted("orient.complete");
     }
     for place in all(state) {
@@ -209,6 +210,10 @@ fn turns(place: usize, state: &State) -> bool {
 
 /// Rule orient.brake-otherwise. Whether the brake is applied to any other spindle that stands is a choice.
 fn brake(place: usize, state: &mut State) {
+    brake_at(state.outside.time(), place, state);
+}
+
+fn brake_at(time: f64, place: usize, state: &mut State) {
     let Some(spindle) = index(place) else { return };
     let stands = !turns(place, state) && state.outside.orientation(place).is_none();
     let locked = state.outside.level(Pin::SpindleLocked(spindle)) != 0.0;
@@ -218,7 +223,7 @@ fn brake(place: usize, state: &mut State) {
     if locked {
         state.evidence.accepted("orient.brake-otherwise");
     }
-    state.outside.set(Pin::SpindleBrake(spindle), if applied { 1.0 } else { 0.0 });
+    state.outside.set_at(time, Pin::SpindleBrake(spindle), if applied { 1.0 } else { 0.0 });
 }
 
 /// Rule orient.cleared. M3, M4 and M5 take back the request and unlock the spindle.

@@ -123,9 +123,10 @@ impl Run<'_> {
         let dwells = || phase == Phase::Motion && super::program::is_cycle(words, &self.state);
         let moves = matches!(phase, Phase::Motion | Phase::OffsetData | Phase::ChangeTool);
         let orients = phase == Phase::Spindle && words.m.contains(&19);
+        let reads = phase == Phase::InputsOutputs && words.m.contains(&66);
         !self.ahead
             && (moves && (may_be_held || acts_between() && dwells())
-                || orients && self.operator.is_due())
+                || (orients || reads) && self.operator.is_due())
     }
 
     /// Executes a phase whose moves may be held.
