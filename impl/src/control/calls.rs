@@ -102,7 +102,11 @@ impl Interpreter {
     ) -> Result<(), Halt> {
         let segment = match self.segment_of(label) {
             Some(segment) => segment,
-            None => self.find_sub(label, source)?,
+            None => {
+                // What stands on the line is evaluated before the sub is sought (11.4.5), which may take other values in between.
+                self.values(at, block, oword)?;
+                self.find_sub(label, source)?
+            }
         };
         self.values(at, block, oword)?;
         let entry = Cursor { segment, place: 0 };
