@@ -104,3 +104,12 @@ fn overlapping_structures_are_not_specified() {
     let behind = outcome("o1 while [1]\no2 if [0]\no1 endwhile\no2 endif\no1 break\nm2\n");
     assert_eq!(ending(&behind), "unspecified at main.ngc:5");
 }
+
+#[test]
+fn which_while_ends_which_do_is_not_specified_where_both_have_one_label() {
+    let nested = "o#31 do\no#31 do\no#31 while [0]\no#31 while [0]\nm2\n";
+    let each = outcome_under(&[("control.do-label", "each")], nested);
+    assert_eq!(ending(&each), "unspecified at main.ngc:2");
+    let refused = outcome_under(&[("control.do-label", "refused")], nested);
+    assert_eq!(ending(&refused), "duplicate_label at main.ngc:2");
+}

@@ -100,7 +100,8 @@ impl Control {
     /// The beginning of a do loop.
     ///
     /// Choice control.do-label: whether several do loops may carry the same label, which the list of errors does not name.
-    /// What a do is whose label a condition or another loop defines, it does not tell at all.
+    /// What a do is whose label a condition or another loop defines, it does not tell at all; nor which while ends which of two, where one
+    /// stands in the other.
     pub(super) fn do_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         self.not_of_sub(label, "control.do-while", state)?;
         let first = self.defined_elsewhere(label, state);
@@ -112,7 +113,14 @@ impl Control {
             );
             return Err(Halt::Unspecified(why));
         }
-        let line = match (first, state.readings.choice("control.do-label")) {
+        let choice = state.readings.choice("control.do-label");
+        let frame = state.frame();
+        let around = frame.find_open(label, is_do).map(|place| frame.open[place].line);
+        if choice == "each" && around.is_some_and(|around| around != self.place.line) {
+            let why = format!("a do {} within one of the same label", o_word(label));
+            return Err(Halt::Unspecified(why));
+        }
+        let line = match (first, choice) {
             (Some(_), "refused") => return Err(duplicate(label, "control.do-while")),
             (Some(first), "first") => first,
             (Some(_) | None, _) => self.place.line,
