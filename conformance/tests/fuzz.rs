@@ -129,6 +129,7 @@ fn where_the_rounding_of_a_position_decides_nothing_is_said() {
     for (unit, text) in [
         (LengthUnit::Millimetre, "g0 x2\ng20 f1\ng21 g10 l2 p0 x1\ng2 x1 r0\nm2\n"),
         (LengthUnit::Inch, "g0 x3 y4\ng10 l2 p0 x3 y4\ng91 ^0\nm2\n"),
+        (LengthUnit::Millimetre, "f1\ng1 @1 ^90\ng91 ^90\ng28 x0\n^0\nm2\n"),
         (LengthUnit::Inch, "f1\ng10 l2 p0 x1\ng1 zround[[#<_x> + .5]]\nm2\n"),
     ] {
         let mut scenario = Scenario::of(text);

@@ -15,7 +15,7 @@ pub fn unit_size(unit: LengthUnit) -> f64 {
     }
 }
 
-/// What becomes of the last bits of a coordinate that a conversion of units or an offset has computed.
+/// What becomes of the last bits of a coordinate that a conversion of units, an offset or a polar word has computed.
 ///
 /// The documents do not say how exactly a controller computes, so that nothing can be said of a program whose meaning depends on it: there
 /// the model's own answer changes with this.

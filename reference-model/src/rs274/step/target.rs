@@ -145,9 +145,10 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
     if word(words, '@').is_none() || word(words, '^').is_none() {
         state.evidence.accepted("motion.polar-partial");
     }
-    Ok(Some(Position {
+    let there = Position {
         x: distance * math::cosine_of_degrees(angle),
         y: distance * math::sine_of_degrees(angle),
         ..here
-    }))
+    };
+    Ok(Some(state.modes.rounding.of(there, Position { x: distance, y: distance, ..here })))
 }
