@@ -12,7 +12,7 @@ use gaugeblock::fuzz::journal::Chunk;
 use gaugeblock::fuzz::statistics::Statistics;
 use gaugeblock::fuzz::{Came, Extent, Plan, Shard, run};
 use gaugeblock_fuzz::generate::{Recipe, Setups};
-use gaugeblock_trace::{Effect, Event, LengthUnit, Options, Outcome, Scenario};
+use gaugeblock_trace::{Effect, Event, LengthUnit, Options, Outcome, Scenario, SpindleTurn};
 
 /// Few enough for a debug build, and several chunks.
 const PROGRAMS: u64 = 300;
@@ -139,6 +139,27 @@ fn where_the_rounding_of_a_position_decides_nothing_is_said() {
         let came = plan.judge(&scenario, &mut Statistics::default());
         assert!(matches!(came, Came::Fragile | Came::Same), "{text}: {came:?}");
     }
+}
+
+/// What no case can show, since no edition has both options.
+#[test]
+fn a_tap_does_not_turn_a_spindle_back_to_its_angle() {
+    let (production, reference) = (Production::default(), Reference::default());
+    let plan = plan(&production, &reference);
+    let mut scenario = Scenario::of("s100 f100\nm19 r90 q1\ng84 z-1 r2 p0.5\nm2\n");
+    for (choice, option) in [("cycles.tap-direction", "any"), ("cycles.tap-return", "as-before")] {
+        scenario.options.0.insert(choice.to_owned(), option.to_owned());
+    }
+    let came = plan.judge(&scenario, &mut Statistics::default());
+    assert_eq!(came, Came::Same);
+    let outcome = gaugeblock_reference::run(&scenario).0;
+    let turns = outcome.steps.iter().flat_map(|step| &step.events).filter_map(|event| {
+        let Event::Set(changed) = event else { return None };
+        changed.spindle.as_ref()?.0.get(&0).copied()
+    });
+    let turns: Vec<SpindleTurn> = turns.collect();
+    let stands = SpindleTurn::Stopped;
+    assert_eq!(turns, [SpindleTurn::Oriented, SpindleTurn::Counterclockwise, stands]);
 }
 
 mod command {

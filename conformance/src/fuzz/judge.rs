@@ -103,7 +103,7 @@ impl Plan<'_> {
     }
 
     /// Whether the model's own answer changes when every transcendental result moves by its last bit, or every position that a conversion of
-    /// units or an offset has computed is rounded in another way.
+    /// units, an offset or a polar word has computed is rounded in another way.
     fn is_fragile(&self, scenario: &Scenario) -> bool {
         let plain = gaugeblock_reference::run(scenario).0;
         let shows = Capabilities::everything("reference", "");

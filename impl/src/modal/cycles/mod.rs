@@ -154,7 +154,8 @@ impl Modal {
             dwell: numbers.dwell,
             increment: numbers.increment,
             spindle,
-            turn: turning.turn,
+            // One that was held at an angle is not turned back to it.
+            turn: if turning.turns() { turning.turn } else { SpindleTurn::Stopped },
             overrides: (self.in_force.now().feed_override, turning.speed_override),
         };
         let job = Job::Drilling(Drilling::new(

@@ -26,7 +26,7 @@ pub(super) fn possible(cycle: &Cycle, cutting: SpindleTurn, state: &State) -> Re
 /// Rules cycles.tap-right and cycles.tap-left. It feeds to the bottom, stops the spindle, starts it the other way, dwells,
 /// and feeds out to the clear height.
 /// Rule cycles.tap-overrides. The feed override and the spindle's speed override are disabled meanwhile.
-/// Choice cycles.tap-return: whether the spindle turns as before afterwards.
+/// Choice cycles.tap-return: whether the spindle turns as before afterwards. One that was held at an angle stands: nothing turns it back there.
 pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     let [_, _, normal] = cycle.axes;
     let place = cycle.spindle;
@@ -46,7 +46,9 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     feed(normal, cycle.clear, state, record);
     if state.readings.is("cycles.tap-return", "as-before") {
         turns(SpindleTurn::Stopped, cycle, state);
-        turns(before.turn, cycle, state);
+        if matches!(before.turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise) {
+            turns(before.turn, cycle, state);
+        }
     }
     state.modes.feed_override = feed_override;
     state.modes.spindles[place].speed_override = before.speed_override;
