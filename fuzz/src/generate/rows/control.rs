@@ -87,8 +87,10 @@ pub(in super::super) const ROWS: &[Row] = &[
             if w.dice.chance(20) {
                 let (branch, condition) = (w.new_label(), w.condition());
                 let value = w.returned();
+                // Whether any return leaves the sub is a choice.
+                let own = if w.dice.chance(5) { branch.to_string() } else { label.clone() };
                 w.structure(&format!("o{branch} if [{condition}]"));
-                w.structure(&format!("o{label} return{value}"));
+                w.structure(&format!("o{own} return{value}"));
                 w.structure(&format!("o{branch} endif"));
             }
             let value = w.returned();

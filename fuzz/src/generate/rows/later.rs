@@ -25,7 +25,9 @@ pub(in super::super) const ROWS: &[Row] = &[
         |s| s.feed && s.per_minute && s.xy_plane,
         |w| {
             w.block("g17 g90 g0 x0 y0");
-            let (code, radius) = (*w.dice.pick(&["g2", "g3"]), *w.dice.pick(&["5", "-5", "8"]));
+            let code = *w.dice.pick(&["g2", "g3"]);
+            // Half of the way is 2.5: one radius is too small for it by a rounding.
+            let radius = if w.dice.chance(20) { "2.4999" } else { *w.dice.pick(&["5", "-5", "8"]) };
             w.block(&format!("{code} x3 y4 r{radius}"));
             w.state.moving = false;
         },
@@ -37,8 +39,12 @@ pub(in super::super) const ROWS: &[Row] = &[
         |s| s.feed && s.per_minute,
         |w| {
             w.block("g17 g90 g91.1");
-            let turns = *w.dice.pick(&["", " p2", " p1"]);
-            w.block(&format!("g2 i2 j0{turns}"));
+            let words = match w.dice.below(20) {
+                0..=4 => "i2 j0 p0",
+                5..=10 => "i0 j0",
+                _ => *w.dice.pick(&["i2 j0", "i2 j0 p2", "i2 j0 p1"]),
+            };
+            w.block(&format!("g2 {words}"));
             w.state.moving = false;
         },
     ),
@@ -97,6 +103,31 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.moves(true);
         },
     ),
+    Row::when(
+        "compensation.standing",
+        Kind::Compensation,
+        13,
+        |s| s.io > 0 && s.xy_plane,
+        |w| {
+            // Without a move in between there is no path to compensate.
+            w.block("g17 g40");
+            w.block("g41.1 d2");
+            let tools = w.state.tools.clone();
+            let tool = if tools.is_empty() { 0 } else { *w.dice.pick(&tools) };
+            let words = match w.dice.below(7) {
+                0 => "m66 p0".to_owned(),
+                1 => (*w.dice.pick(&["m62 p0", "m65 p0", "m68 e0 q1"])).to_owned(),
+                2 => (*w.dice.pick(&["g43.1 z1", "g49"])).to_owned(),
+                3 => "g18".to_owned(),
+                4 => "g10 l2 p1 x1".to_owned(),
+                5 => format!("t{tool} m6"),
+                _ => format!("g43 h{tool}"),
+            };
+            w.block(&words);
+            w.block("g40");
+            w.state.xy_plane = words != "g18";
+        },
+    ),
     Row::any("predefined.go", Kind::Predefined, 8, |w| {
         let code = *w.dice.pick(&["g28", "g30"]);
         let axes = if w.dice.chance(50) { w.axes(2) } else { String::new() };
@@ -122,6 +153,10 @@ pub(in super::super) const ROWS: &[Row] = &[
         |w| {
             let tools = w.state.tools.clone();
             let (kind, tool) = (*w.dice.pick(&["1", "10", "11"]), *w.dice.pick(&tools));
+            if w.dice.chance(20) {
+                w.block(&format!("g10 l1 p{tool}"));
+                return;
+            }
             let axes = w.axes(2);
             let radius = if w.dice.chance(30) { " r2" } else { "" };
             w.block(&format!("g10 l{kind} p{tool}{axes}{radius}"));

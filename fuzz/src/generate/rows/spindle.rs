@@ -34,11 +34,16 @@ pub(in super::super) const ROWS: &[Row] = &[
     }),
     Row::any("spindle.orient", Kind::Spindle, 4, |w| {
         let (angle, which) = (w.within(0, 359), w.spindle_word(20));
-        let more = *w.dice.pick(&[" q1", " p0 q1", " p1 q2", " p2 q0.5"]);
+        let more = if w.dice.below(200) == 0 {
+            " q0"
+        } else {
+            *w.dice.pick(&[" q1", " p0 q1", " p1 q2", " p2 q0.5"])
+        };
         w.block(&format!("m19 r{angle}{more}{which}"));
     }),
     Row::any("coolant", Kind::Coolant, 20, |w| {
-        let code = *w.dice.pick(&["m7", "m8", "m9", "m9"]);
+        let both = w.dice.below(1000) == 0;
+        let code = if both { "m7 m8" } else { *w.dice.pick(&["m7", "m8", "m9", "m9"]) };
         w.block(code);
     }),
     Row::any("override.both", Kind::Override, 10, |w| {

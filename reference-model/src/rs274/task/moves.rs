@@ -1,4 +1,4 @@
-//! Moves are held where they begin, each for itself, and the operator acts in the dwells between them.
+//! Moves are held where they begin, each for itself, and the operator acts in the dwells and waits between them.
 //!
 //! A canned cycle is the moves and dwells that it stands for, and what it computes does not depend on how long they take. So a phase that may be
 //! held is executed up to the first move or dwell that takes time; the operator acts there; and then it is executed again, with that
@@ -115,7 +115,7 @@ impl Watch {
 }
 
 impl Run<'_> {
-    /// Whether a move of the phase may be held, or somebody may act between its moves.
+    /// Whether a move of the phase may be held, or somebody may act between its moves or its waits.
     pub(super) fn is_watched(&self, phase: Phase, words: &Words) -> bool {
         let outside = &self.state.outside;
         let may_be_held = self.pause_asked || step::feed::may_be_held(&self.state);
