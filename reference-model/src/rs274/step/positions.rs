@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::{Axis, Compensation, FaultKind, Position};
 
-use super::target::{end_point, letter};
+use super::target::{end_point, letter, shifted};
 use super::tool_change::traverse;
 use super::word;
 use crate::rs274::machine::State;
@@ -101,10 +101,9 @@ fn straight(first: u32, state: &mut State, record: &mut Record) {
 
 /// Where G28 and G30 lead.
 fn destination(first: u32, state: &State) -> Position {
-    let mut there =
-        each(stored(first, state), beside_machine_point(state), |point, beside| point + beside);
+    let mut there = each(stored(first, state), beside_machine_point(state), shifted);
     for axis in Axis::ALL.iter().copied() {
-        *there.get_mut(axis) += beside_machine_angle(axis, state);
+        *there.get_mut(axis) = shifted(there.get(axis), beside_machine_angle(axis, state));
     }
     there
 }

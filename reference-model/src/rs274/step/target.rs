@@ -96,7 +96,8 @@ pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
     let beside = beside_machine_point(state);
     let moved = moved(words, state);
     for (axis, value) in &moved {
-        *end.get_mut(*axis) = value + beside.get(*axis) + beside_machine_angle(*axis, state);
+        *end.get_mut(*axis) =
+            shifted(*value, beside.get(*axis) + beside_machine_angle(*axis, state));
     }
     let mut there = state.modes.program_point(end);
     // An axis that does not move stays where it is to the last bit; in a rotated system X and Y move together.
@@ -107,6 +108,11 @@ pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
         *there.get_mut(axis) = state.position.get(axis);
     }
     there
+}
+
+/// A coordinate beside which a controller is. Nothing moves nothing, not even a zero out of its quadrant.
+pub(super) fn shifted(coordinate: f64, by: f64) -> f64 {
+    if by == 0.0 { coordinate } else { coordinate + by }
 }
 
 /// The point that polar words name.
