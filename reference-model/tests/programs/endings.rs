@@ -61,3 +61,11 @@ fn nobody_says_whose_p_it_is_when_two_codes_use_it() {
     }
     refuses("g64 g4 p1 q0.1 h1\nm2\n", "unused_word at main.ngc:1");
 }
+
+#[test]
+fn a_row_of_cycles_over_another_plane_has_no_initial_level() {
+    let row = "f1 g0 z1\ng81 z0 r0\ng18 y0 r0\ng98 x0\nm2\n";
+    assert_eq!(ending(&outcome(row)), "unspecified at main.ngc:4");
+    let back = "f1 g0 z1\ng81 z0 r0\ng18 y0 r0\ng17 g98 z0 r0\nm2\n";
+    assert_eq!(ending(&outcome(back)), "program_end");
+}

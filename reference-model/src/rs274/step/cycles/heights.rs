@@ -27,12 +27,26 @@ pub struct Series {
     peck: Option<f64>,
     /// Where the normal axis was before the first of them.
     initial: f64,
-    /// The plane of the last block.
+    /// What the initial level is told in: that of the first block.
+    first: Frame,
+    /// What the other numbers are told in: that of the last block.
+    last: Frame,
+}
+
+/// What the numbers of a cycle depend on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Frame {
     plane: Plane,
-    /// The length unit of the last block.
     unit: LengthUnit,
-    /// Where the program's zero was on the machine at the last block: with another one the initial level is another number.
+    /// Where the program's zero is on the machine: with another one the initial level is another number.
     zero: Position,
+}
+
+impl Frame {
+    fn of(state: &State) -> Self {
+        let zero = state.modes.machine_point(Position::default());
+        Self { plane: state.modes.plane, unit: state.modes.units, zero }
+    }
 }
 
 /// Finds the numbers of a cycle.
@@ -76,9 +90,9 @@ pub(super) fn find(
     state.evidence.accepted("cycles.retract-below-bottom");
     let dwell = super::strokes::dwell(kind, words, same.and_then(|same| same.dwell), state)?;
     let peck = super::strokes::peck(kind, words, same.and_then(|same| same.peck), state)?;
-    let (plane, unit) = (state.modes.plane, state.modes.units);
-    let zero = state.modes.machine_point(Position::default());
-    let series = Series { motion, depth, retract, dwell, peck, initial, plane, unit, zero };
+    let last = Frame::of(state);
+    let first = before.map_or(last, |before| before.first);
+    let series = Series { motion, depth, retract, dwell, peck, initial, first, last };
     let cycle = Cycle {
         kind,
         axes,
@@ -128,12 +142,12 @@ fn unchanged(
     state: &State,
 ) -> Result<(), Halt> {
     let Some(before) = before else { return Ok(()) };
-    let told_anew = before.plane != state.modes.plane || before.unit != state.modes.units;
-    let moved = before.zero != state.modes.machine_point(Position::default());
+    let now = Frame::of(state);
+    let told_anew = before.last.plane != now.plane || before.last.unit != now.unit;
     let has = |letter: char| word(words, letter).is_some();
     let all_programmed = has('r') && has(crate::rs274::step::letter(normal));
     let to_initial = state.modes.retract == Retract::OldZ;
-    if told_anew && (to_initial || !all_programmed) || moved && to_initial {
+    if told_anew && !all_programmed || before.first != now && to_initial {
         let what = "a row of cycles over a change of plane, length unit or offset";
         return Err(Halt::Unspecified(what.to_owned()));
     }
