@@ -12,7 +12,9 @@ use gaugeblock::fuzz::journal::Chunk;
 use gaugeblock::fuzz::statistics::Statistics;
 use gaugeblock::fuzz::{Came, Extent, Plan, Shard, run};
 use gaugeblock_fuzz::generate::{Recipe, Setups};
-use gaugeblock_trace::{Effect, Event, LengthUnit, Options, Outcome, Scenario, SpindleTurn};
+use gaugeblock_trace::{
+    Effect, Event, Language, LengthUnit, Options, Outcome, Scenario, SpindleTurn,
+};
 
 /// Few enough for a debug build, and several chunks.
 const PROGRAMS: u64 = 300;
@@ -95,6 +97,16 @@ fn a_planted_fault_is_found_and_shrunk() {
         assert!(small.shrunk);
         assert!(small.rules.iter().any(|rule| rule.starts_with("dwell.")), "{:?}", small.rules);
     }
+}
+
+#[test]
+fn post_processors_are_fuzzed_too() {
+    let (production, reference) = (Production::default(), Reference::default());
+    let recipe = Recipe { language: Language::Gpp, wrong_programs: 0, ..Recipe::default() };
+    let plan = Plan { recipe, ..plan(&production, &reference) };
+    let (statistics, finds) = together(chunks(&plan, Shard { index: 1, of: 1 }, &BTreeSet::new()));
+    assert_eq!(finds, []);
+    assert!(statistics.accepted * 2 > PROGRAMS, "{} of {PROGRAMS}", statistics.accepted);
 }
 
 #[test]

@@ -4,6 +4,7 @@ use gaugeblock_trace::{Effect, FaultKind, Position, Settings};
 
 use crate::begun::BlockBegun;
 use crate::done::BlockDone;
+use crate::gpp::StatementDone;
 use crate::probing::Probing;
 
 /// What receives the commands of a program, in order.
@@ -35,6 +36,12 @@ pub trait Sink {
     /// A block is done; for those who record. A refused block is never done.
     #[inline]
     fn block_done(&mut self, done: &mut BlockDone<'_>) {
+        let _nothing = done;
+    }
+
+    /// A step of a post-processor is done; for those who record. A refused one is never done.
+    #[inline]
+    fn statement_done(&mut self, done: &StatementDone<'_>) {
         let _nothing = done;
     }
 }

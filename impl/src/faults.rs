@@ -102,6 +102,34 @@ faults! {
     "feed.negative" NegativeFeed,
     /// A move under inverse time does without F.
     "feed.inverse-time-old" InverseTimeOld,
+    /// A printed member of a modal array stays on.
+    "gpp.member-stays" MemberStays,
+    /// Identical variables share nothing.
+    "gpp.identical-apart" IdenticalApart,
+    /// Identical variables are printed in the format of the one that is assigned.
+    "gpp.identical-format" IdenticalFormat,
+    /// A modal variable that is off is left out in GPP2.
+    "gpp.off-left-out" OffLeftOut,
+    /// PRINT leaves modal variables on.
+    "gpp.print-keeps" PrintKeeps,
+    /// A non-modal variable that is printed goes off.
+    "gpp.non-modal-off" NonModalOff,
+    /// Numbers are compared with all their digits.
+    "gpp.compared-exactly" ComparedExactly,
+    /// A value that is printed the same is another one all the same.
+    "gpp.changed-by-value" ChangedByValue,
+    /// A variable that a block of the toolpath does not include stays on.
+    "gpp.presence-stays" PresenceStays,
+    /// A variable that is assigned its first value stays off.
+    "gpp.first-stays-off" FirstStaysOff,
+    /// Of a whole array the first member alone is switched.
+    "gpp.first-member-only" FirstMemberOnly,
+    /// An index is cut off and not rounded.
+    "gpp.index-cut" IndexCut,
+    /// The newline procedure runs once in an OUTPUT.
+    "gpp.newline-once" NewlineOnce,
+    /// A tie is rounded toward zero.
+    "gpp.tie-toward-zero" TieTowardZero,
     /// Waiting for a falling edge is waiting for the low level.
     "inputs.fall-as-low" FallAsLow,
     /// M66 leaves its result in no parameter.

@@ -3,6 +3,7 @@
 //! ```text
 //! Source ─► Interpreter ─► Sink        program text to settings and effects, a block at a time
 //! Source ─► Task ─► Machine             the same within a controller: modes, pauses, requests, inputs, outputs, pins
+//! PostProcessor ─► Sink                a post-processor's program and a toolpath to what it prints, a step at a time
 //! Effect ─► Resolver ─► Segment            effects in machine coordinates: offsets, units, planes, feeds
 //! Segment ─► Planner ─► OutputParameter    canonical moves to servo samples, a cycle at a time
 //! ```
@@ -74,6 +75,7 @@ pub mod faults;
 #[cfg(not(feature = "faults"))]
 #[expect(unreachable_pub, reason = "who embeds the interpreter cannot plant faults")]
 mod faults;
+pub mod gpp;
 mod in_order;
 mod interpret;
 mod limits;

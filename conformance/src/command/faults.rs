@@ -12,6 +12,9 @@ use crate::adapters::faulty::Faulty;
 use crate::certify::{Plan, Verdict, certify};
 use crate::suite::Suite;
 
+/// The edition that notices what is wrong with post-processors.
+const POST: &str = "gpp2";
+
 /// A planted fault, and the cases that notice it.
 struct Caught<'a> {
     fault: Fault,
@@ -22,13 +25,15 @@ struct Caught<'a> {
 /// Certifies production once with each fault. Fails where one is not noticed.
 pub(super) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8, Refused> {
     let edition = super::edition(suite, edition)?;
+    let post = super::edition(suite, POST)?;
     let jobs = std::thread::available_parallelism().unwrap_or(std::num::NonZero::<usize>::MIN);
     let plan = Plan { suite, edition, only: &[], jobs };
     let bar = progress(Fault::ALL.len());
     let caught: Vec<_> = Fault::ALL
         .iter()
         .filter_map(|fault| {
-            let run = certify(plan, &Faulty::new(*fault)?, &|| {});
+            let edition = if fault.name().starts_with("gpp.") { post } else { edition };
+            let run = certify(Plan { edition, ..plan }, &Faulty::new(*fault)?, &|| {});
             let fails = |verdict: &Verdict| {
                 matches!(verdict, Verdict::Diverges(_) | Verdict::ChargedElsewhere(_))
             };

@@ -27,6 +27,8 @@ const EXAMPLES: &str = "Examples:
       is anything of LinuxCNC's interpreter not explained yet?
   gaugeblock fuzz --options random --seconds 36000 --report nightly
       every reading of the documents, with a journal; after a kill: the same call with --resume
+  gaugeblock fuzz --edition gpp2 --programs 300000
+      programs of a post-processor
   gaugeblock fuzz --iut rs274 --known nightly/report.json --report tonight
       only what an earlier report does not tell
   gaugeblock fuzz --shard 3/8 --seed 20 --programs 1000000 --report shard-3
@@ -108,9 +110,9 @@ fn shard(text: &str) -> Result<Shard, String> {
 pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     let own = controller::own_edition(&arguments.iut);
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
-    if edition.language != Language::Rs274 {
+    if edition.language == Language::Nct {
         let message = format!("no programs are generated in the language {} yet", edition.language);
-        return Err(Refused::wrong(message, "name an edition of rs274"));
+        return Err(Refused::wrong(message, "name an edition of rs274 or gpp"));
     }
     let (options, random) = options(arguments, suite, edition)?;
     let known = arguments.known.as_deref().map(fuzz_report::read).transpose()?.unwrap_or_default();
@@ -119,13 +121,20 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     }
     let iut = controller::controller(&arguments.iut)?;
     let against = controller::controller(&arguments.against)?;
+    for controller in [&iut, &against] {
+        controller::speaks(controller.as_ref(), edition)?;
+    }
     controller::honours(iut.as_ref(), &options)?;
     controller::honours(against.as_ref(), &options)?;
     let options = without_defaults(options, suite);
     let plan = Plan {
         iut: iut.as_ref(),
         against: against.as_ref(),
-        recipe: recipe(arguments)?,
+        recipe: Recipe {
+            language: edition.language,
+            old_words: options.is("gpp.old-words", "accepted"),
+            ..recipe(arguments, edition)?
+        },
         seed: arguments.seed,
         spliced: if arguments.only.is_empty() { arguments.spliced } else { 0 },
         seeds: seeds(suite, edition, &options),
@@ -265,7 +274,11 @@ fn shrink_all(plan: &Plan<'_>, mut finds: Vec<Find>, attempts: u32) -> Vec<Find>
     merged(finds)
 }
 
-fn recipe(arguments: &Arguments) -> Result<Recipe, Refused> {
+fn recipe(arguments: &Arguments, edition: &Edition) -> Result<Recipe, Refused> {
+    if edition.language == Language::Gpp && !arguments.only.is_empty() {
+        let message = "the generator of a post-processor's programs has no rows";
+        return Err(Refused::wrong(message, "leave out --only"));
+    }
     let stand_alone = |name: &str| name.starts_with("rs274");
     let setups = if stand_alone(&arguments.iut) || stand_alone(&arguments.against) {
         Setups::StandAlone

@@ -2,9 +2,10 @@
 //!
 //! Choices come from [bytes or a seed](Dice). A program is written from the rows of a [table](TABLE), each of which knows where
 //! it is possible, so that most programs are accepted; a dial makes some of them slightly wrong. [`odd`] writes programs that are
-//! refused more often than not, [`splice`] mixes what others wrote, [`pairs`] writes what must do the same as something else.
+//! refused more often than not, [`gpp`] those of a post-processor, [`splice`] mixes what others wrote, [`pairs`] writes what must do the same as something else.
 
 mod dice;
+pub mod gpp;
 mod nudge;
 pub mod odd;
 pub mod pairs;
@@ -18,7 +19,7 @@ mod writer;
 mod wrong;
 
 use gaugeblock_trace::scenario::{Budget, Start};
-use gaugeblock_trace::{Program, Scenario};
+use gaugeblock_trace::{Language, Program, Scenario};
 
 pub use dice::Dice;
 pub use nudge::nudged;
@@ -34,6 +35,10 @@ pub const BUDGET: Budget = Budget { steps: 400, effects: 400, time: 10_000.0 };
 /// What is generated.
 #[derive(Clone, Debug)]
 pub struct Recipe {
+    /// In which language. What stands below but the programs that are wrong is of RS-274.
+    pub language: Language,
+    /// Whether programs of a post-processor have words of the old GPP.
+    pub old_words: bool,
     /// Fewest and most blocks of the main program.
     pub blocks: (u32, u32),
     /// In how many of a hundred programs something is slightly wrong.
@@ -53,6 +58,8 @@ pub struct Recipe {
 impl Default for Recipe {
     fn default() -> Self {
         Self {
+            language: Language::Rs274,
+            old_words: false,
             blocks: (4, 58),
             wrong_programs: 15,
             wrong_blocks: 5,
@@ -66,6 +73,9 @@ impl Default for Recipe {
 
 /// A scenario. Its options are empty: which documents apply is the caller's to say.
 pub fn scenario(dice: &mut Dice<'_>, recipe: &Recipe) -> Scenario {
+    if recipe.language == Language::Gpp {
+        return gpp::scenario(dice, recipe);
+    }
     let mut scenario = setup::scenario(dice, recipe.setups);
     let mut state = State::of(&scenario);
     let mut files = std::collections::BTreeMap::new();

@@ -2,10 +2,11 @@
 //!
 //! Everything that it does is shown exactly (`recorder`). What the outside of a controller answers comes from the scenario's bench
 //! (`outside`), what a person does and when from its operator (`operator`). The rest is the task's: this only translates. It honours every
-//! choice of the documents and no quirk: those are what other controllers do otherwise.
+//! choice of the documents and no quirk: those are what other controllers do otherwise. A post-processor's program needs none of this but a sink (`post`).
 
 mod operator;
 mod outside;
+mod post;
 mod recorder;
 mod run;
 mod supports;
@@ -15,7 +16,7 @@ mod tests;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use gaugeblock_trace::motion::Samples;
-use gaugeblock_trace::{Options, Outcome, Scenario};
+use gaugeblock_trace::{Language, Options, Outcome, Scenario};
 
 use super::{Adapter, Capabilities, HarnessError, Motion, NotMoved};
 use crate::motion::{Circumstances, plan_under};
@@ -47,7 +48,11 @@ impl Adapter for Production {
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         // It promises not to panic, and is not trusted to keep that.
-        catch_unwind(AssertUnwindSafe(|| run::run(scenario))).unwrap_or_else(|panic| {
+        catch_unwind(AssertUnwindSafe(|| match scenario.program.language {
+            Language::Gpp => post::run(scenario),
+            Language::Rs274 | Language::Nct => run::run(scenario),
+        }))
+        .unwrap_or_else(|panic| {
             let text = panic.downcast_ref::<String>().map(String::as_str);
             let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
             let stderr = text.unwrap_or_default().to_owned();

@@ -18,10 +18,12 @@ const ADAPTIVE_FEED: &str = "adaptive_feed";
 /// The reason why not.
 pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     options(&scenario.options)?;
-    if scenario.program.language != Language::Rs274 {
-        return Err(format!("it does not speak {}", scenario.program.language));
+    match scenario.program.language {
+        Language::Rs274 => bench(&scenario.bench),
+        // Machine and bench are not looked at.
+        Language::Gpp => Ok(()),
+        Language::Nct => Err(format!("it does not speak {}", scenario.program.language)),
     }
-    bench(&scenario.bench)
 }
 
 /// Quirks are what another controller does otherwise than its documents, and this one does as documents say.

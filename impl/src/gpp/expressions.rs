@@ -1,0 +1,202 @@
+//! Expressions and variables: read from left to right, written as operations behind their operands.
+
+use gaugeblock_trace::FaultKind;
+
+use super::compile::{Compiler, DEEPEST, NO_STATEMENT, Stop, too_deep};
+use super::lexer::{self, Token};
+use super::program::{Operation, Part, Place, Sum};
+use super::variables::Variable;
+use super::words::{self, Compare, Keyword};
+
+/// The refusal of a text where a number belongs, or the other way.
+pub(super) const WRONG_TYPE: Stop =
+    Stop::Refused(FaultKind::WrongType, "a text where a number belongs, or the other way");
+
+/// What has been read.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Node {
+    /// A variable alone, of which only the index has been written.
+    Variable { place: Place, is_text: bool },
+    /// Something else, written.
+    Number,
+}
+
+impl Compiler<'_> {
+    /// The variable of a place.
+    pub(super) fn variable(&self, place: Place) -> Option<&Variable> {
+        match place {
+            Place::Alone(slot) => self.variables.variable_of(slot),
+            Place::Member { variable, .. } => self.variables.variables.get(variable),
+        }
+    }
+
+    /// Writes what has been read as an operand.
+    fn write(&mut self, node: Node) -> Result<(), Stop> {
+        match node {
+            Node::Number => {}
+            Node::Variable { is_text: true, .. } => return Err(WRONG_TYPE),
+            Node::Variable { place: Place::Alone(slot), .. } => {
+                self.program.operations.push(Operation::Value(slot));
+            }
+            Node::Variable { place: Place::Member { variable, .. }, .. } => {
+                self.program.operations.push(Operation::Member(variable));
+            }
+        }
+        Ok(())
+    }
+
+    /// An expression, or a variable alone. What a test may look like in parentheses is left open in a condition.
+    pub(super) fn sum(&mut self, in_condition: bool) -> Result<Node, Stop> {
+        let mut node = self.product(in_condition)?;
+        loop {
+            let operation = match self.peek()? {
+                Token::Sign("+") => Sum::Add,
+                Token::Sign("-") => Sum::Subtract,
+                Token::Word(_)
+                | Token::Number(_)
+                | Token::Text(_)
+                | Token::Sign(_)
+                | Token::LineFeed
+                | Token::Bad(_)
+                | Token::End => return Ok(node),
+            };
+            self.take()?;
+            self.write(node)?;
+            let right = self.product(in_condition)?;
+            self.write(right)?;
+            self.program.operations.push(Operation::Two(operation));
+            node = Node::Number;
+        }
+    }
+
+    fn product(&mut self, in_condition: bool) -> Result<Node, Stop> {
+        let mut node = self.factor(in_condition)?;
+        loop {
+            let operation = match self.peek()? {
+                Token::Sign("*") => Sum::Multiply,
+                Token::Sign("/") => Sum::Divide,
+                Token::Word(_)
+                | Token::Number(_)
+                | Token::Text(_)
+                | Token::Sign(_)
+                | Token::LineFeed
+                | Token::Bad(_)
+                | Token::End => return Ok(node),
+            };
+            self.take()?;
+            self.write(node)?;
+            let right = self.factor(in_condition)?;
+            self.write(right)?;
+            self.program.operations.push(Operation::Two(operation));
+            node = Node::Number;
+        }
+    }
+
+    fn factor(&mut self, in_condition: bool) -> Result<Node, Stop> {
+        match self.take()? {
+            Token::Sign(sign @ ("+" | "-")) => {
+                self.enter()?;
+                let node = self.factor(in_condition)?;
+                self.write(node)?;
+                if sign == "-" {
+                    self.program.operations.push(Operation::Negate);
+                }
+                self.leave();
+                Ok(Node::Number)
+            }
+            Token::Sign("(") => {
+                self.enter()?;
+                if in_condition && self.peek()? == Token::Sign("!") {
+                    return Err(Stop::Open("! in a condition"));
+                }
+                let node = self.sum(in_condition)?;
+                if in_condition && self.is_of_condition()? {
+                    return Err(Stop::Open("parentheses around a test"));
+                }
+                self.expect(")")?;
+                self.leave();
+                Ok(node)
+            }
+            Token::Number(text) => {
+                let number = lexer::number(text).unwrap_or_default();
+                self.program.operations.push(Operation::Number(number));
+                Ok(Node::Number)
+            }
+            Token::Text(_) => Err(WRONG_TYPE),
+            Token::Word(word) => {
+                let flag = matches!(
+                    words::keyword(&word.to_ascii_uppercase()),
+                    Some(Keyword::VarSet | Keyword::VarNotSet)
+                );
+                if flag && in_condition && self.depth > 0 {
+                    return Err(Stop::Open("parentheses around a test"));
+                }
+                let (place, is_text) = self.reference(word, true)?;
+                Ok(Node::Variable { place, is_text })
+            }
+            Token::Sign(_) | Token::LineFeed | Token::Bad(_) | Token::End => Err(NO_STATEMENT),
+        }
+    }
+
+    /// Whether what comes next belongs to a condition and to no expression.
+    fn is_of_condition(&self) -> Result<bool, Stop> {
+        Ok(match self.peek()? {
+            Token::Sign("&&" | "||") => true,
+            Token::Sign(sign) => Compare::of_sign(sign).is_some(),
+            Token::Word(word) => {
+                let keyword = words::keyword(&word.to_ascii_uppercase());
+                matches!(keyword, Some(Keyword::Compare(_)))
+            }
+            Token::Number(_) | Token::Text(_) | Token::LineFeed | Token::Bad(_) | Token::End => {
+                false
+            }
+        })
+    }
+
+    fn enter(&mut self) -> Result<(), Stop> {
+        self.depth = self.depth.saturating_add(1);
+        if self.depth > DEEPEST { Err(too_deep()) } else { Ok(()) }
+    }
+
+    fn leave(&mut self) {
+        self.depth = self.depth.saturating_sub(1);
+    }
+
+    /// A variable by its name and, of an array, its index; whether it is a text. In an expression a name may be that of a function.
+    pub(super) fn reference(
+        &mut self,
+        word: &str,
+        in_expression: bool,
+    ) -> Result<(Place, bool), Stop> {
+        let name = word.to_ascii_uppercase();
+        if words::is_taken(&name) {
+            return Err(NO_STATEMENT);
+        }
+        let Some(variable) = self.names.get(&name).copied() else {
+            if in_expression && self.raw() == Token::Sign("(") {
+                return Err(Stop::Open("a function"));
+            }
+            let why = "a variable that is not declared";
+            return Err(Stop::Refused(FaultKind::NoSuchVariable, why));
+        };
+        let of = self.variables.variables.get(variable).ok_or(NO_STATEMENT)?;
+        let (first, size, is_text) = (of.first, of.size, of.is_text());
+        let has_index = self.raw() == Token::Sign("[");
+        if has_index != size.is_some() {
+            let why = "an array without an index, or an index on what is none";
+            return Err(Stop::Refused(FaultKind::Statement, why));
+        }
+        if !has_index {
+            return Ok((Place::Alone(first), is_text));
+        }
+        self.take()?;
+        self.enter()?;
+        let from = self.program.operations.len();
+        let node = self.sum(false)?;
+        self.write(node)?;
+        let index = Part { from, to: self.program.operations.len() };
+        self.expect("]")?;
+        self.leave();
+        Ok((Place::Member { variable, index }, is_text))
+    }
+}

@@ -1,0 +1,132 @@
+//! A compiled program: statements, expressions and texts in rows, and places in these rows.
+
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::words::Compare;
+
+/// Members of a row, from the first up to the one before `to`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Part {
+    pub(super) from: usize,
+    pub(super) to: usize,
+}
+
+impl Part {
+    pub(super) fn of<T>(self, row: &[T]) -> &[T] {
+        row.get(self.from..self.to).unwrap_or_default()
+    }
+}
+
+/// A program. Nothing in it is looked up by name any more.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Program {
+    pub(super) statements: Vec<Statement>,
+    pub(super) operations: Vec<Operation>,
+    pub(super) items: Vec<Item>,
+    pub(super) targets: Vec<Target>,
+    pub(super) tests: Vec<Test>,
+    pub(super) texts: Vec<String>,
+    /// Where the statements of the newline procedure begin.
+    pub(super) newline: Option<usize>,
+    /// What is warned of before anything runs, and at which line.
+    pub(super) warnings: Vec<(u32, String)>,
+}
+
+/// A statement, or a part of one that is a step of its own.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Statement {
+    Assign {
+        line: u32,
+        to: Place,
+        source: Source,
+    },
+    /// OUTPUT and PRINT.
+    Print {
+        line: u32,
+        items: Part,
+        is_output: bool,
+    },
+    Switch {
+        line: u32,
+        on: bool,
+        targets: Part,
+    },
+    /// Goes on elsewhere where the tests do not hold; warns where the variable of an `IF_SET` is not modal.
+    Test {
+        line: u32,
+        tests: Part,
+        otherwise: usize,
+        warns: bool,
+    },
+    Jump(usize),
+    /// The end of a block or of the newline procedure.
+    End,
+}
+
+/// A variable.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Place {
+    /// A slot.
+    Alone(usize),
+    /// A member of an array, by the variable and the expression of its index.
+    Member { variable: usize, index: Part },
+}
+
+/// Where a value comes from.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Source {
+    /// A place among the texts.
+    Text(usize),
+    Variable(Place),
+    Expression(Part),
+}
+
+/// An operation of an expression, after its operands.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Operation {
+    Number(f64),
+    /// The value of a slot.
+    Value(usize),
+    /// The value of the member whose index is on the stack.
+    Member(usize),
+    Negate,
+    Two(Sum),
+}
+
+/// An operation on two numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Sum {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+}
+
+/// What is printed.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Item {
+    /// The symbol of the newline procedure.
+    Symbol,
+    LineFeed,
+    /// A place among the texts.
+    Text(usize),
+    Variable(Place),
+}
+
+/// What is switched.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Target {
+    Place(Place),
+    /// A whole array.
+    Array(usize),
+    All,
+}
+
+/// One of the tests of a condition.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Test {
+    Flag { place: Place, on: bool },
+    Numbers { left: Source, compare: Compare, right: Source },
+    Texts { left: Source, compare: Compare, right: Source },
+}
