@@ -20,6 +20,8 @@ pub enum Token {
     Word(String),
     /// A number as it is written.
     Number(String),
+    /// What begins with a digit and is no number, in capitals: a word of a heading, such as `3D`, and nothing else.
+    HeadingWord(String),
     /// What stands between double quotes.
     Text(String),
     /// One of the signs.
@@ -105,14 +107,18 @@ fn quoted(text: &str) -> (Token, usize) {
 
 /// A number, or a word of a heading such as `3D`.
 fn beginning_with_a_digit(text: &str) -> Token {
-    let is_word = !text.contains('.') && text.contains(|c: char| !c.is_ascii_digit());
-    if is_word {
-        Token::Word(text.to_ascii_uppercase())
-    } else if is_number(text) {
+    if is_number(text) {
         Token::Number(text.to_owned())
+    } else if !text.contains('.') {
+        Token::HeadingWord(text.to_ascii_uppercase())
     } else {
-        Token::Bad(FaultKind::BadNumber, format!("this is no number: {text}"))
+        Token::Bad(FaultKind::BadNumber, no_number(text))
     }
+}
+
+/// What is said of a text that is no number.
+pub fn no_number(text: &str) -> String {
+    format!("this is no number: {text}")
 }
 
 /// Whether a text is `digits[.digits]` or `.digits`.

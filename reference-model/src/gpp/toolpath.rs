@@ -47,6 +47,8 @@ pub fn read(text: &str, readings: &Readings) -> Result<Toolpath, (u32, Halt)> {
     for (line, number) in text.lines().zip(1..) {
         reader.line(line, number).map_err(|halt| (number, halt))?;
     }
+    // A format may be given behind the variables that have it.
+    reader.toolpath.variables.take_modality_of_formats(readings);
     Ok(reader.toolpath)
 }
 

@@ -122,6 +122,13 @@ impl Variables {
         Ok(())
     }
 
+    /// Makes every variable as modal as its format is now, where formats have a modality.
+    pub fn take_modality_of_formats(&mut self, readings: &Readings) {
+        for variable in &mut self.all {
+            variable.modal = readings.modality_by_format && self.formats[variable.format].modal;
+        }
+    }
+
     /// Whether a variable holds texts.
     pub fn is_text(&self, variable: usize) -> bool {
         self.all[variable].format == CHARACTER

@@ -170,16 +170,15 @@ impl Reader<'_> {
                 Ok(if is_minus { negated(operand) } else { chain(operand) })
             }
             Token::Sign("(") => self.parenthesised(),
-            Token::Word(word) if word.starts_with(|c: char| c.is_ascii_digit()) => {
-                Err(not_a_number(&word))
-            }
             Token::Word(word) => self.named_operand(&word),
             Token::Text(_) => {
                 Err(self.same_type(true, false).err().unwrap_or_else(|| self.odd("a number")))
             }
-            Token::Sign(_) | Token::LineFeed | Token::Bad(..) | Token::End => {
-                Err(self.odd("a number, a variable, or an expression"))
-            }
+            Token::HeadingWord(_)
+            | Token::Sign(_)
+            | Token::LineFeed
+            | Token::Bad(..)
+            | Token::End => Err(self.odd("a number, a variable, or an expression")),
         }
     }
 

@@ -8,7 +8,7 @@ use super::{DEEPEST, Heading, Program, Statement, is_keyword};
 use crate::Evidence;
 use crate::gpp::readings::Readings;
 use crate::gpp::refusal::{Halt, refuse, refuse_form};
-use crate::gpp::text::{Placed, Token, tokens};
+use crate::gpp::text::{Placed, Token, no_number, tokens};
 use crate::gpp::variables::Variables;
 
 /// Reads a program over the variables that the toolpath declares.
@@ -128,6 +128,7 @@ impl Reader<'_> {
         match self.peek() {
             Token::Word(word) => Some(word),
             Token::Number(_)
+            | Token::HeadingWord(_)
             | Token::Text(_)
             | Token::Sign(_)
             | Token::LineFeed
@@ -140,6 +141,9 @@ impl Reader<'_> {
     pub(super) fn odd(&mut self, expected: &str) -> Halt {
         let found = match self.peek() {
             Token::Bad(kind, message) => return refuse("gpp.statement", *kind, message.clone()),
+            Token::HeadingWord(word) => {
+                return refuse("gpp.statement", FaultKind::BadNumber, no_number(word));
+            }
             Token::Word(word) | Token::Number(word) => word.clone(),
             Token::Text(text) => format!("{text:?}"),
             Token::Sign(sign) => (*sign).to_owned(),
@@ -163,7 +167,7 @@ impl Reader<'_> {
         let mut words = 0;
         for placed in rest {
             match &placed.token {
-                Token::Word(_) => words += 1,
+                Token::Word(_) | Token::HeadingWord(_) => words += 1,
                 Token::Number(number) if !number.contains('.') => words += 1,
                 Token::Sign(":") if words > 0 => return Some(words),
                 Token::Number(_)
@@ -202,7 +206,9 @@ impl Reader<'_> {
         let words = self.tokens[self.at..self.at + count].iter();
         let words: Vec<&str> = words
             .filter_map(|placed| match &placed.token {
-                Token::Word(word) | Token::Number(word) => Some(word.as_str()),
+                Token::Word(word) | Token::HeadingWord(word) | Token::Number(word) => {
+                    Some(word.as_str())
+                }
                 Token::Text(_) | Token::Sign(_) | Token::LineFeed | Token::Bad(..) | Token::End => {
                     None
                 }

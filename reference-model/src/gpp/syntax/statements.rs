@@ -93,9 +93,11 @@ impl Reader<'_> {
                 Ok(Item::Newline)
             }
             Token::Word(_) => Ok(Item::Variable(self.reference()?)),
-            Token::Number(_) | Token::Sign(_) | Token::Bad(..) | Token::End => {
-                Err(self.odd("a text, a variable, `\\J`, the newline symbol, or `;`"))
-            }
+            Token::Number(_)
+            | Token::HeadingWord(_)
+            | Token::Sign(_)
+            | Token::Bad(..)
+            | Token::End => Err(self.odd("a text, a variable, `\\J`, the newline symbol, or `;`")),
         }
     }
 
@@ -131,7 +133,7 @@ impl Reader<'_> {
         self.nest()?;
         let then = self.statements()?;
         let mut otherwise = Vec::new();
-        if self.word() == Some("ELSE") {
+        if self.word() == Some("ELSE") && !self.is_heading() {
             self.take();
             otherwise = self.statements()?;
         }
@@ -145,15 +147,12 @@ impl Reader<'_> {
     /// The word that ends a statement stands here. At a heading or the end of the program it is missing, which the statement is refused
     /// for; another such word belongs to no statement that is open.
     fn ends(&mut self, line: u32, word: &str) -> Result<(), Halt> {
-        if self.word() == Some(word) {
-            return Ok(());
-        }
         if self.is_heading() || *self.peek() == Token::End {
             self.begun = line;
             let message = format!("{word} is missing");
             return Err(refuse("gpp.statement", FaultKind::Statement, message));
         }
-        Err(self.odd(word))
+        if self.word() == Some(word) { Ok(()) } else { Err(self.odd(word)) }
     }
 
     /// The condition of `IF_SET`: one variable, which is warned of when it is tested. The old GPP has conditions there, too.
