@@ -195,7 +195,7 @@ impl Interpreter {
     /// `quirks` lists. Off unless this is called before the program begins.
     pub fn set_imitation(&mut self, imitates: bool) {
         self.packer.imitates = imitates;
-        self.modal.imitates = imitates;
+        self.modal.imitate(imitates);
     }
 
     /// Reads and executes one block, or a part of one: a canned cycle that is long takes more steps than one. An endless loop is a step that comes back `More`, for ever; a caller can stop it.

@@ -9,6 +9,7 @@
 //! * `rs274.cycle-retract-from-initial`: `modal::cycles`.
 //! * `rs274.tap-dwell-kept`: `modal::cycles`.
 //! * `rs274.arc-radius-tolerance`: `modal::arcs`.
+//! * `rs274.stored-rotation`: `modal`.
 
 use gaugeblock_trace::LengthUnit;
 

@@ -196,6 +196,14 @@ impl Modal {
         Ok(modal)
     }
 
+    /// Does as `rs274`, or not, from the start on: the point where the machine stands is one without the stored rotation.
+    pub(crate) fn imitate(&mut self, imitates: bool) {
+        self.imitates = imitates;
+        let now = *self.in_force.now();
+        let rotation = if imitates { 0.0 } else { now.rotation };
+        self.position = Modes { rotation, ..now }.program_of(Coordinates::default());
+    }
+
     /// All settings in force.
     pub(crate) fn settings(&self) -> Settings {
         self.in_force.settings()
