@@ -36,7 +36,7 @@ fn it_is_held_to_the_editions_of_documents() {
     let ids: Vec<_> = editions(&suite).iter().map(|edition| edition.id.as_str()).collect();
     assert_eq!(
         ids,
-        ["emc2-2.5", "gpp-classic", "gpp2", "m70-draft", "linuxcnc-2.8", "linuxcnc-2.9"]
+        ["emc2-2.5", "m70-draft", "linuxcnc-2.8", "linuxcnc-2.9", "gpp2", "gpp-classic"]
     );
 }
 

@@ -97,7 +97,7 @@ impl core::error::Error for NotCompiled {}
 /// let mut run = PostProcessor::new(program, Some(toolpath), &Options::default())?;
 /// let mut printer = Printer::default();
 /// while run.has_next() {
-///     run.step(&mut printer)?;
+///     run.step(&mut printer).map_err(|fault| fault.message)?;
 /// }
 /// assert_eq!(printer.0, "X1.5");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
