@@ -60,6 +60,29 @@ fn wrong_input_is_told_with_its_place() {
 }
 
 #[test]
+fn options_and_files_of_a_scenario_count() {
+    let here = folder("scenario-options");
+    let program = file(&here, "main.ngc", b"g1 f100\nm70\ng0\nm72\no<elsewhere> call\nm2\n");
+    let scenario = b"[options]\n\"saved-state.motion-mode\" = \"restored\"\n[program.files]\n\"elsewhere.ngc\" = \"o<elsewhere> sub\\n#<_seen>=1\\no<elsewhere> endsub\\n\"\n";
+    let scenario = file(&here, "scenario.toml", scenario);
+    let said = |more: &[&str]| {
+        let arguments =
+            [&["run", program.as_str(), "--scenario", scenario.as_str()], more].concat();
+        String::from_utf8(gaugeblock(&arguments).stdout).expect("text")
+    };
+    let restored = said(&[]);
+    assert!(restored.contains("block main.ngc:4\n  state motion=feed"), "{restored}");
+    assert!(restored.contains("end program_end"), "{restored}");
+    let called_otherwise = said(&["--option", "saved-state.motion-mode=not-restored"]);
+    assert!(
+        !called_otherwise.contains("block main.ngc:4\n  state motion=feed"),
+        "{called_otherwise}"
+    );
+    let wrong = file(&here, "wrong.toml", b"[options]\n\"no.such\" = \"thing\"\n");
+    refused(&["run", &program, "--scenario", &wrong], 2, &["no.such", "--choices"]);
+}
+
+#[test]
 fn a_wrong_suite_is_told_with_its_page() {
     let here = folder("wrong-suite");
     std::fs::create_dir_all(here.join("feed")).expect("a folder for the test");

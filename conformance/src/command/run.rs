@@ -51,7 +51,7 @@ pub(super) struct How {
     /// Another option of a choice or quirk; may be repeated
     #[arg(long, value_name = "CHOICE=OPTION")]
     option: Vec<String>,
-    /// Machine, bench, operator and budget, as a TOML file (`gaugeblock schema scenario`)
+    /// Machine, bench, operator, budget, options and further files, as a TOML file (`gaugeblock schema scenario`)
     #[arg(long, value_name = "FILE")]
     scenario: Option<PathBuf>,
     /// Skip blocks that begin with a slash
@@ -80,14 +80,21 @@ impl How {
             main: place::program(file)?,
             language: edition.language,
             files: match edition.language {
-                Language::Rs274 => beside(file),
+                Language::Rs274 => {
+                    let mut files = beside(file);
+                    files.extend(std::mem::take(&mut scenario.program.files));
+                    files
+                }
                 Language::Gpp => toolpath(file, &scenario.program)?,
                 Language::Nct => BTreeMap::new(),
             },
             block_delete: self.block_delete || scenario.program.block_delete,
             ..scenario.program
         };
-        scenario.options = super::options_with(suite, edition, &self.option)?;
+        // What the call names comes before what the scenario names, and that before the edition.
+        let named = scenario.options.0.iter().map(|(id, option)| format!("{id}={option}"));
+        let named: Vec<_> = named.chain(self.option.iter().cloned()).collect();
+        scenario.options = super::options_with(suite, edition, &named)?;
         if scenario.bench == Bench::default() {
             scenario.bench.name.clone_from(&edition.bench);
         }
