@@ -47,47 +47,31 @@ impl Compiler<'_> {
 
     /// An expression, or a variable alone. What a test may look like in parentheses is left open in a condition.
     pub(super) fn sum(&mut self, in_condition: bool) -> Result<Node, Stop> {
-        let mut node = self.product(in_condition)?;
-        loop {
-            let operation = match self.peek()? {
-                Token::Sign("+") => Sum::Add,
-                Token::Sign("-") => Sum::Subtract,
-                Token::Word(_)
-                | Token::Number(_)
-                | Token::Text(_)
-                | Token::Sign(_)
-                | Token::LineFeed
-                | Token::Bad(_)
-                | Token::End => return Ok(node),
-            };
-            self.take()?;
-            self.write(node)?;
-            let right = self.product(in_condition)?;
-            self.write(right)?;
-            self.program.operations.push(Operation::Two(operation));
-            node = Node::Number;
-        }
+        self.chain(&[("+", Sum::Add), ("-", Sum::Subtract)], Self::product, in_condition)
     }
 
     fn product(&mut self, in_condition: bool) -> Result<Node, Stop> {
-        let mut node = self.factor(in_condition)?;
+        self.chain(&[("*", Sum::Multiply), ("/", Sum::Divide)], Self::factor, in_condition)
+    }
+
+    /// Operands with operators of one precedence between them, from the left.
+    fn chain(
+        &mut self,
+        operators: &[(&str, Sum)],
+        operand: fn(&mut Self, bool) -> Result<Node, Stop>,
+        in_condition: bool,
+    ) -> Result<Node, Stop> {
+        let mut node = operand(self, in_condition)?;
         loop {
-            let operation = match self.peek()? {
-                Token::Sign("*") => Sum::Multiply,
-                Token::Sign("/") => Sum::Divide,
-                Token::Word(_)
-                | Token::Number(_)
-                | Token::Text(_)
-                | Token::Sign(_)
-                | Token::LineFeed
-                | Token::Bad(_)
-                | Token::End => return Ok(node),
+            let Token::Sign(sign) = self.peek()? else { return Ok(node) };
+            let Some((_, operation)) = operators.iter().find(|(known, _)| *known == sign) else {
+                return Ok(node);
             };
             self.take()?;
             self.write(node)?;
-            let right = self.factor(in_condition)?;
+            let right = operand(self, in_condition)?;
             self.write(right)?;
-            self.program.operations.push(Operation::Two(operation));
+            self.program.operations.push(Operation::Two(*operation));
             node = Node::Number;
         }
     }
