@@ -103,7 +103,7 @@ pub struct Plan<'a> {
 
 /// Runs the suite; `done` is told of each finished case.
 pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + Sync)) -> Run<'a> {
-    let options = plan.suite.options(plan.edition);
+    let options = options_of(plan.suite, plan.edition, controller);
     let (void, cases) = select(plan, controller);
     let key = |subject: &Subject<'_>| match subject {
         Subject::Run(case) => controller.order_key(&scenario_of(case, &options, plan.edition)),
@@ -134,6 +134,15 @@ pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + 
     });
     let results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
     Run { edition: plan.edition, cases: results.into_iter().flatten().collect(), void }
+}
+
+/// The options that a controller is held to: the edition's, and on top of them those that it declares to read the documents by.
+pub fn options_of(suite: &Suite, edition: &Edition, controller: &dyn Adapter) -> Options {
+    let mut options = suite.options(edition);
+    for (id, option) in controller.options().0.iter() {
+        options.0.insert(id.clone(), option.clone());
+    }
+    options
 }
 
 /// How many cases a plan runs.
@@ -351,6 +360,9 @@ impl Against<'_> {
         let Some(Ok(anew)) = self.controller.run_anew(self.scenario) else {
             return Some((departure, found));
         };
+        if anew == found {
+            return Some((departure, found));
+        }
         *result = CaseResult { repeated: true, ..unjudged };
         let departure = self.departure(case, expected, &anew, result)?;
         Some((departure, anew))

@@ -19,6 +19,7 @@ pub mod fuzz;
 pub mod judge;
 pub mod motion;
 pub mod observe;
+pub mod protocol;
 pub mod report;
 pub mod rs274;
 pub mod suite;

@@ -3,6 +3,7 @@
 //! **Invariant:** an adapter does nothing that an adapter in another language could not do: it knows the vocabulary and
 //! its controller, and no model of the language.
 
+pub mod exec;
 #[cfg(feature = "faulty")]
 pub mod faulty;
 pub mod linuxcnc;
@@ -186,6 +187,16 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// # Errors
     /// There is no outcome to judge: the controller crashed, hung, flooded, or was not understood.
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError>;
+
+    /// Options of choices that it declares to read the documents by: they configure the specification that it is held to.
+    fn options(&self) -> Options {
+        Options::default()
+    }
+
+    /// The edition that it is held to where none is named, if it says so itself.
+    fn own_edition(&self) -> Option<&str> {
+        None
+    }
 
     /// The edition that says what it really does, if there is one.
     fn observed_edition(&self) -> Option<&'static str> {

@@ -2,11 +2,13 @@
 
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use clap::Args;
 
 use super::{Format, Refused, controller, place, write_out};
-use crate::adapters::Capabilities;
+use crate::adapters::exec::Limits;
+use crate::adapters::{Adapter, Capabilities};
 use crate::certify::{Plan, Run, certify as run_suite, count};
 use crate::expectations::Expectations;
 use crate::report::{Report, json, junit, profiles, terminal};
@@ -25,6 +27,8 @@ const EXAMPLES: &str = "Examples:
       fail unless it passes every rule of these profiles
   gaugeblock certify linuxcnc --only outputs --only inputs
       hold LinuxCNC's whole controller, with a simulated machine, to two chapters of its manual
+  gaugeblock certify \"exec:python3 adapter.py\" --profile modal-save
+      hold a controller behind an adapter (`gaugeblock adapter --help`)
   gaugeblock certify reference --edition m70-draft --only saved-state
       hold the specification to one chapter of an edition";
 
@@ -58,6 +62,9 @@ pub(super) struct Arguments {
     /// Run each program also unobserved, to see that observing changes nothing [default: a sample]
     #[arg(long)]
     check_observation: bool,
+    /// Seconds that a controller behind an adapter has for an answer
+    #[arg(long, value_name = "SECONDS", default_value_t = 10)]
+    time_limit: u64,
     /// How many cases run at once [default: one more than there are processors]
     #[arg(long, short, value_name = "N")]
     jobs: Option<NonZero<usize>>,
@@ -67,8 +74,9 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
-    let own = controller::own_edition(&arguments.controller);
-    let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    if let Some(edition) = &arguments.edition {
+        super::edition(suite, edition)?;
+    }
     if let Some(unknown) = arguments.profile.iter().find(|id| suite.profile(id).is_none()) {
         let known: Vec<_> = suite.profiles.iter().map(|profile| profile.id.as_str()).collect();
         return Err(Refused::wrong(
@@ -80,7 +88,16 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
     }
-    let mut controller = controller::controller(&arguments.controller)?;
+    let mut controller: Box<dyn Adapter> = match arguments.controller.strip_prefix("exec:") {
+        Some(command) => {
+            let time = Duration::from_secs(arguments.time_limit);
+            Box::new(controller::exec(command, Limits { time, ..Limits::default() })?)
+        }
+        None => controller::controller(&arguments.controller)?,
+    };
+    let own = controller.own_edition().unwrap_or(controller::own_edition(&arguments.controller));
+    let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    controller::declared_options(controller.as_ref(), suite)?;
     controller::honours(controller.as_ref(), &suite.options(edition))?;
     controller::speaks(controller.as_ref(), edition)?;
     if arguments.check_observation {

@@ -5,15 +5,16 @@ use std::path::Path;
 use gaugeblock_trace::{Language, Options, Scenario};
 
 use super::Refused;
+use crate::adapters::exec::{Exec, Limits};
 use crate::adapters::linuxcnc::LinuxCnc;
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::rs274::Rs274;
 use crate::adapters::{Adapter, ControllerError};
-use crate::suite::Edition;
+use crate::suite::{Edition, Suite};
 
 /// The names, as the help tells them.
-pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine";
+pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`)";
 
 /// The controller of a name.
 pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
@@ -24,10 +25,7 @@ pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
         Some(("rs274", path)) => rs274(Some(Path::new(path))),
         None if name == "linuxcnc" => Ok(Box::new(linuxcnc()?)),
         Some(("faulty", fault)) => faulty(fault),
-        _ if name.starts_with("exec:") => Err(Refused::unfinished(
-            format!("the controller `{name}` is not there yet"),
-            format!("one of {NAMES}"),
-        )),
+        Some(("exec", command)) => Ok(Box::new(exec(command, Limits::default())?)),
         _ => Err(Refused::wrong(
             format!("there is no controller `{name}`"),
             format!("one of {NAMES}"),
@@ -78,6 +76,22 @@ fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, Refused> {
     }
 }
 
+/// A controller behind an adapter.
+pub(super) fn exec(command: &str, limits: Limits) -> Result<Exec, Refused> {
+    if command.trim().is_empty() {
+        return Err(Refused::wrong(
+            "`exec:` names no command",
+            "as in exec:./my-adapter, or \"exec:python3 adapter.py\"",
+        ));
+    }
+    Exec::start(command, limits).map_err(|error| {
+        Refused::unfinished(
+            format!("exec:{command}: {error}"),
+            format!("`gaugeblock adapter check {command:?}` tells what is wrong with an adapter"),
+        )
+    })
+}
+
 /// LinuxCNC's whole controller.
 pub(super) fn linuxcnc() -> Result<LinuxCnc, Refused> {
     match LinuxCnc::find() {
@@ -108,6 +122,25 @@ pub(super) fn honours(controller: &dyn Adapter, options: &Options) -> Result<(),
     })
 }
 
+/// Refuses options that a controller declares and that are none.
+pub(super) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Result<(), Refused> {
+    let declared = controller.options();
+    let unknown = declared.0.iter().find(|(id, option)| {
+        let mut choices = suite.choices.iter().filter(|choice| choice.id == **id);
+        !choices.any(|choice| choice.options.iter().any(|known| known.name == **option))
+    });
+    match unknown {
+        None => Ok(()),
+        Some((id, option)) => Err(Refused::unfinished(
+            format!(
+                "{} declares an option that there is not: {id} = {option}",
+                controller.capabilities().name
+            ),
+            "`gaugeblock rules --choices` lists them",
+        )),
+    }
+}
+
 /// Refuses an edition in another language than the controller's: of such programs each would be unsupported, which is no certificate.
 pub(super) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), Refused> {
     if edition.language == Language::Rs274 {
@@ -124,7 +157,7 @@ pub(super) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), 
     })
 }
 
-/// The edition that a controller is held to where none is named.
+/// The edition that a controller is held to where none is named, and where it names none itself.
 pub(super) fn own_edition(name: &str) -> &'static str {
     if name.starts_with("rs274") || name == "linuxcnc" {
         "linuxcnc-2.9"

@@ -1,6 +1,8 @@
 //! The command line `gaugeblock`.
 
+mod adapter;
 mod certify;
+mod check;
 mod compare;
 mod controller;
 #[cfg(feature = "faulty")]
@@ -18,6 +20,7 @@ mod rs274;
 mod rules;
 mod run;
 mod schema;
+mod serve;
 mod shrink;
 
 use std::path::PathBuf;
@@ -101,6 +104,11 @@ enum Command {
     Fingerprint(fingerprint::Arguments),
     /// List the rules: sentences, sources, cases; check or bless the suite
     Rules(rules::Arguments),
+    /// Connect a controller: a template, a check, the words and schemas of the protocol
+    #[command(subcommand)]
+    Adapter(adapter::Adapter),
+    /// Speak the adapter protocol for a controller, on standard input and output
+    Serve(serve::Arguments),
     /// Print the JSON schema of a scenario or an outcome
     Schema(schema::Arguments),
 }
@@ -140,6 +148,8 @@ pub fn main() -> ExitCode {
             suite(&call).and_then(|suite| fingerprint::fingerprint(arguments, &suite))
         }
         Command::Rules(arguments) => rules::rules(arguments, call.suite.as_deref()),
+        Command::Adapter(arguments) => adapter::adapter(arguments),
+        Command::Serve(arguments) => serve::serve(arguments),
         Command::Schema(arguments) => schema::schema(arguments),
     };
     match done {

@@ -1,0 +1,192 @@
+//! What is wrong with an adapter, before anything is certified: each check is one scenario or two, and says in a sentence what came of it.
+
+use std::collections::BTreeSet;
+
+use gaugeblock_trace::{End, Language, Outcome, Scenario};
+
+use crate::adapters::exec::Exec;
+use crate::adapters::{Adapter, HarnessError};
+
+/// What a check came to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Came {
+    /// As it should be.
+    Fine(String),
+    /// Not as it should be: the adapter has to be mended before a verdict means anything.
+    Wrong(String),
+    /// It could not be looked at, and why.
+    LeftOut(String),
+}
+
+/// A check and what it came to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Check {
+    /// What is looked at.
+    pub what: &'static str,
+    /// What came of it.
+    pub came: Came,
+}
+
+/// A program that every control accepts, by language, and the same with one word that no control accepts.
+const PROGRAMS: &[(Language, &str, &str)] = &[
+    (Language::Rs274, "g21\ng0 x1\nm2\n", "g21\ng999 x1\nm2\n"),
+    (Language::Nct, "O1\nG0 X1\nM30\n", "O1\nG0 X[1/0]\nM30\n"),
+];
+
+/// A program that changes what a reset has to set back, and one that shows whether it was.
+const CHANGES: &str = "g20 g91 g18 f77 s500 m3 m8\n#31=5\n#<_kept>=6\ng92 x3\ng0 x1 y1 z1\nm2\n";
+
+/// Runs in a row whose time is taken.
+const RUNS: u32 = 50;
+
+/// Looks at an adapter. `clock` tells seconds.
+pub fn checks(adapter: &Exec, clock: &dyn Fn() -> f64) -> Vec<Check> {
+    let declared = adapter.declaration();
+    let told = format!("{} {}, protocol {}", declared.name, declared.version, declared.protocol);
+    let mut found = vec![Check { what: "declaration", came: Came::Fine(told) }];
+    let mut add = |what, came| found.push(Check { what, came });
+    add("unknown operation", unknown_operation(adapter));
+    let program = PROGRAMS.iter().find(|(language, ..)| declared.languages.contains(language));
+    let Some((language, accepted, refused)) = program else {
+        let why = "of its languages none has a program that needs nothing beside it";
+        add("accepts", Came::LeftOut(why.to_owned()));
+        return found;
+    };
+    let scenario = |text: &str| {
+        let mut scenario = Scenario::of(text);
+        scenario.program.language = *language;
+        scenario
+    };
+    let plain = scenario(accepted);
+    let first = adapter.run(&plain);
+    add("accepts", accepts(&first, accepted));
+    add("refuses", refuses(&adapter.run(&scenario(refused)), refused));
+    let Ok(first) = first else { return found };
+    add("configuration", configuration(adapter, &scenario));
+    add("same again", same(&first, &adapter.run(&plain), "the same program gives another outcome"));
+    add("reset", reset(adapter, &first, &plain));
+    add(
+        "new session",
+        match adapter.run_anew(&plain) {
+            Some(anew) => {
+                same(&first, &anew, "a new session gives another outcome than one that was reset")
+            }
+            None => Came::LeftOut("each run is a new one".to_owned()),
+        },
+    );
+    add("speed", speed(adapter, &plain, clock));
+    found
+}
+
+fn unknown_operation(adapter: &Exec) -> Came {
+    match adapter.asked_the_unknown() {
+        Ok(()) => Came::Fine("is refused, and the session goes on".to_owned()),
+        Err(error) => Came::Wrong(format!(
+            "an operation that it does not know must be answered with `refused`: {error}"
+        )),
+    }
+}
+
+fn accepts(outcome: &Result<Outcome, HarnessError>, program: &str) -> Came {
+    let end = match outcome {
+        Ok(outcome) => &outcome.end,
+        Err(error) => return Came::Wrong(format!("{program:?}: {error}")),
+    };
+    if *end == End::ProgramEnd {
+        return Came::Fine(format!("{program:?}"));
+    }
+    if let End::Unsupported { what, .. } = end {
+        return Came::Wrong(format!(
+            "{program:?} is not supported ({what}): of a controller that runs nothing, nothing is certified"
+        ));
+    }
+    Came::Wrong(format!(
+        "{program:?} ends as {}: this is a broken adapter rather than a broken controller",
+        end.name()
+    ))
+}
+
+fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str) -> Came {
+    let end = match outcome {
+        Ok(outcome) => &outcome.end,
+        Err(error) => return Came::Wrong(format!("{program:?}: {error}")),
+    };
+    if let End::Fault(fault) = end {
+        let without = if fault.block.is_some() { "" } else { ", without its block" };
+        return Came::Fine(format!("{program:?}{without}"));
+    }
+    if let End::Unsupported { what, .. } = end {
+        return Came::LeftOut(format!("{program:?} is not supported: {what}"));
+    }
+    Came::Wrong(format!("{program:?} ends as {}: an alarm has to be told as a fault", end.name()))
+}
+
+/// What the scenario stores comes back.
+fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> Came {
+    let declared = adapter.declaration();
+    let shows = declared.features.contains("parameters") && declared.observables.final_parameters;
+    if !shows || !declared.languages.contains(&Language::Rs274) {
+        let why = "it declares no feature `parameters`, or does not show parameters at the end";
+        return Came::LeftOut(why.to_owned());
+    }
+    let mut stored = scenario("g0 x1\nm2\n");
+    stored.machine.parameters.0.insert(31, 7.5);
+    match adapter.run(&stored) {
+        Ok(outcome) => {
+            let found = outcome.parameters.as_ref().and_then(|all| all.0.get(&31).copied());
+            if found == Some(7.5) {
+                Came::Fine("a stored parameter comes back".to_owned())
+            } else {
+                Came::Wrong(format!(
+                    "#31 = 7.5 was stored before the run; at the end it shows {found:?}"
+                ))
+            }
+        }
+        Err(error) => Came::Wrong(error.to_string()),
+    }
+}
+
+fn same(first: &Outcome, again: &Result<Outcome, HarnessError>, otherwise: &str) -> Came {
+    match again {
+        Ok(again) if again == first => Came::Fine("the same outcome".to_owned()),
+        Ok(again) => Came::Wrong(format!("{otherwise}: {}", difference(first, again))),
+        Err(error) => Came::Wrong(error.to_string()),
+    }
+}
+
+/// Nothing is left of a program that changed much. It may be refused: it has changed something before.
+fn reset(adapter: &Exec, first: &Outcome, plain: &Scenario) -> Came {
+    if plain.program.language != Language::Rs274 {
+        return Came::LeftOut(
+            "only a controller of rs274 has a program that changes much".to_owned(),
+        );
+    }
+    match adapter.run(&Scenario::of(CHANGES)) {
+        Ok(_) => same(
+            first,
+            &adapter.run(plain),
+            "something of an earlier program is left after `reset`",
+        ),
+        Err(error) => Came::Wrong(format!("{CHANGES:?}: {error}")),
+    }
+}
+
+fn speed(adapter: &Exec, plain: &Scenario, clock: &dyn Fn() -> f64) -> Came {
+    let begun = clock();
+    for _ in 0..RUNS {
+        if let Err(error) = adapter.run(plain) {
+            return Came::Wrong(error.to_string());
+        }
+    }
+    let each = (clock() - begun) / f64::from(RUNS);
+    Came::Fine(format!("{:.1} ms a run", each * 1000.0))
+}
+
+/// The first line in which the texts of two outcomes differ.
+fn difference(a: &Outcome, b: &Outcome) -> String {
+    let (a, b) = (a.to_text(), b.to_text());
+    let (first, second): (BTreeSet<_>, BTreeSet<_>) = (a.lines().collect(), b.lines().collect());
+    let gone = a.lines().find(|line| !second.contains(line)).unwrap_or("nothing").trim();
+    let new = b.lines().find(|line| !first.contains(line)).unwrap_or("nothing").trim();
+    format!("{gone:?} before, {new:?} now")
+}

@@ -1,0 +1,187 @@
+//! What a controller declares before it runs anything: the claim is bounded by it, and a word that is not of the vocabulary is an error.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock_trace::{
+    Effect, GppState, Language, LengthUnit, NctState, Options, Pin, Rs274State, Settings,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{FEATURES, VERSION};
+use crate::adapters::Capabilities;
+
+/// What a controller is and shows. Everything has to be said but what is marked as optional.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Declaration {
+    /// Version of the protocol: 1.
+    pub protocol: u32,
+    /// Name of the controller, as it stands in a report.
+    pub name: String,
+    /// Its version.
+    pub version: String,
+    /// Languages that it speaks; a case in another one is not run.
+    pub languages: Vec<Language>,
+    /// Length units that its machine can have; a case on a machine of another one is not run.
+    pub units: Vec<LengthUnit>,
+    /// What it has, of the names that [`FEATURES`] lists; a case that needs another one is not run.
+    pub features: BTreeSet<String>,
+    /// What it shows; nothing else is judged.
+    pub observables: Observables,
+    /// Largest absolute error of the numbers that it tells, in program units; 0 where they are exact.
+    pub resolution: f64,
+    /// What its times are.
+    pub clock: Clock,
+    /// Optional: the edition that it is held to where the caller names none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edition: Option<String>,
+    /// Optional: options of choices as this controller reads the documents. They configure the specification, and the report names them.
+    #[serde(default)]
+    pub options: Options,
+    /// Optional: how many sessions may run at once; as many as there are processors where nothing is said, 1 for a single machine.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sessions: Option<u16>,
+}
+
+/// What a controller shows, by the names of the vocabulary (`gaugeblock adapter vocabulary` lists them).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Observables {
+    /// Settings and fields of the state that it tells after each block.
+    pub fields: BTreeSet<String>,
+    /// Those of them whose value is also known at each effect.
+    pub fields_at_effects: BTreeSet<String>,
+    /// Effects that it tells whenever they happen.
+    pub effects: BTreeSet<String>,
+    /// Whether it tells a straight move whose end is where the controlled point is.
+    pub moves_in_place: bool,
+    /// Whether its faults name their kind.
+    pub fault_kinds: bool,
+    /// Whether it tells all numbered parameters at the end.
+    pub final_parameters: bool,
+    /// Optional: numbers of parameters that it does not tell at the end, first and last of each range.
+    #[serde(default)]
+    pub hidden_parameters: Vec<(u32, u32)>,
+    /// Pins whose changes it tells.
+    pub pins: BTreeSet<String>,
+}
+
+/// What a controller's times are.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Clock {
+    /// Only dwells and waits take time, and exactly as long as they say.
+    Virtual,
+    /// Times of the wall, with this resolution in seconds: what lasts less may not be seen.
+    Wall(f64),
+}
+
+impl Declaration {
+    /// What a controller of this project declares.
+    pub fn of(shows: &Capabilities, languages: Vec<Language>) -> Self {
+        Self {
+            protocol: VERSION,
+            name: shows.name.clone(),
+            version: shows.version.clone(),
+            languages,
+            units: vec![LengthUnit::Millimetre, LengthUnit::Inch],
+            features: FEATURES.iter().map(|(name, _)| (*name).to_owned()).collect(),
+            observables: Observables {
+                fields: shows.fields.clone(),
+                fields_at_effects: shows.fields_at_effects.clone(),
+                effects: shows.effects.clone(),
+                moves_in_place: shows.moves_in_place,
+                fault_kinds: shows.faults_have_kinds,
+                final_parameters: shows.final_parameters,
+                hidden_parameters: shows
+                    .hidden_parameters
+                    .iter()
+                    .map(|range| (*range.start(), *range.end()))
+                    .collect(),
+                pins: shows.pins.clone(),
+            },
+            resolution: shows.resolution,
+            clock: if shows.pin_period > 0.0 {
+                Clock::Wall(shows.pin_period)
+            } else {
+                Clock::Virtual
+            },
+            edition: None,
+            options: Options::default(),
+            sessions: None,
+        }
+    }
+
+    /// What can be judged of it.
+    ///
+    /// # Errors
+    /// A word that is not of the vocabulary, or a number that cannot be.
+    pub fn capabilities(&self) -> Result<Capabilities, String> {
+        if self.protocol != VERSION {
+            return Err(format!(
+                "it speaks version {} of the protocol, not {VERSION}",
+                self.protocol
+            ));
+        }
+        if self.name.trim().is_empty() || self.name.chars().any(char::is_control) {
+            return Err("`name` is no name".to_owned());
+        }
+        if self.languages.is_empty() || self.units.is_empty() {
+            return Err("it declares no language, or no length unit".to_owned());
+        }
+        let shows = &self.observables;
+        let known = Capabilities::everything("", "");
+        let features = FEATURES.iter().map(|(name, _)| (*name).to_owned()).collect();
+        words("features", &self.features, &features)?;
+        words("observables.fields", &shows.fields, &known.fields)?;
+        words("observables.fields_at_effects", &shows.fields_at_effects, &shows.fields)
+            .map_err(|error| format!("{error} (only what stands in `fields` can)"))?;
+        words("observables.effects", &shows.effects, &known.effects)?;
+        words("observables.pins", &shows.pins, &known.pins)?;
+        let pin_period = match self.clock {
+            Clock::Virtual => 0.0,
+            Clock::Wall(resolution) => resolution,
+        };
+        if !(self.resolution >= 0.0 && pin_period >= 0.0) {
+            return Err("a resolution is below zero".to_owned());
+        }
+        Ok(Capabilities {
+            name: self.name.clone(),
+            version: self.version.clone(),
+            resolution: self.resolution,
+            carried: BTreeMap::new(),
+            fields: shows.fields.clone(),
+            fields_at_effects: shows.fields_at_effects.clone(),
+            effects: shows.effects.clone(),
+            moves_in_place: shows.moves_in_place,
+            faults_have_kinds: shows.fault_kinds,
+            final_parameters: shows.final_parameters,
+            hidden_parameters: shows
+                .hidden_parameters
+                .iter()
+                .map(|(first, last)| *first..=*last)
+                .collect(),
+            pins: shows.pins.clone(),
+            pin_period,
+        })
+    }
+}
+
+/// The words that a declaration can have, by the place where they stand, in the order of the vocabulary.
+pub fn vocabulary() -> Vec<(&'static str, Vec<&'static str>)> {
+    vec![
+        ("features", FEATURES.iter().map(|(name, _)| *name).collect()),
+        ("settings (fields)", Settings::FIELDS.to_vec()),
+        ("state of rs274 (fields)", Rs274State::FIELDS.to_vec()),
+        ("state of gpp (fields)", GppState::FIELDS.to_vec()),
+        ("state of nct (fields)", NctState::FIELDS.to_vec()),
+        ("effects", Effect::NAMES.to_vec()),
+        ("pins", Pin::names().collect()),
+    ]
+}
+
+fn words(place: &str, said: &BTreeSet<String>, known: &BTreeSet<String>) -> Result<(), String> {
+    match said.iter().find(|word| !known.contains(*word)) {
+        Some(word) => Err(format!("`{place}` has {word:?}, which is no word of the vocabulary")),
+        None => Ok(()),
+    }
+}

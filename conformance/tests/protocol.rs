@@ -1,0 +1,262 @@
+//! The adapter protocol: the page holds, a controller behind it gets the verdicts that it gets without, and whatever an adapter does, the run
+//! is whole and nothing is left behind.
+
+use std::num::NonZero;
+use std::path::Path;
+use std::process::{Command, Output};
+use std::time::Duration;
+
+use gaugeblock::adapters::exec::{Exec, Limits};
+use gaugeblock::certify::{Plan, Verdict, certify};
+use gaugeblock::protocol::{Answer, Request};
+use gaugeblock::suite::{Suite, files};
+
+const PAGE: &str = include_str!("../adapters/PROTOCOL.md");
+const TEMPLATE: &str = include_str!("../adapters/template.py");
+const TEMPLATE_C: &str = include_str!("../adapters/template.c");
+
+fn gaugeblock(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
+        .args(arguments)
+        .env("NO_COLOR", "1")
+        .output()
+        .expect("the command runs")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// A file for a test.
+fn file(name: &str, content: &str) -> String {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("protocol");
+    std::fs::create_dir_all(&folder).expect("a folder for the test");
+    let path = folder.join(name);
+    std::fs::write(&path, content).expect("a file for the test");
+    path.to_str().expect("a path in UTF-8").to_owned()
+}
+
+/// The template with some of its text replaced.
+fn changed(name: &str, changes: &[(&str, &str)]) -> String {
+    let mut adapter = TEMPLATE.to_owned();
+    for (old, new) in changes {
+        assert!(adapter.contains(old), "the template has no {old:?}");
+        adapter = adapter.replace(old, new);
+    }
+    format!("python3 {}", file(name, &adapter))
+}
+
+#[test]
+fn the_examples_of_the_page_are_requests_and_answers() {
+    let blocks = PAGE.split("```json\n").skip(1).filter_map(|rest| rest.split("```").next());
+    let mut read = 0;
+    for line in blocks.flat_map(str::lines) {
+        let value: serde_json::Value = serde_json::from_str(line).expect(line);
+        if value["op"] == "something-new" {
+            assert!(serde_json::from_str::<Request>(line).is_err());
+        } else if value.get("op").is_some() {
+            let request: Request = serde_json::from_str(line).expect(line);
+            let written = serde_json::to_string(&request).expect(line);
+            assert_eq!(serde_json::from_str::<Request>(&written).expect(&written), request);
+        } else {
+            let answer: Answer = serde_json::from_str(line).expect(line);
+            let written = serde_json::to_string(&answer).expect(line);
+            assert_eq!(serde_json::from_str::<Answer>(&written).expect(&written), answer);
+        }
+        read += 1;
+    }
+    assert!(read >= 10, "{read} examples");
+}
+
+#[test]
+fn the_templates_are_short_and_nothing_is_wrong_with_them() {
+    for template in [TEMPLATE, TEMPLATE_C] {
+        assert!(template.lines().count() <= 60, "{}", template.lines().count());
+    }
+    let source = file("adapter.c", TEMPLATE_C);
+    let binary = source.strip_suffix(".c").expect("its name").to_owned();
+    let built =
+        Command::new("cc").args(["-std=c99", "-Wall", "-Werror", "-o", &binary, &source]).status();
+    assert!(built.expect("a C compiler").success());
+    for command in [changed("template.py", &[]), binary] {
+        let output = gaugeblock(&["adapter", "check", &command]);
+        assert_eq!(
+            output.status.code(),
+            Some(0),
+            "{}{}",
+            text(&output.stdout),
+            text(&output.stderr)
+        );
+    }
+}
+
+/// Rule, case and verdict, out of a report in JSON.
+fn verdicts(controller: &str, more: &[&str]) -> Vec<String> {
+    let output = gaugeblock(&[&["certify", controller, "--format", "json"], more].concat());
+    let report = text(&output.stdout);
+    let report: serde_json::Value = serde_json::from_str(&report)
+        .unwrap_or_else(|error| panic!("{error}: {report}{}", text(&output.stderr)));
+    let cases = report["cases"].as_array().expect("cases").iter();
+    let told = cases.map(|case| {
+        format!("{} {} {} {}", case["rule"], case["case"], case["verdict"], case["why"])
+    });
+    told.collect()
+}
+
+/// But for servo samples, which version 1 does not carry.
+#[test]
+fn a_controller_gets_the_same_verdicts_through_the_protocol() {
+    let serve = |name: &str| format!("exec:{} serve {name}", env!("CARGO_BIN_EXE_gaugeblock"));
+    for (name, more) in [("production", vec![]), ("reference", vec!["--edition", "gpp2"])] {
+        let (plain, behind) = (verdicts(name, &more), verdicts(&serve(name), &more));
+        assert_eq!(plain.len(), behind.len());
+        let is_other = |(plain, behind): &(&String, &String)| {
+            plain != behind && !behind.contains("it shows no servo samples")
+        };
+        let other = plain.iter().zip(&behind).find(is_other);
+        assert_eq!(other, None);
+    }
+}
+
+/// What an adapter does on one program, and what the reason of its case says then; it passes where nothing is said.
+fn misbehaviours() -> Vec<(&'static str, &'static str, &'static str)> {
+    let entries = include_str!("misbehaviours.txt").split("\n\n").skip(1);
+    let entry = |text: &'static str| {
+        let mut lines = text.lines();
+        let mut next = || lines.next().unwrap_or_default().trim();
+        (next(), next(), next().trim_start_matches("> "))
+    };
+    entries.map(entry).collect()
+}
+
+const LOOP: &str = "for request in map(json.loads, sys.stdin):\n";
+
+/// The verdicts of one rule's cases on a controller: that of the case that is meddled with, and the others.
+fn verdicts_of(command: &str, suite: &Suite) -> (Verdict, Vec<Verdict>) {
+    let limits = Limits { time: Duration::from_secs(1), bytes: 1 << 20, ..Limits::default() };
+    let controller =
+        Exec::start(command, limits).unwrap_or_else(|error| panic!("{command}: {error}"));
+    let edition = suite.edition("linuxcnc-2.9").expect("the edition");
+    let only = ["modal-groups.g-code-out-of-range".to_owned()];
+    let plan = Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
+    let run = certify(plan, &controller, &|| ());
+    let (it, others): (Vec<_>, Vec<_>) =
+        run.cases.into_iter().partition(|case| case.name == "g101");
+    let it = it.into_iter().next().expect("the case").verdict;
+    (it, others.into_iter().map(|case| case.verdict).collect())
+}
+
+#[test]
+fn whatever_a_controller_does_the_other_verdicts_stand_and_nothing_is_left() {
+    let suite = Suite::read(&files::built_in()).expect("the suite");
+    let (plain, usual) = verdicts_of(&changed("well-behaved.py", &[]), &suite);
+    assert_eq!(plain, Verdict::Pass);
+    assert!(usual.iter().filter(|verdict| **verdict == Verdict::Pass).count() >= 3);
+    let mut wrong = Vec::new();
+    let all = misbehaviours();
+    assert!(all.len() > 40, "{}", all.len());
+    for (name, does, reason) in all {
+        let when =
+            "    if request['op'] == 'run' and 'g101' in request['scenario']['program']['main']:\n";
+        let meddled = format!("{LOOP}{when}        {does}\n");
+        let command = changed(&format!("{}.py", name.replace(' ', "-")), &[(LOOP, &meddled)]);
+        let (verdict, others) = verdicts_of(&command, &suite);
+        let is_right = if let Verdict::NotJudged(why) = &verdict {
+            !reason.is_empty() && why.contains(reason) && !why.contains(char::is_control)
+        } else {
+            reason.is_empty() && verdict == Verdict::Pass
+        };
+        if !is_right || others != usual {
+            wrong
+                .push(format!("{name}: {verdict:?}, the others are the same: {}", others == usual));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let left = Command::new("pgrep").args(["-f", "sleep 4321"]).output().expect("pgrep");
+    assert_eq!(text(&left.stdout), "", "processes are left behind");
+}
+
+#[test]
+fn a_controller_that_crashes_is_no_pass() {
+    let meddled = format!("{LOOP}    request['op'] == 'run' and sys.exit(3)\n");
+    let controller = format!("exec:{}", changed("crashes.py", &[(LOOP, &meddled)]));
+    let output =
+        gaugeblock(&["certify", &controller, "--only", "modal-groups.g-code-out-of-range"]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stdout));
+    assert!(text(&output.stdout).contains("crashed (exit status 3, asked to `run`)"));
+}
+
+#[test]
+fn a_controller_that_cannot_be_asked_is_told_before_anything_runs() {
+    for (name, changes, words) in [
+        ("no-start.py", vec![("import json\n", "raise SystemExit(7)\n")], "exit status 7"),
+        (
+            "silent.py",
+            vec![(LOOP, "import time\ntime.sleep(60)\nfor request in []:\n")],
+            "no end after 1 s",
+        ),
+        ("old.py", vec![("\"protocol\": 1,", "\"protocol\": 2,")], "version 2"),
+        ("lacking.py", vec![("\"resolution\": 0.0, ", "")], "resolution"),
+        ("slip.py", vec![("\"motion\", \"position\"", "\"motion\", \"positon\"")], "\"positon\""),
+        (
+            "options.py",
+            vec![(
+                "\"clock\": \"virtual\"",
+                "\"clock\": \"virtual\", \"options\": {\"no.such\": \"thing\"}",
+            )],
+            "no.such",
+        ),
+        (
+            "edition.py",
+            vec![("\"clock\": \"virtual\"", "\"clock\": \"virtual\", \"edition\": \"linuxcnc-9\"")],
+            "linuxcnc-9",
+        ),
+    ] {
+        let controller = format!("exec:{}", changed(name, &changes));
+        let output = gaugeblock(&["certify", &controller, "--time-limit", "1"]);
+        let message = text(&output.stderr);
+        let status = if name == "edition.py" { 2 } else { 3 };
+        assert_eq!(output.status.code(), Some(status), "{name}: {message}");
+        assert!(message.contains(words) && message.contains("hint:"), "{name}: {message}");
+        assert!(output.stdout.is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn a_check_tells_what_is_wrong_with_an_adapter() {
+    const ALARM: &str = "\"end\": {\"end\": \"fault\", \"block\": block, \"message\": f\"no such code: G{number:g}\"}";
+    let fault = "if letter == \"g\" and number > 99.9:";
+    for (name, changes, words) in [
+        (
+            "refuses-all.py",
+            vec![(fault, "if True:")],
+            "a broken adapter rather than a broken controller",
+        ),
+        (
+            "accepts-all.py",
+            vec![(ALARM, "\"end\": {\"end\": \"program_end\"}")],
+            "an alarm has to be told as a fault",
+        ),
+        (
+            "unknown.py",
+            vec![("{\"refused\": \"unknown operation\"}", "{\"done\": {}}")],
+            "must be answered with `refused`",
+        ),
+        (
+            "leaks.py",
+            vec![
+                (
+                    "steps, motion, feed, point = [],",
+                    "global kept\n    kept = globals().get(\"kept\", 0) + 1\n    steps, motion, feed, point = [],",
+                ),
+                ("\"x\": 0.0", "\"x\": 0.0, \"y\": 0.0 * kept, \"a\": 1.0 * (kept > 2)"),
+            ],
+            "gives another outcome",
+        ),
+    ] {
+        let output = gaugeblock(&["adapter", "check", &changed(name, &changes)]);
+        let said = text(&output.stdout);
+        assert_eq!(output.status.code(), Some(1), "{name}: {said}{}", text(&output.stderr));
+        assert!(said.contains(words), "{name}: {said}");
+    }
+}
