@@ -198,6 +198,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.numbers-of-all-files",
     "rs274.nurbs-weight",
     "rs274.off-not-restored",
+    "rs274.offset-data-words",
     "rs274.orientation-too-large",
     "rs274.oriented-as-stopped",
     "rs274.orient-forgets-turning",

@@ -76,7 +76,7 @@ fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let uses = |code: &Code| code.words.contains(letter);
     let uses_none = |code: u32| letter == '$' && quirks::uses_no_dollar(code, state);
     let by_g = words.g.iter().filter(|code| !uses_none(**code));
-    let by_g = by_g.filter(|code| **code != 100 || used_by_offset_data(letter, words));
+    let by_g = by_g.filter(|code| **code != 100 || used_by_offset_data(letter, words, state));
     let takes_none = |code: u32| letter == '$' && quirks::m_uses_no_dollar(code, state);
     let by_m = words.m.iter().filter(|code| !takes_none(**code));
     let mut codes = by_g
@@ -89,7 +89,7 @@ fn is_used(letter: char, words: &Words, state: &State) -> bool {
 }
 
 /// Whether G10 uses a letter: its L says which.
-fn used_by_offset_data(letter: char, words: &Words) -> bool {
+fn used_by_offset_data(letter: char, words: &Words, state: &State) -> bool {
     let kind = words.letters.get(&'l').copied().and_then(whole);
     let letters = match kind {
         Some(0) => "l",
@@ -97,7 +97,7 @@ fn used_by_offset_data(letter: char, words: &Words) -> bool {
         Some(20) => "lp",
         _ => "lpr",
     };
-    letters.contains(letter)
+    letters.contains(letter) || quirks::goes_with_offset_data(letter, kind, state)
 }
 
 /// Rule motion.polar-moves-only. Polar words name a point that a move goes to, and no offset.

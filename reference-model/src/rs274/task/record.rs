@@ -270,7 +270,9 @@ impl Record {
 
     /// Whether the block that is being executed has moved anything where the stub of a machine follows: splines it does not.
     pub fn has_moved(&self) -> bool {
-        self.events.iter().any(|event| matches!(event, Event::Do(effect) if is_move(effect)))
+        let follows =
+            |effect: &Effect| is_move(effect) && !matches!(effect, Effect::NurbsFeed { .. });
+        self.events.iter().any(|event| matches!(event, Event::Do(effect) if follows(effect)))
     }
 
     /// A call or return leads to another level, or to another call at the same one.
