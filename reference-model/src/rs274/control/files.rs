@@ -57,6 +57,11 @@ impl Files {
         Some(self.add(name, &text, state))
     }
 
+    /// Whether there is a file of this name.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.texts.contains_key(name)
+    }
+
     /// Whether there is a file of this name in a folder that nobody looks into.
     pub(super) fn has_elsewhere(&self, name: &str) -> bool {
         self.texts.keys().any(|path| path.rsplit_once('/').is_some_and(|(_, file)| file == name))

@@ -143,6 +143,10 @@ impl Control {
             let why = "which one M98 calls of a sub and a numbered program of the same number";
             return Err(Halt::Unspecified(why.to_owned()));
         }
+        if !begins.is_empty() && self.files.has(&format!("{label}.ngc")) {
+            let why = format!("which one M98 calls of the number {label} and a file of that name");
+            return Err(Halt::Unspecified(why));
+        }
         if begins.len() > 1 {
             let why = format!("which one M98 calls where the number {label} stands several times");
             return Err(Halt::Unspecified(why));

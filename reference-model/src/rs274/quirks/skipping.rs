@@ -219,7 +219,11 @@ fn behind_parenthesis<'a>(halt: &Halt, text: &'a str) -> Option<&'a str> {
 /// The P and L of an M98 are read, and must be numbers of programs and of turns.
 fn numbered_call(text: &str, state: &mut State) -> Result<(), Halt> {
     let block = syntax::parse(text, state)?;
-    let words = read::read(&block, state)?;
+    let words = match read::read(&block, state) {
+        // Whether an E has its code is not asked here.
+        Err(Halt::Refused(refusal)) if refusal.rule == "text.word-letters" => return Ok(()),
+        read => read?,
+    };
     let rule = "rs274.skipped-is-read";
     let Some(number) = words.letters.get(&'p') else {
         return Err(refuse(rule, FaultKind::MissingWord, "M98 without P"));

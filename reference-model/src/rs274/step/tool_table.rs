@@ -95,7 +95,20 @@ pub(super) fn set(
         *old = tool;
     }
     record.effect(state, effect);
+    if state.outside.is_stand_alone() {
+        entry_in_spindle(number, state);
+    }
     Ok(())
+}
+
+/// The stub of the stand-alone interpreter begins with the slot of the first tool of the table, though nothing is in the spindle: a tool
+/// whose entry is written there, or in the slot of a later change, is taken to be in the spindle.
+fn entry_in_spindle(number: i32, state: &mut State) {
+    let first = state.machine.tools.first().map(|tool| i64::from(tool.number));
+    let slot = if state.tool == 0 { first } else { Some(i64::from(state.tool)) };
+    if slot == Some(i64::from(number)) {
+        state.known_tool = number;
+    }
 }
 
 /// Rule tool.entry-needs-number. P is needed.
