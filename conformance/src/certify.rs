@@ -1,6 +1,7 @@
 //! The suite run against a controller: a verdict for each case, in any order and in parallel with the same result.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -15,6 +16,7 @@ use crate::explain::{Departed, Other};
 use crate::judge::{Finding, judge};
 use crate::motion;
 use crate::observe::Observed;
+use crate::shard::Shard;
 use crate::suite::{Assertion, Case, Edition, MotionCase, Rule, Suite};
 
 /// What came of a case.
@@ -101,21 +103,52 @@ pub struct Plan<'a> {
     pub jobs: NonZero<usize>,
 }
 
+/// What of a plan is run.
+pub struct Course<'a, 'c> {
+    /// The part of the cases.
+    pub shard: Shard,
+    /// What was run before, which is not run again.
+    pub done: Vec<CaseResult<'a>>,
+    /// Told of each case that is run, one at a time.
+    pub each: &'c mut (dyn FnMut(&CaseResult<'a>) + Send),
+}
+
+impl fmt::Debug for Course<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "shard {}, {} done before", self.shard, self.done.len())
+    }
+}
+
 /// Runs the suite; `done` is told of each finished case.
 pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + Sync)) -> Run<'a> {
+    let mut each = |_: &CaseResult<'a>| done();
+    certify_in(plan, controller, Course { shard: Shard::WHOLE, done: Vec::new(), each: &mut each })
+}
+
+/// Runs as much of the suite as is to be run.
+pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'a, '_>) -> Run<'a> {
     let options = options_of(plan.suite, plan.edition, controller);
-    let (void, cases) = select(plan, controller);
+    let Selected { void, cases } = select(plan, controller.has_laws_of_motion()).of(course.shard);
+    let mut before = BTreeMap::new();
+    for result in course.done {
+        before.insert((result.rule.id.as_str(), result.name), result);
+    }
+    let results: Vec<Option<CaseResult<'a>>> = cases
+        .iter()
+        .map(|(rule, subject)| before.remove(&(rule.id.as_str(), subject.name())))
+        .collect();
     let key = |subject: &Subject<'_>| match subject {
         Subject::Run(case) => controller.order_key(&scenario_of(case, &options, plan.edition)),
         Subject::Motion(_) => String::new(),
     };
+    let open = cases.iter().zip(0..).zip(&results).filter(|(_, result)| result.is_none());
     let mut order: Vec<(String, usize)> =
-        cases.iter().map(|(_, subject)| key(subject)).zip(0..).collect();
+        open.map(|(((_, subject), place), _)| (key(subject), place)).collect();
     order.sort();
-    let results: Mutex<Vec<Option<CaseResult<'a>>>> = Mutex::new(vec![None; cases.len()]);
+    let results = Mutex::new((results, course.each));
     let next = AtomicUsize::new(0);
     std::thread::scope(|scope| {
-        for _ in 0..plan.jobs.get().min(cases.len()) {
+        for _ in 0..plan.jobs.get().min(order.len()) {
             scope.spawn(|| {
                 loop {
                     let turn = next.fetch_add(1, Ordering::Relaxed);
@@ -125,14 +158,15 @@ pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + 
                         Subject::Run(case) => run_case(plan, &options, controller, rule, case),
                         Subject::Motion(case) => run_motion(plan, &options, controller, rule, case),
                     };
-                    let mut results = results.lock().unwrap_or_else(PoisonError::into_inner);
+                    let mut guard = results.lock().unwrap_or_else(PoisonError::into_inner);
+                    let (results, each) = &mut *guard;
+                    each(&result);
                     results[*place] = Some(result);
-                    done();
                 }
             });
         }
     });
-    let results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let (results, _) = results.into_inner().unwrap_or_else(PoisonError::into_inner);
     Run { edition: plan.edition, cases: results.into_iter().flatten().collect(), void }
 }
 
@@ -145,9 +179,15 @@ pub fn options_of(suite: &Suite, edition: &Edition, controller: &dyn Adapter) ->
     options
 }
 
-/// How many cases a plan runs.
-pub fn count(plan: Plan<'_>, controller: &dyn Adapter) -> usize {
-    select(plan, controller).1.len()
+/// Rule and name of each case that a plan runs, in order, on a controller that has laws of motion, or that moves.
+pub fn cases<'a>(plan: Plan<'a>, laws: bool, shard: Shard) -> Vec<(&'a str, &'a str)> {
+    let cases = select(plan, laws).of(shard).cases.into_iter();
+    cases.map(|(rule, subject)| (rule.id.as_str(), subject.name())).collect()
+}
+
+/// Rules that do not exist in the edition of a plan, and why.
+pub fn void(plan: Plan<'_>) -> Vec<(&Rule, &str)> {
+    select(plan, false).void
 }
 
 /// A case of either kind.
@@ -157,10 +197,32 @@ enum Subject<'a> {
     Motion(&'a MotionCase),
 }
 
-type Selected<'a> = (Vec<(&'a Rule, &'a str)>, Vec<(&'a Rule, Subject<'a>)>);
+impl<'a> Subject<'a> {
+    fn name(self) -> &'a str {
+        match self {
+            Self::Run(case) => &case.name,
+            Self::Motion(case) => &case.name,
+        }
+    }
+}
+
+#[derive(Clone, Debug)]
+struct Selected<'a> {
+    void: Vec<(&'a Rule, &'a str)>,
+    cases: Vec<(&'a Rule, Subject<'a>)>,
+}
+
+impl Selected<'_> {
+    /// A part of the cases.
+    fn of(mut self, shard: Shard) -> Self {
+        let mut places = 0..;
+        self.cases.retain(|_| places.next().is_some_and(|place| shard.has(place)));
+        self
+    }
+}
 
 /// What is run. Samples of a case are for who has laws, its program alone is for who moves.
-fn select<'a>(plan: Plan<'a>, controller: &dyn Adapter) -> Selected<'a> {
+fn select<'a>(plan: Plan<'a>, laws: bool) -> Selected<'a> {
     let edition = &plan.edition.id;
     let mut void = Vec::new();
     let mut cases = Vec::new();
@@ -175,11 +237,11 @@ fn select<'a>(plan: Plan<'a>, controller: &dyn Adapter) -> Selected<'a> {
         }
         let runs = |case: &&Case| case.editions.is_empty() || case.editions.contains(edition);
         cases.extend(rule.cases.iter().filter(runs).map(|case| (rule, Subject::Run(case))));
-        let concerns = |case: &&MotionCase| case.is_recorded() == controller.has_laws_of_motion();
+        let concerns = |case: &&MotionCase| case.is_recorded() == laws;
         let motion = rule.motion.iter().filter(concerns);
         cases.extend(motion.map(|case| (rule, Subject::Motion(case))));
     }
-    (void, cases)
+    Selected { void, cases }
 }
 
 fn run_case<'a>(

@@ -9,7 +9,8 @@ use gaugeblock::compare::compare;
 use gaugeblock::expectations::{Expectations, Trouble};
 use gaugeblock::judge::{Finding, judge};
 use gaugeblock::observe::Observed;
-use gaugeblock::report::{Report, json, junit, profiles, terminal};
+use gaugeblock::report::{Header, Report, json, junit, profiles, terminal};
+use gaugeblock::shard::Shard;
 use gaugeblock::suite::{Suite, files};
 use gaugeblock_trace::{Effect, End, Event, Outcome, Scenario};
 
@@ -44,6 +45,12 @@ fn run<'a>(suite: &'a Suite, controller: &dyn Adapter, only: &'a [String], jobs:
     certify(Plan { suite, edition, only, jobs }, controller, &|| {})
 }
 
+fn header(suite: &Suite, controller: &dyn Adapter, only: &[String]) -> Header {
+    let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
+    let plan = Plan { suite, edition, only, jobs: NonZero::<usize>::MIN };
+    Header::of(plan, controller, Shard::WHOLE)
+}
+
 fn diverging(run: &Run<'_>) -> usize {
     run.cases.iter().filter(|result| matches!(result.verdict, Verdict::Diverges(_))).count()
 }
@@ -61,7 +68,7 @@ fn the_order_of_work_changes_nothing() {
         let model = Reference::default();
         let report = Report {
             run: &run,
-            controller: model.capabilities(),
+            header: header(&suite, &model, &only),
             notes: Vec::new(),
             profiles: Vec::new(),
             troubles: None,
@@ -87,7 +94,7 @@ fn a_crash_is_no_pass_and_the_report_is_complete() {
     assert!(run.cases.iter().all(|result| matches!(result.verdict, Verdict::NotJudged(_))));
     let report = Report {
         run: &run,
-        controller: crashing.capabilities(),
+        header: header(&suite, &crashing, &only),
         notes: Vec::new(),
         profiles: Vec::new(),
         troubles: None,
@@ -103,7 +110,7 @@ fn what_a_person_should_know_of_the_run_is_in_the_report() {
     let run = run(&suite, &model, &only, 2);
     let report = Report {
         run: &run,
-        controller: model.capabilities(),
+        header: header(&suite, &model, &only),
         notes: vec!["it was slow".to_owned()],
         profiles: Vec::new(),
         troubles: None,
@@ -122,9 +129,9 @@ fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
         let profiles = profiles::profiles(&suite, &run, claimed);
         let passed = profiles.iter().filter(|profile| profile.passes());
         let passed: Vec<_> = passed.map(|profile| profile.profile.id.clone()).collect();
-        let controller = controller.capabilities();
+        let header = header(&suite, controller, &only);
         let notes = Vec::new();
-        (passed, Report { run: &run, controller, notes, profiles, troubles: None }.exit_status())
+        (passed, Report { run: &run, header, notes, profiles, troubles: None }.exit_status())
     };
     let (modal_save, task) = ("modal-save".to_owned(), "task".to_owned());
     let modest = faulty(|mut outcome| {

@@ -9,9 +9,12 @@ use clap::Args;
 use super::{Format, Refused, controller, place, write_out};
 use crate::adapters::exec::Limits;
 use crate::adapters::{Adapter, Capabilities};
-use crate::certify::{Plan, Run, certify as run_suite, count};
+use crate::certify::{CaseResult, Course, Plan, Run, cases, certify_in};
 use crate::expectations::Expectations;
-use crate::report::{Report, json, junit, profiles, terminal};
+use crate::journal::{self, Journal};
+use crate::report::stored::StoredCase;
+use crate::report::{Header, Report, json, junit, profiles, terminal};
+use crate::shard::Shard;
 use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
@@ -23,6 +26,8 @@ const EXAMPLES: &str = "Examples:
       only what is new or has changed
   gaugeblock certify rs274 --edition rs274-2.9-observed --report out
       hold it to what is known of it; write out/report.json, out/junit.xml, out/report.txt
+  gaugeblock certify linuxcnc --shard 3/8 --report shard-3
+      one of eight machines; after a kill: the same call with --resume
   gaugeblock certify rs274 --profile modal-save --profile subroutines
       fail unless it passes every rule of these profiles
   gaugeblock certify linuxcnc --only outputs --only inputs
@@ -53,9 +58,15 @@ pub(super) struct Arguments {
     /// Write what it does otherwise as a file of expectations, to be read before it is used
     #[arg(long, value_name = "FILE")]
     write_expectations: Option<PathBuf>,
-    /// Write report.json, junit.xml and report.txt into this folder
+    /// Write report.json, junit.xml and report.txt into this folder, and a journal while it runs
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
+    /// Go on with the journal in the folder of --report
+    #[arg(long, requires = "report")]
+    resume: bool,
+    /// A part: I of N, from 1; together the parts run every case once, and `gaugeblock report merge` makes one report of theirs
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    shard: Shard,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -104,36 +115,98 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
         controller.check_observation();
     }
     if let Some(expectations) = &expectations {
-        fits(expectations, controller.capabilities(), &edition.id)?;
+        let shows = controller.capabilities();
+        fits(expectations, (&shows.name, &shows.version), &edition.id)?;
     }
     let jobs = super::jobs(arguments.jobs.or(controller.best_jobs()));
     let plan = Plan { suite, edition, only: &arguments.only, jobs };
-    let cases = count(plan, controller.as_ref());
-    if cases == 0 {
+    let shard = arguments.shard;
+    let laws = controller.has_laws_of_motion();
+    if cases(plan, laws, Shard::WHOLE).is_empty() {
         return Err(Refused::wrong(
             "no case is selected",
             "`gaugeblock rules` lists the rules' ids",
         ));
     }
-    let bar = progress(cases);
-    let run = run_suite(plan, controller.as_ref(), &|| bar.inc(1));
-    bar.finish_and_clear();
-    let whole = arguments.only.is_empty();
+    let header = Header::of(plan, controller.as_ref(), shard);
+    let run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
+    let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
     let troubles = expectations.map(|expectations| expectations.hold(&run, whole));
-    let profiles = profiles::profiles(suite, &run, &arguments.profile);
-    let (notes, controller) = (controller.notes(), controller.capabilities());
-    let report = Report { run: &run, controller, notes, profiles, troubles };
+    // What a profile comes to is known of the whole alone.
+    let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };
+    let profiles = profiles::profiles(suite, &run, claimed);
     if let Some(file) = &arguments.write_expectations {
-        write_expectations(file, &run, controller)?;
+        write_expectations(file, &run, controller.capabilities())?;
     }
+    let report = Report { run: &run, header, notes: controller.notes(), profiles, troubles };
     if let Some(folder) = &arguments.report {
         write_report(folder, &report)?;
+        // What it was for is in the report.
+        let _gone = std::fs::remove_file(folder.join(journal::FILE));
     }
-    match arguments.format {
-        Format::Text => write_out(&terminal::terminal(&report, arguments.verbose)),
-        Format::Json => write_out(&format!("{:#}\n", json::json(&report))),
-    }
+    print(&report, arguments.format, arguments.verbose);
     Ok(report.exit_status())
+}
+
+pub(super) fn print(report: &Report<'_>, format: Format, verbose: bool) {
+    match format {
+        Format::Text => write_out(&terminal::terminal(report, verbose)),
+        Format::Json => write_out(&format!("{:#}\n", json::json(report))),
+    }
+}
+
+/// Runs what is left of a plan. Where there is a folder for reports each case is written down there when it is done.
+fn run_with_journal<'a>(
+    arguments: &Arguments,
+    plan: Plan<'a>,
+    controller: &dyn Adapter,
+    header: &Header,
+) -> Result<Run<'a>, Refused> {
+    let shard = header.shard;
+    let (mut journal, done) = match &arguments.report {
+        Some(folder) => {
+            let (journal, done) = begun(folder, header, arguments.resume, plan.suite)?;
+            (Some(journal), done)
+        }
+        None => (None, Vec::new()),
+    };
+    let bar = progress(cases(plan, header.laws, shard).len());
+    bar.inc(u64::try_from(done.len()).unwrap_or_default());
+    let mut trouble = None;
+    let mut each = |result: &CaseResult<'_>| {
+        bar.inc(1);
+        if let Some(Err(why)) =
+            journal.as_mut().map(|journal| journal.done(&StoredCase::of(result)))
+        {
+            trouble.get_or_insert(why);
+        }
+    };
+    let run = certify_in(plan, controller, Course { shard, done, each: &mut each });
+    bar.finish_and_clear();
+    match trouble {
+        Some(why) => Err(Refused::unfinished(format!("the journal: {why}"), "is the disk full?")),
+        None => Ok(run),
+    }
+}
+
+/// The journal of a run in a folder, and what was run before.
+fn begun<'a>(
+    folder: &Path,
+    header: &Header,
+    resume: bool,
+    suite: &'a Suite,
+) -> Result<(Journal, Vec<CaseResult<'a>>), Refused> {
+    let mut done = Vec::new();
+    let journal = Journal::open(folder, header, resume, &mut |case: StoredCase| done.push(case));
+    let journal = journal.map_err(|why| {
+        Refused::wrong(
+            why,
+            "--resume goes on with a run that was broken off; or name another folder",
+        )
+    })?;
+    let done = done.iter().map(|case| case.result(suite)).collect::<Result<Vec<_>, _>>();
+    let done = done.map_err(|why| Refused::wrong(why, "the journal is of another suite"))?;
+    Ok((journal, done))
 }
 
 /// A bar on a terminal, nothing in a pipe.
@@ -147,7 +220,7 @@ pub(super) fn progress(cases: usize) -> indicatif::ProgressBar {
     }
 }
 
-fn read(path: &Path) -> Result<Expectations, Refused> {
+pub(super) fn read(path: &Path) -> Result<Expectations, Refused> {
     let name = path.display();
     let text = std::fs::read_to_string(path).map_err(|error| {
         Refused::wrong(format!("{name}: {error}"), "--write-expectations makes such a file")
@@ -160,9 +233,12 @@ fn read(path: &Path) -> Result<Expectations, Refused> {
     })
 }
 
-fn fits(expectations: &Expectations, shows: &Capabilities, edition: &str) -> Result<(), Refused> {
-    let (name, version) = (&shows.name, &shows.version);
-    if &expectations.controller != name || expectations.edition != edition {
+pub(super) fn fits(
+    expectations: &Expectations,
+    (name, version): (&str, &str),
+    edition: &str,
+) -> Result<(), Refused> {
+    if expectations.controller != name || expectations.edition != edition {
         return Err(Refused::wrong(
             format!(
                 "these expectations are of {} held to {}, not of {name} held to {edition}",
@@ -171,7 +247,7 @@ fn fits(expectations: &Expectations, shows: &Capabilities, edition: &str) -> Res
             "name the expectations of this controller and edition",
         ));
     }
-    if &expectations.version != version {
+    if expectations.version != version {
         return Err(Refused::unfinished(
             format!(
                 "these expectations are of version {}, the controller is of {version}",
@@ -190,7 +266,7 @@ fn write_expectations(file: &Path, run: &Run<'_>, shows: &Capabilities) -> Resul
     place::write_whole(file, &text)
 }
 
-fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Refused> {
+pub(super) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Refused> {
     let xml = junit::junit(report)
         .map_err(|error| Refused::unfinished(error, "this is a fault of gaugeblock"))?;
     let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();

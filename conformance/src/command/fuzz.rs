@@ -15,9 +15,10 @@ use crate::adapters::Adapter;
 use crate::catalogue::editions_of;
 use crate::certify::scenario_of;
 use crate::fuzz::groups::{Find, Groups, merged, shrunk};
-use crate::fuzz::journal::{Header, Journal};
+use crate::fuzz::journal::Header;
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{Extent, Plan, Shard, run};
+use crate::journal::Journal;
 use crate::suite::{Choice, Edition, Rule, RuleOutcome, Suite};
 
 const EXAMPLES: &str = "Examples:
@@ -60,7 +61,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// A part: I of N, from 1; together the parts run every program once
-    #[arg(long, value_name = "I/N", default_value = "1/1", value_parser = shard)]
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: Shard,
     /// How many programs, all shards together [default: no end; without --seconds too: a minute]
     #[arg(long, value_name = "N")]
@@ -98,13 +99,6 @@ pub(super) struct Arguments {
     /// Print how often each rule, code and fault was reached
     #[arg(long, short)]
     verbose: bool,
-}
-
-fn shard(text: &str) -> Result<Shard, String> {
-    let wrong = || "I/N, with I from 1 to N, such as 3/8".to_owned();
-    let (index, of) = text.split_once('/').ok_or_else(wrong)?;
-    let (index, of) = (index.parse().map_err(|_| wrong())?, of.parse().map_err(|_| wrong())?);
-    if (1..=of).contains(&index) { Ok(Shard { index, of }) } else { Err(wrong()) }
 }
 
 pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
@@ -402,7 +396,6 @@ fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
     let named = |side: &dyn Adapter| {
         format!("{} {}", side.capabilities().name, side.capabilities().version)
     };
-    let Shard { index, of } = arguments.shard;
     if arguments.iut == arguments.against {
         write_error("note: a controller is compared with itself");
     }
@@ -417,6 +410,6 @@ fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
             arguments.wrong, plan.spliced, arguments.only
         ),
         seed: arguments.seed,
-        shard: format!("{index}/{of}"),
+        shard: arguments.shard.to_string(),
     }
 }

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::{Format, Refused, place, write_out};
-use crate::adapters::Adapter;
 use crate::adapters::reference::Reference;
 use crate::certify::{Plan, certify};
+use crate::report::Header;
 use crate::report::Report;
 use crate::report::matrix::{Judged, Matrix};
+use crate::shard::Shard;
 use crate::suite::Suite;
 use crate::suite::ledger::Ledger;
 
@@ -49,9 +50,9 @@ fn model(suite: &Suite, ledgers: &[Ledger]) -> BTreeMap<String, Judged> {
         model.entry(edition.id.clone()).or_insert_with(|| {
             let plan = Plan { suite, edition, only: &[], jobs: super::jobs(None) };
             let run = certify(plan, &controller, &|| {});
-            let controller = controller.capabilities();
+            let header = Header::of(plan, &controller, Shard::WHOLE);
             let (notes, profiles) = (Vec::new(), Vec::new());
-            Judged::of(&Report { run: &run, controller, notes, profiles, troubles: None })
+            Judged::of(&Report { run: &run, header, notes, profiles, troubles: None })
         });
     }
     model

@@ -16,6 +16,7 @@ mod matrix;
 mod pictures;
 mod place;
 mod plan;
+mod report;
 mod rs274;
 mod rules;
 mod run;
@@ -102,6 +103,9 @@ enum Command {
     Judge(judge::Arguments),
     /// Tell which option of each choice, and which quirk, a controller shows
     Fingerprint(fingerprint::Arguments),
+    /// Work with reports that were written before: merge those of shards
+    #[command(subcommand)]
+    Report(report::Reports),
     /// List the rules: sentences, sources, cases; check or bless the suite
     Rules(rules::Arguments),
     /// Connect a controller: a template, a check, the words and schemas of the protocol
@@ -147,6 +151,7 @@ pub fn main() -> ExitCode {
         Command::Fingerprint(arguments) => {
             suite(&call).and_then(|suite| fingerprint::fingerprint(arguments, &suite))
         }
+        Command::Report(command) => suite(&call).and_then(|suite| report::report(command, &suite)),
         Command::Rules(arguments) => rules::rules(arguments, call.suite.as_deref()),
         Command::Adapter(arguments) => adapter::adapter(arguments),
         Command::Serve(arguments) => serve::serve(arguments),

@@ -1,16 +1,9 @@
-//! The journal of a run: a header, then a line for each chunk that is done. A kill at any moment loses at most the chunks in work.
-
-use std::fs::{File, OpenOptions};
-use std::io::{BufRead as _, BufReader, Write as _};
-use std::path::Path;
+//! The journal of a run of generated programs: what it is of, and its chunks.
 
 use serde::{Deserialize, Serialize};
 
 use super::groups::Find;
 use super::statistics::Statistics;
-
-/// Name of the journal in its folder.
-pub const FILE: &str = "journal.jsonl";
 
 /// What a journal is of; a run can be resumed only as what it was begun.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -46,78 +39,10 @@ pub struct Chunk {
     pub found: Vec<Find>,
 }
 
-/// An open journal.
-#[derive(Debug)]
-pub struct Journal {
-    file: File,
-}
-
-impl Journal {
-    /// Begins a journal in a folder, or goes on with the one there; `done` is told of each chunk that is done, one at a time.
-    ///
-    /// # Errors
-    /// The folder cannot be written, a journal is there although nothing is to be resumed, or it is of something else.
-    pub fn open(
-        folder: &Path,
-        header: &Header,
-        resume: bool,
-        done: &mut dyn FnMut(Chunk),
-    ) -> Result<Self, String> {
-        let path = folder.join(FILE);
-        let name = path.display();
-        let failed = |error: std::io::Error| format!("{name}: {error}");
-        let mut kept = 0;
-        if path.exists() {
-            if !resume {
-                return Err(format!("{name}: there is a journal already"));
-            }
-            let mut lines = BufReader::new(File::open(&path).map_err(failed)?);
-            let mut line = Vec::new();
-            for at in 1.. {
-                line.clear();
-                lines.read_until(b'\n', &mut line).map_err(failed)?;
-                // A line without its end was being written when the run was killed.
-                if line.last() != Some(&b'\n') {
-                    break;
-                }
-                let unreadable = |error: serde_json::Error| format!("{name}:{at}: {error}");
-                if at > 1 {
-                    done(serde_json::from_slice(&line).map_err(unreadable)?);
-                } else if serde_json::from_slice::<Header>(&line).map_err(unreadable)? != *header {
-                    let first = String::from_utf8_lossy(&line);
-                    return Err(format!("{name}: it is of another run: {}", first.trim_end()));
-                }
-                kept += line.len();
-            }
-        }
-        let file = OpenOptions::new().create(true).append(true).open(&path).map_err(failed)?;
-        file.set_len(u64::try_from(kept).unwrap_or_default()).map_err(failed)?;
-        let mut journal = Self { file };
-        if kept == 0 {
-            journal.line(header).map_err(|error| format!("{name}: {error}"))?;
-        }
-        Ok(journal)
-    }
-
-    /// Writes down that a chunk is done.
-    ///
-    /// # Errors
-    /// It cannot be written.
-    pub fn done(&mut self, chunk: &Chunk) -> Result<(), String> {
-        self.line(chunk)
-    }
-
-    fn line(&mut self, value: &impl Serialize) -> Result<(), String> {
-        let mut line = serde_json::to_string(value).map_err(|error| error.to_string())?;
-        line.push('\n');
-        // One call for one line: a kill cuts the last line at worst.
-        self.file.write_all(line.as_bytes()).map_err(|error| error.to_string())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::journal::{FILE, Journal};
 
     fn header() -> Header {
         let of = |text: &str| text.to_owned();
@@ -143,7 +68,7 @@ mod tests {
         let chunk = |chunk| Chunk { chunk, statistics: Statistics::default(), found: Vec::new() };
         let open = |header: &Header, resume| {
             let mut done = Vec::new();
-            Journal::open(&folder, header, resume, &mut |chunk| done.push(chunk))
+            Journal::open(&folder, header, resume, &mut |chunk: Chunk| done.push(chunk))
                 .map(|journal| (journal, done))
         };
         let (mut journal, done) = open(&header(), false).unwrap();

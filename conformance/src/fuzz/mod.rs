@@ -21,6 +21,7 @@ use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{Options, Scenario};
 
 use crate::adapters::Adapter;
+pub use crate::shard::Shard;
 use crate::suite::{Choice, ChoiceKind};
 use groups::{Find, Groups};
 use journal::Chunk;
@@ -29,22 +30,6 @@ use statistics::Statistics;
 
 /// How many programs are run and journaled together.
 pub const CHUNK: u64 = 64;
-
-/// A part of all chunks: each `of`-th, from the `index`-th; every chunk is in exactly one shard.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shard {
-    /// From 1 to `of`.
-    pub index: u64,
-    /// How many shards there are.
-    pub of: u64,
-}
-
-impl Shard {
-    /// The number of this shard's n-th chunk, from 0.
-    pub fn chunk(self, n: u64) -> u64 {
-        n * self.of + self.index - 1
-    }
-}
 
 /// What is run on what.
 #[derive(Debug)]
@@ -169,7 +154,7 @@ pub fn run(plan: &Plan<'_>, extent: &Extent<'_>, each: &mut dyn FnMut(Chunk) -> 
             let (sender, next) = (sender.clone(), &next);
             scope.spawn(move || {
                 loop {
-                    let chunk = extent.shard.chunk(next.fetch_add(1, Ordering::Relaxed));
+                    let chunk = extent.shard.nth(next.fetch_add(1, Ordering::Relaxed));
                     if chunk.saturating_mul(CHUNK) >= extent.programs {
                         break;
                     }

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
+use super::stored::StoredCase;
 use super::{Report, RuleVerdict};
-use crate::certify::Verdict;
 
 /// The report as JSON.
 pub fn json(report: &Report<'_>) -> Value {
@@ -23,54 +23,23 @@ pub fn json(report: &Report<'_>) -> Value {
             })
         })
         .collect();
-    let cases: Vec<Value> = report
-        .run
-        .cases
-        .iter()
-        .map(|result| {
-            let mut case = json!({
-                "rule": result.rule.id,
-                "case": result.name,
-                "compared": result.compared,
-                "masked": result.masked,
-                "repeated": result.repeated,
-            });
-            let (verdict, more) = match &result.verdict {
-                Verdict::Pass => ("pass", json!(null)),
-                Verdict::Diverges(departure) => (
-                    "diverges",
-                    json!({
-                        "found": departure.line(),
-                        "divergence": departure.divergence,
-                        "explanation": departure.explanation,
-                        "program": result.program,
-                    }),
-                ),
-                Verdict::ChargedElsewhere(departure) => (
-                    "charged elsewhere",
-                    json!({ "found": departure.line(), "explanation": departure.explanation }),
-                ),
-                Verdict::Unsupported(why) => ("unsupported", json!({ "reason": why })),
-                Verdict::Inconclusive(why) => ("inconclusive", json!({ "reason": why })),
-                Verdict::NotJudged(why) => ("not judged", json!({ "reason": why })),
-            };
-            case["verdict"] = json!(verdict);
-            if !more.is_null() {
-                case["why"] = more;
-            }
-            case
-        })
-        .collect();
+    let cases: Vec<StoredCase> = report.run.cases.iter().map(StoredCase::of).collect();
     let void: Vec<Value> =
         report.run.void.iter().map(|(rule, why)| json!({ "rule": rule.id, "why": why })).collect();
     json!({
         "gaugeblock": "report",
         "schema": gaugeblock_trace::schema::VERSION,
         "tolerances": crate::compare::tolerance::VERSION,
-        "controller": report.controller.name,
-        "version": report.controller.version,
+        "controller": report.header.controller,
+        "version": report.header.version,
         "notes": report.notes,
-        "edition": report.run.edition.id,
+        "edition": report.header.edition,
+        "options": report.header.options,
+        "suite": report.header.suite,
+        "gaugeblock_version": report.header.gaugeblock_version,
+        "only": report.header.only,
+        "laws": report.header.laws,
+        "shard": report.header.shard,
         "exit_status": report.exit_status(),
         "counts": {
             "cases": counts.all(),

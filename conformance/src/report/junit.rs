@@ -12,7 +12,7 @@ use crate::certify::Verdict;
 /// # Errors
 /// A text that XML cannot hold.
 pub fn junit(report: &Report<'_>) -> Result<String, String> {
-    let name = format!("{} held to {}", report.controller.name, report.run.edition.id);
+    let name = format!("{} held to {}", report.header.controller, report.run.edition.id);
     let mut document = quick_junit::Report::new(name);
     let mut chapters: BTreeMap<&str, TestSuite> = BTreeMap::new();
     for result in &report.run.cases {

@@ -44,7 +44,7 @@ impl Judged {
     pub fn of(report: &Report<'_>) -> Self {
         let rules = report.rules().into_iter();
         Self {
-            controller: format!("{} {}", report.controller.name, report.controller.version),
+            controller: format!("{} {}", report.header.controller, report.header.version),
             edition: report.run.edition.id.clone(),
             rules: rules
                 .map(|rule| (rule.rule.id.clone(), (rule.verdict, rule.compared)))

@@ -3,16 +3,18 @@
 pub mod json;
 pub mod junit;
 pub mod matrix;
+pub mod merge;
 pub mod profiles;
+pub mod stored;
 pub mod terminal;
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+pub use merge::Header;
 pub use profiles::ProfileResult;
 
-use crate::adapters::Capabilities;
 use crate::certify::{CaseResult, Run, Verdict};
 use crate::compare::Tally;
 use crate::expectations::Trouble;
@@ -52,8 +54,8 @@ impl RuleVerdict {
 pub struct Report<'a> {
     /// The run.
     pub run: &'a Run<'a>,
-    /// The controller.
-    pub controller: &'a Capabilities,
+    /// What it is of.
+    pub header: Header,
     /// What a person should know of how it was run.
     pub notes: Vec<String>,
     /// Each profile that the edition has rules of.

@@ -44,7 +44,7 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
 }
 
 fn head(text: &mut String, report: &Report<'_>) {
-    let controller = format!("{} {}", report.controller.name, report.controller.version);
+    let controller = format!("{} {}", report.header.controller, report.header.version);
     line!(text, "{} held to {}", styled(BOLD, &controller), styled(BOLD, &report.run.edition.id));
     line!(text, "{}", styled(DIM, &report.run.edition.sentence));
     for note in &report.notes {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use include_dir::{Dir, include_dir};
+use sha2::{Digest as _, Sha256};
 
 static BUILT_IN: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/suite");
 
@@ -49,6 +50,18 @@ pub fn of_folder(root: &Path) -> Result<Files, String> {
         return Err(format!("{}: no TOML file in this folder", root.display()));
     }
     Ok(files)
+}
+
+/// A digest of names and texts: that of another suite is another one.
+pub fn digest(files: &Files) -> String {
+    let mut digest = Sha256::new();
+    for (name, text) in files {
+        for part in [name, text] {
+            digest.update(part.len().to_le_bytes());
+            digest.update(part);
+        }
+    }
+    digest.finalize().iter().take(8).map(|byte| format!("{byte:02x}")).collect()
 }
 
 fn read(path: &PathBuf) -> Result<String, String> {

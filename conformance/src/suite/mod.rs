@@ -33,6 +33,8 @@ pub struct Suite {
     pub profiles: Vec<Profile>,
     /// Path of each rule's page within the suite.
     pub paths: BTreeMap<String, String>,
+    /// Digest of all its pages, in hexadecimal.
+    pub digest: String,
 }
 
 /// The edition that applies where none is named.
@@ -51,6 +53,7 @@ impl Suite {
             editions: Vec::new(),
             profiles: Vec::new(),
             paths: BTreeMap::new(),
+            digest: files::digest(files),
         };
         let mut errors = Vec::new();
         for (path, text) in files {

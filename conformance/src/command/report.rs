@@ -1,0 +1,99 @@
+//! `gaugeblock report`.
+
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+
+use super::{Format, Refused, certify, place};
+use crate::certify::{Plan, Run, cases, void};
+use crate::report::merge::{Stored, in_order, merged};
+use crate::report::{Report, profiles};
+use crate::shard::Shard;
+use crate::suite::Suite;
+
+/// Work with reports that were written before
+#[derive(Debug, Subcommand)]
+pub(super) enum Reports {
+    /// Make one report of those of shards
+    #[command(after_help = "Examples:
+  gaugeblock report merge shard-1 shard-2 shard-3 --report whole
+  gaugeblock report merge shard-*/report.json --format json
+
+Refused are shards that are missing or there twice, and reports of different controllers, versions, editions, options, suites or calls.
+The exit status is that of the whole run.")]
+    Merge(Merge),
+}
+
+#[derive(Debug, Args)]
+pub(super) struct Merge {
+    /// Folders of --report, or the report.json within
+    #[arg(value_name = "REPORT", required = true)]
+    reports: Vec<PathBuf>,
+    /// What the controller is known to do otherwise; anything else fails
+    #[arg(long, value_name = "FILE")]
+    expectations: Option<PathBuf>,
+    /// Write report.json, junit.xml and report.txt into this folder
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
+    /// What to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Show known divergences too, and count what was not shown
+    #[arg(long, short)]
+    verbose: bool,
+}
+
+pub(super) fn report(command: &Reports, suite: &Suite) -> Result<u8, Refused> {
+    match command {
+        Reports::Merge(arguments) => merge(arguments, suite),
+    }
+}
+
+fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, Refused> {
+    let parts = arguments.reports.iter().map(|path| stored(path)).collect::<Result<Vec<_>, _>>()?;
+    let wrong = |why: String| Refused::wrong(why, "name the report of each shard of one run, once");
+    let whole = merged(&parts).map_err(wrong)?;
+    let header = &whole.header;
+    if header.suite != suite.digest {
+        return Err(Refused::wrong(
+            "these reports are of another suite than this",
+            "merge them with the gaugeblock that made them, or name their suite: --suite",
+        ));
+    }
+    let edition = super::edition(suite, &header.edition)?;
+    let expectations = arguments.expectations.as_deref().map(certify::read).transpose()?;
+    if let Some(expectations) = &expectations {
+        certify::fits(expectations, (&header.controller, &header.version), &edition.id)?;
+    }
+    let plan = Plan { suite, edition, only: &header.only, jobs: NonZero::<usize>::MIN };
+    let all = cases(plan, header.laws, Shard::WHOLE);
+    let cases = in_order(&whole.cases, &all, suite).map_err(wrong)?;
+    let run = Run { edition, cases, void: void(plan) };
+    let troubles = expectations.map(|known| known.hold(&run, header.only.is_empty()));
+    let profiles = profiles::profiles(suite, &run, &whole.claimed());
+    let report = Report {
+        run: &run,
+        header: header.clone(),
+        notes: whole.notes.clone(),
+        profiles,
+        troubles,
+    };
+    if let Some(folder) = &arguments.report {
+        place::folder(folder)?;
+        certify::write_report(folder, &report)?;
+    }
+    certify::print(&report, arguments.format, arguments.verbose);
+    Ok(report.exit_status())
+}
+
+fn stored(path: &Path) -> Result<(String, Stored), Refused> {
+    let path = if path.is_dir() { path.join("report.json") } else { path.to_path_buf() };
+    let name = path.display().to_string();
+    let hint = "`gaugeblock certify --shard I/N --report DIR` writes such a report";
+    let text = std::fs::read_to_string(&path)
+        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+    let stored =
+        Stored::read(&text).map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+    Ok((name, stored))
+}
