@@ -95,7 +95,8 @@ fn a_wrong_suite_is_told_with_its_page() {
 #[test]
 fn an_absent_controller_could_not_finish() {
     refused(&["certify", "rs274:/no/such/rs274"], 3, &["/no/such/rs274", "hint:"]);
-    refused(&["certify", "exec:./adapter"], 3, &["not there yet"]);
+    refused(&["certify", "exec:./no-such-adapter"], 3, &["no-such-adapter: not found", "hint:"]);
+    refused(&["certify", "exec:"], 2, &["names no command", "hint:"]);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use gaugeblock::compare::compare;
 use gaugeblock::expectations::{Expectations, Trouble};
 use gaugeblock::judge::{Finding, judge};
 use gaugeblock::observe::Observed;
-use gaugeblock::report::{Header, Report, json, junit, profiles, terminal};
+use gaugeblock::report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock::shard::Shard;
 use gaugeblock::suite::{Suite, files};
 use gaugeblock_trace::{Effect, End, Event, Outcome, Scenario};
@@ -279,4 +279,57 @@ fn expectations_are_strict() {
     assert!(
         strange.hold(&seen, true).iter().any(|trouble| matches!(trouble, Trouble::Stale { .. }))
     );
+}
+
+#[test]
+fn the_page_has_what_a_controller_says_as_text() {
+    let suite = suite();
+    let only = ["saved-state".to_owned()];
+    let evil = "<script>alert(1)</script>\"' onload=x";
+    let controller = faulty(|mut outcome| {
+        outcome.steps.truncate(1);
+        outcome.end = End::ProgramEnd;
+        outcome.steps.iter_mut().for_each(|step| {
+            let text = "<img src=x onerror=alert(1)>".to_owned();
+            let channel = gaugeblock_trace::Channel::Display;
+            step.events.push(Event::Do(Effect::Message { channel, text }));
+        });
+        Ok(outcome)
+    });
+    let run = run(&suite, &controller, &only, 2);
+    assert!(diverging(&run) > 50, "{}", diverging(&run));
+    let header = Header { controller: evil.to_owned(), ..header(&suite, &controller, &only) };
+    let notes = vec![evil.to_owned()];
+    let profiles = profiles::profiles(&suite, &run, &only);
+    let report = Report { run: &run, header, notes, profiles, troubles: None };
+    let page = html::html(&report).expect("a page");
+    assert_eq!(page.matches("<script").count(), 1, "the page's own");
+    assert!(!page.contains("<img") && page.contains("&lt;img src=x"));
+    assert_eq!(page.matches("class=\"card row\"").count(), diverging(&run));
+    let of_rules = page.matches("<tr class=\"row\"").count();
+    assert_eq!(of_rules, report.rules().len());
+    for address in ["http:", "https:", "src=\"", "href="] {
+        assert!(!page.contains(address), "it needs nothing beside it: {address}");
+    }
+}
+
+#[test]
+fn the_page_of_a_controller_without_fault_says_so() {
+    let suite = suite();
+    let only = ["saved-state".to_owned()];
+    let model = Reference::default();
+    let run = run(&suite, &model, &only, 2);
+    let header = header(&suite, &model, &only);
+    let report = Report {
+        run: &run,
+        header,
+        notes: Vec::new(),
+        profiles: Vec::new(),
+        troubles: Some(Vec::new()),
+    };
+    let page = html::html(&report).expect("a page");
+    assert!(
+        page.contains("nothing that is known has changed") && page.contains("Everything was run.")
+    );
+    assert!(!page.contains("class=\"card row\""));
 }

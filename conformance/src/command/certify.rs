@@ -13,7 +13,7 @@ use crate::certify::{CaseResult, Course, Plan, Run, cases, certify_in};
 use crate::expectations::Expectations;
 use crate::journal::{self, Journal};
 use crate::report::stored::StoredCase;
-use crate::report::{Header, Report, json, junit, profiles, terminal};
+use crate::report::{Header, Report, html, json, junit, profiles, terminal};
 use crate::shard::Shard;
 use crate::suite::Suite;
 
@@ -25,7 +25,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock certify rs274 --expectations conformance/expectations/rs274-2.9.toml
       only what is new or has changed
   gaugeblock certify rs274 --edition rs274-2.9-observed --report out
-      hold it to what is known of it; write out/report.json, out/junit.xml, out/report.txt
+      hold it to what is known of it; write out/report.html, report.json, junit.xml, report.txt
   gaugeblock certify linuxcnc --shard 3/8 --report shard-3
       one of eight machines; after a kill: the same call with --resume
   gaugeblock certify rs274 --profile modal-save --profile subroutines
@@ -58,7 +58,7 @@ pub(super) struct Arguments {
     /// Write what it does otherwise as a file of expectations, to be read before it is used
     #[arg(long, value_name = "FILE")]
     write_expectations: Option<PathBuf>,
-    /// Write report.json, junit.xml and report.txt into this folder, and a journal while it runs
+    /// Write report.html, report.json, junit.xml and report.txt into this folder, and a journal while it runs
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
     /// Go on with the journal in the folder of --report
@@ -269,8 +269,11 @@ fn write_expectations(file: &Path, run: &Run<'_>, shows: &Capabilities) -> Resul
 pub(super) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Refused> {
     let xml = junit::junit(report)
         .map_err(|error| Refused::unfinished(error, "this is a fault of gaugeblock"))?;
+    let page = html::html(report)
+        .map_err(|error| Refused::unfinished(error, "this is a fault of gaugeblock"))?;
     let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();
     place::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
+    place::write_whole(&folder.join("report.html"), &page)?;
     place::write_whole(&folder.join("junit.xml"), &xml)?;
     place::write_whole(&folder.join("report.txt"), &text)
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 
-use crate::certify::{CaseResult, Departure, Verdict};
+use crate::certify::{CaseResult, Departure, Traces, Verdict};
 use crate::compare::Tally;
 use crate::suite::Suite;
 
@@ -66,6 +66,9 @@ pub struct StoredDeparture {
     pub explanation: Vec<String>,
     /// The main program.
     pub program: String,
+    /// What happened, side by side.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub traces: Option<Traces>,
 }
 
 impl StoredCase {
@@ -77,6 +80,7 @@ impl StoredCase {
             divergence: departure.divergence.clone(),
             explanation: departure.explanation.clone(),
             program: result.program.to_owned(),
+            traces: departure.traces.clone(),
         };
         let reason = |why: &String| Reason { reason: why.clone() };
         Self {
@@ -117,6 +121,7 @@ impl StoredCase {
             assertion: stored.assertion.clone(),
             divergence: stored.divergence.clone(),
             explanation: stored.explanation.clone(),
+            traces: stored.traces.clone(),
         };
         Ok(CaseResult {
             rule,

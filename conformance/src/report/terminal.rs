@@ -120,7 +120,7 @@ fn divergence(text: &mut String, result: &CaseResult<'_>) {
 }
 
 /// An assertion without the option under which it is made: that the run was held to it says enough.
-fn without_guard(assertion: &str) -> &str {
+pub(super) fn without_guard(assertion: &str) -> &str {
     let guarded = assertion.strip_prefix("when ").and_then(|rest| rest.split_once(": "));
     guarded.map_or(assertion, |(_, claim)| claim)
 }

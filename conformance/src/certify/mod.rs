@@ -1,6 +1,9 @@
 //! The suite run against a controller: a verdict for each case, in any order and in parallel with the same result.
 
-use std::collections::{BTreeMap, BTreeSet};
+mod select;
+mod verdict;
+
+use std::collections::BTreeMap;
 use std::fmt;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -11,84 +14,16 @@ use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{End, Options, Outcome, Scenario};
 
 use crate::adapters::{Adapter, Motion, NotMoved};
-use crate::compare::{Basis, Tally, compare};
+use crate::compare::{Basis, compare};
 use crate::explain::{Departed, Other};
 use crate::judge::{Finding, judge};
 use crate::motion;
 use crate::observe::Observed;
 use crate::shard::Shard;
 use crate::suite::{Assertion, Case, Edition, MotionCase, Rule, Suite};
-
-/// What came of a case.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// Everything that could be compared is as the documents say.
-    Pass,
-    /// The controller does something else.
-    Diverges(Departure),
-    /// The case's own assertions hold, and the one difference is a quirk that this rule is not about: it is charged to
-    /// the rules that name the quirk. Everything else is as the documents say.
-    ChargedElsewhere(Departure),
-    /// Not run: the controller declared not to have this, or not to show it.
-    Unsupported(String),
-    /// Nothing can be said, and why. Never a pass.
-    Inconclusive(String),
-    /// The controller crashed, hung or was not understood. Never a pass.
-    NotJudged(String),
-}
-
-/// What a controller does otherwise, in words that stay the same from run to run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Departure {
-    /// The first assertion that does not hold, as it is written, with what was found.
-    pub assertion: Option<(String, String)>,
-    /// The first divergence from the model's outcome.
-    pub divergence: Option<String>,
-    /// The quirks and other options of choices that explain it, as few as possible; none where nothing does.
-    pub explanation: Vec<String>,
-}
-
-impl Departure {
-    /// In one line, as expectations name it.
-    pub fn line(&self) -> String {
-        match (&self.assertion, &self.divergence) {
-            (Some((assertion, found)), _) => format!("{assertion} | found {found}"),
-            (None, Some(divergence)) => divergence.clone(),
-            (None, None) => String::new(),
-        }
-    }
-}
-
-/// A case, run.
-#[derive(Clone, Debug)]
-pub struct CaseResult<'a> {
-    /// The rule.
-    pub rule: &'a Rule,
-    /// The name of its case.
-    pub name: &'a str,
-    /// The main program of the case.
-    pub program: &'a str,
-    /// What came of it.
-    pub verdict: Verdict,
-    /// Fields, effects and assertions that the controller does not show.
-    pub masked: BTreeSet<String>,
-    /// What was compared.
-    pub compared: Tally,
-    /// Whether it was run again on a new controller, since the used one departed from the documents. What the new one did
-    /// is judged.
-    pub repeated: bool,
-}
-
-/// The suite, run.
-#[derive(Clone, Debug)]
-pub struct Run<'a> {
-    /// The edition that the controller was held to.
-    pub edition: &'a Edition,
-    /// Cases in the order of rules and pages.
-    pub cases: Vec<CaseResult<'a>>,
-    /// Rules that do not exist in the edition, and why.
-    pub void: Vec<(&'a Rule, &'a str)>,
-}
+use select::{Selected, Subject, select};
+pub use select::{cases, void};
+pub use verdict::{CaseResult, Departure, Run, Traces, Verdict};
 
 /// What is run, and how.
 #[derive(Clone, Copy, Debug)]
@@ -179,71 +114,6 @@ pub fn options_of(suite: &Suite, edition: &Edition, controller: &dyn Adapter) ->
     options
 }
 
-/// Rule and name of each case that a plan runs, in order, on a controller that has laws of motion, or that moves.
-pub fn cases<'a>(plan: Plan<'a>, laws: bool, shard: Shard) -> Vec<(&'a str, &'a str)> {
-    let cases = select(plan, laws).of(shard).cases.into_iter();
-    cases.map(|(rule, subject)| (rule.id.as_str(), subject.name())).collect()
-}
-
-/// Rules that do not exist in the edition of a plan, and why.
-pub fn void(plan: Plan<'_>) -> Vec<(&Rule, &str)> {
-    select(plan, false).void
-}
-
-/// A case of either kind.
-#[derive(Clone, Copy, Debug)]
-enum Subject<'a> {
-    Run(&'a Case),
-    Motion(&'a MotionCase),
-}
-
-impl<'a> Subject<'a> {
-    fn name(self) -> &'a str {
-        match self {
-            Self::Run(case) => &case.name,
-            Self::Motion(case) => &case.name,
-        }
-    }
-}
-
-#[derive(Clone, Debug)]
-struct Selected<'a> {
-    void: Vec<(&'a Rule, &'a str)>,
-    cases: Vec<(&'a Rule, Subject<'a>)>,
-}
-
-impl Selected<'_> {
-    /// A part of the cases.
-    fn of(mut self, shard: Shard) -> Self {
-        let mut places = 0..;
-        self.cases.retain(|_| places.next().is_some_and(|place| shard.has(place)));
-        self
-    }
-}
-
-/// What is run. Samples of a case are for who has laws, its program alone is for who moves.
-fn select<'a>(plan: Plan<'a>, laws: bool) -> Selected<'a> {
-    let edition = &plan.edition.id;
-    let mut void = Vec::new();
-    let mut cases = Vec::new();
-    let wanted = |rule: &&Rule| {
-        plan.only.is_empty() || plan.only.iter().any(|p| rule.id.starts_with(p.as_str()))
-    };
-    let speaks = |rule: &&Rule| rule.language == plan.edition.language;
-    for rule in plan.suite.rules.iter().filter(wanted).filter(speaks) {
-        if let Some(why) = rule.void.get(edition) {
-            void.push((rule, why.as_str()));
-            continue;
-        }
-        let runs = |case: &&Case| case.editions.is_empty() || case.editions.contains(edition);
-        cases.extend(rule.cases.iter().filter(runs).map(|case| (rule, Subject::Run(case))));
-        let concerns = |case: &&MotionCase| case.is_recorded() == laws;
-        let motion = rule.motion.iter().filter(concerns);
-        cases.extend(motion.map(|case| (rule, Subject::Motion(case))));
-    }
-    Selected { void, cases }
-}
-
 fn run_case<'a>(
     plan: Plan<'_>,
     options: &Options,
@@ -303,20 +173,6 @@ fn run_case<'a>(
     result
 }
 
-impl<'a> CaseResult<'a> {
-    fn begun(rule: &'a Rule, name: &'a str, program: &'a str) -> Self {
-        Self {
-            rule,
-            name,
-            program,
-            verdict: Verdict::Pass,
-            masked: BTreeSet::new(),
-            compared: Tally::default(),
-            repeated: false,
-        }
-    }
-}
-
 /// A case of motion: its own samples, or what the controller makes of its program at each feed of segments.
 fn run_motion<'a>(
     plan: Plan<'_>,
@@ -349,6 +205,7 @@ fn run_motion<'a>(
                     assertion,
                     divergence: None,
                     explanation: Vec::new(),
+                    traces: None,
                 });
                 break;
             }
@@ -449,6 +306,7 @@ impl Against<'_> {
         result: &mut CaseResult<'_>,
     ) -> Option<Departure> {
         let shows = self.controller.shows(self.scenario);
+        let outcomes = (expected, found);
         let (expected, found) = (Observed::of(expected), Observed::of(found));
         let mut assertion = None;
         for claim in
@@ -469,7 +327,11 @@ impl Against<'_> {
         result.compared.extend(&comparison.compared);
         let divergence = comparison.divergence.map(|divergence| divergence.to_string());
         let departs = assertion.is_some() || divergence.is_some();
-        departs.then_some(Departure { assertion, divergence, explanation: Vec::new() })
+        let explanation = Vec::new();
+        departs.then(|| {
+            let traces = Some(Traces::of(outcomes.0, outcomes.1));
+            Departure { assertion, divergence, explanation, traces }
+        })
     }
 }
 
