@@ -74,6 +74,17 @@ pub enum Trouble {
     },
 }
 
+impl Trouble {
+    /// Its rule and case.
+    pub fn place(&self) -> (&str, &str) {
+        match self {
+            Self::New { rule, case, .. }
+            | Self::Changed { rule, case, .. }
+            | Self::Stale { rule, case, .. } => (rule, case),
+        }
+    }
+}
+
 impl std::fmt::Display for Trouble {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {

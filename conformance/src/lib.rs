@@ -25,3 +25,4 @@ pub mod report;
 pub mod rs274;
 pub mod shard;
 pub mod suite;
+pub mod waivers;

@@ -9,9 +9,11 @@ use gaugeblock::compare::compare;
 use gaugeblock::expectations::{Expectations, Trouble};
 use gaugeblock::judge::{Finding, judge};
 use gaugeblock::observe::Observed;
+use gaugeblock::report::merge::Stored;
 use gaugeblock::report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock::shard::Shard;
 use gaugeblock::suite::{Suite, files};
+use gaugeblock::waivers::Waivers;
 use gaugeblock_trace::{Effect, End, Event, Outcome, Scenario};
 
 /// The model with one fault planted.
@@ -332,4 +334,58 @@ fn the_page_of_a_controller_without_fault_says_so() {
         page.contains("nothing that is known has changed") && page.contains("Everything was run.")
     );
     assert!(!page.contains("class=\"card row\""));
+}
+
+#[test]
+fn a_baseline_knows_what_was_and_a_waiver_what_somebody_answers_for() {
+    let suite = suite();
+    let only = ["saved-state".to_owned()];
+    let silent = |mut outcome: Outcome| {
+        outcome.steps.iter_mut().for_each(|step| step.events.clear());
+        Ok(outcome)
+    };
+    let (silent, whole) = (faulty(silent), Reference::default());
+    let stored = |controller: &dyn Adapter| {
+        let run = run(&suite, controller, &only, 2);
+        let header = header(&suite, controller, &only);
+        let report =
+            Report { run: &run, header, notes: Vec::new(), profiles: Vec::new(), troubles: None };
+        Stored::read(&json::json(&report).to_string()).expect("a report")
+    };
+    let (before, after) = (run(&suite, &whole, &only, 2), run(&suite, &silent, &only, 2));
+    let (troubles, mended) = stored(&whole).hold(&after);
+    assert_eq!(troubles.len(), diverging(&after));
+    assert!(mended.is_empty() && diverging(&after) > 10);
+    let (troubles, mended) = stored(&silent).hold(&before);
+    assert!(troubles.is_empty());
+    assert_eq!(mended.len(), diverging(&after));
+    assert_eq!(stored(&silent).hold(&after), (Vec::new(), Vec::new()));
+
+    let Some(Trouble::New { rule, .. }) = stored(&whole).hold(&after).0.into_iter().next() else {
+        panic!("nothing is new");
+    };
+    let waiver = |rule: &str, expires: &str| {
+        let text = format!(
+            "[[waiver]]\nrule = {rule:?}\nreason = \"as agreed\"\nowner = \"Ann\"\nexpires = {expires:?}\n"
+        );
+        Waivers::read(&text).expect("waivers")
+    };
+    let today = "2026-11-23".parse().expect("a day");
+    let of_rule =
+        |troubles: &[Trouble]| troubles.iter().filter(|trouble| trouble.place().0 == rule).count();
+    let (left, waived) = waiver(&rule, "2026-11-23").hold(&after, None, today);
+    assert_eq!((of_rule(&left), waived.is_empty()), (0, false), "its last day counts");
+    let (left, waived) = waiver(&rule, "2026-11-22").hold(&after, None, today);
+    assert!(
+        waived.is_empty()
+            && left.iter().any(|trouble| trouble.to_string().contains("which is over"))
+    );
+    let (left, _) = waiver(&rule, "2027-01-01").hold(&before, None, today);
+    assert!(left[0].to_string().contains("nothing to waive"), "{}", left[0]);
+    for wrong in [
+        "[[waiver]]\nrule = \"a\"\n",
+        "[[waiver]]\nrule = \"a\"\nreason = \" \"\nowner = \"b\"\nexpires = \"2026-01-01\"\n",
+    ] {
+        assert!(Waivers::read(wrong).is_err());
+    }
 }

@@ -16,6 +16,7 @@ use crate::report::stored::StoredCase;
 use crate::report::{Header, Report, html, json, junit, profiles, terminal};
 use crate::shard::Shard;
 use crate::suite::Suite;
+use crate::waivers::{Day, Waivers};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock certify
@@ -26,6 +27,8 @@ const EXAMPLES: &str = "Examples:
       only what is new or has changed
   gaugeblock certify rs274 --edition rs274-2.9-observed --report out
       hold it to what is known of it; write out/report.html, report.json, junit.xml, report.txt
+  gaugeblock certify rs274 --baseline main/report.json --waivers waivers.toml --report now
+      in a pull request: only what is new or has changed, but for what somebody answers for until a day
   gaugeblock certify linuxcnc --shard 3/8 --report shard-3
       one of eight machines; after a kill: the same call with --resume
   gaugeblock certify rs274 --profile modal-save --profile subroutines
@@ -55,6 +58,15 @@ pub(super) struct Arguments {
     /// What the controller is known to do otherwise; anything else fails
     #[arg(long, value_name = "FILE")]
     expectations: Option<PathBuf>,
+    /// An earlier report: only divergences that are new or have changed since fail
+    #[arg(long, value_name = "REPORT", conflicts_with = "expectations")]
+    baseline: Option<PathBuf>,
+    /// Divergences that somebody answers for until a day: rule, case, reason, owner, expires (TOML)
+    #[arg(long, value_name = "FILE")]
+    waivers: Option<PathBuf>,
+    /// The day on which waivers are held to be [default: today]
+    #[arg(long, value_name = "YYYY-MM-DD")]
+    today: Option<Day>,
     /// Write what it does otherwise as a file of expectations, to be read before it is used
     #[arg(long, value_name = "FILE")]
     write_expectations: Option<PathBuf>,
@@ -96,6 +108,9 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
         ));
     }
     let expectations = arguments.expectations.as_deref().map(read).transpose()?;
+    let baseline = arguments.baseline.as_deref().map(super::report::stored).transpose()?;
+    let baseline = baseline.map(|(_, stored)| stored);
+    let waivers = arguments.waivers.as_deref().map(read_waivers).transpose()?;
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
     }
@@ -131,14 +146,26 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let header = Header::of(plan, controller.as_ref(), shard);
     let run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
     let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
-    let troubles = expectations.map(|expectations| expectations.hold(&run, whole));
+    let mut notes = controller.notes();
+    let mut troubles = expectations.map(|expectations| expectations.hold(&run, whole));
+    if let Some(baseline) = baseline {
+        let (new, mended) = baseline.hold(&run);
+        troubles = Some(new);
+        notes.extend(mended);
+    }
+    if let Some(waivers) = waivers {
+        let today = arguments.today.unwrap_or_else(today);
+        let (left, waived) = waivers.hold(&run, troubles, today);
+        troubles = Some(left);
+        notes.extend(waived);
+    }
     // What a profile comes to is known of the whole alone.
     let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };
     let profiles = profiles::profiles(suite, &run, claimed);
     if let Some(file) = &arguments.write_expectations {
         write_expectations(file, &run, controller.capabilities())?;
     }
-    let report = Report { run: &run, header, notes: controller.notes(), profiles, troubles };
+    let report = Report { run: &run, header, notes, profiles, troubles };
     if let Some(folder) = &arguments.report {
         write_report(folder, &report)?;
         // What it was for is in the report.
@@ -218,6 +245,21 @@ pub(super) fn progress(cases: usize) -> indicatif::ProgressBar {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }
+}
+
+fn read_waivers(path: &Path) -> Result<Waivers, Refused> {
+    let name = path.display();
+    let hint = "[[waiver]] with rule, reason, owner, expires = \"2027-01-31\", and case for one of its cases";
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+    Waivers::read(&text)
+        .map_err(|error| Refused::wrong(format!("{name}: {}", error.trim_end()), hint))
+}
+
+#[expect(clippy::disallowed_methods, reason = "a waiver ends on a day of the calendar")]
+fn today() -> Day {
+    let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    Day::after_epoch(since.map_or(0, |since| since.as_secs() / 86_400))
 }
 
 pub(super) fn read(path: &Path) -> Result<Expectations, Refused> {

@@ -87,7 +87,7 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, Refused> {
     Ok(report.exit_status())
 }
 
-fn stored(path: &Path) -> Result<(String, Stored), Refused> {
+pub(super) fn stored(path: &Path) -> Result<(String, Stored), Refused> {
     let path = if path.is_dir() { path.join("report.json") } else { path.to_path_buf() };
     let name = path.display().to_string();
     let hint = "`gaugeblock certify --shard I/N --report DIR` writes such a report";

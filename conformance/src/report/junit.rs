@@ -47,12 +47,6 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
 }
 
 fn is_known(report: &Report<'_>, rule: &str, case: &str) -> bool {
-    use crate::expectations::Trouble;
-    report.troubles.as_ref().is_some_and(|troubles| {
-        !troubles.iter().any(|trouble| match trouble {
-            Trouble::New { rule: r, case: c, .. }
-            | Trouble::Changed { rule: r, case: c, .. }
-            | Trouble::Stale { rule: r, case: c, .. } => r == rule && c == case,
-        })
-    })
+    let troubles = report.troubles.as_ref();
+    troubles.is_some_and(|all| !all.iter().any(|trouble| trouble.place() == (rule, case)))
 }

@@ -1,5 +1,6 @@
 //! What a run of the suite comes to: counts, a verdict per rule, an exit status.
 
+pub mod baseline;
 pub mod html;
 pub mod json;
 pub mod junit;

@@ -1,0 +1,195 @@
+//! Waivers: divergences that somebody answers for, until a day.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use crate::certify::{Run, Verdict};
+use crate::expectations::Trouble;
+
+/// A day of the calendar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct Day {
+    year: u32,
+    month: u32,
+    day: u32,
+}
+
+impl Day {
+    /// The day so many days after 1970-01-01.
+    pub fn after_epoch(days: u64) -> Self {
+        // Months from March on, in rounds of 400 years; those are of the same length.
+        let days = days + 719_468;
+        let (round, of_round) = (days / 146_097, days % 146_097);
+        let year = (of_round - of_round / 1460 + of_round / 36_524 - of_round / 146_096) / 365;
+        let of_year = of_round - (365 * year + year / 4 - year / 100);
+        let from_march = (5 * of_year + 2) / 153;
+        let day = of_year - (153 * from_march + 2) / 5 + 1;
+        let month = if from_march < 10 { from_march + 3 } else { from_march - 9 };
+        let year = year + 400 * round + u64::from(month <= 2);
+        let small = |number: u64| u32::try_from(number).unwrap_or(u32::MAX);
+        Self { year: small(year), month: small(month), day: small(day) }
+    }
+}
+
+impl fmt::Display for Day {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:04}-{:02}-{:02}", self.year, self.month, self.day)
+    }
+}
+
+impl FromStr for Day {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || format!("`{text}` is no day: as in 2027-01-31");
+        let parts: Vec<u32> = text.split('-').filter_map(|part| part.parse().ok()).collect();
+        let [year, month, day] = parts[..] else { return Err(wrong()) };
+        let read = Self { year, month, day };
+        let exists = (1..=12).contains(&month) && (1..=31).contains(&day);
+        if exists && read.to_string() == text { Ok(read) } else { Err(wrong()) }
+    }
+}
+
+impl TryFrom<String> for Day {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        text.parse()
+    }
+}
+
+impl From<Day> for String {
+    fn from(day: Day) -> Self {
+        day.to_string()
+    }
+}
+
+/// A divergence that somebody answers for.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Waiver {
+    /// The rule.
+    pub rule: String,
+    /// Its case; every case of the rule where none is named.
+    pub case: Option<String>,
+    /// Why it is let pass.
+    pub reason: String,
+    /// Who answers for it.
+    pub owner: String,
+    /// The last day on which it counts.
+    pub expires: Day,
+}
+
+/// A file of waivers.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Waivers {
+    /// Each of them.
+    #[serde(default)]
+    pub waiver: Vec<Waiver>,
+}
+
+impl Waivers {
+    /// Reads a file of waivers.
+    ///
+    /// # Errors
+    /// It is not in the form, with line and column; or somebody waives something without saying who or why.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let read: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+        let is_said = |text: &str| !text.trim().is_empty();
+        match read.waiver.iter().find(|waiver| !is_said(&waiver.reason) || !is_said(&waiver.owner))
+        {
+            Some(waiver) => {
+                Err(format!("the waiver of {} says no reason, or no owner", waiver.rule))
+            }
+            None => Ok(read),
+        }
+    }
+
+    /// What is wrong in spite of the waivers, and a sentence for each that holds: of `troubles`, or of all divergences of the run
+    /// where it was held against nothing else.
+    pub fn hold(
+        &self,
+        run: &Run<'_>,
+        troubles: Option<Vec<Trouble>>,
+        today: Day,
+    ) -> (Vec<Trouble>, Vec<String>) {
+        let troubles = troubles.unwrap_or_else(|| divergences(run));
+        let (mut left, mut notes) = (Vec::new(), Vec::new());
+        let mut used = vec![false; self.waiver.len()];
+        for trouble in troubles {
+            let (rule, case) = trouble.place();
+            let waived = self.waiver.iter().zip(&mut used).find(|(waiver, _)| {
+                waiver.rule == rule && waiver.case.as_deref().is_none_or(|own| own == case)
+            });
+            match waived {
+                Some((waiver, used)) if !matches!(trouble, Trouble::Stale { .. }) => {
+                    *used = true;
+                    let Waiver { owner, reason, expires, .. } = waiver;
+                    if *expires < today {
+                        let (rule, case) = (rule.to_owned(), case.to_owned());
+                        let why =
+                            format!("waived by {owner} until {expires}, which is over: {reason}");
+                        left.push(Trouble::Stale { rule, case, why });
+                    } else {
+                        notes.push(format!(
+                            "waived by {owner} until {expires}: {trouble}: {reason}"
+                        ));
+                    }
+                }
+                _ => left.push(trouble),
+            }
+        }
+        for (waiver, _) in self.waiver.iter().zip(used).filter(|(_, used)| !used) {
+            let case = waiver.case.clone().unwrap_or_else(|| "every case".to_owned());
+            let why = format!("waived by {}, and there is nothing to waive", waiver.owner);
+            left.push(Trouble::Stale { rule: waiver.rule.clone(), case, why });
+        }
+        (left, notes)
+    }
+}
+
+/// Every divergence of a run, as one that is not listed.
+fn divergences(run: &Run<'_>) -> Vec<Trouble> {
+    let departed = run.cases.iter().filter_map(|result| match &result.verdict {
+        Verdict::Diverges(departure) | Verdict::ChargedElsewhere(departure) => Some(Trouble::New {
+            rule: result.rule.id.clone(),
+            case: result.name.to_owned(),
+            found: departure.line(),
+        }),
+        Verdict::Pass
+        | Verdict::Unsupported(_)
+        | Verdict::Inconclusive(_)
+        | Verdict::NotJudged(_) => None,
+    });
+    departed.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn days_are_those_of_the_calendar() {
+        for (days, expected) in [
+            (0, "1970-01-01"),
+            (58, "1970-02-28"),
+            (59, "1970-03-01"),
+            (11_016, "2000-02-29"),
+            (11_017, "2000-03-01"),
+            (20_780, "2026-11-23"),
+            (47_540, "2100-02-28"),
+            (47_541, "2100-03-01"),
+        ] {
+            assert_eq!(Day::after_epoch(days).to_string(), expected);
+        }
+        assert_eq!("2026-11-23".parse::<Day>().unwrap(), Day::after_epoch(20_780));
+        for wrong in ["2026-13-01", "2026-1-1", "tomorrow", "2026-11", "2026-11-32", "-2026-11-01"]
+        {
+            assert!(wrong.parse::<Day>().is_err(), "{wrong}");
+        }
+    }
+}
