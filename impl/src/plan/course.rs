@@ -9,7 +9,7 @@ use super::corner::{Corner, bent_end, bent_start, halve, parabola, share, turn};
 use super::leg::Leg;
 use super::limits::{Limits, squared};
 use super::parameters::Axes;
-use super::piece::{Law, Piece};
+use super::piece::{Law, Pace, Piece};
 use super::ring::Ring;
 use super::segment::Blend;
 use super::step::Motion;
@@ -71,6 +71,11 @@ impl Course {
     pub(super) fn stop(&mut self) {
         let (_, last, _) = turned(&mut self.legs, self.turn);
         last.leg.blend = Blend::ExactStop;
+    }
+
+    /// Whether one of the last legs follows the spindle, of which pieces may have been made anew.
+    pub(super) fn follows(&self) -> bool {
+        self.legs.iter().any(|open| open.leg.whole.pace == Pace::Turn)
     }
 
     /// Seconds of rest at the end of the path.

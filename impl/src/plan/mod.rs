@@ -51,6 +51,8 @@ const REMEMBERED: u64 = 128;
 /// Pieces of look-ahead for a queued segment, and for a cycle.
 const WORK_QUEUED: u32 = 8;
 const WORK_CYCLE: u32 = 2;
+/// How many pieces may be made when a segment is queued, at most.
+const MADE: u64 = 8;
 /// The slowest override that look-ahead plans for, and turns of a spindle per second; below, it plans for this and eases.
 const SLOWEST: f64 = 0.01;
 /// How much slower or faster than planned a spindle may turn before look-ahead plans anew, and how much faster it plans then.
@@ -178,8 +180,8 @@ impl Planner {
                     self.course.stop();
                 }
                 self.course.add(&mut queue);
-                if let Feed::PerTurn(_) = segment.feed {
-                    self.followed = self.ring.end();
+                if self.course.follows() {
+                    self.follow();
                 }
             }
         }
@@ -230,6 +232,15 @@ impl Planner {
     /// What the machine can do.
     pub fn dynamics(&self) -> &Dynamics {
         &self.dynamics
+    }
+
+    /// Finds the last piece that follows the spindle: a leg takes the corner with it, which is made with the next leg and anew with the one after.
+    fn follow(&mut self) {
+        let end = self.ring.end();
+        let follows = |place: &u64| self.ring.get(*place).is_some_and(|p| p.pace == Pace::Turn);
+        if let Some(last) = (end.saturating_sub(MADE)..end).rev().find(follows) {
+            self.followed = last.saturating_add(1);
+        }
     }
 
     /// Forgets pieces that lie far behind the motion, if there is need.

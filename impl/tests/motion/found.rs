@@ -151,3 +151,28 @@ fn long_flat_blend_speeds_up_and_slows_down() {
     let (strict, loose) = (time(0.000_29), time(0.000_8));
     assert!(loose <= strict + 0.002, "{strict} s, {loose} s with more allowed");
 }
+
+/// A blend with a feed per turn that is queued with the move after it followed no spindle, and never ended.
+#[test]
+fn blend_after_the_last_feed_per_turn_follows_the_spindle() {
+    for (feed, blend) in [(Feed::Rapid, Blend::BetweenMidpoints), (Feed::Rapid, Blend::Within(0.1))]
+    {
+        let mut program = [
+            line(at(2.0, 0.0, 0.0), blend),
+            line(at(2.5, 2.0, 0.0), blend),
+            line(at(4.0, 2.0, 0.0), blend),
+            line(at(4.0, 4.0, 0.0), blend),
+        ];
+        program[0].feed = Feed::PerTurn(0.5);
+        program[1].feed = Feed::PerTurn(0.5);
+        program[2].feed = feed;
+        for last in [2, 3, 4] {
+            let mut turns = 0.0;
+            let run = operated(ORIGIN, &program[..last], |_| {
+                turns += 10.0 * 0.001;
+                InputParameter { spindle_turns: turns, ..InputParameter::default() }
+            });
+            assert!(run.time() < 1.2, "{last}: {} s", run.time());
+        }
+    }
+}
