@@ -9,7 +9,7 @@
 //!   course      the end of the path: legs are cut, corners put between them        course, corner
 //! Piece         a part of the path with one law for speed and acceleration         piece, limits
 //!   ahead       how fast each piece may be entered, from the end of the queue back ahead, reach
-//!   step        a cycle of motion along the pieces                                 step
+//!   step        a cycle of motion along the pieces                                 step, bend
 //! OutputParameter
 //! ```
 //!
@@ -21,6 +21,7 @@
 //! could not go faster for it.
 
 mod ahead;
+mod bend;
 mod corner;
 mod course;
 mod leg;

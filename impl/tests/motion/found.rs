@@ -176,3 +176,23 @@ fn blend_after_the_last_feed_per_turn_follows_the_spindle() {
         }
     }
 }
+
+/// A blend that lasts for many cycles between rest, or slow corners, was passed with one acceleration, so that a longer one took longer.
+#[test]
+fn blend_speeds_up_within_its_length_and_slows_down_again() {
+    let time = |feed: f64, tolerance: f64, ends: &[(f64, f64)]| {
+        let to = |(x, y): &(f64, f64)| Segment {
+            feed: Feed::PerSecond(feed / 60.0),
+            ..line(at(*x, *y, 0.0), Blend::Within(tolerance))
+        };
+        run(ORIGIN, &ends.iter().map(to).collect::<Vec<_>>(), Feeding::Full).time()
+    };
+    let corner = [(-0.020_35, -0.032_95), (-0.039_98, -0.066_34), (-0.03, -0.09)];
+    assert!(time(4545.0, 0.0002, &corner) <= time(4545.0, 0.000_146, &corner) + 0.002);
+    let slow = [(-0.021_94, 0.018_57), (-0.13, 0.17)];
+    assert!(time(120.0, 0.002, &slow) <= time(120.0, 0.001, &slow) + 0.002);
+    let row = [(0.143_35, 0.037_83), (0.143_01, 0.033_51), (0.142_66, 0.029_19), (0.14, 0.03)];
+    let divided = [row[0], row[1], (0.142_891_04, 0.032_041_695), row[2], row[3]];
+    let (whole, parts) = (time(1777.0, 0.000_01, &row), time(1777.0, 0.000_01, &divided));
+    assert!((whole - parts).abs() <= 0.002, "{whole} s, {parts} s in smaller steps");
+}
