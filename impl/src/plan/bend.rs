@@ -4,14 +4,19 @@
 //! what it likes as long as after each cycle there is such an acceleration that leads to what the next piece allows.
 
 use super::limits::{Limits, PLANNED, squared};
-use super::piece::Piece;
+use super::piece::{Law, Piece};
 use super::step::{End, Motion, SMALL, Wish, wanted};
 use crate::math;
 
 /// Half of what lies between a limit and what is planned with.
 const HARDLY: f64 = 1.0 + 0.5 * (1.0 - PLANNED);
 /// How often an acceleration is halved in that leaves another one to be kept up.
-const TRIALS: u32 = 6;
+const TRIALS: u32 = 5;
+/// The share of the square of a speed by which it is worth to be faster, and the same over what is left of a bend.
+const WORTH: f64 = 1e-3;
+const SHARE: f64 = 0.03;
+/// For how many cycles a bend must still last at the present speed.
+const LASTING: f64 = 2.0;
 
 impl Motion {
     pub(super) fn bend<const N: usize>(
@@ -24,21 +29,28 @@ impl Motion {
         let End { exit, remaining } = end;
         let mut most = f64::NEG_INFINITY;
         if !wish.rest {
-            let eased = End { exit: wish.ease * exit, remaining };
+            let ceiling = if self.backwards { piece.ceiling } else { piece.last_ceiling };
+            let eased = End { exit: math::lesser(wish.ease * exit, ceiling), remaining };
             let met = (eased.exit - squared(self.speed)) / (2.0 * remaining);
-            let asked = (wanted(piece, wish) - self.speed) / left;
+            // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of override that is too late.
+            let eases = wish.rapid < 1.0;
+            let fastest = if eases { self.fastest(piece, 0.0) } else { piece.fastest };
+            let asked = (wanted(piece, fastest, wish) - self.speed) / left;
             most = math::lesser(asked, met);
+            let mut even = None;
             if most > 0.0 {
                 let (high, calm) = self.greatest::<N>(piece, remaining, limits);
                 most = math::lesser(most, high);
-                if calm {
-                    let even = math::greater(most, 0.0);
-                    let most = self.quicker::<N>(piece, eased, (even, asked), limits, left);
-                    return self.go(piece, most, end, left);
-                }
+                even = calm.then(|| math::greater(most, 0.0));
             } else if self.allows::<N>(piece, remaining, most, limits) {
-                let most = self.quicker::<N>(piece, eased, (most, asked), limits, left);
-                return self.go(piece, most, end, left);
+                even = Some(most);
+            }
+            if let Some(mut even) = even {
+                let lasts = LASTING * self.speed * limits.cycle < remaining;
+                if lasts && even < asked {
+                    even = self.quicker::<N>(piece, eased, even, (limits, wish), left);
+                }
+                return self.go(piece, even, end, left);
             }
         }
         let low = self.least::<N>(piece, remaining, limits);
@@ -53,23 +65,48 @@ impl Motion {
         self.go(piece, math::greater(most, math::lesser(now, low)), end, left)
     }
 
-    /// On a bend that lasts longer than the cycle, more than the acceleration that could be kept up to its end: as much as is asked for, if then
-    /// another one can be kept up.
+    /// The highest speed that the axes allow so far ahead.
+    fn fastest(&self, piece: &Piece, ahead: f64) -> f64 {
+        let rise = piece.last_ceiling - piece.ceiling;
+        if rise.abs() <= 0.0 {
+            return piece.fastest;
+        }
+        let x = if self.backwards { self.x - ahead } else { self.x + ahead };
+        math::sqrt(piece.ceiling + rise * x / piece.length)
+    }
+
+    /// On a bend that lasts for some cycles, more than the acceleration that can be kept up to its end: as much as is asked for, if another one can
+    /// be kept up then.
+    #[inline(never)]
     fn quicker<const N: usize>(
         &self,
         piece: &Piece,
         end: End,
-        (even, asked): (f64, f64),
-        limits: &Limits,
+        even: f64,
+        (limits, wish): (&Limits, &Wish),
         left: f64,
     ) -> f64 {
-        let travel = |acceleration: f64| (self.speed + 0.5 * acceleration * left) * left;
-        let rests = even < 0.0 && self.speed + even * left <= 0.0;
-        if even >= asked || rests || travel(even) >= end.remaining {
+        let Law::Bent { even: most } = piece.law else { return even };
+        if most - squared(self.speed) <= WORTH * most {
             return even;
         }
-        let here = math::lesser(asked, self.greatest::<N>(piece, 0.0, limits).0);
-        let near = math::lesser(travel(here), end.remaining);
+        let travel = |acceleration: f64| (self.speed + 0.5 * acceleration * left) * left;
+        let leads = |tried: f64| {
+            let way = travel(tried);
+            way < end.remaining && self.leads::<N>(piece, end, (tried, way), (limits, wish), left)
+        };
+        if even < 0.0 && self.speed + even * left <= 0.0 {
+            return even;
+        }
+        let near = math::lesser(self.speed * left, end.remaining);
+        let wanted = wanted(piece, self.fastest(piece, near), wish);
+        let asked = (math::lesser(wanted, math::sqrt(most)) - self.speed) / left;
+        // Mostly the motion is as fast as it may be.
+        let more = even + SHARE * squared(self.speed) / end.remaining;
+        if even >= asked || !leads(math::lesser(asked, more)) {
+            return even;
+        }
+        let near = math::lesser(1.5 * near, end.remaining);
         let mut high = math::lesser(asked, self.greatest::<N>(piece, near, limits).0);
         let mut low = even;
         let mut tried = high;
@@ -78,7 +115,8 @@ impl Motion {
                 break;
             }
             let way = travel(tried);
-            if way < end.remaining && self.leads::<N>(piece, end, (tried, way), limits, left) {
+            let allowed = way <= near || self.allows::<N>(piece, way, tried, limits);
+            if allowed && leads(tried) {
                 if tried >= high {
                     return tried;
                 }
@@ -97,10 +135,14 @@ impl Motion {
         piece: &Piece,
         End { exit, remaining }: End,
         (acceleration, way): (f64, f64),
-        limits: &Limits,
+        (limits, wish): (&Limits, &Wish),
         left: f64,
     ) -> bool {
-        let y = squared(self.speed + acceleration * left);
+        let speed = self.speed + acceleration * left;
+        if speed > wanted(piece, self.fastest(piece, way), wish) {
+            return false;
+        }
+        let y = squared(speed);
         let (sense, last) = if self.backwards { (-1.0, 0.0) } else { (1.0, piece.length) };
         let x = self.x + sense * way;
         let along = if y > exit { sense * (exit - y) / (2.0 * (remaining - way)) } else { 0.0 };

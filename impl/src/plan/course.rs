@@ -13,6 +13,7 @@ use super::piece::{Law, Pace, Piece};
 use super::ring::Ring;
 use super::segment::Blend;
 use super::step::Motion;
+use crate::math;
 
 /// So many pieces may be touched in a cycle, by a limit of speed where they are short.
 const CROWD: u64 = 3;
@@ -313,9 +314,10 @@ fn spread(queue: &mut Queue<'_>) {
     let most = squared(length / queue.limits.cycle);
     for place in first.max(queue.motion.at.saturating_add(1))..end {
         if let Some(piece) = queue.ring.get_mut(place)
-            && piece.ceiling > most
+            && piece.fastest > length / queue.limits.cycle
         {
-            piece.ceiling = most;
+            piece.ceiling = math::lesser(piece.ceiling, most);
+            piece.last_ceiling = math::lesser(piece.last_ceiling, most);
             piece.fastest = length / queue.limits.cycle;
             queue.changed = queue.changed.min(place);
         }

@@ -43,7 +43,7 @@ use course::{Course, Queue};
 use leg::{Resolved, resolve};
 use limits::{Limits, squared};
 use piece::{Law, Pace, Piece};
-use reach::{Scale, backward, cap};
+use reach::{Scale, backward, caps};
 use ring::Ring;
 use step::{Motion, Wish};
 
@@ -346,7 +346,7 @@ impl Planner {
             Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
             None => 0.0,
         };
-        let back = backward(piece, exit, cap(piece, self.ahead.scale), &self.limits);
+        let back = backward(piece, exit, caps(piece, self.ahead.scale), &self.limits);
         if let Some(piece) = self.ring.get_mut(place) {
             piece.back = back;
         }
@@ -413,7 +413,9 @@ impl Planner {
         let Some(piece) = self.ring.get(motion.at) else { return true };
         let over = match piece.law {
             Law::Dwell(seconds) => motion.dwelt >= seconds,
-            Law::Even { .. } | Law::Bent | Law::Round { .. } => motion.remaining(piece) <= 0.0,
+            Law::Even { .. } | Law::Bent { .. } | Law::Round { .. } => {
+                motion.remaining(piece) <= 0.0
+            }
         };
         let last = motion.at.saturating_add(1) == self.ring.end();
         motion.speed <= 0.0 && over && last && !motion.backwards

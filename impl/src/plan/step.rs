@@ -168,8 +168,8 @@ impl Motion {
     #[inline]
     fn within(&mut self, piece: &Piece, end: End, asked: (&Limits, &Wish), left: f64) -> f64 {
         match piece.law {
-            Law::Bent if piece.axes <= 3 => self.bend::<3>(piece, end, asked, left),
-            Law::Bent => self.bend::<9>(piece, end, asked, left),
+            Law::Bent { .. } if piece.axes <= 3 => self.bend::<3>(piece, end, asked, left),
+            Law::Bent { .. } => self.bend::<9>(piece, end, asked, left),
             Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
                 self.along(piece, end, asked, left)
             }
@@ -190,7 +190,7 @@ impl Motion {
             let low = math::lesser(ramp.low, self.hardest(piece, limits, left));
             return self.go(piece, low, end, left);
         }
-        let wanted = wanted(piece, wish);
+        let wanted = wanted(piece, piece.fastest, wish);
         if self.speed + ramp.low * left > wanted {
             // Whoever lowers an override wants all of the brakes, too.
             ramp.low = math::lesser(ramp.low, self.hardest(piece, limits, left));
@@ -267,13 +267,14 @@ impl Motion {
                 let bound = ease * exit - slope * remaining;
                 Ramp { low: -acceleration / PLANNED, high: acceleration, bound, slope }
             }
-            (Law::Round { .. } | Law::Bent | Law::Dwell(_), _) => {
+            (Law::Round { .. } | Law::Bent { .. } | Law::Dwell(_), _) => {
                 Ramp { low: 0.0, high: 0.0, bound: 0.0, slope: 0.0 }
             }
         }
     }
 
     /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
+    #[inline]
     pub(super) fn go(
         &mut self,
         piece: &Piece,
@@ -312,7 +313,9 @@ impl Motion {
             return left;
         }
         self.travel(math::lesser(travel, remaining));
-        self.speed = math::greater(0.0, end);
+        // Where the motion rests at the end and at the end of the cycle, rounding leaves neither of them a speed.
+        let rests = exit <= 0.0 && travel >= remaining;
+        self.speed = if rests { 0.0 } else { math::greater(0.0, end) };
         left
     }
 
@@ -330,7 +333,7 @@ impl Motion {
         let remaining = self.remaining(piece);
         let ahead = exit(ring, piece, self.at);
         match piece.law {
-            Law::Bent => {
+            Law::Bent { .. } => {
                 let low = self.least::<9>(piece, remaining, limits);
                 let high = self
                     .greatest::<9>(piece, remaining, limits)
@@ -349,11 +352,11 @@ fn within_bounds(acceleration: f64, ramp: &Ramp) -> f64 {
     math::greater(math::lesser(acceleration, ramp.high), ramp.low)
 }
 
-/// The speed that a piece is asked to have.
-pub(super) fn wanted(piece: &Piece, wish: &Wish) -> f64 {
-    let axes = if piece.rapid { piece.fastest * wish.rapid } else { piece.fastest };
+/// The speed that a piece is asked to have where its axes allow so much.
+pub(super) fn wanted(piece: &Piece, fastest: f64, wish: &Wish) -> f64 {
+    let axes = if piece.rapid { fastest * wish.rapid } else { fastest };
     match piece.pace {
-        Pace::Rapid => piece.fastest * wish.rapid,
+        Pace::Rapid => fastest * wish.rapid,
         Pace::Second => math::lesser(axes, piece.feed * wish.feed),
         Pace::Turn => math::lesser(axes, piece.feed * wish.turns),
     }

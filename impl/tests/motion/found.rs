@@ -196,3 +196,20 @@ fn blend_speeds_up_within_its_length_and_slows_down_again() {
     let (whole, parts) = (time(1777.0, 0.000_01, &row), time(1777.0, 0.000_01, &divided));
     assert!((whole - parts).abs() <= 0.002, "{whole} s, {parts} s in smaller steps");
 }
+
+/// It rested at its end with the last bit of a cycle, and had a speed left by rounding, for ever.
+#[test]
+fn program_that_ends_with_a_cycle_comes_to_its_end() {
+    let mut dynamics = dynamics();
+    dynamics.cycle = 0.002;
+    dynamics.acceleration[2] = 3_029.563_855_379_82;
+    let to = |y: f64, z: f64| Segment {
+        feed: Feed::PerSecond(5302.0 / 60.0),
+        ..line(at(0.0, y, z), Blend::BetweenMidpoints)
+    };
+    let program = [to(0.003_16, -0.003_69), to(0.006_23, -0.007_46)];
+    let mut planner = Planner::new(dynamics, ORIGIN).expect("limits");
+    let input = InputParameter::default();
+    let run = run_with(&mut planner, ORIGIN, &program, Feeding::Full, |_| input);
+    assert_eq!(run.samples.last(), Some(&at(0.0, 0.006_23, -0.007_46)));
+}
