@@ -213,3 +213,58 @@ fn program_that_ends_with_a_cycle_comes_to_its_end() {
     let run = run_with(&mut planner, ORIGIN, &program, Feeding::Full, |_| input);
     assert_eq!(run.samples.last(), Some(&at(0.0, 0.006_23, -0.007_46)));
 }
+
+/// A blend was passed no faster than its slower end: a longer one took longer where another axis limits the speed behind the corner.
+#[test]
+fn blend_is_as_fast_at_each_end_as_the_axes_allow_there() {
+    let mut dynamics = dynamics();
+    dynamics.velocity = [447.0, 447.0, 41.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0];
+    dynamics.acceleration = [861.0, 2920.0, 9640.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0];
+    let time = |tolerance: f64, sense: f64| {
+        let to = |x: f64, z: f64| Segment {
+            feed: Feed::PerSecond(4828.0 / 60.0),
+            ..line(at(x, 0.0, z), Blend::Within(tolerance))
+        };
+        let mut program = [to(-35.0, 63.0), to(-12.0, 63.0)];
+        let mut start = ORIGIN;
+        if sense < 0.0 {
+            start = at(-12.0, 0.0, 63.0);
+            program = [to(-35.0, 63.0), to(0.0, 0.0)];
+        }
+        let mut planner = Planner::new(dynamics, start).expect("limits");
+        let input = InputParameter::default();
+        let run = run_with(&mut planner, start, &program, Feeding::Full, |_| input);
+        let (speed, change) = run.worst(&dynamics);
+        assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+        run.time()
+    };
+    for sense in [1.0, -1.0] {
+        let (strict, loose) = (time(2.0, sense), time(4.1, sense));
+        assert!(loose <= strict + 0.002, "{strict} s, {loose} s with more allowed");
+    }
+}
+
+/// A blend of a feed per turn and a rapid was longer where axes are faster, and all of it has the feed.
+#[test]
+fn faster_axes_do_not_lengthen_a_blend_that_follows_the_spindle() {
+    let time = |velocity: f64| {
+        let mut dynamics = dynamics();
+        dynamics.velocity[0] = velocity;
+        let mut program = [
+            line(at(-0.39, 2.81, 0.0), Blend::BetweenMidpoints),
+            line(at(0.05, 3.44, 0.0), Blend::BetweenMidpoints),
+            line(at(3.0, 8.0, 0.0), Blend::BetweenMidpoints),
+        ];
+        (program[0].feed, program[2].feed) = (Feed::PerTurn(1.0), Feed::PerTurn(1.0));
+        program[1].feed = Feed::Rapid;
+        let mut planner = Planner::new(dynamics, ORIGIN).expect("limits");
+        let mut turns = 0.0;
+        let run = run_with(&mut planner, ORIGIN, &program, Feeding::Full, |_| {
+            turns += 10.0 * 0.001;
+            InputParameter { spindle_turns: turns, ..InputParameter::default() }
+        });
+        run.time()
+    };
+    let (slow, fast) = (time(15.0), time(60.0));
+    assert!(fast <= slow + 0.002, "{slow} s, {fast} s where an axis is faster");
+}

@@ -88,11 +88,14 @@ fn ask(
     task: &Task,
     expected: &mut BTreeMap<Pin, Vec<Expected>>,
 ) {
-    let (certain, corner) = (visit.passed, &route.corners[number]);
+    let corner = &route.corners[number];
+    let certain =
+        |last: usize| visit.passed && record.requests.aborted.is_none_or(|aborted| last < aborted);
     match task {
         Task::Dwell(_) | Task::Wait(_) => (),
         Task::AtOnce(switching) => {
             let (first, last) = at_once(record, corner, visit);
+            let certain = certain(last);
             let new = Expected { value: switching.value, first, last, certain };
             expected.entry(switching.pin).or_default().push(new);
         }
@@ -103,6 +106,7 @@ fn ask(
             let (near, until) = visit.at.filter(|_| stays).unwrap_or(near);
             for switching in switches {
                 let (first, last) = (near.saturating_sub(1), until + 1);
+                let certain = certain(last);
                 let new = Expected { value: switching.value, first, last, certain };
                 expected.entry(switching.pin).or_default().push(new);
             }
@@ -172,7 +176,9 @@ fn compare(pin: Pin, values: &[f64], asked: &[Expected], findings: &mut Findings
             continue;
         }
         match next {
-            Some((sample, value)) if same(value, wanted.value) => {
+            Some((sample, value))
+                if same(value, wanted.value) && !(brief && sample > wanted.last) =>
+            {
                 changes.next();
                 now = value;
                 let off = if sample < wanted.first {
