@@ -133,7 +133,9 @@ pub(super) fn visits(
         };
         let at = at_since(first);
         let back = (first..after).rev().find(|sample| !can_be_behind(*sample));
-        let again = back.map(|back| (back + 1, at_since(back + 1)));
+        // Who may have been on the way behind it has perhaps begun that.
+        let begun = |back: &usize| (first..*back).any(|s| can_be_behind(s) && !is_at(s));
+        let again = back.filter(|back| !begun(back)).map(|back| (back + 1, at_since(back + 1)));
         let last = after.saturating_sub(1);
         visits.push(Some(Visit { first, last, at, passed: after < end || at.is_some(), again }));
     }
