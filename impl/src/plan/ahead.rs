@@ -5,7 +5,7 @@
 
 use super::limits::Limits;
 use super::piece::Piece;
-use super::reach::{Scale, cap, forward};
+use super::reach::{Scale, caps, forward};
 use super::ring::Ring;
 
 /// Pieces before the one in execution that a change of override is planned for; and how near unplanned ones may come.
@@ -162,7 +162,8 @@ pub(super) fn exit(ring: &Ring<Piece>, piece: &Piece, place: u64) -> f64 {
     }
 }
 
+#[inline]
 fn computed(ring: &Ring<Piece>, place: u64, scale: Scale, limits: &Limits) -> f64 {
     let Some(piece) = ring.get(place) else { return 0.0 };
-    forward(piece, exit(ring, piece, place), cap(piece, scale), limits)
+    forward(piece, exit(ring, piece, place), caps(piece, scale), limits)
 }

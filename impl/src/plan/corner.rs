@@ -15,6 +15,9 @@ const HALVINGS: u32 = 12;
 const ROUND_KINK: f64 = 0.075;
 /// The share of the acceleration that a blend may cost where it has the length to choose.
 const COST: f64 = 0.05;
+/// How fast a spindle is taken to turn where that decides how long a blend with a rapid move is: in turns per second. It is not known when the
+/// blend is made, and may be four times as fast until the blend costs something.
+const TURNS: f64 = 10.0;
 /// The angle of an arc that is bent for a corner at most, radians: its acceleration is bounded over the whole of that.
 const ROUND: f64 = 0.1;
 /// How much of a tolerance is used: rounding has the rest.
@@ -76,6 +79,11 @@ impl Corner {
         }
         // A blend that is long enough to cost nothing need not be longer.
         let fastest = pressing(before).min(pressing(after));
+        let fastest = match paces {
+            [Pace::Turn, Pace::Rapid] => fastest.min(squared(TURNS * before.whole.feed)),
+            [Pace::Rapid, Pace::Turn] => fastest.min(squared(TURNS * after.whole.feed)),
+            _ => fastest,
+        };
         let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, turn.len()));
         let most = (4.0 * KEPT * tolerance / break_).min(enough);
         let most = most.min(round(before)).min(round(after));
@@ -155,9 +163,10 @@ impl Kink {
                 *acceleration *= self.left;
                 *planned *= self.left;
                 piece.ceiling *= self.left;
+                piece.last_ceiling = piece.ceiling;
                 piece.fastest = math::sqrt(piece.ceiling);
             }
-            Law::Bent | Law::Dwell(_) => {}
+            Law::Bent { .. } | Law::Dwell(_) => {}
         }
         piece
     }
@@ -167,7 +176,7 @@ impl Kink {
 fn along(leg: &Leg) -> f64 {
     match leg.whole.law {
         Law::Even { acceleration } | Law::Round { acceleration, .. } => acceleration,
-        Law::Bent | Law::Dwell(_) => 0.0,
+        Law::Bent { .. } | Law::Dwell(_) => 0.0,
     }
 }
 
@@ -231,20 +240,22 @@ pub(super) fn parabola(
     blend.feed /= blend.exit.max(1.0);
 }
 
-/// Leaves of a parabola its first half and gives back its second, each with an acceleration of its own along it: with one alone, a long flat blend
-/// between two slow corners would be passed slowly as a whole. `None` where nothing is won, or where pieces would be so short that their number limits the speed.
+/// Leaves of a parabola its first half and gives back its second, each with a law of its own: a long flat blend between two slow corners can speed
+/// up and slow down in it, and where speed is limited by another axis at its end than at its start both have what they allow. `None` where
+/// nothing is won, or where pieces would be so short that their number limits the speed.
 pub(super) fn halve(blend: &mut Piece, limits: &Limits) -> Option<Piece> {
-    let turn = norm(&blend.bend) * blend.length;
-    if turn > FLAT {
+    let Law::Bent { even } = blend.law else { return None };
+    let axes = squared(blend.fastest);
+    let (asked, pressed) = match blend.pace {
+        Pace::Second => (squared(blend.feed), squared(2.0 * blend.feed)),
+        Pace::Rapid | Pace::Turn => (f64::INFINITY, f64::INFINITY),
+    };
+    let flat = norm(&blend.bend) * blend.length <= FLAT;
+    if !flat && axes >= even.min(asked) {
         return None;
     }
     let along = least(&limits.acceleration, &blend.rate, blend.axes);
-    let across = least(&limits.acceleration, &blend.bend, blend.axes);
-    let fastest = match blend.pace {
-        Pace::Second => blend.ceiling.min(squared(2.0 * blend.feed)),
-        Pace::Rapid | Pace::Turn => blend.ceiling,
-    };
-    let far = math::sqrt(fastest.min(across)) * limits.cycle;
+    let far = math::sqrt(axes.min(pressed).min(even)) * limits.cycle;
     if blend.length < far || blend.length < along * squared(WORTH * limits.cycle) {
         return None;
     }

@@ -9,10 +9,11 @@ use super::corner::{Corner, bent_end, bent_start, halve, parabola, share, turn};
 use super::leg::Leg;
 use super::limits::{Limits, squared};
 use super::parameters::Axes;
-use super::piece::{Law, Piece};
+use super::piece::{Law, Pace, Piece};
 use super::ring::Ring;
 use super::segment::Blend;
 use super::step::Motion;
+use crate::math;
 
 /// So many pieces may be touched in a cycle, by a limit of speed where they are short.
 const CROWD: u64 = 3;
@@ -71,6 +72,11 @@ impl Course {
     pub(super) fn stop(&mut self) {
         let (_, last, _) = turned(&mut self.legs, self.turn);
         last.leg.blend = Blend::ExactStop;
+    }
+
+    /// Whether one of the last legs follows the spindle, of which pieces may have been made anew.
+    pub(super) fn follows(&self) -> bool {
+        self.legs.iter().any(|open| open.leg.whole.pace == Pace::Turn)
     }
 
     /// Seconds of rest at the end of the path.
@@ -308,9 +314,10 @@ fn spread(queue: &mut Queue<'_>) {
     let most = squared(length / queue.limits.cycle);
     for place in first.max(queue.motion.at.saturating_add(1))..end {
         if let Some(piece) = queue.ring.get_mut(place)
-            && piece.ceiling > most
+            && piece.fastest > length / queue.limits.cycle
         {
-            piece.ceiling = most;
+            piece.ceiling = math::lesser(piece.ceiling, most);
+            piece.last_ceiling = math::lesser(piece.last_ceiling, most);
             piece.fastest = length / queue.limits.cycle;
             queue.changed = queue.changed.min(place);
         }

@@ -51,15 +51,42 @@ impl Limits {
                 piece.ceiling = squared(least(&self.velocity, &piece.rate, axes));
             }
             None => {
-                piece.law = Law::Bent;
-                let start = least(&self.velocity, &piece.rate, axes);
-                piece.ceiling =
-                    squared(start.min(least(&self.velocity, &piece.tangent(piece.length), axes)));
+                self.rule_bent(piece);
+                return;
             }
             Some(circle) if !bends => self.rule_round(piece, &circle),
             Some(circle) => self.rule_bent_arc(piece, &circle),
         }
+        piece.last_ceiling = piece.ceiling;
         piece.fastest = math::sqrt(piece.ceiling);
+    }
+
+    /// An axis that has a share p' of the speed at one end of a bend and q at the other, and more there, is within its limit v at that end with v²/q²,
+    /// and everywhere if the square of the speed changes evenly from there to v²/q²·(3 - 2p/q) at most: its own is (p'·speed)², whose
+    /// logarithm bends downwards along the bend, so that it is greatest at that end if it does not fall towards it.
+    fn rule_bent(&self, piece: &mut Piece) {
+        let (mut start, mut end) = (f64::INFINITY, f64::INFINITY);
+        let axes = self.velocity.iter().zip(&piece.rate).zip(&piece.bend).take(piece.axes);
+        for ((limit, first), bend) in axes {
+            let last = first + piece.length * bend;
+            let falls = first.abs() > last.abs();
+            let (most, other) = if falls { (*first, last) } else { (last, *first) };
+            if most.abs() <= 0.0 {
+                continue;
+            }
+            let (here, share) = (squared(limit / most), other / most);
+            // Where it turns round, the other end has a limit that may be lower.
+            let there = if share < -0.5 { here } else { here * (3.0 - 2.0 * share) };
+            if falls {
+                (start, end) = (math::lesser(start, here), math::lesser(end, there));
+            } else {
+                (start, end) = (math::lesser(start, there), math::lesser(end, here));
+            }
+        }
+        let even = least(&self.planned, &piece.bend, piece.axes);
+        piece.law = Law::Bent { even };
+        (piece.ceiling, piece.last_ceiling) = (start, end);
+        piece.fastest = math::sqrt(math::greater(start, end));
     }
 
     /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may need.

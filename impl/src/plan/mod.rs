@@ -9,7 +9,7 @@
 //!   course      the end of the path: legs are cut, corners put between them        course, corner
 //! Piece         a part of the path with one law for speed and acceleration         piece, limits
 //!   ahead       how fast each piece may be entered, from the end of the queue back ahead, reach
-//!   step        a cycle of motion along the pieces                                 step
+//!   step        a cycle of motion along the pieces                                 step, bend
 //! OutputParameter
 //! ```
 //!
@@ -21,6 +21,7 @@
 //! could not go faster for it.
 
 mod ahead;
+mod bend;
 mod corner;
 mod course;
 mod leg;
@@ -42,7 +43,7 @@ use course::{Course, Queue};
 use leg::{Resolved, resolve};
 use limits::{Limits, squared};
 use piece::{Law, Pace, Piece};
-use reach::{Scale, backward, cap};
+use reach::{Scale, backward, caps};
 use ring::Ring;
 use step::{Motion, Wish};
 
@@ -51,6 +52,8 @@ const REMEMBERED: u64 = 128;
 /// Pieces of look-ahead for a queued segment, and for a cycle.
 const WORK_QUEUED: u32 = 8;
 const WORK_CYCLE: u32 = 2;
+/// How many pieces may be made when a segment is queued, at most.
+const MADE: u64 = 8;
 /// The slowest override that look-ahead plans for, and turns of a spindle per second; below, it plans for this and eases.
 const SLOWEST: f64 = 0.01;
 /// How much slower or faster than planned a spindle may turn before look-ahead plans anew, and how much faster it plans then.
@@ -178,8 +181,8 @@ impl Planner {
                     self.course.stop();
                 }
                 self.course.add(&mut queue);
-                if let Feed::PerTurn(_) = segment.feed {
-                    self.followed = self.ring.end();
+                if self.course.follows() {
+                    self.follow();
                 }
             }
         }
@@ -230,6 +233,15 @@ impl Planner {
     /// What the machine can do.
     pub fn dynamics(&self) -> &Dynamics {
         &self.dynamics
+    }
+
+    /// Finds the last piece that follows the spindle: a leg takes the corner with it, which is made with the next leg and anew with the one after.
+    fn follow(&mut self) {
+        let end = self.ring.end();
+        let follows = |place: &u64| self.ring.get(*place).is_some_and(|p| p.pace == Pace::Turn);
+        if let Some(last) = (end.saturating_sub(MADE)..end).rev().find(follows) {
+            self.followed = last.saturating_add(1);
+        }
     }
 
     /// Forgets pieces that lie far behind the motion, if there is need.
@@ -334,7 +346,7 @@ impl Planner {
             Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
             None => 0.0,
         };
-        let back = backward(piece, exit, cap(piece, self.ahead.scale), &self.limits);
+        let back = backward(piece, exit, caps(piece, self.ahead.scale), &self.limits);
         if let Some(piece) = self.ring.get_mut(place) {
             piece.back = back;
         }
@@ -401,7 +413,9 @@ impl Planner {
         let Some(piece) = self.ring.get(motion.at) else { return true };
         let over = match piece.law {
             Law::Dwell(seconds) => motion.dwelt >= seconds,
-            Law::Even { .. } | Law::Bent | Law::Round { .. } => motion.remaining(piece) <= 0.0,
+            Law::Even { .. } | Law::Bent { .. } | Law::Round { .. } => {
+                motion.remaining(piece) <= 0.0
+            }
         };
         let last = motion.at.saturating_add(1) == self.ring.end();
         motion.speed <= 0.0 && over && last && !motion.backwards

@@ -41,7 +41,7 @@ impl Circle {
 }
 
 /// What keeps speed and acceleration of a piece within the limits of all axes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Law {
     /// The parameter may be accelerated by so much anywhere.
     Even {
@@ -49,8 +49,10 @@ pub(super) enum Law {
         acceleration: f64,
     },
     /// Limits are looked at axis by axis: exact for a piece that is a bend and nothing else.
-    #[default]
-    Bent,
+    Bent {
+        /// The square of the speed at which it may be passed evenly.
+        even: f64,
+    },
     /// On an arc acceleration along the path and towards the centre share a limit: u² + (turn·v²)² ≤ acceleration².
     Round {
         /// Per second squared, of whichever axis has least.
@@ -60,6 +62,12 @@ pub(super) enum Law {
     },
     /// No motion for so many seconds.
     Dwell(f64),
+}
+
+impl Default for Law {
+    fn default() -> Self {
+        Self::Dwell(0.0)
+    }
 }
 
 /// What a feed is measured by, and so which override applies to it.
@@ -86,9 +94,11 @@ pub(super) struct Piece {
     /// How many of the leading axes take part.
     pub(super) axes: usize,
     pub(super) law: Law,
-    /// Highest square of the parameter's speed that the axes allow.
+    /// Highest square of the parameter's speed that the axes allow, where the piece begins.
     pub(super) ceiling: f64,
-    /// Its root.
+    /// The same where it ends; between these it changes evenly.
+    pub(super) last_ceiling: f64,
+    /// The root of the higher one.
     pub(super) fastest: f64,
     /// Programmed speed of the parameter, per second or per turn.
     pub(super) feed: f64,

@@ -32,23 +32,34 @@ impl Scale {
     }
 }
 
-/// The square of the speed that a piece is never run beyond.
-pub(super) fn cap(piece: &Piece, scale: Scale) -> f64 {
+/// The squares of the speeds that a piece is never run beyond where it begins and where it ends.
+#[inline]
+pub(super) fn caps(piece: &Piece, scale: Scale) -> (f64, f64) {
     use super::piece::Pace;
+    let (mut start, mut end) = (piece.ceiling, piece.last_ceiling);
+    if piece.rapid || piece.pace == Pace::Rapid {
+        let share = scale.rapid * scale.rapid;
+        (start, end) = (start * share, end * share);
+    }
     let feed = match piece.pace {
-        Pace::Rapid => return piece.ceiling * scale.rapid * scale.rapid,
+        Pace::Rapid => return (start, end),
         Pace::Second => piece.feed * scale.feed,
         Pace::Turn => piece.feed * scale.turns,
     };
-    let axes = if piece.rapid { piece.ceiling * scale.rapid * scale.rapid } else { piece.ceiling };
-    math::lesser(axes, feed * feed)
+    let feed = feed * feed;
+    (math::lesser(start, feed), math::lesser(end, feed))
 }
 
 /// The highest y at a piece's start from which y at its end is at most `exit`.
-pub(super) fn forward(piece: &Piece, exit: f64, cap: f64, limits: &Limits) -> f64 {
-    let exit = math::lesser(exit, cap);
+pub(super) fn forward(
+    piece: &Piece,
+    exit: f64,
+    (cap, last_cap): (f64, f64),
+    limits: &Limits,
+) -> f64 {
+    let exit = math::lesser(exit, last_cap);
     let entry = match piece.law {
-        Law::Bent => bent(piece, (&piece.rate, &last(piece)), (exit, cap), limits),
+        Law::Bent { .. } => bent(piece, (&piece.rate, &last(piece)), (exit, cap), limits),
         Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
             along(piece.law, &piece.circle, exit, piece.length)
         }
@@ -57,10 +68,15 @@ pub(super) fn forward(piece: &Piece, exit: f64, cap: f64, limits: &Limits) -> f6
 }
 
 /// The highest y at its end from which, running back, y at its start is at most `exit`.
-pub(super) fn backward(piece: &Piece, exit: f64, cap: f64, limits: &Limits) -> f64 {
-    let exit = math::lesser(exit, cap);
+pub(super) fn backward(
+    piece: &Piece,
+    exit: f64,
+    (first_cap, cap): (f64, f64),
+    limits: &Limits,
+) -> f64 {
+    let exit = math::lesser(exit, first_cap);
     let entry = match piece.law {
-        Law::Bent => {
+        Law::Bent { .. } => {
             let (first, last) = (last(piece).map(|rate| -rate), piece.rate.map(|rate| -rate));
             bent(piece, (&first, &last), (exit, cap), limits)
         }
@@ -91,7 +107,7 @@ pub(super) fn along(law: Law, circle: &Option<Circle>, exit: f64, distance: f64)
                 planned / circle.turn * (share * cosine + other * sine)
             }
         }
-        (Law::Dwell(_) | Law::Round { .. } | Law::Bent, _) => 0.0,
+        (Law::Dwell(_) | Law::Round { .. } | Law::Bent { .. }, _) => 0.0,
     }
 }
 

@@ -11,10 +11,8 @@ use super::reach::along;
 use super::ring::Ring;
 use crate::math;
 
-/// Half of what lies between a limit and what is planned with.
-const HARDLY: f64 = 1.0 + 0.5 * (1.0 - PLANNED);
 /// The share of an axis in a direction below which it takes no part.
-const SMALL: f64 = 1e-9;
+pub(super) const SMALL: f64 = 1e-9;
 /// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
 const TOUCHED: u32 = 12;
 
@@ -64,11 +62,11 @@ struct Ramp {
 
 /// The end of a piece in the direction of motion.
 #[derive(Clone, Copy, Debug)]
-struct End {
+pub(super) struct End {
     /// Square of the speed at which the piece may be left there.
-    exit: f64,
+    pub(super) exit: f64,
     /// How far it is.
-    remaining: f64,
+    pub(super) remaining: f64,
 }
 
 impl Motion {
@@ -170,8 +168,8 @@ impl Motion {
     #[inline]
     fn within(&mut self, piece: &Piece, end: End, asked: (&Limits, &Wish), left: f64) -> f64 {
         match piece.law {
-            Law::Bent if piece.axes <= 3 => self.bend::<3>(piece, end, asked, left),
-            Law::Bent => self.bend::<9>(piece, end, asked, left),
+            Law::Bent { .. } if piece.axes <= 3 => self.bend::<3>(piece, end, asked, left),
+            Law::Bent { .. } => self.bend::<9>(piece, end, asked, left),
             Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
                 self.along(piece, end, asked, left)
             }
@@ -192,7 +190,7 @@ impl Motion {
             let low = math::lesser(ramp.low, self.hardest(piece, limits, left));
             return self.go(piece, low, end, left);
         }
-        let wanted = wanted(piece, wish);
+        let wanted = wanted(piece, piece.fastest, wish);
         if self.speed + ramp.low * left > wanted {
             // Whoever lowers an override wants all of the brakes, too.
             ramp.low = math::lesser(ramp.low, self.hardest(piece, limits, left));
@@ -269,110 +267,15 @@ impl Motion {
                 let bound = ease * exit - slope * remaining;
                 Ramp { low: -acceleration / PLANNED, high: acceleration, bound, slope }
             }
-            (Law::Round { .. } | Law::Bent | Law::Dwell(_), _) => {
+            (Law::Round { .. } | Law::Bent { .. } | Law::Dwell(_), _) => {
                 Ramp { low: 0.0, high: 0.0, bound: 0.0, slope: 0.0 }
             }
         }
     }
 
-    fn bend<const N: usize>(
-        &mut self,
-        piece: &Piece,
-        end: End,
-        (limits, wish): (&Limits, &Wish),
-        left: f64,
-    ) -> f64 {
-        let End { exit, remaining } = end;
-        let mut most = f64::NEG_INFINITY;
-        if !wish.rest {
-            let met = (wish.ease * exit - squared(self.speed)) / (2.0 * remaining);
-            most = math::lesser((wanted(piece, wish) - self.speed) / left, met);
-            if most > 0.0 {
-                let (high, calm) = self.greatest::<N>(piece, remaining, limits);
-                most = math::lesser(most, high);
-                if calm {
-                    return self.go(piece, math::greater(most, 0.0), end, left);
-                }
-            } else if self.allows::<N>(piece, remaining, most, limits) {
-                return self.go(piece, most, end, left);
-            }
-        }
-        let low = self.least::<N>(piece, remaining, limits);
-        if most >= low {
-            let (high, _) = self.greatest::<N>(piece, remaining, limits);
-            most = math::lesser(most, math::greater(high, low));
-            return self.go(piece, most, end, left);
-        }
-        // More than can be kept up to the end of the piece may be possible within this cycle.
-        let near = math::lesser(self.speed * left, remaining);
-        let now = self.least::<N>(piece, near, limits);
-        self.go(piece, math::greater(most, math::lesser(now, low)), end, left)
-    }
-
-    /// Whether all axes allow an acceleration up to the end of a bend: what is asked for mostly is.
-    fn allows<const N: usize>(
-        &self,
-        piece: &Piece,
-        remaining: f64,
-        acceleration: f64,
-        limits: &Limits,
-    ) -> bool {
-        let y = squared(self.speed);
-        let later = 3.0 * remaining * acceleration;
-        let along = if self.backwards { -acceleration } else { acceleration };
-        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
-        let mut allows = true;
-        for ((rate, bend), limit) in axes {
-            let here = along * (rate + self.x * bend) + bend * y;
-            allows &= here.abs() <= *limit && (here + later * bend).abs() <= *limit;
-        }
-        allows
-    }
-
-    /// The greatest acceleration that is planned with up to the end of a bend; and whether none is allowed too.
-    fn greatest<const N: usize>(
-        &self,
-        piece: &Piece,
-        remaining: f64,
-        limits: &Limits,
-    ) -> (f64, bool) {
-        let (mut high, mut calm) = (f64::INFINITY, true);
-        let (y, thrice) = (squared(self.speed), 3.0 * remaining);
-        let sense = if self.backwards { -1.0 } else { 1.0 };
-        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
-        for ((rate, bend), limit) in axes {
-            let across = bend * y;
-            calm &= across.abs() <= HARDLY * limit;
-            let here = sense * (rate + self.x * bend);
-            for share in [here, here + thrice * bend] {
-                // Towards the greater acceleration an axis has what p''·y leaves it.
-                let used = across.copysign(across * share);
-                high = math::lesser(high, (limit - used) / math::greater(share.abs(), SMALL));
-            }
-        }
-        (high, calm)
-    }
-
-    /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is planned
-    /// with, so that a speed that rounding has made too high comes down again.
-    fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
-        let mut low = f64::NEG_INFINITY;
-        let (y, thrice) = (squared(self.speed), 3.0 * ahead);
-        let sense = if self.backwards { -1.0 } else { 1.0 };
-        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.acceleration).take(N);
-        for ((rate, bend), limit) in axes {
-            let across = bend * y;
-            let here = sense * (rate + self.x * bend);
-            for share in [here, here + thrice * bend] {
-                let used = across.copysign(across * share);
-                low = math::greater(low, (-limit - used) / math::greater(share.abs(), SMALL));
-            }
-        }
-        low
-    }
-
     /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
-    fn go(
+    #[inline]
+    pub(super) fn go(
         &mut self,
         piece: &Piece,
         acceleration: f64,
@@ -410,7 +313,9 @@ impl Motion {
             return left;
         }
         self.travel(math::lesser(travel, remaining));
-        self.speed = math::greater(0.0, end);
+        // Where the motion rests at the end and at the end of the cycle, rounding leaves neither of them a speed.
+        let rests = exit <= 0.0 && travel >= remaining;
+        self.speed = if rests { 0.0 } else { math::greater(0.0, end) };
         left
     }
 
@@ -428,7 +333,7 @@ impl Motion {
         let remaining = self.remaining(piece);
         let ahead = exit(ring, piece, self.at);
         match piece.law {
-            Law::Bent => {
+            Law::Bent { .. } => {
                 let low = self.least::<9>(piece, remaining, limits);
                 let high = self
                     .greatest::<9>(piece, remaining, limits)
@@ -447,11 +352,11 @@ fn within_bounds(acceleration: f64, ramp: &Ramp) -> f64 {
     math::greater(math::lesser(acceleration, ramp.high), ramp.low)
 }
 
-/// The speed that a piece is asked to have.
-fn wanted(piece: &Piece, wish: &Wish) -> f64 {
-    let axes = if piece.rapid { piece.fastest * wish.rapid } else { piece.fastest };
+/// The speed that a piece is asked to have where its axes allow so much.
+pub(super) fn wanted(piece: &Piece, fastest: f64, wish: &Wish) -> f64 {
+    let axes = if piece.rapid { fastest * wish.rapid } else { fastest };
     match piece.pace {
-        Pace::Rapid => piece.fastest * wish.rapid,
+        Pace::Rapid => fastest * wish.rapid,
         Pace::Second => math::lesser(axes, piece.feed * wish.feed),
         Pace::Turn => math::lesser(axes, piece.feed * wish.turns),
     }

@@ -151,3 +151,120 @@ fn long_flat_blend_speeds_up_and_slows_down() {
     let (strict, loose) = (time(0.000_29), time(0.000_8));
     assert!(loose <= strict + 0.002, "{strict} s, {loose} s with more allowed");
 }
+
+/// A blend with a feed per turn that is queued with the move after it followed no spindle, and never ended.
+#[test]
+fn blend_after_the_last_feed_per_turn_follows_the_spindle() {
+    for (feed, blend) in [(Feed::Rapid, Blend::BetweenMidpoints), (Feed::Rapid, Blend::Within(0.1))]
+    {
+        let mut program = [
+            line(at(2.0, 0.0, 0.0), blend),
+            line(at(2.5, 2.0, 0.0), blend),
+            line(at(4.0, 2.0, 0.0), blend),
+            line(at(4.0, 4.0, 0.0), blend),
+        ];
+        program[0].feed = Feed::PerTurn(0.5);
+        program[1].feed = Feed::PerTurn(0.5);
+        program[2].feed = feed;
+        for last in [2, 3, 4] {
+            let mut turns = 0.0;
+            let run = operated(ORIGIN, &program[..last], |_| {
+                turns += 10.0 * 0.001;
+                InputParameter { spindle_turns: turns, ..InputParameter::default() }
+            });
+            assert!(run.time() < 1.2, "{last}: {} s", run.time());
+        }
+    }
+}
+
+/// A blend that lasts for many cycles between rest, or slow corners, was passed with one acceleration, so that a longer one took longer.
+#[test]
+fn blend_speeds_up_within_its_length_and_slows_down_again() {
+    let time = |feed: f64, tolerance: f64, ends: &[(f64, f64)]| {
+        let to = |(x, y): &(f64, f64)| Segment {
+            feed: Feed::PerSecond(feed / 60.0),
+            ..line(at(*x, *y, 0.0), Blend::Within(tolerance))
+        };
+        run(ORIGIN, &ends.iter().map(to).collect::<Vec<_>>(), Feeding::Full).time()
+    };
+    let corner = [(-0.020_35, -0.032_95), (-0.039_98, -0.066_34), (-0.03, -0.09)];
+    assert!(time(4545.0, 0.0002, &corner) <= time(4545.0, 0.000_146, &corner) + 0.002);
+    let slow = [(-0.021_94, 0.018_57), (-0.13, 0.17)];
+    assert!(time(120.0, 0.002, &slow) <= time(120.0, 0.001, &slow) + 0.002);
+    let row = [(0.143_35, 0.037_83), (0.143_01, 0.033_51), (0.142_66, 0.029_19), (0.14, 0.03)];
+    let divided = [row[0], row[1], (0.142_891_04, 0.032_041_695), row[2], row[3]];
+    let (whole, parts) = (time(1777.0, 0.000_01, &row), time(1777.0, 0.000_01, &divided));
+    assert!((whole - parts).abs() <= 0.002, "{whole} s, {parts} s in smaller steps");
+}
+
+/// It rested at its end with the last bit of a cycle, and had a speed left by rounding, for ever.
+#[test]
+fn program_that_ends_with_a_cycle_comes_to_its_end() {
+    let mut dynamics = dynamics();
+    dynamics.cycle = 0.002;
+    dynamics.acceleration[2] = 3_029.563_855_379_82;
+    let to = |y: f64, z: f64| Segment {
+        feed: Feed::PerSecond(5302.0 / 60.0),
+        ..line(at(0.0, y, z), Blend::BetweenMidpoints)
+    };
+    let program = [to(0.003_16, -0.003_69), to(0.006_23, -0.007_46)];
+    let mut planner = Planner::new(dynamics, ORIGIN).expect("limits");
+    let input = InputParameter::default();
+    let run = run_with(&mut planner, ORIGIN, &program, Feeding::Full, |_| input);
+    assert_eq!(run.samples.last(), Some(&at(0.0, 0.006_23, -0.007_46)));
+}
+
+/// A blend was passed no faster than its slower end: a longer one took longer where another axis limits the speed behind the corner.
+#[test]
+fn blend_is_as_fast_at_each_end_as_the_axes_allow_there() {
+    let mut dynamics = dynamics();
+    dynamics.velocity = [447.0, 447.0, 41.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0];
+    dynamics.acceleration = [861.0, 2920.0, 9640.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0];
+    let time = |tolerance: f64, sense: f64| {
+        let to = |x: f64, z: f64| Segment {
+            feed: Feed::PerSecond(4828.0 / 60.0),
+            ..line(at(x, 0.0, z), Blend::Within(tolerance))
+        };
+        let mut program = [to(-35.0, 63.0), to(-12.0, 63.0)];
+        let mut start = ORIGIN;
+        if sense < 0.0 {
+            start = at(-12.0, 0.0, 63.0);
+            program = [to(-35.0, 63.0), to(0.0, 0.0)];
+        }
+        let mut planner = Planner::new(dynamics, start).expect("limits");
+        let input = InputParameter::default();
+        let run = run_with(&mut planner, start, &program, Feeding::Full, |_| input);
+        let (speed, change) = run.worst(&dynamics);
+        assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+        run.time()
+    };
+    for sense in [1.0, -1.0] {
+        let (strict, loose) = (time(2.0, sense), time(4.1, sense));
+        assert!(loose <= strict + 0.002, "{strict} s, {loose} s with more allowed");
+    }
+}
+
+/// A blend of a feed per turn and a rapid was longer where axes are faster, and all of it has the feed.
+#[test]
+fn faster_axes_do_not_lengthen_a_blend_that_follows_the_spindle() {
+    let time = |velocity: f64| {
+        let mut dynamics = dynamics();
+        dynamics.velocity[0] = velocity;
+        let mut program = [
+            line(at(-0.39, 2.81, 0.0), Blend::BetweenMidpoints),
+            line(at(0.05, 3.44, 0.0), Blend::BetweenMidpoints),
+            line(at(3.0, 8.0, 0.0), Blend::BetweenMidpoints),
+        ];
+        (program[0].feed, program[2].feed) = (Feed::PerTurn(1.0), Feed::PerTurn(1.0));
+        program[1].feed = Feed::Rapid;
+        let mut planner = Planner::new(dynamics, ORIGIN).expect("limits");
+        let mut turns = 0.0;
+        let run = run_with(&mut planner, ORIGIN, &program, Feeding::Full, |_| {
+            turns += 10.0 * 0.001;
+            InputParameter { spindle_turns: turns, ..InputParameter::default() }
+        });
+        run.time()
+    };
+    let (slow, fast) = (time(15.0), time(60.0));
+    assert!(fast <= slow + 0.002, "{slow} s, {fast} s where an axis is faster");
+}

@@ -140,9 +140,9 @@ pub(super) fn reserve(record: &Record<'_>) -> Verdict {
     }
     let mut findings = Findings::of(Law::Reserve);
     for (sample, queued) in queued.iter().enumerate().skip(1) {
-        let place = matching.places[sample - 1];
+        let (place, behind) = (matching.places[sample - 1], matching.places[sample]);
         // Who runs back stops on what has been passed.
-        if matching.places[sample] < place {
+        if behind < place {
             continue;
         }
         let legs =
@@ -170,6 +170,9 @@ pub(super) fn reserve(record: &Record<'_>) -> Verdict {
                     (0.0, &words),
                 );
             }
+            // The speed is that of the whole cycle, and may have been gained behind the corner.
+            Shortest::Rounds { place, .. }
+                if place != from && (behind.leg, behind.part) >= place => {}
             Shortest::Rounds { place, speed } => {
                 let curve = &route.legs[place.0].curve;
                 let onwards = direction(&curve.derivatives(place.1).0).unwrap_or_default();

@@ -34,10 +34,12 @@ pub(super) fn outputs(record: &Record<'_>) -> Verdict {
         Err(why) => return Verdict::NotJudged(why.clone()),
     };
     let mut expected: BTreeMap<Pin, Vec<Expected>> = BTreeMap::new();
-    for (number, visit) in visits(record, route, matching).into_iter().enumerate() {
+    let visits = visits(record, route, matching);
+    let spans = spans(record, route, &visits);
+    for (number, visit) in visits.into_iter().enumerate() {
         let Some(visit) = visit else { break };
         for task in &route.corners[number].tasks {
-            ask(record, (route, matching), number, visit, task, &mut expected);
+            ask(record, (route, matching), number, (visit, spans[number]), task, &mut expected);
         }
     }
     let unrecorded = expected.keys().find(|pin| !record.samples.has(Column::Output(**pin)));
@@ -57,29 +59,54 @@ pub(super) fn outputs(record: &Record<'_>) -> Verdict {
     if recorded { findings.verdict() } else { Verdict::NothingAsked }
 }
 
+/// From which sample on each corner is passed, since the one before it is passed then, and by which one, since the next one is.
+fn spans(record: &Record<'_>, route: &Route<'_>, visits: &[Option<Visit>]) -> Vec<(usize, usize)> {
+    let end = record.points.len() - 1;
+    let mut spans = vec![(0, end); visits.len()];
+    let near = |number: usize, span: (usize, usize)| {
+        let corner = &route.corners[number].at;
+        visits[number].map(|visit| visit.latest().near_within(record, corner, span))
+    };
+    for number in 1..visits.len() {
+        let before = spans[number - 1].0;
+        let since = near(number - 1, (before, end)).map_or(before, |near| near.0);
+        spans[number].0 = since.max(before);
+    }
+    for number in (1..visits.len()).rev() {
+        let after = spans[number].1;
+        let until = near(number, (0, after)).map_or(after, |near| near.1);
+        spans[number - 1].1 = until.min(after);
+    }
+    spans
+}
+
 fn ask(
     record: &Record<'_>,
     (route, matching): (&Route<'_>, &Matching),
     number: usize,
-    visit: Visit,
+    (visit, span): (Visit, (usize, usize)),
     task: &Task,
     expected: &mut BTreeMap<Pin, Vec<Expected>>,
 ) {
-    let (certain, corner) = (visit.passed, &route.corners[number]);
+    let corner = &route.corners[number];
+    let certain =
+        |last: usize| visit.passed && record.requests.aborted.is_none_or(|aborted| last < aborted);
     match task {
         Task::Dwell(_) | Task::Wait(_) => (),
         Task::AtOnce(switching) => {
             let (first, last) = at_once(record, corner, visit);
+            let certain = certain(last);
             let new = Expected { value: switching.value, first, last, certain };
             expected.entry(switching.pin).or_default().push(new);
         }
         Task::WithMotion(switches) | Task::InPlace(switches) => {
-            let near = start(record, (route, matching), number, visit);
+            let near = start(record, (route, matching), number, (visit.latest(), span));
             // A motion that leads nowhere may start at any time of the rest.
             let stays = matches!(task, Task::InPlace(_));
             let (near, until) = visit.at.filter(|_| stays).unwrap_or(near);
             for switching in switches {
                 let (first, last) = (near.saturating_sub(1), until + 1);
+                let certain = certain(last);
                 let new = Expected { value: switching.value, first, last, certain };
                 expected.entry(switching.pin).or_default().push(new);
             }
@@ -87,7 +114,8 @@ fn ask(
     }
 }
 
-/// First and last of the samples with which the motion from a corner may start.
+/// First and last of the samples with which the motion from a corner may start: where it comes nearest, or does so after the corner before, or by
+/// the next one. Far beside the path nobody knows by its place which movement a sample belongs to.
 ///
 /// Choice trajectory.motion-start. At a rounded corner it starts nearest to the corner, or where the blend has ended: at the first
 /// sample on its own path. Elsewhere these are the same.
@@ -95,9 +123,14 @@ fn start(
     record: &Record<'_>,
     (route, matching): (&Route<'_>, &Matching),
     number: usize,
-    visit: Visit,
+    (visit, span): (Visit, (usize, usize)),
 ) -> (usize, usize) {
-    let near = visit.near(record, &route.corners[number].at);
+    let corner = &route.corners[number].at;
+    let end = record.points.len() - 1;
+    let near = [(0, end), (span.0, end), (0, span.1)]
+        .map(|span| visit.near_within(record, corner, span))
+        .into_iter()
+        .fold((end, 0), |all, near| (all.0.min(near.0), all.1.max(near.1)));
     let leg = route.legs.get(number).filter(|_| visit.at.is_none());
     let (Some(leg), MotionStart::BlendEnd) = (leg, record.readings.motion_start) else {
         return near;
@@ -143,7 +176,9 @@ fn compare(pin: Pin, values: &[f64], asked: &[Expected], findings: &mut Findings
             continue;
         }
         match next {
-            Some((sample, value)) if same(value, wanted.value) => {
+            Some((sample, value))
+                if same(value, wanted.value) && !(brief && sample > wanted.last) =>
+            {
                 changes.next();
                 now = value;
                 let off = if sample < wanted.first {

@@ -17,6 +17,8 @@ pub(super) struct Visit {
     pub(super) at: Option<(usize, usize)>,
     /// Whether a later sample can stand for points behind it alone, so that it was passed for sure.
     pub(super) passed: bool,
+    /// Where the motion has run back from it and come again: the first sample of the last time, and first and last sample at it then.
+    again: Option<(usize, Option<(usize, usize)>)>,
 }
 
 impl Visit {
@@ -24,6 +26,25 @@ impl Visit {
     pub(super) fn pairs(&self, record: &Record<'_>) -> impl Iterator<Item = usize> + use<> {
         let samples = record.points.len();
         (self.first.saturating_sub(1)..=self.last).filter(move |sample| sample + 1 < samples)
+    }
+
+    /// The last time that the motion comes to it, before it goes on.
+    pub(super) fn latest(self) -> Self {
+        self.again.map_or(self, |(first, at)| Self { first, at, again: None, ..self })
+    }
+
+    /// First and last of the samples that may be the nearest one, of those from one to another, if there are any.
+    pub(super) fn near_within(
+        &self,
+        record: &Record<'_>,
+        corner: &Nine,
+        (since, until): (usize, usize),
+    ) -> (usize, usize) {
+        let (first, last) = (self.first.max(since), self.last.min(until.saturating_sub(1)));
+        if self.at.is_some() || first > last + 1 {
+            return self.near(record, corner);
+        }
+        Self { first, last, ..*self }.near(record, corner)
     }
 
     /// The sample that is nearest to the corner; the last one at it.
@@ -105,13 +126,18 @@ pub(super) fn visits(
         while after < end && can_be_before(after) {
             after += 1;
         }
-        let from = (first..after).find(|sample| is_at(*sample));
-        let at = from.map(|from| {
+        let at_since = |first: usize| {
+            let from = (first..after).find(|sample| is_at(*sample))?;
             let run = (from..after).take_while(|sample| is_at(*sample));
-            (from, run.last().unwrap_or(from))
-        });
+            Some((from, run.last().unwrap_or(from)))
+        };
+        let at = at_since(first);
+        let back = (first..after).rev().find(|sample| !can_be_behind(*sample));
+        // Who may have been on the way behind it has perhaps begun that.
+        let begun = |back: &usize| (first..*back).any(|s| can_be_behind(s) && !is_at(s));
+        let again = back.filter(|back| !begun(back)).map(|back| (back + 1, at_since(back + 1)));
         let last = after.saturating_sub(1);
-        visits.push(Some(Visit { first, last, at, passed: after < end || at.is_some() }));
+        visits.push(Some(Visit { first, last, at, passed: after < end || at.is_some(), again }));
     }
     visits
 }

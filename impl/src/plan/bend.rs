@@ -1,0 +1,221 @@
+//! A cycle of motion on a bend, where each axis is looked at by itself.
+//!
+//! An acceleration that is kept up to the end of a bend is within the limits of an axis everywhere if it is so at both ends. A motion may do
+//! what it likes as long as after each cycle there is such an acceleration that leads to what the next piece allows.
+
+use super::limits::{Limits, PLANNED, squared};
+use super::piece::{Law, Piece};
+use super::step::{End, Motion, SMALL, Wish, wanted};
+use crate::math;
+
+/// Half of what lies between a limit and what is planned with.
+const HARDLY: f64 = 1.0 + 0.5 * (1.0 - PLANNED);
+/// How often an acceleration is halved in that leaves another one to be kept up.
+const TRIALS: u32 = 5;
+/// The share of the square of a speed by which it is worth to be faster, and the same over what is left of a bend.
+const WORTH: f64 = 1e-3;
+const SHARE: f64 = 0.03;
+/// For how many cycles a bend must still last at the present speed.
+const LASTING: f64 = 2.0;
+
+impl Motion {
+    pub(super) fn bend<const N: usize>(
+        &mut self,
+        piece: &Piece,
+        end: End,
+        (limits, wish): (&Limits, &Wish),
+        left: f64,
+    ) -> f64 {
+        let End { exit, remaining } = end;
+        let mut most = f64::NEG_INFINITY;
+        if !wish.rest {
+            let ceiling = if self.backwards { piece.ceiling } else { piece.last_ceiling };
+            let eased = End { exit: math::lesser(wish.ease * exit, ceiling), remaining };
+            let met = (eased.exit - squared(self.speed)) / (2.0 * remaining);
+            // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of override that is too late.
+            let eases = wish.rapid < 1.0;
+            let fastest = if eases { self.fastest(piece, 0.0) } else { piece.fastest };
+            let asked = (wanted(piece, fastest, wish) - self.speed) / left;
+            most = math::lesser(asked, met);
+            let mut even = None;
+            if most > 0.0 {
+                let (high, calm) = self.greatest::<N>(piece, remaining, limits);
+                most = math::lesser(most, high);
+                even = calm.then(|| math::greater(most, 0.0));
+            } else if self.allows::<N>(piece, remaining, most, limits) {
+                even = Some(most);
+            }
+            if let Some(mut even) = even {
+                let lasts = LASTING * self.speed * limits.cycle < remaining;
+                if lasts && even < asked {
+                    even = self.quicker::<N>(piece, eased, even, (limits, wish), left);
+                }
+                return self.go(piece, even, end, left);
+            }
+        }
+        let low = self.least::<N>(piece, remaining, limits);
+        if most >= low {
+            let (high, _) = self.greatest::<N>(piece, remaining, limits);
+            most = math::lesser(most, math::greater(high, low));
+            return self.go(piece, most, end, left);
+        }
+        // More than can be kept up to the end of the piece may be possible within this cycle.
+        let near = math::lesser(self.speed * left, remaining);
+        let now = self.least::<N>(piece, near, limits);
+        self.go(piece, math::greater(most, math::lesser(now, low)), end, left)
+    }
+
+    /// The highest speed that the axes allow so far ahead.
+    fn fastest(&self, piece: &Piece, ahead: f64) -> f64 {
+        let rise = piece.last_ceiling - piece.ceiling;
+        if rise.abs() <= 0.0 {
+            return piece.fastest;
+        }
+        let x = if self.backwards { self.x - ahead } else { self.x + ahead };
+        math::sqrt(piece.ceiling + rise * x / piece.length)
+    }
+
+    /// On a bend that lasts for some cycles, more than the acceleration that can be kept up to its end: as much as is asked for, if another one can
+    /// be kept up then.
+    #[inline(never)]
+    fn quicker<const N: usize>(
+        &self,
+        piece: &Piece,
+        end: End,
+        even: f64,
+        (limits, wish): (&Limits, &Wish),
+        left: f64,
+    ) -> f64 {
+        let Law::Bent { even: most } = piece.law else { return even };
+        if most - squared(self.speed) <= WORTH * most {
+            return even;
+        }
+        let travel = |acceleration: f64| (self.speed + 0.5 * acceleration * left) * left;
+        let leads = |tried: f64| {
+            let way = travel(tried);
+            way < end.remaining && self.leads::<N>(piece, end, (tried, way), (limits, wish), left)
+        };
+        if even < 0.0 && self.speed + even * left <= 0.0 {
+            return even;
+        }
+        let near = math::lesser(self.speed * left, end.remaining);
+        let wanted = wanted(piece, self.fastest(piece, near), wish);
+        let asked = (math::lesser(wanted, math::sqrt(most)) - self.speed) / left;
+        // Mostly the motion is as fast as it may be.
+        let more = even + SHARE * squared(self.speed) / end.remaining;
+        if even >= asked || !leads(math::lesser(asked, more)) {
+            return even;
+        }
+        let near = math::lesser(1.5 * near, end.remaining);
+        let mut high = math::lesser(asked, self.greatest::<N>(piece, near, limits).0);
+        let mut low = even;
+        let mut tried = high;
+        for _ in 0..TRIALS {
+            if tried <= low {
+                break;
+            }
+            let way = travel(tried);
+            let allowed = way <= near || self.allows::<N>(piece, way, tried, limits);
+            if allowed && leads(tried) {
+                if tried >= high {
+                    return tried;
+                }
+                low = tried;
+            } else {
+                high = tried;
+            }
+            tried = 0.5 * (low + high);
+        }
+        low
+    }
+
+    /// Whether after a cycle with an acceleration another one can be kept up to the end of a bend.
+    fn leads<const N: usize>(
+        &self,
+        piece: &Piece,
+        End { exit, remaining }: End,
+        (acceleration, way): (f64, f64),
+        (limits, wish): (&Limits, &Wish),
+        left: f64,
+    ) -> bool {
+        let speed = self.speed + acceleration * left;
+        if speed > wanted(piece, self.fastest(piece, way), wish) {
+            return false;
+        }
+        let y = squared(speed);
+        let (sense, last) = if self.backwards { (-1.0, 0.0) } else { (1.0, piece.length) };
+        let x = self.x + sense * way;
+        let along = if y > exit { sense * (exit - y) / (2.0 * (remaining - way)) } else { 0.0 };
+        let exit = math::lesser(exit, y);
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
+        let mut leads = true;
+        for ((rate, bend), limit) in axes {
+            let next = along * (rate + x * bend) + bend * y;
+            let then = along * (rate + last * bend) + bend * exit;
+            leads &= math::greater(next.abs(), then.abs()) <= *limit;
+        }
+        leads
+    }
+
+    /// Whether all axes allow an acceleration up to the end of a bend: what is asked for mostly is.
+    fn allows<const N: usize>(
+        &self,
+        piece: &Piece,
+        remaining: f64,
+        acceleration: f64,
+        limits: &Limits,
+    ) -> bool {
+        let y = squared(self.speed);
+        let later = 3.0 * remaining * acceleration;
+        let along = if self.backwards { -acceleration } else { acceleration };
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
+        let mut allows = true;
+        for ((rate, bend), limit) in axes {
+            let here = along * (rate + self.x * bend) + bend * y;
+            allows &= here.abs() <= *limit && (here + later * bend).abs() <= *limit;
+        }
+        allows
+    }
+
+    /// The greatest acceleration that is planned with up to the end of a bend; and whether none is allowed too.
+    pub(super) fn greatest<const N: usize>(
+        &self,
+        piece: &Piece,
+        remaining: f64,
+        limits: &Limits,
+    ) -> (f64, bool) {
+        let (mut high, mut calm) = (f64::INFINITY, true);
+        let (y, thrice) = (squared(self.speed), 3.0 * remaining);
+        let sense = if self.backwards { -1.0 } else { 1.0 };
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
+        for ((rate, bend), limit) in axes {
+            let across = bend * y;
+            calm &= across.abs() <= HARDLY * limit;
+            let here = sense * (rate + self.x * bend);
+            for share in [here, here + thrice * bend] {
+                // Towards the greater acceleration an axis has what p''·y leaves it.
+                let used = across.copysign(across * share);
+                high = math::lesser(high, (limit - used) / math::greater(share.abs(), SMALL));
+            }
+        }
+        (high, calm)
+    }
+
+    /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is planned
+    /// with, so that a speed that rounding has made too high comes down again.
+    pub(super) fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
+        let mut low = f64::NEG_INFINITY;
+        let (y, thrice) = (squared(self.speed), 3.0 * ahead);
+        let sense = if self.backwards { -1.0 } else { 1.0 };
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.acceleration).take(N);
+        for ((rate, bend), limit) in axes {
+            let across = bend * y;
+            let here = sense * (rate + self.x * bend);
+            for share in [here, here + thrice * bend] {
+                let used = across.copysign(across * share);
+                low = math::greater(low, (-limit - used) / math::greater(share.abs(), SMALL));
+            }
+        }
+        low
+    }
+}
