@@ -12,6 +12,7 @@ use std::io::{Error, Result};
 use std::process::{Command, ExitCode};
 
 use gaugeblock_benches::{LONG_PROGRAMS, budgets, long_program};
+use gaugeblock_impl::nct::{CustomMacros, MacroStep};
 use gaugeblock_impl::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
 use gaugeblock_trace::{Effect, Machine, Options, Settings};
 
@@ -25,17 +26,24 @@ const PLAIN_PROCESSOR: &str =
 /// Below this part of its budget, the budget should be lowered.
 const GENEROUS: f64 = 0.95;
 
+/// The name of the calls that are counted, of a macro with ten arguments, each with its return.
+const MACRO_CALLS: &str = "macro calls with ten arguments";
+
 fn main() -> Result<ExitCode> {
     let mut arguments = env::args().skip(1);
     if arguments.next().as_deref() == Some("run") {
         let name = arguments.next().unwrap_or_default();
+        if name == MACRO_CALLS {
+            println!("{}", macro_calls()?);
+            return Ok(ExitCode::SUCCESS);
+        }
         let program = long_program(&name).ok_or_else(|| Error::other("no such program"))?;
         println!("{}", measured(&program.text)?);
         return Ok(ExitCode::SUCCESS);
     }
     let Some(budgets) = budgets()? else { return Ok(ExitCode::SUCCESS) };
     let mut kept = true;
-    for name in LONG_PROGRAMS {
+    for name in LONG_PROGRAMS.iter().chain([&MACRO_CALLS]) {
         kept &= judge(name, &budgets)?;
     }
     Ok(if kept { ExitCode::SUCCESS } else { ExitCode::FAILURE })
@@ -54,7 +62,7 @@ fn judge(name: &str, budgets: &toml::Table) -> Result<bool> {
     } else {
         (true, "")
     };
-    println!("{name:26} {instructions:8.1} of {budget:6} instructions a block  {verdict}");
+    println!("{name:30} {instructions:8.1} of {budget:6} instructions a block  {verdict}");
     Ok(kept)
 }
 
@@ -63,6 +71,7 @@ fn count(name: &str) -> Result<f64> {
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--collect-atstart=no"])
         .arg("--toggle-collect=instructions::measured")
+        .arg("--toggle-collect=instructions::measured_macros")
         .arg(env::current_exe()?)
         .args(["run", name])
         .env("GLIBC_TUNABLES", PLAIN_PROCESSOR)
@@ -93,6 +102,11 @@ impl Sink for Counting {
     fn block_done(&mut self, _done: &mut BlockDone<'_>) {
         self.0 += 1;
     }
+
+    fn macro_step(&mut self, done: &MacroStep<'_>) {
+        self.0 += 1;
+        black_box(done);
+    }
 }
 
 /// Interprets a program for as many steps as tell what a block costs; the number of its blocks. Callgrind counts within this function.
@@ -107,6 +121,28 @@ fn measured(text: &str) -> Result<u32> {
         Progress::More => Ok(sink.0),
         other @ (Progress::Stopped | Progress::Broken | Progress::Ended(_)) => {
             Err(Error::other(format!("{other:?}")))
+        }
+    }
+}
+
+/// Calls a macro again and again; the number of calls, each of which is the block of the call and that of the return.
+fn macro_calls() -> Result<u32> {
+    let call = "G65 P2 A1 B2.5 C#100 D-4 E5 F[#100+6] H7 Q#101 X9 Y-10.25\n";
+    let text = format!("O1\n#100=3\n{}M30\nO2\nM99\n", call.repeat(25_000));
+    let axes = Machine::default().axes;
+    let mut run =
+        CustomMacros::new(&text, &axes, false, &Options::default()).map_err(Error::other)?;
+    let mut sink = Counting(0);
+    measured_macros(&mut run, &mut sink);
+    Ok(sink.0 / 2)
+}
+
+/// Callgrind counts within this function, too.
+#[inline(never)]
+fn measured_macros(run: &mut CustomMacros, sink: &mut Counting) {
+    for _ in 0..40_000 {
+        if run.step(sink).is_err() {
+            break;
         }
     }
 }

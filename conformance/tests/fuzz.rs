@@ -11,7 +11,8 @@ use gaugeblock::fuzz::groups::{Find, Groups, merged, shrunk};
 use gaugeblock::fuzz::journal::Chunk;
 use gaugeblock::fuzz::statistics::Statistics;
 use gaugeblock::fuzz::{Came, Extent, Plan, Shard, run};
-use gaugeblock_fuzz::generate::{Recipe, Setups};
+use gaugeblock_fuzz::generate::nct::{Counted, Pair, count, locals};
+use gaugeblock_fuzz::generate::{Dice, Recipe, Setups};
 use gaugeblock_trace::{
     Effect, Event, Language, LengthUnit, Options, Outcome, Scenario, SpindleTurn,
 };
@@ -107,6 +108,37 @@ fn post_processors_are_fuzzed_too() {
     let (statistics, finds) = together(chunks(&plan, Shard { index: 1, of: 1 }, &BTreeSet::new()));
     assert_eq!(finds, []);
     assert!(statistics.accepted * 2 > PROGRAMS, "{} of {PROGRAMS}", statistics.accepted);
+}
+
+#[test]
+fn custom_macros_are_fuzzed_too() {
+    let (production, reference) = (Production::default(), Reference::default());
+    let recipe = Recipe { language: Language::Nct, ..Recipe::default() };
+    let plan = Plan { recipe, ..plan(&production, &reference) };
+    let (statistics, finds) = together(chunks(&plan, WHOLE, &BTreeSet::new()));
+    assert_eq!(finds, []);
+    assert!(statistics.accepted * 2 > PROGRAMS, "{} of {PROGRAMS}", statistics.accepted);
+}
+
+#[test]
+fn production_interpolates_as_often_as_the_closed_form_says() {
+    for number in 0..PROGRAMS {
+        let Counted { scenario, interpolations } = count(&mut Dice::of_seed(3, number));
+        let outcome = Production::default().run(&scenario).unwrap();
+        assert_eq!(Counted::made(&outcome), interpolations, "{}", scenario.program.main);
+    }
+}
+
+#[test]
+fn production_leaves_a_caller_what_it_had() {
+    for number in 0..PROGRAMS {
+        let pair = locals(&mut Dice::of_seed(4, number));
+        let [one, other] =
+            [&pair.one, &pair.other].map(|one| Production::default().run(one).unwrap());
+        if Pair::returns(&pair.other, &other) {
+            assert_eq!(Pair::left(&one), Pair::left(&other), "{}", pair.other.program.main);
+        }
+    }
 }
 
 #[test]

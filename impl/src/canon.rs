@@ -5,6 +5,7 @@ use gaugeblock_trace::{Effect, FaultKind, Position, Settings};
 use crate::begun::BlockBegun;
 use crate::done::BlockDone;
 use crate::gpp::StatementDone;
+use crate::nct::MacroStep;
 use crate::probing::Probing;
 
 /// What receives the commands of a program, in order.
@@ -36,6 +37,12 @@ pub trait Sink {
     /// A block is done; for those who record. A refused block is never done.
     #[inline]
     fn block_done(&mut self, done: &mut BlockDone<'_>) {
+        let _nothing = done;
+    }
+
+    /// A step of a program with custom macros is done; for those who record. A refused one is never done.
+    #[inline]
+    fn macro_step(&mut self, done: &MacroStep<'_>) {
         let _nothing = done;
     }
 

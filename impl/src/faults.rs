@@ -148,6 +148,38 @@ faults! {
     "motion.after-cancel" AfterCancel,
     /// A rapid move needs a feed rate.
     "motion.traverse-needs-feed" TraverseNeedsFeed,
+    /// A sixth bracket may stand within five.
+    "nct.six-brackets" SixBrackets,
+    /// What a macro has assigned stays in its caller's variables.
+    "nct.locals-not-restored" LocalsNotRestored,
+    /// Vacant variables are zero after a call.
+    "nct.vacancy-lost" VacancyLost,
+    /// A level begins with what the last macro there has left.
+    "nct.stale-locals" StaleLocals,
+    /// G67 cancels the modal call that was commanded first.
+    "nct.cancels-first" CancelsFirst,
+    /// The blocks of a macro reach the modal call that has called it.
+    "nct.reaches-itself" ReachesItself,
+    /// Of several modal calls the one that was commanded first is called.
+    "nct.oldest-first" OldestFirst,
+    /// There is a fifth macro level.
+    "nct.fifth-level" FifthLevel,
+    /// A call is repeated once too often.
+    "nct.once-more" OnceMore,
+    /// In comparisons vacant is zero.
+    "nct.vacant-is-zero" VacantIsZero,
+    /// A word with a vacant value is zero.
+    "nct.vacant-word-zero" VacantWordZero,
+    /// A subprogram has local variables of its own.
+    "nct.sub-has-locals" SubHasLocals,
+    /// M99 P searches the program that it ends.
+    "nct.return-within" ReturnWithin,
+    /// A code is cut off and not rounded.
+    "nct.code-cut" CodeCut,
+    /// The number behind GOTO is cut off and not rounded.
+    "nct.label-cut" LabelCut,
+    /// A block that a modal call takes as arguments is executed all the same.
+    "nct.block-executed-too" BlockExecutedToo,
     /// A point without a digit is zero.
     "numbers.point-alone" PointAlone,
     /// G53 adds its words where the distance is incremental.

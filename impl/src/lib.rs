@@ -3,6 +3,7 @@
 //! ```text
 //! Source ─► Interpreter ─► Sink        program text to settings and effects, a block at a time
 //! Source ─► Task ─► Machine             the same within a controller: modes, pauses, requests, inputs, outputs, pins
+//! CustomMacros ─► Sink                 programs with custom macros as on NCT controllers, a step at a time
 //! PostProcessor ─► Sink                a post-processor's program and a toolpath to what it prints, a step at a time
 //! Effect ─► Resolver ─► Segment            effects in machine coordinates: offsets, units, planes, feeds
 //! Segment ─► Planner ─► OutputParameter    canonical moves to servo samples, a cycle at a time
@@ -81,7 +82,9 @@ mod interpret;
 mod limits;
 mod math;
 mod modal;
+pub mod nct;
 mod parameters;
+mod part;
 pub mod path;
 pub mod plan;
 mod probing;

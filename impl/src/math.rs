@@ -125,3 +125,25 @@ pub(crate) fn greater(one: f64, other: f64) -> f64 {
 pub(crate) fn turned(radians: f64) -> (f64, f64) {
     libm::sincos(radians)
 }
+/// The integer that a number is, within ±2^53.
+#[inline]
+#[expect(clippy::as_conversions, reason = "the range is checked, so that nothing is lost")]
+#[expect(clippy::cast_possible_truncation, reason = "the range is checked")]
+#[expect(clippy::cast_precision_loss, reason = "below 2^53 nothing is lost")]
+pub(crate) fn whole(value: f64) -> Option<i64> {
+    if !(-9.0e15..=9.0e15).contains(&value) {
+        return None;
+    }
+    let exact = value as i64;
+    ((exact as f64 - value).to_bits() << 1 == 0).then_some(exact)
+}
+/// Without the digits behind the point.
+pub(crate) fn truncate(value: f64) -> f64 {
+    libm::trunc(value)
+}
+/// An integer within ±2^53 as a number, exactly.
+#[expect(clippy::as_conversions, reason = "there is no other conversion")]
+#[expect(clippy::cast_precision_loss, reason = "callers keep below 2^53")]
+pub(crate) fn from_i64(value: i64) -> f64 {
+    value as f64
+}

@@ -12,8 +12,8 @@ use crate::adapters::faulty::Faulty;
 use crate::certify::{Plan, Verdict, certify};
 use crate::suite::Suite;
 
-/// The edition that notices what is wrong with post-processors.
-const POST: &str = "gpp2";
+/// The editions that notice what is wrong with post-processors and with custom macros.
+const OWN: [(&str, &str); 2] = [("gpp.", "gpp2"), ("nct.", "nct-99m")];
 
 /// A planted fault, and the cases that notice it.
 struct Caught<'a> {
@@ -25,14 +25,17 @@ struct Caught<'a> {
 /// Certifies production once with each fault. Fails where one is not noticed.
 pub(super) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8, Refused> {
     let edition = super::edition(suite, edition)?;
-    let post = super::edition(suite, POST)?;
+    let own = |fault: Fault| OWN.iter().find(|(names, _)| fault.name().starts_with(names));
     let jobs = std::thread::available_parallelism().unwrap_or(std::num::NonZero::<usize>::MIN);
     let plan = Plan { suite, edition, only: &[], jobs };
     let bar = progress(Fault::ALL.len());
     let caught: Vec<_> = Fault::ALL
         .iter()
         .filter_map(|fault| {
-            let edition = if fault.name().starts_with("gpp.") { post } else { edition };
+            let edition = match own(*fault) {
+                Some((_, own)) => super::edition(suite, own).ok()?,
+                None => edition,
+            };
             let run = certify(Plan { edition, ..plan }, &Faulty::new(*fault)?, &|| {});
             let fails = |verdict: &Verdict| {
                 matches!(verdict, Verdict::Diverges(_) | Verdict::ChargedElsewhere(_))

@@ -30,6 +30,8 @@ const EXAMPLES: &str = "Examples:
       every reading of the documents, with a journal; after a kill: the same call with --resume
   gaugeblock fuzz --edition gpp2 --programs 300000
       programs of a post-processor
+  gaugeblock fuzz --edition nct-99m --programs 300000 --verbose
+      custom macros, and how often each rule was reached
   gaugeblock fuzz --iut rs274 --known nightly/report.json --report tonight
       only what an earlier report does not tell
   gaugeblock fuzz --shard 3/8 --seed 20 --programs 1000000 --report shard-3
@@ -104,10 +106,6 @@ pub(super) struct Arguments {
 pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     let own = controller::own_edition(&arguments.iut);
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
-    if edition.language == Language::Nct {
-        let message = format!("no programs are generated in the language {} yet", edition.language);
-        return Err(Refused::wrong(message, "name an edition of rs274 or gpp"));
-    }
     let (options, random) = options(arguments, suite, edition)?;
     let known = arguments.known.as_deref().map(fuzz_report::read).transpose()?.unwrap_or_default();
     if let Some(folder) = &arguments.report {
@@ -269,8 +267,8 @@ fn shrink_all(plan: &Plan<'_>, mut finds: Vec<Find>, attempts: u32) -> Vec<Find>
 }
 
 fn recipe(arguments: &Arguments, edition: &Edition) -> Result<Recipe, Refused> {
-    if edition.language == Language::Gpp && !arguments.only.is_empty() {
-        let message = "the generator of a post-processor's programs has no rows";
+    if edition.language != Language::Rs274 && !arguments.only.is_empty() {
+        let message = format!("the generator of programs in {} has no rows", edition.language);
         return Err(Refused::wrong(message, "leave out --only"));
     }
     let stand_alone = |name: &str| name.starts_with("rs274");

@@ -2,10 +2,11 @@
 //!
 //! Choices come from [bytes or a seed](Dice). A program is written from the rows of a [table](TABLE), each of which knows where
 //! it is possible, so that most programs are accepted; a dial makes some of them slightly wrong. [`odd`] writes programs that are
-//! refused more often than not, [`gpp`] those of a post-processor, [`splice`] mixes what others wrote, [`pairs`] writes what must do the same as something else.
+//! refused more often than not, [`gpp`] those of a post-processor, [`nct`] custom macros, [`splice`] mixes what others wrote, [`pairs`] writes what must do the same as something else.
 
 mod dice;
 pub mod gpp;
+pub mod nct;
 mod nudge;
 pub mod odd;
 pub mod pairs;
@@ -73,8 +74,10 @@ impl Default for Recipe {
 
 /// A scenario. Its options are empty: which documents apply is the caller's to say.
 pub fn scenario(dice: &mut Dice<'_>, recipe: &Recipe) -> Scenario {
-    if recipe.language == Language::Gpp {
-        return gpp::scenario(dice, recipe);
+    match recipe.language {
+        Language::Rs274 => {}
+        Language::Gpp => return gpp::scenario(dice, recipe),
+        Language::Nct => return nct::scenario(dice, recipe),
     }
     let mut scenario = setup::scenario(dice, recipe.setups);
     let mut state = State::of(&scenario);

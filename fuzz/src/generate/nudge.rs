@@ -1,6 +1,6 @@
 //! Programs in which every transcendental result is moved by its last bit.
 
-use gaugeblock_trace::Scenario;
+use gaugeblock_trace::{Language, Scenario};
 
 /// Functions whose results differ in the last bit from one library to the next.
 const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "asin", "acos", "atan", "exp", "ln"];
@@ -19,19 +19,21 @@ const DOWN: &str = "0.9999999999999999";
 /// as much as one in the angle's moves it; none where no function stands. If its outcome is another one, nothing can be said of the program.
 pub fn nudged(scenario: &Scenario, up: bool) -> Option<Scenario> {
     let mut other = scenario.clone();
-    other.program.main = text(&scenario.program.main, up);
+    let brackets = scenario.program.language != Language::Nct;
+    other.program.main = text(&scenario.program.main, up, brackets);
     for (name, file) in &scenario.program.files {
-        other.program.files.insert(name.clone(), text(file, up));
+        other.program.files.insert(name.clone(), text(file, up, brackets));
     }
     (other.program != scenario.program).then_some(other)
 }
 
-fn text(text: &str, up: bool) -> String {
-    text.split_inclusive('\n').map(|piece| line(piece, up)).collect()
+fn text(text: &str, up: bool, brackets: bool) -> String {
+    text.split_inclusive('\n').map(|piece| line(piece, up, brackets)).collect()
 }
 
-/// Inner functions stand to the right of outer ones, so that they are wrapped first.
-fn line(line: &str, up: bool) -> String {
+/// Inner functions stand to the right of outer ones, so that they are wrapped first. In custom macros brackets stand five deep at most, and a
+/// factor without them belongs to the function.
+fn line(line: &str, up: bool, brackets: bool) -> String {
     let (factor, sign) = if up { (UP, '+') } else { (DOWN, '-') };
     let mut line = line.to_owned();
     let lower = line.to_ascii_lowercase();
@@ -47,7 +49,9 @@ fn line(line: &str, up: bool) -> String {
         let Some(name) = named else { continue };
         if let Some(end) = end_of(&line, at + name.len()) {
             let call = &line[at..end];
-            let wrapped = if OF_ANGLES.contains(name) {
+            let wrapped = if !brackets {
+                format!("{call} * {factor}")
+            } else if OF_ANGLES.contains(name) {
                 format!("[{call} * {factor} {sign} {LAST_BIT}]")
             } else {
                 format!("[{call} * {factor}]")
@@ -94,5 +98,9 @@ mod tests {
         assert_eq!(up("xsin[30]\n").unwrap(), format!("x[sin[30] * {UP} + {LAST_BIT}]\n"));
         // How a half is rounded the documents say; where a computed position decides, the model is asked to round that otherwise.
         assert_eq!(up("x round[#5420]\n"), None);
+        let mut of_macros = Scenario::of("#1 = 2 * SIN[[30]]\n");
+        of_macros.program.language = Language::Nct;
+        let moved = nudged(&of_macros, true).map(|other| other.program.main);
+        assert_eq!(moved.unwrap(), format!("#1 = 2 * SIN[[30]] * {UP}\n"));
     }
 }

@@ -3,20 +3,9 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 
+pub(super) use crate::part::Part;
+
 use super::words::Compare;
-
-/// Members of a row, from the first up to the one before `to`.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Part {
-    pub(super) from: usize,
-    pub(super) to: usize,
-}
-
-impl Part {
-    pub(super) fn of<T>(self, row: &[T]) -> &[T] {
-        row.get(self.from..self.to).unwrap_or_default()
-    }
-}
 
 /// A program. Nothing in it is looked up by name any more.
 #[derive(Clone, Debug, Default)]

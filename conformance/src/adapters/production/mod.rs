@@ -2,8 +2,9 @@
 //!
 //! Everything that it does is shown exactly (`recorder`). What the outside of a controller answers comes from the scenario's bench
 //! (`outside`), what a person does and when from its operator (`operator`). The rest is the task's: this only translates. It honours every
-//! choice of the documents and no quirk: those are what other controllers do otherwise. A post-processor's program needs none of this but a sink (`post`).
+//! choice of the documents and no quirk: those are what other controllers do otherwise. A post-processor's program needs none of this but a sink (`post`), and neither do custom macros (`macros`).
 
+mod macros;
 mod operator;
 mod outside;
 mod post;
@@ -50,7 +51,8 @@ impl Adapter for Production {
         // It promises not to panic, and is not trusted to keep that.
         catch_unwind(AssertUnwindSafe(|| match scenario.program.language {
             Language::Gpp => post::run(scenario),
-            Language::Rs274 | Language::Nct => run::run(scenario),
+            Language::Nct => macros::run(scenario),
+            Language::Rs274 => run::run(scenario),
         }))
         .unwrap_or_else(|panic| {
             let text = panic.downcast_ref::<String>().map(String::as_str);

@@ -1,0 +1,14 @@
+//! Members of a row that stand together.
+
+/// From the first member up to the one before `to`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Part {
+    pub(crate) from: usize,
+    pub(crate) to: usize,
+}
+
+impl Part {
+    pub(crate) fn of<T>(self, row: &[T]) -> &[T] {
+        row.get(self.from..self.to).unwrap_or_default()
+    }
+}
