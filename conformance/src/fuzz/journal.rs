@@ -103,7 +103,8 @@ impl Journal {
     ///
     /// # Errors
     /// It cannot be written.
-    pub fn done(&mut self, chunk: &Chunk) -> Result<(), String> {
+    pub fn done(&mut self, chunk: &mut Chunk) -> Result<(), String> {
+        chunk.statistics.settle();
         self.line(chunk)
     }
 
@@ -148,8 +149,8 @@ mod tests {
         };
         let (mut journal, done) = open(&header(), false).unwrap();
         assert!(done.is_empty());
-        journal.done(&chunk(0)).unwrap();
-        journal.done(&chunk(1)).unwrap();
+        journal.done(&mut chunk(0)).unwrap();
+        journal.done(&mut chunk(1)).unwrap();
         drop(journal);
         let text = std::fs::read_to_string(&path).unwrap();
         std::fs::write(&path, &text[..text.len() - 5]).unwrap();
@@ -158,7 +159,7 @@ mod tests {
         assert!(open(&other, true).is_err(), "another run is not gone on with");
         let (mut journal, done) = open(&header(), true).unwrap();
         assert_eq!(done, [chunk(0)]);
-        journal.done(&chunk(2)).unwrap();
+        journal.done(&mut chunk(2)).unwrap();
         drop(journal);
         let (_, done) = open(&header(), true).unwrap();
         assert_eq!(done, [chunk(0), chunk(2)]);
