@@ -100,6 +100,10 @@ pub struct Interpreter {
     ended: Option<Result<End, Error>>,
 }
 
+/// Room for an interpreter's parameters. To make it costs more than to run a program of a few blocks.
+#[derive(Debug, Default)]
+pub struct Room(Option<Numbered>);
+
 /// Where a numbered subprogram begins.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NumberedProgram {
@@ -130,8 +134,21 @@ impl Interpreter {
     /// # Errors
     /// [`Error::Configuration`]: an option that its choice does not have, or a machine that cannot be.
     pub fn new(machine: Machine, options: Options, limits: Limits) -> Result<Self, Error> {
+        Self::with_room(machine, options, limits, Room::default())
+    }
+
+    /// The same, in the room of an interpreter that is not needed any more: for whoever runs many short programs.
+    ///
+    /// # Errors
+    /// As for [`Self::new`].
+    pub fn with_room(
+        machine: Machine,
+        options: Options,
+        limits: Limits,
+        room: Room,
+    ) -> Result<Self, Error> {
         let choices = Choices::of(&options)?;
-        let mut numbered = Numbered::new();
+        let mut numbered = room.0.unwrap_or_else(Numbered::new);
         // DEBUG speaks unless the program turns it off (11.4.3.1).
         numbered.set(5599, 1.0);
         let modal = Modal::new(&machine, &options, &mut numbered)?;
@@ -173,6 +190,13 @@ impl Interpreter {
             unfinished: None,
             ended: None,
         })
+    }
+
+    /// Its room, for another interpreter. Nothing of what it knows goes with it.
+    pub fn into_room(self) -> Room {
+        let mut numbered = self.parameters.numbered;
+        numbered.clear();
+        Room(Some(numbered))
     }
 
     /// Whether blocks that begin with a slash are skipped; they are not unless this is called before the program begins.

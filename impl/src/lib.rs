@@ -77,7 +77,6 @@ pub mod faults;
 #[expect(unreachable_pub, reason = "who embeds the interpreter cannot plant faults")]
 mod faults;
 pub mod gpp;
-mod in_order;
 mod interpret;
 mod limits;
 mod math;
@@ -100,7 +99,7 @@ pub use begun::BlockBegun;
 pub use canon::{Reply, Sink};
 pub use done::{BlockDone, Executed};
 pub use error::Error;
-pub use interpret::{Interpreter, Progress};
+pub use interpret::{Interpreter, Progress, Room};
 pub use limits::{Limit, Limits};
 pub use plan::Planner;
 pub use probing::Probing;

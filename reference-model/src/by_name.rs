@@ -23,7 +23,7 @@ impl<T> ByName<T> {
     /// The value of a name, if it has one.
     #[inline]
     pub(crate) fn get(&self, name: &str) -> Option<&T> {
-        let (_, place) = self.find(name, mixed(name))?;
+        let place = self.find(name, mixed(name))?;
         self.entries.get(place).map(|(_, value)| value)
     }
 
@@ -45,35 +45,55 @@ impl<T> ByName<T> {
     where
         T: Default,
     {
-        if self.entries.len() * 2 >= self.slots.len() {
-            self.grow();
-        }
-        let (slot, place) = self.find(name, mixed).expect("by name: half of the slots are free");
-        if place == self.entries.len() {
-            self.entries.push((name, T::default()));
-            self.slots[slot] = u32::try_from(place + 1).expect("by name: the model has few names");
-        }
+        let place = match self.at_first_sight(name, mixed) {
+            Some(place) => place,
+            None => self.find_or_add(name, mixed),
+        };
         &mut self.entries[place].1
     }
 
-    /// The slot of a name, or the free one for it, and the place of its entry; none while there are no slots.
-    fn find(&self, name: &str, mixed: usize) -> Option<(usize, usize)> {
-        let last = self.slots.len().checked_sub(1)?;
+    /// The place of a name's entry where it was made with the very same text and is in its first slot, as it most often is.
+    #[inline]
+    fn at_first_sight(&self, name: &str, mixed: usize) -> Option<usize> {
+        let last = self.slots.len().wrapping_sub(1);
+        let place = self.slots.get(mixed & last)?.checked_sub(1)? as usize;
+        let (known, _) = self.entries.get(place)?;
+        std::ptr::eq(*known, name).then_some(place)
+    }
+
+    /// The place of a name's entry.
+    fn find(&self, name: &str, mixed: usize) -> Option<usize> {
+        let last = self.slots.len().wrapping_sub(1);
         let mut slot = mixed & last;
         loop {
-            match self.slots[slot] {
-                0 => return Some((slot, self.entries.len())),
-                taken => {
-                    let place = taken as usize - 1;
-                    // Most often it is the very text that the entry was made with.
-                    let known = self.entries[place].0;
-                    if std::ptr::eq(known, name) || known == name {
-                        return Some((slot, place));
-                    }
-                }
+            let place = self.slots.get(slot)?.checked_sub(1)? as usize;
+            if self.entries[place].0 == name {
+                return Some(place);
             }
             slot = (slot + 1) & last;
         }
+    }
+
+    #[inline(never)]
+    fn find_or_add(&mut self, name: &'static str, mixed: usize) -> usize
+    where
+        T: Default,
+    {
+        self.find(name, mixed).unwrap_or_else(|| self.add(name, mixed))
+    }
+
+    /// Adds an entry for a name that has none; its place.
+    fn add(&mut self, name: &'static str, mixed: usize) -> usize
+    where
+        T: Default,
+    {
+        let place = self.entries.len();
+        if place * 2 >= self.slots.len() {
+            self.grow();
+        }
+        self.entries.push((name, T::default()));
+        self.take_slot(place, mixed);
+        place
     }
 
     fn grow(&mut self) {
@@ -81,12 +101,18 @@ impl<T> ByName<T> {
         self.slots = vec![0; slots];
         self.entries.reserve_exact(slots / 2 - self.entries.len());
         for place in 0..self.entries.len() {
-            let mut slot = mixed(self.entries[place].0) & (slots - 1);
-            while self.slots[slot] != 0 {
-                slot = (slot + 1) & (slots - 1);
-            }
-            self.slots[slot] = u32::try_from(place + 1).expect("by name: the model has few names");
+            self.take_slot(place, mixed(self.entries[place].0));
         }
+    }
+
+    /// Leads a name to its entry.
+    fn take_slot(&mut self, place: usize, mixed: usize) {
+        let last = self.slots.len() - 1;
+        let mut slot = mixed & last;
+        while self.slots[slot] != 0 {
+            slot = (slot + 1) & last;
+        }
+        self.slots[slot] = u32::try_from(place + 1).expect("by name: the model has few names");
     }
 }
 

@@ -93,6 +93,15 @@ impl Tally {
         }
     }
 
+    /// Counts what other runs reached.
+    pub fn merge(&mut self, other: &Self) {
+        for (rule, runs) in other.0.iter() {
+            let all = self.0.value(rule);
+            all.accepted += runs.accepted;
+            all.refused += runs.refused;
+        }
+    }
+
     /// Every outcome that was reached, and in how many runs; in no order that means anything.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, RuleOutcome, u64)> {
         let outcomes = self.0.iter().flat_map(|(rule, runs)| {

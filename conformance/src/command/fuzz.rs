@@ -17,7 +17,7 @@ use crate::certify::scenario_of;
 use crate::fuzz::groups::{Find, Groups, merged, shrunk};
 use crate::fuzz::journal::Header;
 use crate::fuzz::statistics::Statistics;
-use crate::fuzz::{Extent, Plan, Shard, run};
+use crate::fuzz::{Extent, Plan, Random, Shard, run};
 use crate::journal::Journal;
 use crate::suite::{Choice, Edition, Rule, RuleOutcome, Suite};
 
@@ -130,8 +130,12 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
         seed: arguments.seed,
         spliced: if arguments.only.is_empty() { arguments.spliced } else { 0 },
         seeds: seeds(suite, edition, &options),
+        random: if random {
+            Random::all(of_language(suite, edition), &options)
+        } else {
+            Vec::new()
+        },
         options,
-        random: if random { of_language(suite, edition) } else { Vec::new() },
         bench: edition.bench.clone(),
     };
     let header = header(arguments, &plan, edition);
@@ -219,9 +223,10 @@ fn generate(
         done: &done,
         stop: &stop,
     };
-    run(plan, &extent, &mut |chunk| {
-        if let Some(Err(why)) = journal.as_mut().map(|journal| journal.done(&chunk)) {
-            trouble = Some(why);
+    run(plan, &extent, &mut |mut chunk| {
+        if let Some(journal) = &mut journal {
+            chunk.statistics.settle();
+            trouble = journal.done(&chunk).err().or(trouble.take());
         }
         so_far.add(chunk);
         let (programs, groups) = (so_far.statistics.programs, so_far.groups.len());
@@ -230,6 +235,7 @@ fn generate(
         trouble.is_none() && end.is_none_or(|end| now() < end)
     });
     bar.finish_and_clear();
+    so_far.statistics.settle();
     match trouble {
         Some(why) => Err(Refused::unfinished(
             format!("the journal: {why}"),

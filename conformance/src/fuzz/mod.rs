@@ -49,9 +49,26 @@ pub struct Plan<'a> {
     /// The options of the edition that applies, without those that are the default of their choice: each run reads what is listed.
     pub options: Options,
     /// Choices of which each program takes some at random; none where the edition's options stand.
-    pub random: Vec<&'a Choice>,
+    pub random: Vec<Random<'a>>,
     /// The bench that answers where a scenario has none.
     pub bench: Option<String>,
+}
+
+/// A choice of which programs take an option at random.
+#[derive(Clone, Copy, Debug)]
+pub struct Random<'a> {
+    choice: &'a Choice,
+    /// Whether the options of the plan list it.
+    listed: bool,
+}
+
+impl<'a> Random<'a> {
+    /// The choices among some; a quirk is none.
+    pub fn all(choices: impl IntoIterator<Item = &'a Choice>, options: &Options) -> Vec<Self> {
+        let choices = choices.into_iter().filter(|choice| choice.kind == ChoiceKind::Choice);
+        let listed = |choice: &Choice| options.get(&choice.id).is_some();
+        choices.map(|choice| Self { choice, listed: listed(choice) }).collect()
+    }
 }
 
 impl Plan<'_> {
@@ -70,16 +87,17 @@ impl Plan<'_> {
             generate::scenario(&mut dice, &self.recipe)
         };
         scenario.options = options;
-        for choice in self.random.iter().filter(|choice| choice.kind == ChoiceKind::Choice) {
-            if dice.chance(25) {
-                let option = &dice.pick(&choice.options).name;
-                match scenario.options.0.get_mut(&choice.id) {
-                    Some(chosen) => chosen.clone_from(option),
-                    None if choice.is_default(option) => {}
-                    None => {
-                        scenario.options.0.insert(choice.id.clone(), option.clone());
-                    }
+        for Random { choice, listed } in &self.random {
+            if !dice.chance(25) {
+                continue;
+            }
+            let option = &dice.pick(&choice.options).name;
+            if *listed {
+                if let Some(chosen) = scenario.options.0.get_mut(&choice.id) {
+                    chosen.clone_from(option);
                 }
+            } else if !choice.is_default(option) {
+                scenario.options.0.insert(choice.id.clone(), option.clone());
             }
         }
         if scenario.bench == Bench::default() {
@@ -125,7 +143,6 @@ impl Plan<'_> {
                 | Came::NotJudged => self.options_again(scenario.options),
             };
         }
-        statistics.settle();
         Some(Chunk { chunk, statistics, found: groups.finds() })
     }
 }

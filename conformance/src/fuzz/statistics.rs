@@ -44,7 +44,13 @@ pub struct Statistics {
     /// What the model reached in programs that are not in [`Self::rules`] yet.
     #[serde(skip)]
     reached: Tally,
+    /// Short codes that stand in programs that are not in [`Self::codes`] yet.
+    #[serde(skip)]
+    short_codes: BTreeMap<ShortCode, u64>,
 }
+
+/// A code of a letter and few digits, as one number: its characters in order, zeros behind them.
+type ShortCode = u64;
 
 impl Statistics {
     /// Adds what others came to.
@@ -67,6 +73,10 @@ impl Statistics {
         ] {
             its.iter().for_each(|(name, more)| count_more(mine, name, *more));
         }
+        self.reached.merge(&other.reached);
+        for (code, more) in &other.short_codes {
+            *self.short_codes.entry(*code).or_default() += more;
+        }
     }
 
     /// Counts a program that was compared.
@@ -81,27 +91,32 @@ impl Statistics {
         } else {
             self.accepted += 1;
         }
-        let mut codes = Vec::new();
-        codes_of(&scenario.program.main, &mut codes);
-        scenario.program.files.values().for_each(|text| codes_of(text, &mut codes));
-        codes.sort_unstable();
-        codes.dedup();
-        let mut name = String::new();
-        for (letter, number) in codes {
-            name.clear();
-            name.push(letter);
-            name.push_str(number);
-            count(&mut self.codes, &name);
+        let (mut short, mut long) = (Vec::with_capacity(64), Vec::new());
+        codes_of(&scenario.program.main, &mut short, &mut long);
+        let files = scenario.program.files.values();
+        files.for_each(|text| codes_of(text, &mut short, &mut long));
+        short.sort_unstable();
+        short.dedup();
+        for code in short {
+            *self.short_codes.entry(code).or_default() += 1;
         }
+        long.sort_unstable();
+        long.dedup();
+        long.iter().for_each(|code| count(&mut self.codes, code));
     }
 
-    /// Counts the rules that the model reached; they stand in [`Self::rules`] after [`Self::settle`].
+    /// Counts the rules that the model reached.
     pub fn reached(&mut self, evidence: &Evidence) {
         self.reached.add(evidence);
     }
 
-    /// Puts down what was counted so far.
+    /// Puts down under their names what was counted so far: rules and codes.
     pub fn settle(&mut self) {
+        for (code, programs) in std::mem::take(&mut self.short_codes) {
+            let characters = code.to_be_bytes().into_iter().filter(|byte| *byte != 0);
+            let name: String = characters.map(char::from).collect();
+            count_more(&mut self.codes, &name, programs);
+        }
         let mut name = String::new();
         for (rule, outcome, programs) in std::mem::take(&mut self.reached).iter() {
             name.clear();
@@ -161,26 +176,58 @@ fn count_more(counts: &mut Counts, name: &str, more: u64) {
     }
 }
 
-/// Plain G and M codes of a text, each with its number as it is written.
-fn codes_of<'a>(text: &'a str, codes: &mut Vec<(char, &'a str)>) {
+/// Plain G and M codes of a text, each with its number as it is written; those that are no short ones as texts.
+fn codes_of(text: &str, short: &mut Vec<ShortCode>, long: &mut Vec<String>) {
     let bytes = text.as_bytes();
     for (at, byte) in bytes.iter().enumerate() {
-        let letter = byte.to_ascii_lowercase();
-        let in_word = at > 0 && (bytes[at - 1].is_ascii_alphabetic() || bytes[at - 1] == b'_');
-        if (letter != b'g' && letter != b'm') || in_word {
+        let letter = match byte {
+            b'g' | b'G' => b'g',
+            b'm' | b'M' => b'm',
+            _ => continue,
+        };
+        if at > 0 && (bytes[at - 1].is_ascii_alphabetic() || bytes[at - 1] == b'_') {
             continue;
         }
-        let digits = bytes.iter().skip(at + 1).take_while(|b| b.is_ascii_digit() || **b == b'.');
-        let end = at + 1 + digits.count();
-        if end > at + 1 {
-            codes.push((char::from(letter), &text[at + 1..end]));
+        let behind = &bytes[at + 1..];
+        let is_digit = |byte: &u8| byte.is_ascii_digit() || *byte == b'.';
+        let digits = behind.iter().position(|byte| !is_digit(byte)).unwrap_or(behind.len());
+        if digits == 0 {
+            continue;
+        }
+        let mut code = [0; 8];
+        code[0] = letter;
+        match code.get_mut(1..=digits) {
+            Some(place) => {
+                place.copy_from_slice(&behind[..digits]);
+                short.push(ShortCode::from_be_bytes(code));
+            }
+            None => {
+                let number = behind[..digits].iter().copied().map(char::from);
+                long.push([char::from(letter)].into_iter().chain(number).collect());
+            }
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use gaugeblock_reference::run;
+
     use super::*;
+
+    #[test]
+    fn codes_are_counted_as_they_are_written() {
+        let main = "g1 x1 G01 m2\n(msg5) g1 M2 g38.2 g000000000001 m\n#<_g5>=1 g.";
+        let (mut statistics, outcome) = (Statistics::default(), run(&Scenario::of("m2")).0);
+        for _ in 0..2 {
+            statistics.count(&Scenario::of(main), &outcome);
+        }
+        let mut all = Statistics::default();
+        all.add(&statistics);
+        all.settle();
+        let codes = ["g.", "g000000000001", "g01", "g1", "g38.2", "m2"];
+        assert_eq!(all.codes, codes.map(|code| (code.to_owned(), 2)).into());
+    }
 
     #[test]
     fn outcomes_that_few_programs_reach_are_named_the_fewest_first() {

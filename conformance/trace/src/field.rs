@@ -11,6 +11,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::position::Position;
+use crate::sorted::Sorted;
 use crate::text::TextError;
 
 /// A value as it is compared and printed, whatever its type in the record.
@@ -131,7 +132,7 @@ impl<T: Scalar + PartialEq> Field for T {
     )
 )]
 #[schemars(inline, with = "BTreeMap<String, T>", bound = "T: JsonSchema")]
-pub struct Indexed<K, T>(pub BTreeMap<K, T>);
+pub struct Indexed<K, T>(pub Sorted<K, T>);
 
 impl<K: fmt::Display, T> From<Indexed<K, T>> for BTreeMap<String, T> {
     fn from(indexed: Indexed<K, T>) -> Self {
@@ -158,14 +159,14 @@ fn parse_index<K: fmt::Display + FromStr>(text: &str) -> Result<K, TextError> {
 
 impl<K, T> Default for Indexed<K, T> {
     fn default() -> Self {
-        Self(BTreeMap::new())
+        Self(Sorted::new())
     }
 }
 
 impl<K: Ord, T> Indexed<K, T> {
     /// One value at one index.
     pub fn one(index: K, value: T) -> Self {
-        Self(BTreeMap::from([(index, value)]))
+        Self(Sorted::from([(index, value)]))
     }
 }
 

@@ -20,6 +20,7 @@ pub mod scenario;
 pub mod schema;
 mod settings;
 mod shared;
+mod sorted;
 pub mod text;
 
 pub use effect::{Channel, Effect, OrientDirection, OutputTiming, Request, WaitMode};
@@ -37,4 +38,5 @@ pub use settings::{
     GppState, Language, MacroValue, NctState, Rs274State, Settings, SpindleLimit, State, Vacancy,
 };
 pub use shared::Shared;
+pub use sorted::{Entries, Sorted};
 pub use text::TextError;

@@ -124,7 +124,7 @@ impl Writer<'_, '_> {
             0..=3 => self.number(),
             4 | 5 => self.parameter(),
             6 => self.state_parameter(),
-            7 | 8 => format!("[{}]", self.expression(depth - 1)),
+            7 | 8 => ["[", self.expression(depth - 1).as_str(), "]"].concat(),
             9 => self.function(depth - 1),
             _ => {
                 // Some documents have no sign but that of a number.
@@ -190,32 +190,31 @@ impl Writer<'_, '_> {
     /// A parameter that can be read.
     pub(crate) fn parameter(&mut self) -> String {
         if !self.state.names.is_empty() && self.dice.chance(35) {
-            let names = self.state.names.clone();
-            return format!("#<{}>", self.dice.pick(&names));
+            return ["#<", self.dice.pick(&self.state.names).as_str(), ">"].concat();
         }
         match self.dice.below(12) {
             0 => format!("#[{} + 1]", self.dice.pick(&["30", "31", "32"])),
-            1 => format!("#<{}>", self.dice.pick(PREDEFINED)),
-            _ => format!("#{}", self.dice.pick(NUMBERED)),
+            1 => ["#<", *self.dice.pick(PREDEFINED), ">"].concat(),
+            _ => ["#", *self.dice.pick(NUMBERED)].concat(),
         }
     }
 
     /// A parameter that tells the state.
     pub(crate) fn state_parameter(&mut self) -> String {
         if self.dice.chance(60) {
-            format!("#<{}>", self.dice.pick(PREDEFINED))
+            ["#<", *self.dice.pick(PREDEFINED), ">"].concat()
         } else {
-            format!("#{}", self.dice.pick(STATE_NUMBERED))
+            ["#", *self.dice.pick(STATE_NUMBERED)].concat()
         }
     }
 
     /// A parameter that a program may set, as it stands before the equal sign.
     pub(crate) fn settable(&mut self) -> String {
         if self.dice.chance(30) {
-            let name = (*self.dice.pick(NAMES)).to_owned();
-            return format!("#<{name}>");
+            let name = *self.dice.pick(NAMES);
+            return ["#<", name, ">"].concat();
         }
-        format!("#{}", self.dice.pick(NUMBERED))
+        ["#", *self.dice.pick(NUMBERED)].concat()
     }
 
     /// Remembers that a parameter was set.

@@ -27,7 +27,8 @@ pub(crate) struct Writer<'d, 'b> {
     pub(crate) state: State,
     text: String,
     manner: Manner,
-    rows: Vec<&'static Row>,
+    /// The rows, each with the sum of the weights up to it.
+    rows: Vec<(u32, &'static Row)>,
     total: u32,
     left: u32,
     last_label: u32,
@@ -45,8 +46,12 @@ impl<'d, 'b> Writer<'d, 'b> {
             noisy: dice.chance(30),
             wrong: if sloppy { recipe.wrong_blocks } else { 0 },
         };
-        let rows = chosen_rows(dice, recipe);
-        let total = rows.iter().map(|row| row.weight).sum();
+        let mut total = 0;
+        let with_sum = |row: &'static Row| {
+            total += row.weight;
+            (total, row)
+        };
+        let rows = chosen_rows(dice, recipe).into_iter().map(with_sum).collect();
         let (text, after_end) = (String::new(), String::new());
         Self { dice, state, text, manner, rows, total, left, last_label: 100, after_end }
     }
@@ -91,20 +96,16 @@ impl<'d, 'b> Writer<'d, 'b> {
     /// F first, so that feed moves are allowed.
     fn feed_first(&mut self) {
         let feed = self.within(1, 2000);
-        self.block(&format!("f{feed}"));
+        self.block(format!("f{feed}"));
         self.state.feed = true;
     }
 
     /// A row of the table that is possible here.
     fn statement(&mut self) {
         for _ in 0..8 {
-            let mut at = self.dice.below(self.total);
-            let row = self.rows.iter().find(|row| {
-                let here = at < row.weight;
-                at = at.saturating_sub(row.weight);
-                here
-            });
-            let Some(row) = row else { break };
+            let at = self.dice.below(self.total);
+            let place = self.rows.partition_point(|(sum, _)| *sum <= at);
+            let Some(&(_, row)) = self.rows.get(place) else { break };
             if (row.possible)(&self.state) && !(row.kind.nests() && self.state.depth >= DEEPEST) {
                 (row.write)(self);
                 return;
@@ -173,9 +174,9 @@ impl<'d, 'b> Writer<'d, 'b> {
     }
 
     /// Writes a block of words, with noise and perhaps something wrong.
-    pub(crate) fn block(&mut self, words: &str) {
+    pub(crate) fn block(&mut self, words: impl Into<String>) {
         self.left = self.left.saturating_sub(1);
-        let mut line = words.to_owned();
+        let mut line = words.into();
         if self.manner.wrong > 0 && self.dice.chance(self.manner.wrong) {
             line = wrong::spoilt(&line, self.dice);
         }
@@ -200,15 +201,15 @@ impl<'d, 'b> Writer<'d, 'b> {
     }
 
     fn write_line(&mut self, line: &str) {
-        let speaks = line.contains('(') || line.contains(';');
-        if self.manner.spread && !speaks {
+        let speaks = || line.contains(['(', ';']);
+        if self.manner.spread && !speaks() {
             for c in line.chars() {
                 self.text.push(c);
                 if c == '=' || c == ']' || c == '[' {
                     self.text.push(' ');
                 }
             }
-        } else if self.manner.upper && !speaks {
+        } else if self.manner.upper && !speaks() {
             self.text.push_str(&line.to_ascii_uppercase());
         } else {
             self.text.push_str(line);

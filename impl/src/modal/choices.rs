@@ -3,7 +3,6 @@
 use gaugeblock_trace::Options;
 
 use crate::error::Error;
-use crate::in_order::InOrder;
 
 macro_rules! choices {
     ($($(#[$about:meta])* $name:ident: $id:literal, $first:literal, $second:literal;)*) => {
@@ -18,15 +17,21 @@ macro_rules! choices {
         impl Choices {
             /// Reads the options that concern modes; others are not looked at.
             pub(crate) fn read(options: &Options) -> Result<Self, Error> {
-                let mut in_order = InOrder::new(options);
-                Ok(Self {
-                    $($name: match in_order.get($id) {
-                        None | Some($first) => false,
-                        Some($second) => true,
-                        Some(_) => return Err(Error::Configuration(concat!("no such option of ", $id))),
-                    },)*
-                    initial_motion: InitialMotion::read(options)?,
-                })
+                let mut choices = Self { $($name: false,)* initial_motion: InitialMotion::None };
+                for (id, option) in &options.0 {
+                    match id.as_str() {
+                        $($id => choices.$name = match option.as_str() {
+                            $first => false,
+                            $second => true,
+                            _ => return Err(Error::Configuration(concat!("no such option of ", $id))),
+                        },)*
+                        "modal-groups.initial-motion" => {
+                            choices.initial_motion = InitialMotion::of(option)?;
+                        }
+                        _ => {}
+                    }
+                }
+                Ok(choices)
             }
         }
     };
@@ -171,12 +176,12 @@ pub(crate) enum InitialMotion {
 }
 
 impl InitialMotion {
-    fn read(options: &Options) -> Result<Self, Error> {
-        match options.get("modal-groups.initial-motion") {
-            None | Some("none") => Ok(Self::None),
-            Some("feed") => Ok(Self::Feed),
-            Some("traverse") => Ok(Self::Traverse),
-            Some(_) => Err(Error::Configuration("no such option of modal-groups.initial-motion")),
+    fn of(option: &str) -> Result<Self, Error> {
+        match option {
+            "none" => Ok(Self::None),
+            "feed" => Ok(Self::Feed),
+            "traverse" => Ok(Self::Traverse),
+            _ => Err(Error::Configuration("no such option of modal-groups.initial-motion")),
         }
     }
 }

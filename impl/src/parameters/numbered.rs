@@ -41,6 +41,23 @@ impl Numbered {
         }
     }
 
+    /// All parameters zero again, as [`Self::new`] makes them. Only those are looked at that were ever set.
+    pub(crate) fn clear(&mut self) {
+        for (word, (marks, told)) in (0_u32..).zip(self.marks.iter_mut().zip(&mut self.told)) {
+            for number in numbers(word, *marks | *told) {
+                if let Some(value) =
+                    usize::try_from(number).ok().and_then(|at| self.values.get_mut(at))
+                {
+                    *value = 0.0;
+                }
+            }
+            (*marks, *told) = (0, 0);
+        }
+        self.marked = 0;
+        self.notes.clear();
+        self.noting = false;
+    }
+
     /// A parameter's value; an absent number reads 0.
     #[inline]
     pub(crate) fn get(&self, number: u32) -> f64 {

@@ -3,7 +3,6 @@
 use gaugeblock_trace::Options;
 
 use crate::error::Error;
-use crate::in_order::InOrder;
 
 macro_rules! readings {
     ($($(#[$about:meta])* $id:literal $name:ident { $($(#[$what:meta])* $text:literal $variant:ident,)* })*) => {
@@ -13,12 +12,14 @@ macro_rules! readings {
             pub(crate) enum $name { $($(#[$what])* $variant,)* }
 
             impl $name {
-                /// The option of this choice; the first one where none is given.
-                fn of(options: &mut InOrder<'_>) -> Result<Self, Error> {
-                    match options.get($id) {
-                        None => Ok([$(Self::$variant),*][0]),
-                        $(Some($text) => Ok(Self::$variant),)*
-                        Some(_) => Err(Error::Configuration(concat!("no such option of ", $id))),
+                const ID: &str = $id;
+                /// What holds where no option is given.
+                const FIRST: Self = [$(Self::$variant),*][0];
+
+                fn of(option: &str) -> Result<Self, Error> {
+                    match option {
+                        $($text => Ok(Self::$variant),)*
+                        _ => Err(Error::Configuration(concat!("no such option of ", $id))),
                     }
                 }
             }
@@ -76,21 +77,6 @@ readings! {
     }
 }
 
-/// Which of two options a choice has: false for the first one, which is the default.
-fn second(
-    options: &mut InOrder<'_>,
-    id: &'static str,
-    names: [&str; 2],
-    message: &'static str,
-) -> Result<bool, Error> {
-    match options.get(id) {
-        None => Ok(false),
-        Some(name) if names[0] == name => Ok(false),
-        Some(name) if names[1] == name => Ok(true),
-        Some(_) => Err(Error::Configuration(message)),
-    }
-}
-
 macro_rules! choices {
     (
         several { $($(#[$many_about:meta])* $many:ident: $type:ident,)* }
@@ -109,12 +95,19 @@ macro_rules! choices {
             /// # Errors
             /// A choice has an option that its page does not name.
             pub(crate) fn of(options: &Options) -> Result<Self, Error> {
-                let mut in_order = InOrder::new(options);
-                let options = &mut in_order;
-                Ok(Self {
-                    $($field: second(options, $id, [$first, $second], concat!("no such option of ", $id))?,)*
-                    $($many: $type::of(options)?,)*
-                })
+                let mut choices = Self { $($field: false,)* $($many: $type::FIRST,)* };
+                for (id, option) in &options.0 {
+                    match id.as_str() {
+                        $($id => choices.$field = match option.as_str() {
+                            $first => false,
+                            $second => true,
+                            _ => return Err(Error::Configuration(concat!("no such option of ", $id))),
+                        },)*
+                        $($type::ID => choices.$many = $type::of(option)?,)*
+                        _ => {}
+                    }
+                }
+                Ok(choices)
             }
         }
     };

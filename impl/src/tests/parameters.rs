@@ -1,9 +1,11 @@
 //! Numbered and named parameters (11.4.3, 11.4.4).
 
-use gaugeblock_trace::Machine;
+use alloc::vec::Vec;
 
-use super::{Case, check, check_all};
-use crate::Limits;
+use gaugeblock_trace::{Machine, Options};
+
+use super::{Case, Recorder, check, check_all};
+use crate::{Interpreter, Limits, Memory, Room};
 
 #[test]
 fn settings_wait_for_the_whole_line() {
@@ -113,4 +115,25 @@ fn locals_belong_to_a_level() {
         "o1 sub\n#<n>=#1\no2 if [#1 gt 0]\no1 call [#1-1]\no2 endif\n#<_sum>=[#<_sum>+#<n>]\no1 endsub\n#<_sum>=0\no1 call [4]\nm2\n",
         "#<_sum> = 10",
     );
+}
+
+#[test]
+fn nothing_is_left_in_room_that_was_used() {
+    let new = |room| {
+        let parameters = [(5220, 2.0), (5241, 7.0)].into_iter().collect();
+        let machine = Machine { parameters, ..Machine::default() };
+        let (options, limits) = (Options::default(), Limits::default());
+        Interpreter::with_room(machine, options, limits, room).expect("a machine")
+    };
+    let all = |interpreter: &Interpreter| -> Vec<f64> {
+        (0..=5602).map(|number| interpreter.parameters.numbered.get(number)).collect()
+    };
+    let fresh = all(&new(Room::default()));
+    let mut used = new(Room::default());
+    let program =
+        "o1 sub\n#30=3 #5602=4 #5241=1\no1 endsub\n#1=1 #31=2\no1 call [7]\n#33=5 g9999\n";
+    let ran = used.run(&mut Memory::new(program), &mut Recorder::default(), 100);
+    assert!(ran.is_err(), "{ran:?}");
+    assert_ne!(all(&used), fresh);
+    assert_eq!(all(&new(used.into_room())), fresh);
 }

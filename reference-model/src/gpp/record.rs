@@ -109,13 +109,13 @@ impl Record {
                 }
             }
         }
-        state.variable = (!texts.is_empty()).then_some(Indexed(texts));
-        state.set = (!flags.is_empty()).then_some(Indexed(flags));
+        state.variable = (!texts.is_empty()).then_some(Indexed(texts.into()));
+        state.set = (!flags.is_empty()).then_some(Indexed(flags.into()));
         if !self.modality_is_shown {
             self.modality_is_shown = true;
             let modality = variables.all.iter().map(|v| (v.name.clone(), v.modal));
             let modality: BTreeMap<_, _> = modality.collect();
-            state.modal = (!modality.is_empty()).then_some(Indexed(modality));
+            state.modal = (!modality.is_empty()).then_some(Indexed(modality.into()));
         }
         self.finish(block, Some(State::Gpp(state)))
     }

@@ -7,11 +7,17 @@ use gaugeblock_impl::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
 use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{
     Block, Effect, End, Event, Indexed, Language, Outcome, Pin, PinChange, Program, Rs274State,
-    Settings, State, Step,
+    Settings, Sorted, State, Step,
 };
 
 use super::outside::Outside;
 use crate::observe::is_local_name;
+
+/// As many steps as a program of a case or of a campaign has.
+const MANY_STEPS: usize = 32;
+
+/// As many events as most blocks have that have any.
+const MANY_EVENTS: usize = 2;
 
 /// What has been seen so far.
 #[derive(Debug)]
@@ -32,11 +38,11 @@ pub(super) struct Recorder<'a> {
     /// State as recorded last.
     state: Rs274State,
     /// Numbered parameters as recorded last; those that are not among them are zero.
-    numbered: BTreeMap<u32, f64>,
+    numbered: Sorted<u32, f64>,
     /// Named parameters as recorded last.
     named: BTreeMap<String, f64>,
     /// Numbered parameters that were set since a state was recorded last.
-    written: BTreeMap<u32, f64>,
+    written: Sorted<u32, f64>,
     /// Whether a call or return has led elsewhere since a state was recorded last.
     elsewhere: bool,
 }
@@ -48,7 +54,7 @@ impl<'a> Recorder<'a> {
         Self {
             outside,
             start: interpreter.settings(),
-            steps: Vec::new(),
+            steps: Vec::with_capacity(MANY_STEPS),
             pins: Vec::new(),
             events: Vec::new(),
             idle: false,
@@ -58,7 +64,7 @@ impl<'a> Recorder<'a> {
             state: Rs274State::default(),
             numbered,
             named: BTreeMap::new(),
-            written: BTreeMap::new(),
+            written: Sorted::new(),
             elsewhere: false,
         }
     }
@@ -126,6 +132,9 @@ impl<'a> Recorder<'a> {
     /// Something happened, within a block or after the last one.
     fn happened(&mut self, event: Event) {
         if !self.idle {
+            if self.events.capacity() == 0 {
+                self.events.reserve_exact(MANY_EVENTS);
+            }
             self.events.push(event);
             return;
         }
@@ -160,19 +169,20 @@ impl<'a> Recorder<'a> {
         let now = done.state();
         let mut changes = now.since(&self.state);
         self.state = now;
-        let mut changed = BTreeMap::new();
+        let mut changed = Vec::new();
         for (number, value) in std::mem::take(&mut self.written) {
-            if self.numbered.insert(number, value).or(Some(0.0)) != Some(value) {
-                changed.insert(number.to_string(), value);
+            if self.numbered.get(&number).copied().or(Some(0.0)) != Some(value) {
+                self.numbered.insert(number, value);
+                changed.push((number.to_string(), value));
             }
         }
         for (name, value) in done.named() {
             if self.named.get(name) != Some(&value) {
                 self.named.insert(name.to_owned(), value);
-                changed.insert(name.to_owned(), value);
+                changed.push((name.to_owned(), value));
             }
         }
-        changes.parameter = (!changed.is_empty()).then_some(Indexed(changed));
+        changes.parameter = (!changed.is_empty()).then(|| changed.into_iter().collect());
         changes
     }
 }

@@ -1,13 +1,20 @@
 //! A run: a program or blocks by hand, and then what the operator does with the idle controller.
 
+use std::cell::Cell;
+
 use gaugeblock_impl::task::{Activity, BY_HAND, Idle, Stuck, Task};
-use gaugeblock_impl::{Error, Interpreter, Limits, Memory};
+use gaugeblock_impl::{Error, Interpreter, Limits, Memory, Room};
 use gaugeblock_trace::scenario::Start;
 use gaugeblock_trace::{Block, Bound, ControllerMode, End, Outcome, Program, Scenario};
 
 use super::super::HarnessError;
 use super::outside::Outside;
 use super::recorder::Recorder;
+
+thread_local! {
+    /// What the run before has left for the next one.
+    static ROOM: Cell<Room> = Cell::default();
+}
 
 /// A controller that runs a scenario.
 struct Run<'a> {
@@ -22,7 +29,9 @@ struct Run<'a> {
 pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     let (machine, options) = (scenario.machine.clone(), scenario.options.clone());
     let not_run = |error: Error| HarnessError::NotRun(error.to_string());
-    let mut interpreter = Interpreter::new(machine, options, Limits::default()).map_err(not_run)?;
+    let (limits, room) = (Limits::default(), ROOM.take());
+    let mut interpreter =
+        Interpreter::with_room(machine, options, limits, room).map_err(not_run)?;
     interpreter.set_block_delete(scenario.program.block_delete);
     // Somebody may act at a line that holds a comment only.
     interpreter.set_comments_told(!scenario.operator.is_empty());
@@ -38,6 +47,7 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     // With the run every call is over.
     interpreter.begin();
     let parameters = interpreter.parameters().into_iter().collect();
+    ROOM.set(interpreter.into_room());
     Ok(recorder.outcome(end, parameters))
 }
 

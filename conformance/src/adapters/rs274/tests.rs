@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::{
     Block, Effect, End, Event, FaultKind, LengthUnit, Machine, Motion, Outcome, Position, Scenario,
-    State, Tool,
+    Sorted, State, Tool,
 };
 
 use super::*;
@@ -196,11 +196,11 @@ fn parameters_are_shown_after_blocks_and_at_the_end() {
     };
     assert_eq!(
         changed(0),
-        BTreeMap::from([("31".to_owned(), 2.5)]),
+        Sorted::from([("31".to_owned(), 2.5)]),
         "what is not named and does not change is left out"
     );
-    assert_eq!(changed(1), BTreeMap::from([("32".to_owned(), 7.0)]));
-    assert_eq!(changed(2), BTreeMap::from([("x".to_owned(), 1.0)]));
+    assert_eq!(changed(1), Sorted::from([("32".to_owned(), 7.0)]));
+    assert_eq!(changed(2), Sorted::from([("x".to_owned(), 1.0)]));
     let last = outcome.parameters.unwrap().0;
     assert_eq!((last.get(&31), last.get(&32), last.get(&33)), (Some(&2.5), Some(&7.0), None));
 }

@@ -227,7 +227,7 @@ impl Writer<'_, '_> {
         self.state.forget_modes();
         if self.dice.chance(50) {
             let feed = self.within(1, 900);
-            self.block(&format!("g94 f{feed}"));
+            self.block(format!("g94 f{feed}"));
             self.state.feed = true;
             self.state.per_minute = true;
         } else {

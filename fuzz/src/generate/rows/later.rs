@@ -14,7 +14,7 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.block("g17 g90 g91.1 g0 x0 y0");
             let (code, radius) = (*w.dice.pick(&["g2", "g3"]), *w.dice.pick(&["1", "2.5", "10"]));
             let z = if w.dice.chance(25) { " z1" } else { "" };
-            w.block(&format!("{code} x[2*{radius}] y0 i{radius} j0{z}"));
+            w.block(format!("{code} x[2*{radius}] y0 i{radius} j0{z}"));
             w.state.moving = false;
         },
     ),
@@ -28,7 +28,7 @@ pub(in super::super) const ROWS: &[Row] = &[
             let code = *w.dice.pick(&["g2", "g3"]);
             // Half of the way is 2.5: one radius is too small for it by a rounding.
             let radius = if w.dice.chance(20) { "2.4999" } else { *w.dice.pick(&["5", "-5", "8"]) };
-            w.block(&format!("{code} x3 y4 r{radius}"));
+            w.block(format!("{code} x3 y4 r{radius}"));
             w.state.moving = false;
         },
     ),
@@ -44,7 +44,7 @@ pub(in super::super) const ROWS: &[Row] = &[
                 5..=10 => "i0 j0",
                 _ => *w.dice.pick(&["i2 j0", "i2 j0 p2", "i2 j0 p1"]),
             };
-            w.block(&format!("g2 {words}"));
+            w.block(format!("g2 {words}"));
             w.state.moving = false;
         },
     ),
@@ -59,7 +59,7 @@ pub(in super::super) const ROWS: &[Row] = &[
                 *w.dice.pick(&["g81", "g82 p0.5", "g83 q1", "g73 q1", "g85", "g86 p0.5", "g89 p1"]);
             let (plane, times) = (*w.dice.pick(&["5", "2.5"]), *w.dice.pick(&["", " l2"]));
             let retract = *w.dice.pick(&["", "g98 ", "g99 "]);
-            w.block(&format!("{retract}{code} x1 y2 z-3 r{plane}{times}"));
+            w.block(format!("{retract}{code} x1 y2 z-3 r{plane}{times}"));
             if w.dice.chance(50) {
                 w.block("x4");
             }
@@ -76,10 +76,10 @@ pub(in super::super) const ROWS: &[Row] = &[
             let code = *w.dice.pick(&["g38.2", "g38.3", "g38.4", "g38.5"]);
             let inverse = w.dice.chance(10);
             if inverse {
-                w.block(&format!("g93 {code} z[#<_z> - 10] f2"));
+                w.block(format!("g93 {code} z[#<_z> - 10] f2"));
                 w.block("g94 f100");
             } else {
-                w.block(&format!("{code} z[#<_z> - 10]"));
+                w.block(format!("{code} z[#<_z> - 10]"));
             }
             w.block("#31 = #5070");
             w.block("#32 = #5063");
@@ -131,7 +131,7 @@ pub(in super::super) const ROWS: &[Row] = &[
     Row::any("predefined.go", Kind::Predefined, 8, |w| {
         let code = *w.dice.pick(&["g28", "g30"]);
         let axes = if w.dice.chance(50) { w.axes(2) } else { String::new() };
-        w.block(&format!("{code}{axes}"));
+        w.block(format!("{code}{axes}"));
     }),
     Row::any("predefined.set", Kind::Predefined, 8, |w| {
         let code = *w.dice.pick(&["g28.1", "g30.1"]);
@@ -139,7 +139,7 @@ pub(in super::super) const ROWS: &[Row] = &[
     }),
     Row::any("axis-offset.set", Kind::AxisOffset, 14, |w| {
         let (code, axes) = (*w.dice.pick(&["g92", "g52"]), w.axes(3));
-        w.block(&format!("{code}{axes}"));
+        w.block(format!("{code}{axes}"));
     }),
     Row::any("axis-offset.cancel", Kind::AxisOffset, 8, |w| {
         let code = *w.dice.pick(&["g92.1", "g92.2", "g92.3"]);
@@ -154,17 +154,17 @@ pub(in super::super) const ROWS: &[Row] = &[
             let tools = w.state.tools.clone();
             let (kind, tool) = (*w.dice.pick(&["1", "10", "11"]), *w.dice.pick(&tools));
             if w.dice.chance(20) {
-                w.block(&format!("g10 l1 p{tool}"));
+                w.block(format!("g10 l1 p{tool}"));
                 return;
             }
             let axes = w.axes(2);
             let radius = if w.dice.chance(30) { " r2" } else { "" };
-            w.block(&format!("g10 l{kind} p{tool}{axes}{radius}"));
+            w.block(format!("g10 l{kind} p{tool}{axes}{radius}"));
         },
     ),
     Row::any("offset.calculated", Kind::ToolTable, 8, |w| {
         let (system, axes) = (w.whole(0, 9), w.axes(3));
-        w.block(&format!("g10 l20 p{system}{axes}"));
+        w.block(format!("g10 l20 p{system}{axes}"));
     }),
     Row::when(
         "synchronised.move",
@@ -173,7 +173,7 @@ pub(in super::super) const ROWS: &[Row] = &[
         |s| s.turning,
         |w| {
             let code = *w.dice.pick(&["g33", "g33.1"]);
-            w.block(&format!("{code} z-5 k1.5"));
+            w.block(format!("{code} z-5 k1.5"));
             w.state.moving = false;
         },
     ),
@@ -203,7 +203,7 @@ pub(in super::super) const ROWS: &[Row] = &[
     Row::any("polar", Kind::Polar, 6, |w| {
         let (distance, angle) = (w.within(1, 20), w.within(0, 359));
         w.block("g17 g90 g0 x1 y1");
-        w.block(&format!("g0 @{distance} ^{angle}"));
+        w.block(format!("g0 @{distance} ^{angle}"));
         w.moves(true);
     }),
 ];

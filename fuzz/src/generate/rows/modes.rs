@@ -36,7 +36,7 @@ pub(in super::super) const ROWS: &[Row] = &[
     }),
     Row::any("feed.set", Kind::Feed, 20, |w| {
         let feed = w.within(1, 3000);
-        w.block(&format!("f{feed}"));
+        w.block(format!("f{feed}"));
         w.state.feed = true;
     }),
     Row::any("feed.mode", Kind::Feed, 8, |w| {
@@ -54,12 +54,12 @@ pub(in super::super) const ROWS: &[Row] = &[
         let (system, axes) = (w.whole(0, 9), w.axes(3));
         let rotation =
             if w.dice.chance(15) { format!(" r{}", w.within(0, 90)) } else { String::new() };
-        w.block(&format!("g10 l2 p{system}{axes}{rotation}"));
+        w.block(format!("g10 l2 p{system}{axes}{rotation}"));
     }),
     Row::any("offset.parameter", Kind::Offset, 3, |w| {
         let place = 5221 + 20 * w.dice.below(9) + w.dice.below(6);
         let number = w.number();
-        w.block(&format!("#{place} = {number}"));
+        w.block(format!("#{place} = {number}"));
     }),
     Row::any("saved.save", Kind::Saved, 14, |w| {
         w.block("m70");
@@ -107,7 +107,7 @@ pub(in super::super) const ROWS: &[Row] = &[
     Row::any("crowded.m-words", Kind::Crowded, 2, |w| {
         let all = ["m5", "m9", "m48", "m70", "m61 q0", "m1"];
         let most = if w.dice.chance(5) { 5 } else { 4 };
-        w.block(&all[..most].join(" "));
+        w.block(all[..most].join(" "));
         w.state.saved = true;
         w.state.turning = false;
     }),
@@ -147,6 +147,6 @@ pub(in super::super) const ROWS: &[Row] = &[
             words.swap(place, other.unwrap_or_default());
         }
         w.state.xy_plane = false;
-        w.block(&words.join(" "));
+        w.block(words.join(" "));
     }),
 ];

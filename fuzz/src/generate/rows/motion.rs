@@ -6,7 +6,7 @@ use super::super::writer::Writer;
 pub(in super::super) const ROWS: &[Row] = &[
     Row::any("motion.traverse", Kind::Motion, 30, |w| {
         let axes = w.axes(3);
-        w.block(&format!("g0{axes}"));
+        w.block(["g0", axes.as_str()].concat());
         w.moves(true);
     }),
     Row::when(
@@ -16,7 +16,7 @@ pub(in super::super) const ROWS: &[Row] = &[
         |s| s.feed && s.per_minute,
         |w| {
             let axes = w.axes(3);
-            w.block(&format!("g1{axes}"));
+            w.block(["g1", axes.as_str()].concat());
             w.moves(false);
         },
     ),
@@ -27,7 +27,7 @@ pub(in super::super) const ROWS: &[Row] = &[
         |s| s.per_minute,
         |w| {
             let (axes, feed) = (w.axes(3), w.within(1, 2000));
-            w.block(&format!("g1{axes} f{feed}"));
+            w.block(["g1", axes.as_str(), " f", feed.as_str()].concat());
             w.state.feed = true;
             w.moves(false);
         },
@@ -41,10 +41,10 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.block("g93");
             for _ in 0..w.dice.range(1, 3) {
                 let (axes, feed) = (w.axes(2), w.within(1, 60));
-                w.block(&format!("g1{axes} f{feed}"));
+                w.block(["g1", axes.as_str(), " f", feed.as_str()].concat());
             }
             let feed = w.within(1, 500);
-            w.block(&format!("g94 f{feed}"));
+            w.block(format!("g94 f{feed}"));
             w.state.feed = true;
             w.state.per_minute = true;
             w.moves(false);
@@ -56,7 +56,7 @@ pub(in super::super) const ROWS: &[Row] = &[
         if can {
             w.block(axes.trim_start());
         } else {
-            w.block(&format!("g0{axes}"));
+            w.block(["g0", axes.as_str()].concat());
             w.moves(true);
         }
     }),
@@ -68,7 +68,7 @@ pub(in super::super) const ROWS: &[Row] = &[
     }),
     Row::any("motion.machine", Kind::Motion, 5, |w| {
         let axes = w.axes(2);
-        w.block(&format!("g53 g0{axes}"));
+        w.block(["g53 g0", axes.as_str()].concat());
         w.moves(true);
     }),
     Row::when(
@@ -78,14 +78,14 @@ pub(in super::super) const ROWS: &[Row] = &[
         |s| s.feed && s.per_minute,
         |w| {
             let axes = w.axes(2);
-            w.block(&format!("g53 g1{axes}"));
+            w.block(["g53 g1", axes.as_str()].concat());
             w.moves(false);
         },
     ),
     Row::any("dwell", Kind::Path, 10, |w| {
         let seconds = *w.dice.pick(&["0", "0.1", "1", "2.5", "[1/4]", "#500"]);
         let seconds = if seconds == "#500" { "[abs[#500] mod 5]" } else { seconds };
-        w.block(&format!("g4 p{seconds}"));
+        w.block(format!("g4 p{seconds}"));
     }),
     Row::any("path", Kind::Path, 12, |w| {
         let code = *w.dice.pick(&["g61", "g61.1", "g64", "g64"]);
@@ -96,16 +96,16 @@ pub(in super::super) const ROWS: &[Row] = &[
             }
             _ => String::new(),
         };
-        w.block(&format!("{code}{words}"));
+        w.block(format!("{code}{words}"));
     }),
 ];
 
 impl Writer<'_, '_> {
     /// One to `most` axis words, each preceded by a blank.
     pub(in super::super) fn axes(&mut self, most: u32) -> String {
-        let all = self.state.axes.clone();
         let (mut text, mut used) = (String::new(), Vec::new());
         for _ in 0..self.dice.range(1, most) {
+            let all = &self.state.axes;
             let main = all.len().min(3);
             let few = if self.dice.chance(75) { &all[..main] } else { &all[..] };
             if few.is_empty() {
@@ -114,7 +114,9 @@ impl Writer<'_, '_> {
             let axis = *self.dice.pick(few);
             if !used.contains(&axis) {
                 used.push(axis);
-                text.push_str(&format!(" {axis}{}", self.coordinate()));
+                text.push(' ');
+                text.push_str(axis);
+                text.push_str(&self.coordinate());
             }
         }
         text

@@ -11,7 +11,7 @@ pub(in super::super) const ROWS: &[Row] = &[
         |w| {
             let last = w.state.io - 1;
             let (code, number) = (*w.dice.pick(&["m62", "m63", "m64", "m65"]), w.whole(0, last));
-            w.block(&format!("{code} p{number}"));
+            w.block(format!("{code} p{number}"));
         },
     ),
     Row::when(
@@ -23,7 +23,7 @@ pub(in super::super) const ROWS: &[Row] = &[
             let last = w.state.io - 1;
             let (code, number) = (*w.dice.pick(&["m67", "m68"]), w.whole(0, last));
             let value = w.coordinate();
-            w.block(&format!("{code} e{number} q{value}"));
+            w.block(format!("{code} e{number} q{value}"));
         },
     ),
     Row::when(
@@ -35,7 +35,7 @@ pub(in super::super) const ROWS: &[Row] = &[
             let last = w.state.io - 1;
             let (letter, number) = (*w.dice.pick(&["p", "e"]), w.whole(0, last));
             let l = *w.dice.pick(&["", " l0"]);
-            w.block(&format!("m66 {letter}{number}{l}"));
+            w.block(format!("m66 {letter}{number}{l}"));
             if w.dice.chance(60) {
                 w.block("#33 = #5399");
             }
@@ -52,7 +52,7 @@ pub(in super::super) const ROWS: &[Row] = &[
             // Without Q it is refused, or waits for as long as it takes.
             let timeout =
                 if w.dice.chance(1) { "" } else { *w.dice.pick(&[" q0.5", " q1", " q3"]) };
-            w.block(&format!("m66 p{number} l{mode}{timeout}"));
+            w.block(format!("m66 p{number} l{mode}{timeout}"));
         },
     ),
     Row::when(
@@ -69,7 +69,7 @@ pub(in super::super) const ROWS: &[Row] = &[
                     words.push_str(&format!("{letter}{}", w.coordinate()));
                 }
             }
-            w.block(&format!("m{code}{words}"));
+            w.block(format!("m{code}{words}"));
         },
     ),
     Row::any("stop.optional", Kind::Outside, 6, |w| w.block("m1")),

@@ -8,25 +8,25 @@ pub(in super::super) const ROWS: &[Row] = &[
         let text =
             *w.dice.pick(&["plain", "a=1", "100 %", "x, y", "two  blanks", " led by a blank", ""]);
         let how = *w.dice.pick(&["msg", "MSG", "print", "debug", " msg "]);
-        w.block(&format!("({how},{text})"));
+        w.block(format!("({how},{text})"));
     }),
     Row::any("message.values", Kind::Message, 14, |w| {
         let (one, other) = (w.parameter(), w.state_parameter());
         let how = *w.dice.pick(&["print", "debug"]);
         // Only a number or a name stands there, no expression.
         let one = if one.starts_with("#[") { "#31".to_owned() } else { one };
-        w.block(&format!("({how},a={one} b={other})"));
+        w.block(format!("({how},a={one} b={other})"));
     }),
     Row::any("message.formats", Kind::Message, 8, |w| {
         let how = *w.dice.pick(&["print", "debug"]);
         let format =
             *w.dice.pick(&["%d", "%f", "%.2f", "%.0f", "%.1f", "%.3f", "%d", "%f", "%.4f", "%lf"]);
         let other = *w.dice.pick(&["", " %d#32", " #32", " %f#32"]);
-        w.block(&format!("({how},{format}#31{other})"));
+        w.block(format!("({how},{format}#31{other})"));
     }),
     Row::any("message.and-words", Kind::Message, 3, |w| {
         let axes = w.axes(2);
-        w.block(&format!("g0{axes} (print,at #<_x>)"));
+        w.block(format!("g0{axes} (print,at #<_x>)"));
         w.moves(true);
     }),
     Row::any("message.log", Kind::Message, 4, |w| {
@@ -48,7 +48,7 @@ pub(in super::super) const ROWS: &[Row] = &[
     }),
     Row::any("text.deleted", Kind::Text, 5, |w| {
         let axes = w.axes(2);
-        w.block(&format!("/g0{axes}"));
+        w.block(format!("/g0{axes}"));
         w.state.moving = false;
     }),
     Row::any("text.spaced", Kind::Text, 5, |w| {

@@ -11,7 +11,7 @@ pub(in super::super) const ROWS: &[Row] = &[
         |w| {
             let tools = w.state.tools.clone();
             let tool = *w.dice.pick(&tools);
-            w.block(&format!("t{tool}"));
+            w.block(format!("t{tool}"));
             w.state.selected = true;
         },
     ),
@@ -39,7 +39,7 @@ pub(in super::super) const ROWS: &[Row] = &[
             let tools = w.state.tools.clone();
             let tool = *w.dice.pick(&tools);
             let more = *w.dice.pick(&["", "", " g43", " s500 m3"]);
-            w.block(&format!("t{tool} m6{more}"));
+            w.block(format!("t{tool} m6{more}"));
             w.state.loaded = true;
             w.state.selected = true;
             w.state.turning = false;
@@ -53,7 +53,7 @@ pub(in super::super) const ROWS: &[Row] = &[
         |w| {
             let tools = w.state.tools.clone();
             let tool = if w.dice.chance(20) { 0 } else { *w.dice.pick(&tools) };
-            w.block(&format!("m61 q{tool}"));
+            w.block(format!("m61 q{tool}"));
         },
     ),
     Row::when(
@@ -64,13 +64,13 @@ pub(in super::super) const ROWS: &[Row] = &[
         |w| {
             let tools = w.state.tools.clone();
             let tool = *w.dice.pick(&tools);
-            w.block(&format!("g43 h{tool}"));
+            w.block(format!("g43 h{tool}"));
         },
     ),
     Row::when("tool.length-of-loaded", Kind::Tool, 4, |s| s.loaded, |w| w.block("g43")),
     Row::any("tool.length-given", Kind::Tool, 6, |w| {
         let axes = w.axes(2);
-        w.block(&format!("g43.1{axes}"));
+        w.block(format!("g43.1{axes}"));
     }),
     Row::when(
         "tool.length-added",
@@ -80,7 +80,7 @@ pub(in super::super) const ROWS: &[Row] = &[
         |w| {
             let tools = w.state.tools.clone();
             let tool = *w.dice.pick(&tools);
-            w.block(&format!("g43.2 h{tool}"));
+            w.block(format!("g43.2 h{tool}"));
         },
     ),
     Row::any("tool.length-off", Kind::Tool, 8, |w| w.block("g49")),

@@ -9,6 +9,7 @@ use crate::rs274::modes::{Code, ModalGroup, g_code, g_text, m_code};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
+use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
 
 /// Most M words of a block.
@@ -60,7 +61,7 @@ impl fmt::Display for Written {
 /// Rules modal-groups.g-code-out-of-range and modal-groups.m-code-out-of-range. G codes end at 99, M codes at 199.
 /// Rules modal-groups.unknown-g-code and modal-groups.unknown-m-code. The language does not have every number below.
 fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, Halt> {
-    let mut codes = Vec::new();
+    let mut codes = Vec::with_capacity(words.g.len() + words.m.len());
     for number in &words.g {
         let text = Written::G(*number);
         let rule = if *number > 999 {
@@ -103,15 +104,11 @@ fn unknown(rule: &'static str, text: Written) -> Halt {
 /// Choice modal-groups.io-members: whether M62 to M68 exclude each other.
 /// Rule modal-groups.override-group. Whether M50 to M53 belong to the group of M48 and M49 is a choice.
 fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result<(), Halt> {
-    let mut met: Vec<(ModalGroup, Written)> = Vec::new();
-    let one_of_io = state.readings.is("modal-groups.io-members", "exclusive");
-    let all_overrides = state.readings.is("modal-groups.override-members", "all");
+    let mut met: Vec<(ModalGroup, Written)> = Vec::with_capacity(codes.len());
     for (text, code) in codes {
-        let switches_control = code.later.is_none() && matches!(text, Written::M(50..=53));
-        let by_choice = (all_overrides && switches_control).then_some(ModalGroup::Overrides);
-        let switches_pin = matches!(text, Written::M(62..=68));
-        let io_group = (one_of_io && switches_pin).then_some(ModalGroup::InputsOutputs);
-        let Some(group) = code.group.or(by_choice).or(io_group) else { continue };
+        let Some(group) = code.group.or_else(|| group_by_choice(*text, &state.readings)) else {
+            continue;
+        };
         if let Some((_, other)) = met.iter().find(|(other, _)| *other == group) {
             conflict(group, (*other, *text), words, state)?;
         }
@@ -124,6 +121,20 @@ fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result
         state.evidence.accepted("modal-groups.one-of-each");
     }
     Ok(())
+}
+
+/// The group of a code of which it is a choice whether it belongs to one.
+fn group_by_choice(text: Written, readings: &Readings) -> Option<ModalGroup> {
+    let (group, belongs) = match text {
+        Written::M(50..=53) => {
+            (ModalGroup::Overrides, readings.is("modal-groups.override-members", "all"))
+        }
+        Written::M(62..=68) => {
+            (ModalGroup::InputsOutputs, readings.is("modal-groups.io-members", "exclusive"))
+        }
+        Written::G(_) | Written::M(_) => return None,
+    };
+    belongs.then_some(group)
 }
 
 /// Refuses two codes of a group, unless a choice or a quirk allows them.

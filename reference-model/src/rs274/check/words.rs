@@ -4,22 +4,19 @@ use gaugeblock_trace::{Axis, FaultKind};
 
 use crate::rs274::machine::State;
 use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code, motion_code};
-use crate::rs274::order::{AXIS_LETTERS, moves_by_axis_words};
+use crate::rs274::order::{is_of_axis, moves_by_axis_words};
 use crate::rs274::quirks::{cycles, settings as quirks};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::motion::{is_arc, motion_of};
 use crate::rs274::step::{letter, whole};
 
-/// Letters that stand for themselves: feed, speed, tool.
-const ON_THEIR_OWN: &str = "fst";
-
-/// Refuses words without a use.
+/// Refuses words without a use. Those of axes, feed, speed and tool stand for themselves.
 pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
     axes(words, state)?;
     polar(words)?;
     for letter in words.letters.keys().copied() {
-        let itself = AXIS_LETTERS.contains(letter) || ON_THEIR_OWN.contains(letter);
+        let itself = is_of_axis(letter) || matches!(letter, 'f' | 's' | 't');
         if !itself && !is_used(letter, words, state) {
             return Err(unused(letter, words, state));
         }

@@ -1,6 +1,7 @@
 //! The files of the program: the main one and those that calls name.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use gaugeblock_trace::{Block, Program};
 
@@ -33,7 +34,7 @@ pub struct Files {
 
 #[derive(Clone, Debug)]
 struct File {
-    source: Source,
+    source: Arc<Source>,
     labels: Labels,
 }
 
@@ -88,7 +89,7 @@ impl Files {
         }
         state.evidence = before;
         labels.finish();
-        self.opened.push(File { source, labels });
+        self.opened.push(File { source: source.into(), labels });
         self.begin(self.opened.len() - 1)
     }
 
@@ -109,12 +110,22 @@ impl Files {
 
     /// What stands at a place; none behind the end of the file.
     pub fn line(&self, place: Place, state: &mut State) -> Option<Line<'_>> {
-        let index = usize::try_from(place.line).ok()?.checked_sub(1)?;
-        self.opened[place.file].source.line(index, self.block_delete, state)
+        self.line_of(self.source(place.file), place.line, state)
+    }
+
+    /// What a line of a file is; none behind its end.
+    pub fn line_of<'a>(
+        &self,
+        source: &'a Source,
+        line: u32,
+        state: &mut State,
+    ) -> Option<Line<'a>> {
+        let index = usize::try_from(line).ok()?.checked_sub(1)?;
+        source.line(index, self.block_delete, state)
     }
 
     /// The text of a file.
-    pub fn source(&self, file: usize) -> &Source {
+    pub fn source(&self, file: usize) -> &Arc<Source> {
         &self.opened[file].source
     }
 

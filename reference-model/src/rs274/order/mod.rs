@@ -4,7 +4,7 @@ mod phase;
 mod rules;
 
 pub use phase::{
-    AXIS_LETTERS, Phase, Phases, has_axis_words, moves_by_axis_words, moves_without_code,
+    Phase, Phases, has_axis_words, is_of_axis, moves_by_axis_words, moves_without_code,
 };
 pub use rules::{ORDER_RULES, OrderRule};
 
@@ -53,7 +53,15 @@ pub fn execute(
 }
 
 /// A block has gone through all its phases: the rules about their order are reached.
+///
+/// Rule order.words-in-any-order. Words act phase by phase, in whichever order they stand.
 pub fn completed(words: &Words, phases: Phases, state: &mut State) {
+    if phases.count() > 0 {
+        state.evidence.accepted("order.words-in-any-order");
+    }
+    if phases.count() < 2 {
+        return;
+    }
     for rule in ORDER_RULES.iter().filter(|rule| rule.concerns(words, phases)) {
         state.evidence.accepted(rule.id);
     }

@@ -88,41 +88,62 @@ impl Phase {
         Self::Stop,
     ];
 
-    /// Whether a block, whose codes are of these groups, has something to do in this phase.
-    fn is_in(self, words: &Words, of_block: &[ModalGroup]) -> bool {
-        let groups = |groups: &[ModalGroup]| of_block.iter().any(|group| groups.contains(group));
-        let m = |low: u32, high: u32| words.m.iter().any(|code| (low..=high).contains(code));
-        match self {
-            Self::Comment => words.comment.is_some(),
-            Self::FeedMode => groups(&[ModalGroup::FeedMode]),
-            Self::FeedRate => words.letters.contains_key(&'f'),
-            Self::SpindleSpeed => {
-                words.letters.contains_key(&'s') || groups(&[ModalGroup::SpindleMode])
+    /// The phase of a G code.
+    fn of_g(number: u32) -> Option<Self> {
+        match number {
+            40 => Some(Self::Dwell),
+            530 => Some(Self::Motion),
+            _ if OFFSET_DATA.contains(&number) => Some(Self::OffsetData),
+            _ => g_code(number)?.group.and_then(Self::of_group),
+        }
+    }
+
+    /// The phase of an M code.
+    fn of_m(number: u32) -> Option<Self> {
+        match number {
+            48..=53 => Some(Self::Overrides),
+            62..=68 => Some(Self::InputsOutputs),
+            70..=73 => Some(Self::SavedState),
+            100..=199 => Some(Self::UserCode),
+            _ => m_code(number)?.group.and_then(Self::of_group),
+        }
+    }
+
+    /// The phase of the codes of a modal group, where it is one for all of them.
+    fn of_group(group: ModalGroup) -> Option<Self> {
+        match group {
+            ModalGroup::FeedMode => Some(Self::FeedMode),
+            ModalGroup::SpindleMode => Some(Self::SpindleSpeed),
+            ModalGroup::ToolChange => Some(Self::ChangeTool),
+            ModalGroup::Spindle => Some(Self::Spindle),
+            ModalGroup::Coolant => Some(Self::Coolant),
+            ModalGroup::Plane => Some(Self::Plane),
+            ModalGroup::Units => Some(Self::Units),
+            ModalGroup::Compensation => Some(Self::Compensation),
+            ModalGroup::ToolLength => Some(Self::ToolLength),
+            ModalGroup::WorkOffset => Some(Self::WorkOffset),
+            ModalGroup::Path => Some(Self::Path),
+            ModalGroup::Distance | ModalGroup::ArcDistance | ModalGroup::Lathe => {
+                Some(Self::Distance)
             }
-            Self::SelectTool => words.letters.contains_key(&'t'),
-            Self::InputsOutputs => m(62, 68),
-            Self::ChangeTool => groups(&[ModalGroup::ToolChange]),
-            Self::Spindle => groups(&[ModalGroup::Spindle]),
-            Self::SavedState => m(70, 73),
-            Self::Coolant => groups(&[ModalGroup::Coolant]),
-            Self::Overrides => m(48, 53),
-            Self::UserCode => m(100, 199),
-            Self::Dwell => words.g.contains(&40),
-            Self::Plane => groups(&[ModalGroup::Plane]),
-            Self::Units => groups(&[ModalGroup::Units]),
-            Self::Compensation => groups(&[ModalGroup::Compensation]),
-            Self::ToolLength => groups(&[ModalGroup::ToolLength]),
-            Self::WorkOffset => groups(&[ModalGroup::WorkOffset]),
-            Self::Path => groups(&[ModalGroup::Path]),
-            Self::Distance => {
-                groups(&[ModalGroup::Distance, ModalGroup::ArcDistance, ModalGroup::Lathe])
-            }
-            Self::Retract => groups(&[ModalGroup::Retract]),
-            Self::OffsetData => words.g.iter().any(|code| OFFSET_DATA.contains(code)),
-            Self::Motion => {
-                groups(&[ModalGroup::Motion]) || words.g.contains(&530) || moves_without_code(words)
-            }
-            Self::Stop => groups(&[ModalGroup::Stopping]),
+            ModalGroup::Retract => Some(Self::Retract),
+            ModalGroup::Motion => Some(Self::Motion),
+            ModalGroup::Stopping => Some(Self::Stop),
+            ModalGroup::NonModal
+            | ModalGroup::LocalOffset
+            | ModalGroup::InputsOutputs
+            | ModalGroup::Overrides
+            | ModalGroup::UserDefined => None,
+        }
+    }
+
+    /// The phase of a word that is no code.
+    fn of_letter(letter: char) -> Option<Self> {
+        match letter {
+            'f' => Some(Self::FeedRate),
+            's' => Some(Self::SpindleSpeed),
+            't' => Some(Self::SelectTool),
+            _ => None,
         }
     }
 }
@@ -145,19 +166,30 @@ impl Phases {
 
     /// Those in which a block has something to do.
     pub fn of(words: &Words) -> Self {
-        let groups = groups(words);
-        let phases = Phase::ALL.iter().filter(|phase| phase.is_in(words, &groups));
-        Self(phases.fold(0, |bits, phase| bits | (1 << *phase as u32)))
+        let by_g = words.g.iter().filter_map(|number| Phase::of_g(*number));
+        let by_m = words.m.iter().filter_map(|number| Phase::of_m(*number));
+        let by_letters = words.letters.keys().filter_map(|letter| Phase::of_letter(*letter));
+        let comment = words.comment.is_some().then_some(Phase::Comment);
+        let moves = moves_without_code(words).then_some(Phase::Motion);
+        let phases = by_g.chain(by_m).chain(by_letters).chain(comment).chain(moves);
+        Self(phases.fold(0, |bits, phase| bits | (1 << phase as u32)))
     }
 
     /// Whether a phase is among them.
+    #[inline]
     pub fn contains(self, phase: Phase) -> bool {
         self.meets(Self::these(&[phase]))
     }
 
     /// Whether one of them is among others.
+    #[inline]
     pub fn meets(self, others: Self) -> bool {
         self.0 & others.0 != 0
+    }
+
+    /// How many there are.
+    pub fn count(self) -> u32 {
+        self.0.count_ones()
     }
 
     /// All of them, in the order of execution.
@@ -168,13 +200,6 @@ impl Phases {
 
 /// G codes that change the data of offsets, or go to a stored position.
 const OFFSET_DATA: [u32; 10] = [100, 280, 281, 300, 301, 520, 920, 921, 922, 923];
-
-/// The modal groups of a block's codes.
-fn groups(words: &Words) -> Vec<ModalGroup> {
-    let g = words.g.iter().filter_map(|number| g_code(*number));
-    let m = words.m.iter().filter_map(|number| m_code(*number));
-    g.chain(m).filter_map(|code| code.group).collect()
-}
 
 /// Whether axis words, polar ones too, or offsets of a centre stand in the block for no code that uses them: then the
 /// motion mode does.
@@ -195,10 +220,12 @@ pub fn moves_by_axis_words(words: &Words) -> bool {
     has_axis_words(words) && !used
 }
 
-/// The letters of the axes, and the polar words that stand for X and Y.
-pub const AXIS_LETTERS: &str = "xyzabcuvw@^";
+/// Whether a letter is one of an axis, or of the polar words that stand for X and Y.
+pub fn is_of_axis(letter: char) -> bool {
+    matches!(letter, 'x' | 'y' | 'z' | 'a' | 'b' | 'c' | 'u' | 'v' | 'w' | '@' | '^')
+}
 
 /// Whether a block has axis words.
 pub fn has_axis_words(words: &Words) -> bool {
-    words.letters.keys().any(|letter| AXIS_LETTERS.contains(*letter))
+    words.letters.keys().any(|letter| is_of_axis(*letter))
 }

@@ -1,8 +1,6 @@
 //! HAL items: the pins of the machine under the names that a program can read.
 
-use std::collections::BTreeMap;
-
-use gaugeblock_trace::{Machine, Pin};
+use gaugeblock_trace::{Machine, Pin, Sorted};
 
 use super::{Input, Outside};
 
@@ -25,7 +23,7 @@ pub(super) struct Synchronised {
     /// When, seconds since the start.
     time: f64,
     /// The value of each pin that was not zero.
-    levels: BTreeMap<Pin, f64>,
+    levels: Sorted<Pin, f64>,
 }
 
 impl Item {

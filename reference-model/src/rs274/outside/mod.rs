@@ -13,7 +13,7 @@ pub(crate) mod stub;
 use std::collections::BTreeMap;
 
 use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{Pin, PinChange, Shared};
+use gaugeblock_trace::{Pin, PinChange, Shared, Sorted};
 
 use super::readings::Readings;
 pub(crate) use hal::Item;
@@ -35,7 +35,7 @@ pub struct Outside {
     /// Seconds since the start.
     time: f64,
     /// The value of each pin that is not zero, or was not.
-    levels: BTreeMap<Pin, f64>,
+    levels: Sorted<Pin, f64>,
     /// Every change of a pin so far.
     changes: Vec<PinChange>,
     /// What outputs become when the next motion begins.

@@ -127,7 +127,8 @@ fn computed(number: u32, state: &State) -> f64 {
 
 /// The axis whose position a parameter is.
 fn position_of(number: u32) -> Option<Axis> {
-    (POSITION..).zip(Axis::ALL).find(|(position, _)| *position == number).map(|(_, axis)| *axis)
+    let place = number.checked_sub(POSITION)?;
+    Axis::ALL.get(usize::try_from(place).ok()?).copied()
 }
 
 /// The place of a local numbered parameter among the thirty.

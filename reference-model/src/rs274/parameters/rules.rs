@@ -29,7 +29,8 @@ pub fn rules_of(name: &Name, state: &State) -> Vec<&'static str> {
 }
 
 fn of_number(number: u32, state: &State) -> Vec<&'static str> {
-    let mut rules = vec!["parameters.assignment"];
+    let mut rules = Vec::with_capacity(8);
+    rules.push("parameters.assignment");
     rules.push(match number {
         1..=31 => "parameters.local-numbers",
         5220 => "parameters.active-system",

@@ -6,9 +6,7 @@ mod operate;
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeMap;
-
-use gaugeblock_trace::{Axis, FaultKind};
+use gaugeblock_trace::{Axis, FaultKind, Sorted};
 
 use super::machine::State;
 use super::parameters::{self, Name};
@@ -25,7 +23,7 @@ pub struct Words {
     /// M codes in the order of the text.
     pub m: Vec<u32>,
     /// The other words by letter: lower case, `$`, `@`, `^`.
-    pub letters: BTreeMap<char, f64>,
+    pub letters: Sorted<char, f64>,
     /// Settings in the order of the text; of several for one parameter the last one counts.
     pub settings: Vec<(Name, f64)>,
     /// The comment that may be active.

@@ -260,7 +260,7 @@ pub(super) fn surface_speed_stands(state: &State) -> bool {
 
 /// The rules that an accepted move follows, those on modes that held until it among them.
 fn accepted(motion: Motion, end: Position, words: &Words, state: &mut State) {
-    let mut rules = vec![
+    for rule in [
         "modal-groups.one-in-force",
         "modal-groups.non-modal-once",
         "modal-groups.axis-words-without-mode",
@@ -268,25 +268,24 @@ fn accepted(motion: Motion, end: Position, words: &Words, state: &mut State) {
         "path-control.mode-holds",
         "offsets.select-holds",
         "feed.mode-holds",
-    ];
+    ] {
+        state.evidence.accepted(rule);
+    }
     if motion == Motion::Feed {
-        rules.push("motion.feed");
+        state.evidence.accepted("motion.feed");
     } else {
-        rules.push("motion.traverse");
+        state.evidence.accepted("motion.traverse");
         if state.modes.feed_mode == FeedMode::InverseTime {
-            rules.push("feed.inverse-time-rapid");
+            state.evidence.accepted("feed.inverse-time-rapid");
         }
         if state.modes.feed_rate == 0.0 {
-            rules.push("feed.traverse-needs-none");
+            state.evidence.accepted("feed.traverse-needs-none");
         }
     }
     if [end.a, end.b, end.c].iter().any(|angle| *angle != 0.0) {
-        rules.push("motion.rotary-axes");
+        state.evidence.accepted("motion.rotary-axes");
     }
-    if words.letters.keys().any(|letter| "xyz".contains(*letter)) {
-        rules.push("motion.no-such-axis");
-    }
-    for rule in rules {
-        state.evidence.accepted(rule);
+    if words.letters.keys().any(|letter| matches!(letter, 'x' | 'y' | 'z')) {
+        state.evidence.accepted("motion.no-such-axis");
     }
 }

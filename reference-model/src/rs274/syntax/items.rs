@@ -13,7 +13,9 @@ use crate::rs274::text::Glyph;
 /// Rule text.word-letters. The letters of the table begin words; no other letter does.
 ///
 /// E belongs to M66 to M68 (see `read`); `$` is a spindle, `@` and `^` are polar coordinates.
-const WORD_LETTERS: &str = "abcdefghijklmpqrstuvwxyz$@^";
+fn begins_word(letter: char) -> bool {
+    matches!(letter, 'a'..='m' | 'p'..='z' | '$' | '@' | '^')
+}
 
 const AXIS_LETTERS: &str = "xyzabcuvw";
 
@@ -112,7 +114,7 @@ impl Parser<'_> {
             match next {
                 Glyph::COMMENT => self.advance(),
                 '#' => block.settings.push(self.setting()?),
-                letter if WORD_LETTERS.contains(letter) => block.words.push(self.word(letter)?),
+                letter if begins_word(letter) => block.words.push(self.word(letter)?),
                 _ => return Err(self.misplaced(next)),
             }
         }
@@ -136,8 +138,6 @@ impl Parser<'_> {
         if value.is_err() && AXIS_LETTERS.contains(letter) {
             self.fail("motion.axis-without-value");
         }
-        self.reach("text.word-letters");
-        self.reach("text.word-value");
         Ok(Word { letter, value: value?, span: self.span_from(start) })
     }
 
@@ -224,6 +224,10 @@ impl Parser<'_> {
     }
 
     fn reach_items(&mut self, block: &Block) {
+        if !block.words.is_empty() {
+            self.reach("text.word-letters");
+            self.reach("text.word-value");
+        }
         if block.words.is_empty() && block.settings.is_empty() && block.o_word.is_none() {
             self.reach("text.items-optional");
         }

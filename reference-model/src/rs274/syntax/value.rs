@@ -38,6 +38,9 @@ const FUNCTIONS: [(&str, Function); 12] = [
     ("tan", Function::Tangent),
 ];
 
+/// Room for the digits of most numbers.
+const MOST_DIGITS: usize = 16;
+
 impl Parser<'_> {
     /// A number, a parameter, an expression or a function, perhaps behind a sign.
     pub(super) fn value(&mut self, wanted: Wanted) -> Result<Expression, Halt> {
@@ -61,9 +64,10 @@ impl Parser<'_> {
 
     /// Whether the name of a function is next.
     pub(super) fn sees_function(&self) -> bool {
-        self.sees("atan")
-            || self.sees("exists")
-            || FUNCTIONS.iter().any(|(name, _)| self.sees(name))
+        self.peek().is_some_and(|next| next.is_ascii_lowercase())
+            && (self.sees("atan")
+                || self.sees("exists")
+                || FUNCTIONS.iter().any(|(name, _)| self.sees(name)))
     }
 
     /// Rule numbers.sign. A number may begin with a plus or minus sign; without one it is positive.
@@ -123,6 +127,7 @@ impl Parser<'_> {
     fn number(&mut self) -> Result<f64, Halt> {
         let mut text = std::mem::take(&mut self.digits);
         text.clear();
+        text.reserve(MOST_DIGITS);
         self.take_into(&mut text, |character| character.is_ascii_digit());
         let whole = text.len();
         if self.take(".") {

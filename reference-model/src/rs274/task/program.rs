@@ -1,5 +1,7 @@
 //! The program, block after block: parsed, evaluated, checked, executed, recorded.
 
+use std::sync::Arc;
+
 use gaugeblock_trace::{End, FaultKind};
 
 use super::{Record, Run};
@@ -20,8 +22,9 @@ impl Run<'_> {
     pub(super) fn next(&mut self) -> Result<Option<End>, Halt> {
         let place = self.control.place;
         self.state.line = place.line;
-        let text = match self.control.files.line(place, &mut self.state) {
-            Some(Line::Block(text)) => text.to_owned(),
+        let source = Arc::clone(self.control.files.source(place.file));
+        let text = match self.control.files.line_of(&source, place.line, &mut self.state) {
+            Some(Line::Block(text)) => text,
             Some(Line::Nothing) => {
                 self.control.place.line += 1;
                 return Ok(None);
@@ -41,7 +44,7 @@ impl Run<'_> {
                 return Err(self.missing_end());
             }
         };
-        match self.block(&text)? {
+        match self.block(text)? {
             Next::Following => self.control.place.line += 1,
             Next::At(place) => self.control.place = place,
             // As long as the operator has something left to do it does begin again.
@@ -129,8 +132,9 @@ impl Run<'_> {
     /// In a phase that takes time the operator may act. What an abort breaks off has not been done.
     fn execute(&mut self, words: &Words) -> Result<Rest, Halt> {
         let mut rest = Rest::Execute;
-        let mut settings = Some(&words.settings);
-        let before_words = self.state.readings.is("parameters.setting-time", "before-words");
+        let mut settings = (!words.settings.is_empty()).then_some(&words.settings);
+        let before_words =
+            settings.is_some() && self.state.readings.is("parameters.setting-time", "before-words");
         let phases = Phases::of(words);
         for phase in phases.iter() {
             if before_words

@@ -14,6 +14,12 @@ use crate::rs274::parameters::{self, Name};
 use crate::rs274::step::feed::Speed;
 use crate::rs274::step::{outputs, pass};
 
+/// As many steps as a program of a case or of a campaign has.
+const MANY_STEPS: usize = 32;
+
+/// As many events as most blocks have that have any.
+const MANY_EVENTS: usize = 2;
+
 /// What has been observed so far.
 ///
 /// Settings, states and parameters are recorded as what changed since they were recorded last. After a call or return the
@@ -63,7 +69,7 @@ impl Record {
             elsewhere: false,
             modes: state.modes.clone(),
             start,
-            steps: Vec::new(),
+            steps: Vec::with_capacity(MANY_STEPS),
             events: Vec::new(),
             state: Rs274State::default(),
             effects: 0,
@@ -157,7 +163,7 @@ impl Record {
         self.effects = self.effects.saturating_add(1);
         let begins = matches!(effect, Effect::StartSpindleSynchronisation { .. });
         self.in_step = begins || self.in_step && effect != Effect::StopSpindleSynchronisation {};
-        self.events.push(Event::Do(effect));
+        self.push(Event::Do(effect));
         self.leave_to_last();
     }
 
@@ -257,8 +263,16 @@ impl Record {
         let changed = state.modes.settings_since(&self.modes);
         self.modes.clone_from(&state.modes);
         if changed != Settings::default() {
-            self.events.push(Event::Set(changed));
+            self.push(Event::Set(changed));
         }
+    }
+
+    /// Something happens in the block.
+    fn push(&mut self, event: Event) {
+        if self.events.capacity() == 0 {
+            self.events.reserve_exact(MANY_EVENTS);
+        }
+        self.events.push(event);
     }
 
     /// Whether the block that is being executed has done nothing so far.
@@ -317,8 +331,11 @@ impl Record {
         let changed = names.iter().filter_map(|name| {
             let value = parameters::value(name, state).ok()?;
             let unset = matches!(name, Name::Numbered(_)).then_some(0.0);
-            let before = self.parameters.insert(name.clone(), value).or(unset);
-            (Some(value) != before).then(|| (name.to_string(), value))
+            let before = self.parameters.get(name).copied().or(unset);
+            (Some(value) != before).then(|| {
+                self.parameters.insert(name.clone(), value);
+                (name.to_string(), value)
+            })
         });
         changed.collect()
     }

@@ -84,6 +84,10 @@ pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Commen
 /// Choice text.line-end-counted: whether the line end is one of them.
 /// Quirk rs274.shorter-lines: 252 without the line end.
 fn line_length(line: &str, readings: &Readings) -> Result<(), Halt> {
+    if line.len() <= quirks::LONGEST_LINE {
+        // So many are allowed whatever is chosen.
+        return Ok(());
+    }
     let limit = if readings.quirk("rs274.shorter-lines") {
         quirks::LONGEST_LINE
     } else if readings.is("text.line-end-counted", "counted") {

@@ -7,6 +7,8 @@ mod tests;
 
 pub use characters::{Glyph, condense};
 
+use std::ops::Range;
+
 use super::machine::State;
 use super::readings::Readings;
 use super::refusal::{Halt, refuse};
@@ -17,8 +19,10 @@ use gaugeblock_trace::FaultKind;
 pub struct Source {
     /// File name; the main program is `main.ngc`.
     pub name: String,
-    /// Its lines without their line ends.
-    pub lines: Vec<String>,
+    /// Its text; a line feed ends each line.
+    text: String,
+    /// The place of each line in the text, without its line end.
+    lines: Vec<Range<usize>>,
     /// Index in `lines` of the first useful line: behind the percent line where the file begins with one.
     pub first: usize,
     /// Whether the file begins with a percent line; then the next one ends it.
@@ -41,14 +45,16 @@ pub enum Line<'a> {
 impl Source {
     /// Cuts a file into lines.
     pub fn new(name: &str, text: &str, readings: &Readings) -> Self {
-        let lines = lines(text, readings);
-        let begins = lines.iter().position(|line| !is_blank(line));
-        let percent = begins.filter(|index| is_percent(&lines[*index]));
+        let text = with_line_feeds(text, readings);
+        let lines = lines(&text);
+        let begins = lines.iter().position(|line| !is_blank(&text[line.clone()]));
+        let percent = begins.filter(|index| is_percent(&text[lines[*index].clone()]));
         Self {
             name: name.to_owned(),
             first: percent.map_or(0, |index| index + 1),
             percent: percent.is_some(),
             plain: false,
+            text,
             lines,
         }
     }
@@ -66,7 +72,7 @@ impl Source {
     /// Rule text.block-delete-on. While block delete is on, a line that begins with a slash is skipped unread.
     /// Rule text.percent-file. In a file that begins with a percent line, the second one ends the program.
     pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line<'_>> {
-        let line = self.lines.get(index)?;
+        let line = &self.text[self.lines.get(index)?.clone()];
         state.evidence.accepted("text.line-end");
         if is_blank(line) {
             state.evidence.accepted("text.blank-lines");
@@ -109,7 +115,8 @@ impl Source {
     /// # Errors
     /// The second percent line is missed.
     pub fn program_ends(&self, state: &mut State) -> Result<(), Halt> {
-        let second = || self.lines[self.first..].iter().any(|line| is_percent(line));
+        let useful = &self.lines[self.first..];
+        let second = || useful.iter().any(|line| is_percent(&self.text[line.clone()]));
         if self.percent && state.readings.is("text.percent-unclosed-ended", "refused") && !second()
         {
             return Err(self.unclosed());
@@ -128,16 +135,29 @@ fn is_blank(line: &str) -> bool {
 
 /// Rule text.percent-line. A percent line holds nothing else than the percent sign and blanks.
 fn is_percent(line: &str) -> bool {
-    line.contains('%') && line.trim_matches(BLANKS) == "%"
+    let line = line.trim_start_matches(BLANKS);
+    line.starts_with('%') && line.trim_end_matches(BLANKS) == "%"
 }
 
 /// Rule text.line-end. A line ends with a carriage return, a line feed or both.
 /// Quirk rs274.lone-return: a carriage return alone does not end one.
-fn lines(text: &str, readings: &Readings) -> Vec<String> {
+fn with_line_feeds(text: &str, readings: &Readings) -> String {
     if !text.contains('\r') {
-        return text.lines().map(str::to_owned).collect();
+        return text.to_owned();
     }
     let text = text.replace("\r\n", "\n");
-    let text = if readings.quirk("rs274.lone-return") { text } else { text.replace('\r', "\n") };
-    text.lines().map(str::to_owned).collect()
+    if readings.quirk("rs274.lone-return") { text } else { text.replace('\r', "\n") }
+}
+
+/// The place of each line of a text, without its line feed; a last one without a line feed is a line too.
+fn lines(text: &str) -> Vec<Range<usize>> {
+    let mut lines = Vec::with_capacity(text.len() / 8 + 1);
+    let mut begin = 0;
+    for line in text.split_inclusive('\n') {
+        let ended = line.strip_suffix('\n');
+        let text = ended.map_or(line, |text| text.strip_suffix('\r').unwrap_or(text));
+        lines.push(begin..begin + text.len());
+        begin += line.len();
+    }
+    lines
 }

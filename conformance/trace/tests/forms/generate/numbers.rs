@@ -65,7 +65,7 @@ where
     K: Ord + Clone + Debug + 'static,
     T: Clone + Debug + 'static,
 {
-    btree_map(index, value, 1..4).prop_map(Indexed).boxed()
+    btree_map(index, value, 1..4).prop_map(|map| Indexed(map.into())).boxed()
 }
 
 /// A table by name, which may be empty.
