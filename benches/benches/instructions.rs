@@ -12,6 +12,7 @@ use std::io::{Error, Result};
 use std::process::{Command, ExitCode};
 
 use gaugeblock_benches::{LONG_PROGRAMS, budgets, long_program};
+use gaugeblock_impl::gpp::{PostProcessor, StatementDone, TOOLPATH};
 use gaugeblock_impl::nct::{CustomMacros, MacroStep};
 use gaugeblock_impl::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
 use gaugeblock_trace::{Effect, Machine, Options, Settings};
@@ -29,6 +30,9 @@ const GENEROUS: f64 = 0.95;
 /// The name of the calls that are counted, of a macro with ten arguments, each with its return.
 const MACRO_CALLS: &str = "macro calls with ten arguments";
 
+/// The name of the blocks of a toolpath that are counted, each with the statement that it leads to.
+const POST_BLOCKS: &str = "post-processor blocks, ten items";
+
 fn main() -> Result<ExitCode> {
     let mut arguments = env::args().skip(1);
     if arguments.next().as_deref() == Some("run") {
@@ -37,13 +41,17 @@ fn main() -> Result<ExitCode> {
             println!("{}", macro_calls()?);
             return Ok(ExitCode::SUCCESS);
         }
+        if name == POST_BLOCKS {
+            println!("{}", post_blocks()?);
+            return Ok(ExitCode::SUCCESS);
+        }
         let program = long_program(&name).ok_or_else(|| Error::other("no such program"))?;
         println!("{}", measured(&program.text)?);
         return Ok(ExitCode::SUCCESS);
     }
     let Some(budgets) = budgets()? else { return Ok(ExitCode::SUCCESS) };
     let mut kept = true;
-    for name in LONG_PROGRAMS.iter().chain([&MACRO_CALLS]) {
+    for name in LONG_PROGRAMS.iter().chain([&MACRO_CALLS, &POST_BLOCKS]) {
         kept &= judge(name, &budgets)?;
     }
     Ok(if kept { ExitCode::SUCCESS } else { ExitCode::FAILURE })
@@ -62,7 +70,7 @@ fn judge(name: &str, budgets: &toml::Table) -> Result<bool> {
     } else {
         (true, "")
     };
-    println!("{name:30} {instructions:8.1} of {budget:6} instructions a block  {verdict}");
+    println!("{name:32} {instructions:8.1} of {budget:6} instructions a block  {verdict}");
     Ok(kept)
 }
 
@@ -72,6 +80,7 @@ fn count(name: &str) -> Result<f64> {
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--collect-atstart=no"])
         .arg("--toggle-collect=instructions::measured")
         .arg("--toggle-collect=instructions::measured_macros")
+        .arg("--toggle-collect=instructions::measured_post")
         .arg(env::current_exe()?)
         .args(["run", name])
         .env("GLIBC_TUNABLES", PLAIN_PROCESSOR)
@@ -101,6 +110,11 @@ impl Sink for Counting {
 
     fn block_done(&mut self, _done: &mut BlockDone<'_>) {
         self.0 += 1;
+    }
+
+    fn statement_done(&mut self, done: &StatementDone<'_>) {
+        self.0 += u32::from(done.file() == TOOLPATH);
+        black_box(done);
     }
 
     fn macro_step(&mut self, done: &MacroStep<'_>) {
@@ -145,4 +159,34 @@ fn measured_macros(run: &mut CustomMacros, sink: &mut Counting) {
             break;
         }
     }
+}
+
+/// Outputs ten items at each block of a toolpath: texts, and numbers by their formats; the number of blocks.
+fn post_blocks() -> Result<u32> {
+    let program = "FORMAT (USER_1) A;\nMODAL X_CURPOS;\nNEW_LINE_IS ! ;\nOUTPUT \\J \"N10 \";\nBEGINNING OF TAPE:\nA = 100;\nLINEAR MOTION:\nOUTPUT ! \"G01\" \" X\" X_CURPOS \" Y\" Y_CURPOS \" Z\" Z_CURPOS \" F\" A;\n";
+    let mut toolpath = String::from(
+        "system X_CURPOS change COORDINATES\nsystem Y_CURPOS change COORDINATES\nsystem Z_CURPOS change COORDINATES\nblock BEGINNING OF TAPE:\n",
+    );
+    for place in 0..20_000 {
+        let (whole, part) = (place % 400, place % 997);
+        toolpath.push_str(&format!(
+            "block LINEAR MOTION: X_CURPOS={whole}.{part} Y_CURPOS=-{part}.5 Z_CURPOS=2.{whole}\n"
+        ));
+    }
+    let mut post =
+        PostProcessor::new(program, Some(&toolpath), &Options::default()).map_err(Error::other)?;
+    let mut sink = Counting(0);
+    let ended = measured_post(&mut post, &mut sink);
+    if ended { Ok(sink.0) } else { Err(Error::other("it does not run to its end")) }
+}
+
+/// Callgrind counts within this function, too.
+#[inline(never)]
+fn measured_post(post: &mut PostProcessor, sink: &mut Counting) -> bool {
+    while post.has_next() {
+        if post.step(sink).is_err() {
+            return false;
+        }
+    }
+    true
 }

@@ -117,7 +117,8 @@ impl Printed<'_> {
 
     /// What restoring changes: units, then what is set by one block, then coolant and overrides.
     pub(super) fn restored(&mut self) {
-        let (before, after) = (self.before, self.after);
+        let before = self.before;
+        let after = self.but_for_own_codes(&before);
         if before.units != after.units {
             self.out.units(after.units);
         }
@@ -168,6 +169,36 @@ impl Printed<'_> {
         }
         self.restored_switches(&before, &after);
         (self.before, self.feed) = (self.after, feed);
+    }
+
+    /// What is set after the block, without what codes of the block itself set behind the restore.
+    fn but_for_own_codes(&self, before: &Modes) -> Modes {
+        let own = |codes: &[u16]| self.words.g_of(codes).is_some();
+        let mut after = self.after;
+        if own(&[200, 210]) {
+            after.units = before.units;
+        }
+        if own(&[170, 180, 190, 171, 181, 191]) {
+            after.plane = before.plane;
+        }
+        if own(&[70, 80]) {
+            after.lathe = before.lathe;
+        }
+        if own(&[900, 910]) {
+            after.distance = before.distance;
+        }
+        if own(&[901, 911]) {
+            after.arc_distance = before.arc_distance;
+        }
+        if own(&[980, 990]) {
+            after.retract = before.retract;
+        }
+        if own(&[610, 611, 640]) {
+            after.path = before.path;
+            after.blend_tolerance = before.blend_tolerance;
+            after.naive_cam_tolerance = before.naive_cam_tolerance;
+        }
+        after
     }
 
     fn restored_spindles(&mut self, before: &Modes, after: &Modes) {
