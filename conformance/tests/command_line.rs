@@ -1,15 +1,10 @@
 //! The command line: one clear message for each wrong call, and the exit status that the help promises.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod common;
 
-fn gaugeblock(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
-        .args(arguments)
-        .env("NO_COLOR", "1")
-        .output()
-        .expect("the command runs")
-}
+use std::path::{Path, PathBuf};
+
+use common::gaugeblock;
 
 /// A folder of its own for each test.
 fn folder(name: &str) -> PathBuf {

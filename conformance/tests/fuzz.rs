@@ -1,5 +1,7 @@
 //! Fuzzing finds a planted fault, shrinks it, covers every program once, and tells the same however it was interrupted.
 
+mod common;
+
 use std::collections::BTreeSet;
 use std::num::NonZero;
 use std::sync::atomic::AtomicBool;
@@ -208,15 +210,8 @@ fn a_tap_does_not_turn_a_spindle_back_to_its_angle() {
 
 mod command {
     use std::path::{Path, PathBuf};
-    use std::process::{Command, Output};
 
-    fn gaugeblock(arguments: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
-            .args(arguments)
-            .env("NO_COLOR", "1")
-            .output()
-            .expect("the command runs")
-    }
+    use super::common::gaugeblock;
 
     /// A folder of its own, empty.
     fn folder(name: &str) -> PathBuf {

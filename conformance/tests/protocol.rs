@@ -1,11 +1,14 @@
 //! The adapter protocol: the page holds, a controller behind it gets the verdicts that it gets without, and whatever an adapter does, the run
 //! is whole and nothing is left behind.
 
+mod common;
+
 use std::num::NonZero;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 use std::time::Duration;
 
+use common::gaugeblock;
 use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::certify::{Plan, Verdict, certify};
 use gaugeblock::protocol::{Answer, Request};
@@ -14,14 +17,6 @@ use gaugeblock::suite::{Suite, files};
 const PAGE: &str = include_str!("../adapters/PROTOCOL.md");
 const TEMPLATE: &str = include_str!("../adapters/template.py");
 const TEMPLATE_C: &str = include_str!("../adapters/template.c");
-
-fn gaugeblock(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
-        .args(arguments)
-        .env("NO_COLOR", "1")
-        .output()
-        .expect("the command runs")
-}
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()

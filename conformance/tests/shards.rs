@@ -1,19 +1,15 @@
 //! A run in parts, or one that is killed and gone on with, comes to the same report as one that is not.
 
+mod common;
+
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 use std::time::Duration;
+
+use common::gaugeblock;
 
 const REFERENCE: &[&str] =
     &["certify", "reference", "--only", "saved-state", "--only", "units-planes"];
-
-fn gaugeblock(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
-        .args(arguments)
-        .env("NO_COLOR", "1")
-        .output()
-        .expect("the command runs")
-}
 
 /// An empty folder.
 fn folder(name: &str) -> PathBuf {
