@@ -5,7 +5,9 @@ use std::fmt::Write as _;
 
 use gaugeblock_reference::run;
 use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{Effect, End, Event, Language, MacroValue, Outcome, Scenario, State};
+use gaugeblock_trace::{
+    Effect, End, Event, FaultKind, Language, MacroValue, Options, Outcome, Scenario, State,
+};
 use proptest::prelude::{ProptestConfig, Strategy, proptest};
 use proptest::{collection, option};
 
@@ -38,7 +40,13 @@ const OPEN: &[(&str, &str)] = &[
 ];
 
 fn outcome(program: &str) -> Outcome {
-    let mut scenario = Scenario::of(program);
+    outcome_under(program, &[])
+}
+
+fn outcome_under(program: &str, options: &[(&str, &str)]) -> Outcome {
+    let options =
+        options.iter().map(|(id, option)| ((*id).to_owned(), (*option).to_owned())).collect();
+    let mut scenario = Scenario { options: Options(options), ..Scenario::of(program) };
     scenario.program.language = Language::Nct;
     run(&scenario).0
 }
@@ -51,6 +59,34 @@ fn what_no_document_settles_stays_open() {
         .filter(|(_, end)| !matches!(end, End::Unspecified { .. } | End::Unsupported { .. }))
         .collect();
     assert!(settled.is_empty(), "{settled:#?}");
+}
+
+/// Where there are no loops DO alone is a statement of another form, as END is. No edition reads it so.
+#[test]
+fn where_there_are_no_loops_there_is_no_do() {
+    for program in ["O1\nDO1\nM30", "O1\nEND1\nM30", "O1\nWHILE [1 EQ 2] DO1\nEND1\nM30"] {
+        let end = outcome_under(program, &[("nct.loops", "refused")]).end;
+        let End::Fault(fault) = end else { panic!("{program:?} ends {end:?}") };
+        assert_eq!(fault.kind, Some(FaultKind::Statement), "{program:?}");
+    }
+}
+
+/// Of several words with a letter that has a variable of its own in such a block the last counts. No edition gives it one.
+#[test]
+fn of_several_letters_in_a_block_that_is_taken_as_arguments_the_last_counts() {
+    let program = "O1\nG66.1 P2\nG1 X5 L2 P7 G90 L3 P8\nG67\nM30\nO2\n#100 = #10\n#112 = #12\n#116 = #16\nM99";
+    let outcome = outcome_under(program, &[("nct.block-arguments", "own-numbers")]);
+    assert_eq!(outcome.end, End::ProgramEnd);
+    let mut common = BTreeMap::new();
+    for step in &outcome.steps {
+        let Some(State::Nct(state)) = &step.state else { continue };
+        for (number, value) in state.common.iter().flat_map(|common| &common.0) {
+            common.insert(*number, *value);
+        }
+    }
+    let expected = [(100, 90.0), (112, 3.0), (116, 8.0)];
+    let expected = expected.map(|(number, value)| (number, MacroValue::Number(value)));
+    assert_eq!(common, BTreeMap::from(expected));
 }
 
 /// The local variables of a level when a run ended, vacant ones left out.

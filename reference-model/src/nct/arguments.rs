@@ -68,14 +68,15 @@ impl Run<'_> {
     ///
     /// Rule nct.arguments. Each letter stands for a variable of its own; G, L, N, O and P are no arguments.
     /// Rule nct.argument-sets. I, J and K in their n-th set are #3n+1, #3n+2 and #3n+3, for ten sets; of two words for one
-    /// variable the later one counts.
+    /// variable the later one counts. So it does where G, L or P has a variable.
     pub(super) fn arguments(&mut self, words: &Words, is_block: bool) -> Result<Locals, Halt> {
         let mut locals: Locals = [None; 33];
         let mut sets = Sets::default();
         let mut seen = std::collections::BTreeSet::new();
         for (letter, value) in words {
             let set_letter = "IJK".find(*letter);
-            if set_letter.is_none() && *letter != 'G' && !seen.insert(*letter) {
+            let may_repeat = matches!(letter, 'G' | 'I' | 'J' | 'K' | 'L' | 'P');
+            if !may_repeat && !seen.insert(*letter) {
                 return Err(open(format!("the argument {letter} twice")));
             }
             let number = match set_letter {

@@ -2,14 +2,14 @@
 
 use gaugeblock_trace::FaultKind;
 
-use super::evaluate::whole;
+use super::evaluate::rounded;
 use super::refusal::{Halt, open, refuse, refuse_form};
 use super::run::{Flow, Run};
 use super::variables::Locals;
 use super::words::{Words, word};
 
 /// Most repetitions of a call.
-const MOST_REPEATS: i64 = 9999;
+const MOST_REPEATS: u32 = 9999;
 
 /// G65.
 pub(super) const CALL: i64 = 650;
@@ -157,7 +157,7 @@ impl Run<'_> {
         Err(open("G66, G66.1 or G67 in a macro that is called while a modal call is in force"))
     }
 
-    /// The number of the program that a block calls.
+    /// The number of the program that a block calls. Whether there is one shows when it begins.
     pub(super) fn called_program(
         &mut self,
         rule: &'static str,
@@ -167,10 +167,7 @@ impl Run<'_> {
         let program =
             word(words, 'P').ok_or_else(|| refuse(rule, FaultKind::MissingWord, message))?;
         self.once(words, 'P')?;
-        whole(program.round()).ok_or_else(|| {
-            let message = format!("there is no program {program}");
-            refuse(rule, FaultKind::UnknownSub, message)
-        })
+        Ok(rounded(program))
     }
 
     /// Rule nct.repeat. L says how often, from 1 to 9999; without it, once.
@@ -178,8 +175,8 @@ impl Run<'_> {
         let Some(repeats) = word(words, 'L') else { return Ok(1) };
         self.once(words, 'L')?;
         let rule = "nct.repeat";
-        let number = whole(repeats.round()).filter(|number| (1..=MOST_REPEATS).contains(number));
-        let number = number.and_then(|number| u32::try_from(number).ok());
+        let number = u32::try_from(rounded(repeats)).ok();
+        let number = number.filter(|number| (1..=MOST_REPEATS).contains(number));
         let message = format!("L{repeats} is not from 1 to {MOST_REPEATS}");
         let number = number.ok_or_else(|| refuse(rule, FaultKind::WordOutOfRange, message))?;
         self.evidence.accepted(rule);
@@ -332,9 +329,7 @@ impl Run<'_> {
     fn return_block(&mut self, words: &Words) -> Result<Option<i64>, Halt> {
         let Some(to) = word(words, 'P') else { return Ok(None) };
         self.once(words, 'P')?;
-        let message = format!("no block begins with N{to}");
-        let to = whole(to.round());
-        to.map(Some).ok_or_else(|| refuse("nct.return-to", FaultKind::UnknownLabel, message))
+        Ok(Some(rounded(to)))
     }
 
     /// Choice nct.main-return.

@@ -13,7 +13,7 @@ use crate::math;
 impl Run<'_> {
     /// What an expression comes to: a number, or nothing where it is a vacant variable alone.
     ///
-    /// Rule nct.vacant. In arithmetic a vacant variable counts as zero.
+    /// Rule nct.vacant. In arithmetic, behind a sign too, a vacant variable counts as zero.
     pub(super) fn value(&mut self, expression: &Expression) -> Result<Held, Halt> {
         Ok(match expression {
             Expression::Number(number) => Some(*number),
@@ -23,6 +23,7 @@ impl Run<'_> {
                 self.evidence.accepted("nct.variable-numbers");
                 held
             }
+            Expression::Affirmed(operand) => Some(self.number(operand)?),
             Expression::Negated(operand) => Some(0.0 - self.number(operand)?),
             Expression::Function(function, operand) => {
                 let operand = self.number(operand)?;
@@ -120,7 +121,7 @@ impl Run<'_> {
     fn bits(&mut self, left: f64, right: f64, operation: fn(u32, u32) -> u32) -> Result<f64, Halt> {
         let unsigned = self.readings.unsigned;
         let bits = |number: f64| {
-            let number = whole(number)?;
+            let number = rounded(number);
             if unsigned {
                 u32::try_from(number).ok()
             } else {
@@ -128,7 +129,7 @@ impl Run<'_> {
             }
         };
         let message = format!("{left} and {right} are not whole numbers of 32 bits");
-        let (Some(left), Some(right)) = (bits(left.round()), bits(right.round())) else {
+        let (Some(left), Some(right)) = (bits(left), bits(right)) else {
             return Err(refuse("nct.bits", FaultKind::OutOfDomain, message));
         };
         self.evidence.accepted("nct.bits");
@@ -191,10 +192,15 @@ fn is_zero(number: f64) -> bool {
     number.abs().to_bits() == 0
 }
 
-/// A whole number as one.
+/// A whole number as one; the nearest that has 64 bits where it has more.
 pub(super) fn whole(number: f64) -> Option<i64> {
-    const MOST: f64 = 9.0e15;
-    let is_whole = number.abs() <= MOST && is_zero(number - number.trunc());
-    #[expect(clippy::cast_possible_truncation, reason = "it is whole and within the range")]
-    is_whole.then_some(number as i64)
+    is_zero(number - number.trunc()).then(|| rounded(number))
+}
+
+/// The nearest whole number that has 64 bits, ties away from zero.
+pub(super) fn rounded(number: f64) -> i64 {
+    #[expect(clippy::cast_possible_truncation, reason = "no number has more than 64 bits")]
+    {
+        number.round() as i64
+    }
 }

@@ -37,7 +37,7 @@ pub struct Programs {
 
 impl Programs {
     /// The programs of a text. What is wrong with a block shows when it is reached.
-    pub fn read(text: &str, readings: &Readings) -> Self {
+    pub fn read(text: &str, block_delete: bool, readings: &Readings) -> Self {
         let mut begun: Vec<(u32, Vec<Block>)> = Vec::new();
         let mut by_number = BTreeMap::new();
         for line in text::lines(text) {
@@ -60,8 +60,8 @@ impl Programs {
         if begun.is_empty() {
             begun.push((1, Vec::new()));
         }
-        let all = begun.into_iter().map(|(line, blocks)| Program::new(line, blocks)).collect();
-        Self { all, by_number }
+        let program = |(line, blocks)| Program::new(line, blocks, block_delete);
+        Self { all: begun.into_iter().map(program).collect(), by_number }
     }
 
     /// Rule nct.call. A call names a program that there is.
@@ -82,14 +82,14 @@ impl Programs {
 }
 
 impl Program {
-    fn new(line: u32, blocks: Vec<Block>) -> Self {
+    fn new(line: u32, blocks: Vec<Block>, block_delete: bool) -> Self {
         let mut sequence = BTreeMap::new();
         for (place, block) in blocks.iter().enumerate() {
             if let Some(number) = block.sequence {
                 sequence.entry(number).and_modify(|known| *known = None).or_insert(Some(place));
             }
         }
-        let (pairs, faults) = loops(&blocks);
+        let (pairs, faults) = loops(&blocks, block_delete);
         let within = within(blocks.len(), &pairs);
         Self { line, blocks, sequence, pairs, within, faults }
     }
@@ -134,11 +134,13 @@ impl Program {
 ///
 /// Rule nct.loop-pairs. An END ends the innermost DO that is open where it stands, which has its number. A DO has an END, and no
 /// other one of its number is open where it stands.
-fn loops(blocks: &[Block]) -> (BTreeMap<usize, usize>, BTreeMap<usize, Halt>) {
+/// Rule nct.block-delete. Of a block that is skipped only the numbers count.
+fn loops(blocks: &[Block], block_delete: bool) -> (BTreeMap<usize, usize>, BTreeMap<usize, Halt>) {
     let rule = "nct.loop-pairs";
     let (mut pairs, mut faults) = (BTreeMap::new(), BTreeMap::new());
     let mut begun: Vec<(usize, u32)> = Vec::new();
-    for (place, block) in blocks.iter().enumerate() {
+    let is_read = |block: &Block| !(block_delete && block.is_optional);
+    for (place, block) in blocks.iter().enumerate().filter(|(_, block)| is_read(block)) {
         match &block.content {
             Ok(Content::While(_, number)) => {
                 if begun.iter().any(|(_, other)| other == number) {

@@ -6,7 +6,7 @@ use gaugeblock_trace::{
 };
 
 use super::calls::{Frame, Kind, ModalCall, Reach};
-use super::evaluate::whole;
+use super::evaluate::rounded;
 use super::modes::{Block as Codes, Modes};
 use super::motion::{self, OF_ARC, axis, is_arc};
 use super::programs::Programs;
@@ -50,7 +50,8 @@ pub(super) enum Flow {
 pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     let mut evidence = Evidence::default();
     let readings = Readings::new(&scenario.options);
-    let programs = Programs::read(&scenario.program.main, &readings);
+    let block_delete = scenario.program.block_delete;
+    let programs = Programs::read(&scenario.program.main, block_delete, &readings);
     let modes = Modes::new();
     let start = modes.settings();
     let main = Frame {
@@ -73,7 +74,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
         record: Record::new(scenario.budget, start.clone()),
         at: 1,
     };
-    let end = match run.whole(scenario.program.block_delete) {
+    let end = match run.whole(block_delete) {
         Ok(Flow::Endless) => End::Endless,
         Ok(Flow::On | Flow::Ended) => End::ProgramEnd,
         Err(halt) => run.halted(halt),
@@ -193,11 +194,7 @@ impl Run<'_> {
         let Some(to) = self.value(to)? else {
             return Err(open("GOTO with a vacant variable"));
         };
-        let message = || format!("no block begins with N{to}");
-        let number = whole(to.round());
-        let number =
-            number.ok_or_else(|| refuse("nct.goto", FaultKind::UnknownLabel, message()))?;
-        self.jump(number, "nct.goto")
+        self.jump(rounded(to), "nct.goto")
     }
 
     fn word_block(&mut self, words: &[Word]) -> Result<Flow, Halt> {
@@ -208,7 +205,7 @@ impl Run<'_> {
             self.end()?;
             return Ok(flow);
         }
-        let m = self.taken_m_codes(&words)?;
+        let m = self.m_codes(&words)?;
         if self.is_taken(&words, &m)? {
             let reached = self.reached()?;
             self.call_modal(reached, Some(&words))?;
@@ -216,15 +213,6 @@ impl Run<'_> {
             return Ok(Flow::On);
         }
         self.executed(&words, &words::Codes { g, m })
-    }
-
-    /// The M codes of a block; where it is taken as arguments only those that can be told.
-    fn taken_m_codes(&mut self, words: &Words) -> Result<Vec<i64>, Halt> {
-        if !self.modal_calls.last().is_some_and(|call| call.by_block) {
-            return self.m_codes(words);
-        }
-        let of_m = words.iter().filter(|(letter, _)| *letter == 'M');
-        Ok(of_m.filter_map(|(_, value)| whole(value.round())).collect())
     }
 
     /// Whether a block is taken as the arguments of a modal call. One without words is not, and neither is M99.

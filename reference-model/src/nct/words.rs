@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::FaultKind;
 
-use super::evaluate::whole;
+use super::evaluate::rounded;
 use super::refusal::{Halt, refuse};
 use super::run::Run;
 use super::syntax::Word;
@@ -54,13 +54,12 @@ impl Run<'_> {
     /// Rule nct.word-rounding. A value is rounded to the digits that its letter has.
     /// Rule nct.word-range. One that is out of its letter's range is refused.
     pub(super) fn counted(&mut self, letter: char, value: f64, most: i64) -> Result<i64, Halt> {
-        let rounded = value.round();
-        let number = whole(rounded).filter(|number| (0..=most).contains(number));
+        let number = Some(rounded(value)).filter(|number| (0..=most).contains(number));
         let message = format!("{letter} has no {value}");
         let rule = "nct.word-range";
         let number = number.ok_or_else(|| refuse(rule, FaultKind::WordOutOfRange, message))?;
         self.evidence.accepted(rule);
-        if rounded.to_bits() != value.to_bits() {
+        if value.round().to_bits() != value.to_bits() {
             self.evidence.accepted("nct.word-rounding");
         }
         Ok(number)

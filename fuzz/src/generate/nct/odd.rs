@@ -2,7 +2,7 @@
 
 use crate::generate::Dice;
 
-/// What does not belong where it is put. What model and production take otherwise is left out: see `FINDINGS.md`.
+/// What does not belong where it is put.
 const WORDS: &[&str] = &[
     "[",
     "]",
@@ -64,6 +64,8 @@ const WORDS: &[&str] = &[
     "G100",
     "G-1",
     "M1",
+    "M-1",
+    "M1000",
     "M3 M4",
     "M7 M8",
     "M2 M30",
@@ -76,6 +78,8 @@ const WORDS: &[&str] = &[
     "F0",
     "L0",
     "L10000",
+    "L2 L3",
+    "P312345678901234567890",
     "G4",
     "G4 G4 P1",
     "G4 P-1",
@@ -101,6 +105,8 @@ const BLOCKS: &[&str] = &[
     "G65 P2 A1 A2",
     "G66 P99",
     "G66 P-1",
+    "G66 P312345678901234567890",
+    "G65 P312345678901234567890 L0",
     "G66 A1",
     "G66.1 P2 X1",
     "G67",
@@ -111,6 +117,7 @@ const BLOCKS: &[&str] = &[
     "M98 P2 L0",
     "M98 G4 P2",
     "M99 P5",
+    "M99 P312345678901234567890",
     "M99",
     "GOTO99",
     "GOTO-1",
@@ -126,6 +133,8 @@ const BLOCKS: &[&str] = &[
     "IF [#0 EQ 5] GOTO77",
     "WHILE [1 EQ 2] DO1",
     "END1",
+    "/END1",
+    "/WHILE [1 EQ 2] DO1",
     "END4",
     "DO1",
     "WHILE [1 EQ 1] DO4",

@@ -328,7 +328,8 @@ impl<'a, 'd> Writer<'a, 'd> {
             self.write(&format!("IF [{condition}] GOTO{LAST}"));
         }
         self.write(&format!("#{counter} = #{counter} + 1"));
-        self.write(&format!("END{number}"));
+        let slash = if self.dice.chance(1) { "/" } else { "" };
+        self.write(&format!("{slash}END{number}"));
         self.depth -= 1;
         self.loops -= 1;
     }

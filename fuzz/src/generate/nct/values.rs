@@ -39,14 +39,9 @@ pub(super) fn variable(dice: &mut Dice<'_>) -> String {
 pub(super) fn value(dice: &mut Dice<'_>) -> String {
     match dice.below(10) {
         0..=5 => format!("{}{}", sign(dice), number(dice)),
-        6 | 7 => format!("{}{}", minus(dice), variable(dice)),
-        _ => format!("{}[{}]", minus(dice), expression(dice, 2)),
+        6 | 7 => format!("{}{}", sign(dice), variable(dice)),
+        _ => format!("{}[{}]", sign(dice), expression(dice, 2)),
     }
-}
-
-/// A sign before what may be vacant: what a plus sign makes of that is to be decided, see `FINDINGS.md`.
-fn minus(dice: &mut Dice<'_>) -> &'static str {
-    if dice.chance(16) { "-" } else { "" }
 }
 
 fn sign(dice: &mut Dice<'_>) -> &'static str {
@@ -78,8 +73,8 @@ fn operand(dice: &mut Dice<'_>, depth: u32) -> String {
     let sign = sign(dice);
     match dice.below(12) {
         0..=3 => format!("{sign}{}", number(dice)),
-        4..=7 => format!("{}{}", minus(dice), variable(dice)),
-        8 | 9 if depth > 0 => format!("{}[{}]", minus(dice), expression(dice, depth - 1)),
+        4..=7 => format!("{sign}{}", variable(dice)),
+        8 | 9 if depth > 0 => format!("{sign}[{}]", expression(dice, depth - 1)),
         10 if depth > 0 => format!("{sign}{}", function(dice, depth - 1)),
         _ => format!(
             "{sign}{}",

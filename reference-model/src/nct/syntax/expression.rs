@@ -10,6 +10,8 @@ pub enum Expression {
     Number(f64),
     /// A variable, by its number.
     Variable(Box<Self>),
+    /// An operand with a plus sign.
+    Affirmed(Box<Self>),
     /// An operand with a minus sign.
     Negated(Box<Self>),
     /// A function of an operand.
@@ -127,11 +129,21 @@ impl Reader<'_> {
 
     /// An operand with or without a sign.
     fn operand(&mut self) -> Result<Expression, Halt> {
+        self.signed(Self::unsigned_operand)
+    }
+
+    /// What comes next, with or without a sign.
+    pub(super) fn signed(
+        &mut self,
+        next: impl FnOnce(&mut Self) -> Result<Expression, Halt>,
+    ) -> Result<Expression, Halt> {
         if self.take("-") {
-            return Ok(Expression::Negated(Box::new(self.unsigned_operand()?)));
+            return Ok(Expression::Negated(Box::new(next(self)?)));
         }
-        self.take("+");
-        self.unsigned_operand()
+        if self.take("+") {
+            return Ok(Expression::Affirmed(Box::new(next(self)?)));
+        }
+        next(self)
     }
 
     fn unsigned_operand(&mut self) -> Result<Expression, Halt> {

@@ -63,6 +63,7 @@ pub(super) fn content(text: &str, readings: &Readings) -> Result<Content, Halt> 
     } else if reader.take("END") {
         Content::End(reader.loop_number()?)
     } else if reader.take("DO") {
+        reader.loops()?;
         return Err(open("DO without WHILE: on a page of the manual that is not available"));
     } else {
         return reader.words();
@@ -106,11 +107,17 @@ impl Reader<'_> {
         Ok(Condition { left, comparison, right })
     }
 
-    /// Rule nct.loop-number. The number of a loop is 1, 2 or 3. Choice nct.loops: whether there are loops.
-    fn loop_number(&mut self) -> Result<u32, Halt> {
+    /// Choice nct.loops: whether there are WHILE, DO and END.
+    fn loops(&self) -> Result<(), Halt> {
         if self.readings.no_loops {
             return Err(refuse("nct.loops", FaultKind::Statement, "there are no loops"));
         }
+        Ok(())
+    }
+
+    /// Rule nct.loop-number. The number of a loop is 1, 2 or 3.
+    fn loop_number(&mut self) -> Result<u32, Halt> {
+        self.loops()?;
         let number = self.digits()?;
         if (1..=3).contains(&number) {
             return Ok(number);
@@ -121,11 +128,7 @@ impl Reader<'_> {
 
     /// A value with or without a sign: a number, a variable, or an expression in brackets.
     fn value(&mut self) -> Result<Expression, Halt> {
-        if self.take("-") {
-            return Ok(Expression::Negated(Box::new(self.simple_operand()?)));
-        }
-        self.take("+");
-        self.simple_operand()
+        self.signed(Self::simple_operand)
     }
 
     fn words(&mut self) -> Result<Content, Halt> {
