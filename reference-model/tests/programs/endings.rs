@@ -69,3 +69,11 @@ fn a_row_of_cycles_over_another_plane_has_no_initial_level() {
     let back = "f1 g0 z1\ng81 z0 r0\ng18 y0 r0\ng17 g98 z0 r0\nm2\n";
     assert_eq!(ending(&outcome(back)), "program_end");
 }
+
+/// On a clock that is not at zero the sum of both times is rounded.
+#[test]
+fn a_spindle_that_comes_to_its_angle_in_the_last_moment_is_in_time() {
+    let mut scenario = Scenario::of("g4 p2\nm19 r0 q0.2\nm2\n");
+    scenario.bench.orient = vec![gaugeblock_trace::scenario::OrientAnswer::After(0.2)];
+    assert_eq!(ending(&run(&scenario).0), "program_end");
+}

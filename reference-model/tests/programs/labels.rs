@@ -113,3 +113,11 @@ fn which_while_ends_which_do_is_not_specified_where_both_have_one_label() {
     let refused = outcome_under(&[("control.do-label", "refused")], nested);
     assert_eq!(ending(&refused), "duplicate_label at main.ngc:2");
 }
+
+#[test]
+fn a_condition_that_goes_on_behind_a_numbered_program_is_left_open_by_a_computed_label_too() {
+    for label in ["o0", "o#101"] {
+        let program = format!("{label} if [0]\no100\n{label} elseif [1]\nm2\n");
+        assert_eq!(ending(&outcome(&program)), "unspecified at main.ngc:1");
+    }
+}

@@ -51,6 +51,16 @@ pub(super) struct Definition {
     pub(super) keyword: Keyword,
 }
 
+impl Mark {
+    /// Whether it has a label, one that is computed as things stand now too.
+    fn has(&self, label: &str, state: &mut State) -> bool {
+        match &self.label {
+            Some(own) => own == label,
+            None => label_of(&self.written, state).is_ok_and(|own| own == label),
+        }
+    }
+}
+
 impl Labels {
     /// Takes the O-word of a line, if it has one.
     pub(super) fn read_line(&mut self, line: u32, text: &str, state: &mut State) {
@@ -179,18 +189,21 @@ impl Labels {
             .iter()
             .take_while(|mark| mark.keyword != Keyword::ProgramNumber)
             .filter(|mark| keywords.contains(&mark.keyword));
-        let found = later.find(|mark| match &mark.label {
-            Some(found) => found == label,
-            None => label_of(&mark.written, state).is_ok_and(|found| found == label),
-        });
+        let found = later.find(|mark| mark.has(label, state));
         found.map(|mark| mark.line)
     }
 
     /// Whether a block with this label and one of these keywords stands further on, behind the beginning of a numbered program.
-    pub(super) fn ends_in_program(&self, label: &str, keywords: &[Keyword], after: u32) -> bool {
+    pub(super) fn ends_in_program(
+        &self,
+        label: &str,
+        keywords: &[Keyword],
+        after: u32,
+        state: &mut State,
+    ) -> bool {
         let later = self.marks.iter().filter(|mark| mark.line > after);
-        let mut behind = later.skip_while(|mark| mark.keyword != Keyword::ProgramNumber);
-        behind.any(|mark| mark.label.as_deref() == Some(label) && keywords.contains(&mark.keyword))
+        let behind = later.skip_while(|mark| mark.keyword != Keyword::ProgramNumber);
+        behind.filter(|mark| keywords.contains(&mark.keyword)).any(|mark| mark.has(label, state))
     }
 
     /// What defines a label in the scope of a line, in the order of the text: if, do, repeat, and a while that ends no do.

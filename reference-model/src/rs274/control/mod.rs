@@ -223,7 +223,7 @@ impl Control {
         let sought = Sought::Structure { label, ends: keywords };
         quirks::skipping::pass_over(self, sought, end, state)?;
         let labels = self.files.labels(self.place.file);
-        if end.is_none() && labels.ends_in_program(label, keywords, after) {
+        if end.is_none() && labels.ends_in_program(label, keywords, after, state) {
             let why =
                 format!("{} goes on behind the beginning of a numbered program", o_word(label));
             return Err(Halt::Unspecified(why));

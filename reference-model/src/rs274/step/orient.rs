@@ -162,10 +162,10 @@ fn wait(place: usize, timeout: f64, state: &mut State, record: &mut Record) -> R
         return Err(refuse("orient.fault", FaultKind::Orient, message));
     }
     state.evidence.accepted("orient.fault");
-    let remaining = orientation.done().map(|done| (done - state.outside.time()).max(0.0));
-    match remaining.filter(|seconds| *seconds <= timeout) {
-        Some(seconds) => {
-            record.wait(state, seconds);
+    let now = state.outside.time();
+    match orientation.done().filter(|done| *done <= now + timeout) {
+        Some(done) => {
+            record.wait(state, (done - now).max(0.0));
             state.evidence.accepted("orient.wait");
             state.evidence.accepted("orient.timeout");
             Ok(())
