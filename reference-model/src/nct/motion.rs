@@ -124,7 +124,7 @@ fn of_radius(
         return Err(open("an arc with a radius that ends where it begins"));
     }
     let square = radius * radius - chord * chord / 4.0;
-    if square < 0.0 && -square > RADIUS_TOLERANCE * radius.abs() {
+    if chord > 2.0 * radius.abs() {
         let message = format!("a radius of {radius} for points {chord} apart");
         return Err(refuse("nct.arc", FaultKind::BadArc, message));
     }
