@@ -14,7 +14,9 @@ use gaugeblock::fuzz::journal::Chunk;
 use gaugeblock::fuzz::statistics::Statistics;
 use gaugeblock::fuzz::{Came, Extent, Plan, Shard, run};
 use gaugeblock_fuzz::generate::nct::{Counted, Pair, count, locals};
+use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_fuzz::generate::{Dice, Recipe, Setups};
+use gaugeblock_reference::RuleOutcome;
 use gaugeblock_trace::{
     Effect, Event, Language, LengthUnit, Options, Outcome, Scenario, SpindleTurn,
 };
@@ -53,7 +55,7 @@ fn plan<'a>(iut: &'a dyn Adapter, against: &'a dyn Adapter) -> Plan<'a> {
         recipe: Recipe { setups: Setups::Any, ..Recipe::default() },
         seed: 1,
         spliced: 0,
-        seeds: Vec::new(),
+        seeds: Seeds::default(),
         options: Options::default(),
         random: Vec::new(),
         bench: None,
@@ -279,4 +281,26 @@ mod command {
             assert!(text.contains("Examples:") && text.contains("Exit status:"), "{text}");
         }
     }
+}
+
+#[test]
+fn a_rehearsal_finds_the_seeds_that_do_what_other_programs_rarely_do() {
+    let (production, reference) = (Production::default(), Reference::default());
+    let mut plan = plan(&production, &reference);
+    let rare = "g91 g4 p1\nm2";
+    plan.seeds.all = ["g0 x1\nm2", rare].map(Scenario::of).into();
+    let outcomes = ["motion.traverse", "order.dwell-before-distance"]
+        .map(|rule| (rule, RuleOutcome::Accepted));
+    plan.spliced = plan.rehearse(outcomes, Some(PROGRAMS));
+    assert!(plan.spliced > 0);
+    assert!(!plan.seeds.rare.is_empty());
+    assert!(
+        plan.seeds.rare.iter().all(|rare| rare.does == [1] && !rare.ends),
+        "{:?}",
+        plan.seeds.rare
+    );
+    assert!(plan.seeds.before.iter().all(|place| *place == 1), "{:?}", plan.seeds.before);
+    let does_it =
+        (0..PROGRAMS).filter(|number| plan.scenario(*number).program.main.ends_with(rare)).count();
+    assert!(does_it > 5, "{does_it} of {PROGRAMS}");
 }

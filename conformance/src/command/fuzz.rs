@@ -7,6 +7,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use clap::Args;
+use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_fuzz::generate::{Recipe, Setups};
 use gaugeblock_trace::{Language, Options};
 
@@ -80,9 +81,10 @@ pub(super) struct Arguments {
     /// In how many of a hundred programs something is slightly wrong
     #[arg(long, value_name = "PERCENT", default_value_t = Recipe::default().wrong_programs, value_parser = clap::value_parser!(u32).range(0..=100))]
     wrong: u32,
-    /// How many of a hundred programs are put together from the suite's cases
-    #[arg(long, value_name = "PERCENT", default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=100))]
-    spliced: u32,
+    /// How many of a hundred programs are put together from the suite's cases [default: so many that each outcome of a rule should be
+    /// reached 20 times, 10 to 25]
+    #[arg(long, value_name = "PERCENT", value_parser = clap::value_parser!(u32).range(0..=100))]
+    spliced: Option<u32>,
     /// Write the journal, the report and each smallest program into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
@@ -119,7 +121,7 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     controller::honours(iut.as_ref(), &options)?;
     controller::honours(against.as_ref(), &options)?;
     let options = without_defaults(options, suite);
-    let plan = Plan {
+    let mut plan = Plan {
         iut: iut.as_ref(),
         against: against.as_ref(),
         recipe: Recipe {
@@ -128,8 +130,8 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
             ..recipe(arguments, edition)?
         },
         seed: arguments.seed,
-        spliced: if arguments.only.is_empty() { arguments.spliced } else { 0 },
-        seeds: seeds(suite, edition, &options),
+        spliced: 0,
+        seeds: Seeds { all: seeds(suite, edition, &options), ..Seeds::default() },
         random: if random {
             Random::all(of_language(suite, edition), &options)
         } else {
@@ -138,6 +140,10 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
         options,
         bench: edition.bench.clone(),
     };
+    if arguments.only.is_empty() && arguments.spliced != Some(0) {
+        let share = plan.rehearse(outcomes(suite, edition), arguments.programs);
+        plan.spliced = arguments.spliced.unwrap_or(share);
+    }
     let header = header(arguments, &plan, edition);
     let mut so_far = SoFar::default();
     let journal = match &arguments.report {

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use gaugeblock_fuzz::generate::Recipe;
+use gaugeblock_fuzz::generate::splice::Seeds;
 use serde_json::json;
 
 use super::fuzz_report::describe;
@@ -58,7 +59,7 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
         recipe: Recipe::default(),
         seed: 0,
         spliced: 0,
-        seeds: Vec::new(),
+        seeds: Seeds::default(),
         options: scenario.options.clone(),
         random: Vec::new(),
         bench: scenario.bench.name.clone(),

@@ -8,6 +8,7 @@ mod comparable;
 pub mod groups;
 pub mod journal;
 mod judge;
+mod rehearsal;
 pub mod signature;
 pub mod statistics;
 
@@ -16,7 +17,8 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc;
 
-use gaugeblock_fuzz::generate::{self, Dice, Recipe, splice};
+use gaugeblock_fuzz::generate::splice::{self, Seeds};
+use gaugeblock_fuzz::generate::{self, Dice, Recipe};
 use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{Options, Scenario};
 
@@ -45,7 +47,7 @@ pub struct Plan<'a> {
     /// How many of a hundred programs are parts of other ones.
     pub spliced: u32,
     /// Those other ones: the suite's cases.
-    pub seeds: Vec<Scenario>,
+    pub seeds: Seeds,
     /// The options of the edition that applies, without those that are the default of their choice: each run reads what is listed.
     pub options: Options,
     /// Choices of which each program takes some at random; none where the edition's options stand.
@@ -80,7 +82,7 @@ impl Plan<'_> {
     /// The same; `options` are the edition's, and come with the scenario.
     fn scenario_under(&self, number: u64, options: Options) -> Scenario {
         let mut dice = Dice::of_seed(self.seed, number);
-        let splices = !self.seeds.is_empty() && dice.chance(self.spliced);
+        let splices = !self.seeds.all.is_empty() && dice.chance(self.spliced);
         let mut scenario = if splices {
             splice::spliced(&mut dice, &self.seeds)
         } else {

@@ -62,7 +62,7 @@ impl Default for Recipe {
             language: Language::Rs274,
             old_words: false,
             blocks: (4, 58),
-            wrong_programs: 15,
+            wrong_programs: 12,
             wrong_blocks: 5,
             single_kind_programs: 12,
             later_programs: 8,

@@ -4,16 +4,67 @@ use gaugeblock_trace::Scenario;
 
 use super::{BUDGET, Dice};
 
-/// One of the scenarios with blocks of others in it, or changed slightly. Options are those of the first.
+/// What splices are made of.
+#[derive(Clone, Debug, Default)]
+pub struct Seeds {
+    /// The scenarios.
+    pub all: Vec<Scenario>,
+    /// What other programs do too rarely. What is rarer may stand here more often.
+    pub rare: Vec<Rare>,
+    /// Scenarios that may run before any other: they need nothing but their program, and go to its end.
+    pub before: Vec<usize>,
+}
+
+/// Something that other programs do too rarely.
+#[derive(Clone, Debug)]
+pub struct Rare {
+    /// The scenarios that do it, by their places.
+    pub does: Vec<usize>,
+    /// Whether that ends them.
+    pub ends: bool,
+}
+
+/// In so many of a hundred splices something rare is done.
+const RARE: u32 = 90;
+
+/// One of the scenarios with blocks of others in it, or changed slightly, or one that does something rare behind some others. Options
+/// are those of the first.
 ///
 /// # Panics
 /// There is no scenario.
-pub fn spliced(dice: &mut Dice<'_>, seeds: &[Scenario]) -> Scenario {
-    let mut scenario = dice.pick(seeds).clone();
-    scenario.budget = BUDGET;
+pub fn spliced(dice: &mut Dice<'_>, seeds: &Seeds) -> Scenario {
+    if seeds.rare.is_empty() || !dice.chance(RARE) {
+        let mut scenario = Scenario { budget: BUDGET, ..dice.pick(&seeds.all).clone() };
+        change(dice, seeds, &mut scenario);
+        return scenario;
+    }
+    let Rare { does, ends } = dice.pick(&seeds.rare);
+    let mut scenario = Scenario { budget: BUDGET, ..seeds.all[*dice.pick(does)].clone() };
+    // The more stands before it, the less often it is reached; and it is reached once.
+    let others = dice.range(0, if *ends { 2 } else { 8 });
+    let before = before(dice, seeds, others);
+    scenario.program.main.insert_str(0, &before);
+    scenario
+}
+
+/// The blocks of so many scenarios that may run before others.
+fn before(dice: &mut Dice<'_>, seeds: &Seeds, count: u32) -> String {
+    let mut text = String::new();
+    if !seeds.before.is_empty() {
+        for _ in 0..count {
+            let other = &seeds.all[*dice.pick(&seeds.before)];
+            let lines = other.program.main.lines().filter(|line| !ends(line));
+            lines.for_each(|line| text.extend([line, "\n"]));
+        }
+    }
+    text
+}
+
+/// Changes a scenario slightly.
+fn change(dice: &mut Dice<'_>, seeds: &Seeds, scenario: &mut Scenario) {
     let mut lines: Vec<String> = scenario.program.main.lines().map(str::to_owned).collect();
     for _ in 0..dice.range(1, 3) {
-        let other = dice.pick(seeds);
+        let other = dice.pick(&seeds.all);
         let others: Vec<&str> = other.program.main.lines().filter(|line| !ends(line)).collect();
         let place = at(dice, lines.len());
         match dice.below(5) {
@@ -42,7 +93,6 @@ pub fn spliced(dice: &mut Dice<'_>, seeds: &[Scenario]) -> Scenario {
         }
     }
     scenario.program.main = lines.join("\n") + "\n";
-    scenario
 }
 
 /// A place from 0 to `count`.
