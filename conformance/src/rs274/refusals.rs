@@ -87,6 +87,7 @@ fn under_compensation(message: &str) -> Phase {
         ("selecting a coordinate system", Phase::Modes),
         ("changing an offset", Phase::Offsets),
         ("a predefined position", Phase::Offsets),
+        ("a return mode", Phase::Modes),
         ("G53", Phase::Motion),
         ("a canned cycle", Phase::Motion),
         ("probing", Phase::Motion),

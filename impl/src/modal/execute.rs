@@ -266,7 +266,7 @@ impl Modal {
             self.select_arc_distance(code);
         }
         if let Some(code) = block.g(RETRACT) {
-            self.select_retract(code);
+            self.select_retract(code)?;
         }
         if let Some(code) = block.g(NON_MODAL) {
             match code {

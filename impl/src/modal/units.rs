@@ -101,9 +101,13 @@ impl Modal {
     }
 
     /// G98, G99.
-    pub(super) fn select_retract(&mut self, code: u16) {
+    pub(super) fn select_retract(&mut self, code: u16) -> Result<(), Refusal> {
+        if self.imitates {
+            self.refuse_under_compensation("a return mode is selected")?;
+        }
         let retract = if code == 980 { Retract::OldZ } else { Retract::RPlane };
         self.in_force.put(|modes| &mut modes.retract, retract);
+        Ok(())
     }
 
     /// G61, G61.1, G64. Q needs P, and is P where it is not given (11.5.37).

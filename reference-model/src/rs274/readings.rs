@@ -226,6 +226,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.repeated-negative-word",
     "rs274.repeated-signs",
     "rs274.rest-of-restore-block",
+    "rs274.retract-under-compensation",
     "rs274.return-after-call",
     "rs274.rotation-under-local-offset",
     "rs274.rounded-zero-sign",

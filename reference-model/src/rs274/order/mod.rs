@@ -109,7 +109,7 @@ fn perform(
         Phase::WorkOffset => step::offsets::select(words, state)?,
         Phase::Path => step::path::perform(words, state)?,
         Phase::Distance => step::units_planes::select_distance(words, state),
-        Phase::Retract => step::units_planes::select_retract(words, state),
+        Phase::Retract => step::units_planes::select_retract(words, state)?,
         Phase::OffsetData => step::offsets::change(words, state, record)?,
         Phase::Motion => step::motion::perform(words, state, record)?,
         Phase::Stop => return Ok(step::stop::perform(words, state, record)),

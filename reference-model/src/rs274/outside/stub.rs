@@ -33,18 +33,37 @@ pub(crate) fn answer(input: Input, read: f64) -> f64 {
     }
 }
 
+/// What the stub is told of a block's moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Told {
+    /// There was none.
+    Nothing,
+    /// It follows them.
+    Moves,
+    /// A spline leads it to X0 Y0 of the program, wherever that ends.
+    Spline,
+}
+
 /// A block is through: where it moved the stub has followed, and where it asked the stub has answered.
-pub(crate) fn after_block(moved: bool, state: &mut State) {
+pub(crate) fn after_block(told: Told, state: &mut State) {
     let asked = std::mem::take(&mut state.outside.stub.asked);
     if !state.outside.is_stand_alone() {
         return;
     }
-    if moved {
-        let point = each(state.position, offset(state), |point, offset| point + offset);
-        state.outside.stub.point = converted(point, state.modes.units, LengthUnit::Millimetre);
-    } else if asked {
-        state.position = position(state);
+    match told {
+        Told::Moves => stand_at(state.position, state),
+        Told::Spline => {
+            let point = Position { x: 0.0, y: 0.0, ..position(state) };
+            stand_at(point, state);
+        }
+        Told::Nothing if asked => state.position = position(state),
+        Told::Nothing => {}
     }
+}
+
+fn stand_at(point: Position, state: &mut State) {
+    let point = each(point, offset(state), |point, offset| point + offset);
+    state.outside.stub.point = converted(point, state.modes.units, LengthUnit::Millimetre);
 }
 
 /// Where the stub stands, active length unit.

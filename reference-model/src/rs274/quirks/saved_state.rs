@@ -41,6 +41,24 @@ pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
+/// Quirk rs274.retract-under-compensation. G98 or G99 is programmed, behind a G40 where that was in force at the save.
+pub(crate) fn retract(saved: &Modes, state: &State) -> Result<(), Halt> {
+    if saved.retract == state.modes.retract || saved.compensation == Compensation::Off {
+        return Ok(());
+    }
+    retract_under_compensation(state)
+}
+
+/// Quirk rs274.retract-under-compensation. The return mode of canned cycles stays as it is while the cutter is compensated.
+pub(crate) fn retract_under_compensation(state: &State) -> Result<(), Halt> {
+    let rule = "rs274.retract-under-compensation";
+    if state.modes.compensation != Compensation::Off && state.readings.quirk(rule) {
+        let message = "a return mode is selected while the cutter is compensated";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    Ok(())
+}
+
 /// Quirk rs274.local-offset-restore. A local offset that did not apply at the save is suspended, and one that did apply resumed: by its
 /// parameters, as they are now.
 pub(crate) fn local_offset(saved: &Modes, state: &mut State) {

@@ -33,6 +33,7 @@ pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     state.modes.plane = saved.plane;
     state.modes.distance = saved.distance;
     state.modes.arc_distance = saved.arc_distance;
+    quirks::retract(saved, state)?;
     state.modes.retract = saved.retract;
     state.modes.lathe = saved.lathe;
     path(saved, state);

@@ -5,6 +5,7 @@ use gaugeblock_trace::{Distance, FeedMode, Lathe, LengthUnit, Plane, Retract};
 use super::not_under_compensation;
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, unit_size};
+use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::Halt;
 
@@ -121,7 +122,9 @@ pub fn select_distance(words: &Words, state: &mut State) {
 }
 
 /// G98 and G99: where canned cycles return to.
-pub fn select_retract(words: &Words, state: &mut State) {
+pub(crate) fn select_retract(words: &Words, state: &mut State) -> Result<(), Halt> {
+    quirks::retract_under_compensation(state)?;
     let r_plane = words.g.contains(&990);
     state.modes.retract = if r_plane { Retract::RPlane } else { Retract::OldZ };
+    Ok(())
 }

@@ -10,6 +10,7 @@ use gaugeblock_trace::{
 use super::moves::{Begins, Watch, Why};
 use crate::rs274::machine::State;
 use crate::rs274::modes::Modes;
+use crate::rs274::outside::stub::Told;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::step::feed::Speed;
 use crate::rs274::step::{outputs, pass};
@@ -282,11 +283,17 @@ impl Record {
                 || state.modes.settings_since(&self.modes) == Settings::default())
     }
 
-    /// Whether the block that is being executed has moved anything where the stub of a machine follows: splines it does not.
-    pub fn has_moved(&self) -> bool {
-        let follows =
-            |effect: &Effect| is_move(effect) && !matches!(effect, Effect::NurbsFeed { .. });
-        self.events.iter().any(|event| matches!(event, Event::Do(effect) if follows(effect)))
+    /// What the stub of a machine is told of the moves of the block that is being executed.
+    pub(crate) fn moves(&self) -> Told {
+        let mut moves = self.events.iter().filter_map(|event| match event {
+            Event::Do(effect) if is_move(effect) => Some(effect),
+            Event::Set(_) | Event::Do(_) => None,
+        });
+        match moves.next() {
+            None => Told::Nothing,
+            Some(Effect::NurbsFeed { .. }) => Told::Spline,
+            Some(_) => Told::Moves,
+        }
     }
 
     /// A call or return leads to another level, or to another call at the same one.
