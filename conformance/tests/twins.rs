@@ -23,7 +23,7 @@ const NEVER_REFUSED: [&str; 5] = [
 ];
 
 /// FIXME: rules that have none.
-const WITHOUT_TWINS: [&str; 34] = [
+const WITHOUT_TWINS: [&str; 19] = [
     "gpp.changed-by-format",
     "gpp.default-non-modal",
     "gpp.first-assignment",
@@ -43,21 +43,6 @@ const WITHOUT_TWINS: [&str; 34] = [
     "gpp.print-turns-off",
     "gpp.set-flag",
     "gpp.set-off",
-    "nct.block-last-first",
-    "nct.block-then-earlier",
-    "nct.cancel-earlier",
-    "nct.cancel-last",
-    "nct.cancel-nothing",
-    "nct.common",
-    "nct.level-rises",
-    "nct.loops",
-    "nct.modal-levels",
-    "nct.modal-order",
-    "nct.restored",
-    "nct.stored-at-each-level",
-    "nct.stored-on-call",
-    "nct.vacant-comparison",
-    "nct.word-rounding",
 ];
 
 fn folder() -> PathBuf {
