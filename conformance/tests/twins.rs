@@ -1,7 +1,7 @@
 //! How the rules about post-processors and custom macros are held, most of which refuse nothing themselves: by twins, two programs
 //! that differ in one line, where what is asserted of the one does not hold of the other.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
@@ -10,8 +10,8 @@ use gaugeblock::catalogue::{editions_of, model_run};
 use gaugeblock::certify::{Plan, Verdict, certify};
 use gaugeblock::suite::{Case, Edition, Rule, RuleOutcome, Setup, Suite, files};
 
-/// The chapters.
-const CHAPTERS: [&str; 2] = ["gpp", "nct"];
+/// The chapters, and for each the document whose sentences its page goes through.
+const CHAPTERS: [(&str, &str); 2] = [("gpp", "gpp2"), ("nct", "nct-99m")];
 
 /// Rules near which the documents demand no refusal: they say what is printed, or what may be done.
 const NEVER_REFUSED: [&str; 3] = ["gpp.non-modal-off", "gpp.off-modal", "gpp.off-printed"];
@@ -26,7 +26,7 @@ fn suite() -> Suite {
 }
 
 fn rules(suite: &Suite) -> impl Iterator<Item = &Rule> {
-    let is_here = |rule: &&Rule| CHAPTERS.contains(&rule.chapter());
+    let is_here = |rule: &&Rule| CHAPTERS.iter().any(|(chapter, _)| rule.chapter() == *chapter);
     suite.rules.iter().filter(is_here)
 }
 
@@ -120,4 +120,50 @@ fn every_rule_but_those_named_has_a_case_that_is_refused() {
     let without = rules(&suite).filter(|rule| !rule.cases.iter().any(is_refused));
     let without: Vec<&str> = without.map(|rule| rule.id.as_str()).collect();
     assert_eq!(without, NEVER_REFUSED);
+}
+
+/// Where the sentences of a document stand that a rule carries, as the chapter's page writes it.
+fn sentences(rule: &Rule, document: &str) -> String {
+    let of_document = rule.sources.iter().filter(|source| source.document == document);
+    let places = of_document.filter_map(|source| {
+        let notes = if source.section.ends_with("Notes") { "note " } else { "" };
+        source.ordinal.map(|ordinal| format!("{notes}{ordinal}"))
+    });
+    places.collect::<Vec<_>>().join(", ")
+}
+
+#[test]
+fn page_of_a_chapter_leads_from_each_sentence_to_its_cases() {
+    let suite = suite();
+    let mut wrong = Vec::new();
+    for (chapter, document) in CHAPTERS {
+        let path = folder().join(chapter).join("README.md");
+        let page = std::fs::read_to_string(path).expect("a chapter has a page");
+        let (_, table) = page.split_once("## From sentence to case").expect("it has the table");
+        let table = table.split("\n## ").next().unwrap_or_default();
+        let mut told = BTreeSet::new();
+        for row in table.lines().filter(|line| line.starts_with("| ") && line.contains('`')) {
+            let id = row.split('`').nth(1).unwrap_or_default();
+            let Some(rule) = suite.rules.iter().find(|rule| rule.id == id) else {
+                wrong.push(format!("{row}: there is no such rule"));
+                continue;
+            };
+            told.insert(id.to_owned());
+            let places = sentences(rule, document);
+            if !row.starts_with(&format!("| {places} |")) && !places.is_empty() {
+                wrong.push(format!("{id}: its sentences are {places}"));
+            }
+            for name in row.split('*').skip(1).step_by(2) {
+                if !rule.case_names().any(|case| case == name) {
+                    wrong.push(format!("{id}: it has no case {name}"));
+                }
+            }
+        }
+        let here = suite.rules.iter().filter(|rule| rule.chapter() == chapter);
+        let untold = here.filter(|rule| {
+            !sentences(rule, document).is_empty() && !told.contains(rule.id.as_str())
+        });
+        wrong.extend(untold.map(|rule| format!("{}: it has no row", rule.id)));
+    }
+    assert!(wrong.is_empty(), "{} faults:\n{}", wrong.len(), wrong.join("\n"));
 }
