@@ -117,7 +117,8 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let mut controller: Box<dyn Adapter> = match arguments.controller.strip_prefix("exec:") {
         Some(command) => {
             let time = Duration::from_secs(arguments.time_limit);
-            Box::new(controller::exec(command, Limits { time, ..Limits::default() })?)
+            let limits = Limits { time, ..Limits::default() };
+            Box::new(controller::exec(command, limits)?.assuming(suite.defaults()))
         }
         None => controller::controller(&arguments.controller)?,
     };
