@@ -38,7 +38,9 @@ fn files(folder: &str) -> BTreeMap<String, String> {
             let path = entry.expect("an entry can be read").path();
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             if path.is_dir() {
-                let foreign = name == "target" || (name.starts_with('.') && name != ".ci");
+                let ours = [".ci", ".github", ".clusterfuzzlite"];
+                let foreign =
+                    name == "target" || (name.starts_with('.') && !ours.contains(&name.as_str()));
                 if !foreign {
                     open.push(path);
                 }

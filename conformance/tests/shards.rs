@@ -51,7 +51,7 @@ fn sixteen_parts_merged_are_the_whole_byte_for_byte() {
     );
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     assert_eq!(report(&merged), report(&whole));
-    for file in ["junit.xml", "report.txt"] {
+    for file in ["junit.xml", "report.txt", "summary.md"] {
         let read = |folder: &Path| std::fs::read_to_string(folder.join(file)).expect("a report");
         assert_eq!(read(&merged), read(&whole), "{file}");
     }

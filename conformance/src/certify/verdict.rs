@@ -27,7 +27,7 @@ pub enum Verdict {
 }
 
 /// What a controller does otherwise, in words that stay the same from run to run.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Departure {
     /// The first assertion that does not hold, as it is written, with what was found.
     pub assertion: Option<(String, String)>,

@@ -13,7 +13,7 @@ use crate::certify::{CaseResult, Course, Plan, Run, cases, certify_in};
 use crate::expectations::Expectations;
 use crate::journal::{self, Journal};
 use crate::report::stored::StoredCase;
-use crate::report::{Header, Report, html, json, junit, profiles, terminal};
+use crate::report::{Header, Report, html, json, junit, markdown, profiles, terminal};
 use crate::shard::Shard;
 use crate::suite::Suite;
 use crate::waivers::{Day, Waivers};
@@ -26,7 +26,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock certify rs274 --expectations conformance/expectations/rs274-2.9.toml
       only what is new or has changed
   gaugeblock certify rs274 --edition rs274-2.9-observed --report out
-      hold it to what is known of it; write out/report.html, report.json, junit.xml, report.txt
+      hold it to what is known of it; write out/report.html, report.json, junit.xml, report.txt, summary.md
   gaugeblock certify rs274 --baseline main/report.json --waivers waivers.toml --report now
       in a pull request: only what is new or has changed, but for what somebody answers for until a day
   gaugeblock certify linuxcnc --shard 3/8 --report shard-3
@@ -70,7 +70,7 @@ pub(super) struct Arguments {
     /// Write what it does otherwise as a file of expectations, to be read before it is used
     #[arg(long, value_name = "FILE")]
     write_expectations: Option<PathBuf>,
-    /// Write report.html, report.json, junit.xml and report.txt into this folder, and a journal while it runs
+    /// Write report.html, report.json, junit.xml, report.txt and summary.md (for a pull request) into this folder, and a journal while it runs
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
     /// Go on with the journal in the folder of --report
@@ -117,7 +117,8 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let mut controller: Box<dyn Adapter> = match arguments.controller.strip_prefix("exec:") {
         Some(command) => {
             let time = Duration::from_secs(arguments.time_limit);
-            Box::new(controller::exec(command, Limits { time, ..Limits::default() })?)
+            let limits = Limits { time, ..Limits::default() };
+            Box::new(controller::exec(command, limits)?.assuming(suite.defaults()))
         }
         None => controller::controller(&arguments.controller)?,
     };
@@ -317,5 +318,6 @@ pub(super) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Ref
     place::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
     place::write_whole(&folder.join("report.html"), &page)?;
     place::write_whole(&folder.join("junit.xml"), &xml)?;
-    place::write_whole(&folder.join("report.txt"), &text)
+    place::write_whole(&folder.join("report.txt"), &text)?;
+    place::write_whole(&folder.join("summary.md"), markdown::markdown(report))
 }

@@ -117,6 +117,18 @@ enum Command {
     Schema(schema::Arguments),
 }
 
+/// Whether these words, without the name of the command, are a call of it: scripts are held to that.
+///
+/// # Errors
+/// They are none, and why.
+pub fn understands(words: &[String]) -> Result<(), String> {
+    let words = std::iter::once("gaugeblock").chain(words.iter().map(String::as_str));
+    match Call::try_parse_from(words) {
+        Err(error) if error.use_stderr() => Err(error.to_string()),
+        Ok(_) | Err(_) => Ok(()),
+    }
+}
+
 /// Runs the command line and tells the exit status.
 pub fn main() -> ExitCode {
     let call = match Call::try_parse() {

@@ -33,7 +33,7 @@ pub(super) struct Merge {
     /// What the controller is known to do otherwise; anything else fails
     #[arg(long, value_name = "FILE")]
     expectations: Option<PathBuf>,
-    /// Write report.html, report.json, junit.xml and report.txt into this folder
+    /// Write report.html, report.json, junit.xml, report.txt and summary.md into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
     /// What to print

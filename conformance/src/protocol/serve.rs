@@ -17,7 +17,7 @@ pub fn serve(
     requests: &mut dyn BufRead,
     answers: &mut dyn Write,
 ) -> std::io::Result<()> {
-    let mut line = Vec::new();
+    let (mut line, mut written) = (Vec::new(), Vec::new());
     loop {
         line.clear();
         if requests.read_until(b'\n', &mut line)? == 0 {
@@ -27,8 +27,11 @@ pub fn serve(
             continue;
         }
         let (answer, last) = answer(controller, languages, &line);
-        serde_json::to_writer(&mut *answers, &answer)?;
-        answers.write_all(b"\n")?;
+        // In one piece: whoever waits for it is woken once.
+        written.clear();
+        serde_json::to_writer(&mut written, &answer)?;
+        written.push(b'\n');
+        answers.write_all(&written)?;
         answers.flush()?;
         if last {
             return Ok(());

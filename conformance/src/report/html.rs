@@ -137,7 +137,7 @@ struct Open<'a> {
 }
 
 /// What the whole comes to, in a sentence.
-fn says(report: &Report<'_>) -> &'static str {
+pub(super) fn says(report: &Report<'_>) -> &'static str {
     match report.exit_status() {
         0 if report.troubles.is_some() => "It does what is known of it, and nothing else.",
         0 => "It does what the documents say, in everything that was judged.",

@@ -236,6 +236,15 @@ impl Suite {
         Options(options.into())
     }
 
+    /// The option of each choice and quirk that a scenario has where it lists none.
+    pub fn defaults(&self) -> Options {
+        let first = self
+            .choices
+            .iter()
+            .filter_map(|choice| Some((choice.id.clone(), choice.options.first()?.name.clone())));
+        Options(first.collect())
+    }
+
     /// All options of an edition that the laws of motion read.
     pub fn motion_options(&self, edition: &Edition) -> BTreeMap<String, String> {
         let named = self.named(edition);

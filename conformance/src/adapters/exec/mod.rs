@@ -7,6 +7,7 @@
 mod lines;
 mod process;
 mod session;
+mod told;
 
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -44,6 +45,8 @@ impl Default for Limits {
 pub struct Exec {
     command: String,
     limits: Limits,
+    /// Options that need not be told.
+    assumed: Options,
     declaration: Declaration,
     capabilities: Capabilities,
     /// Sessions in which nothing runs.
@@ -67,9 +70,16 @@ impl Exec {
             })
         })?;
         let idle = Mutex::new(vec![session]);
-        let command = command.to_owned();
+        let (command, assumed) = (command.to_owned(), Options::default());
         let spoilt = AtomicUsize::new(0);
-        Ok(Self { command, limits, declaration, capabilities, idle, spoilt })
+        Ok(Self { command, limits, assumed, declaration, capabilities, idle, spoilt })
+    }
+
+    /// Takes these options for the defaults of their choices: a scenario is told without them.
+    #[must_use]
+    pub fn assuming(self, assumed: Options) -> Self {
+        self.sessions().iter_mut().for_each(|session| session.assume(&assumed));
+        Self { assumed, ..self }
     }
 
     /// What it declared.
@@ -103,7 +113,8 @@ impl Exec {
 
     /// A session of its own. One that declares something else than the first is not the same controller.
     fn new_session(&self) -> Result<Session, HarnessError> {
-        let (session, declaration) = Session::begin(&self.command, self.limits)?;
+        let (mut session, declaration) = Session::begin(&self.command, self.limits)?;
+        session.assume(&self.assumed);
         if declaration != self.declaration {
             return Err(HarnessError::Unreadable {
                 what: "it declares something else than before".to_owned(),

@@ -3,11 +3,12 @@
 use std::io::pipe;
 use std::time::Duration;
 
-use gaugeblock_trace::{Outcome, Scenario};
+use gaugeblock_trace::{Options, Outcome, Scenario};
 use serde::Serialize;
 
 use super::lines::{Lines, NoLine};
 use super::process::{Process, now};
+use super::told::Teller;
 use super::{HarnessError, Limits};
 use crate::protocol::{Answer, Declaration, Operation, Reply, VERSION};
 
@@ -23,6 +24,7 @@ pub(super) struct Session {
     lines: Lines,
     process: Process,
     limits: Limits,
+    teller: Teller,
     /// Id of the last request.
     last: u64,
     has_run: bool,
@@ -40,7 +42,8 @@ impl Session {
         let (our_errors, errors) = pipe().map_err(not_run)?;
         let process = Process::start(command, (input, output, errors), limits).map_err(not_run)?;
         let lines = Lines::new(our_input, our_output, our_errors)?;
-        let mut session = Self { lines, process, limits, last: 0, has_run: false };
+        let teller = Teller::default();
+        let mut session = Self { lines, process, limits, teller, last: 0, has_run: false };
         let referee = format!("gaugeblock {}", env!("CARGO_PKG_VERSION"));
         let hello = Operation::Hello { protocol: VERSION, referee };
         let reply = session.ask(&hello)?;
@@ -48,6 +51,11 @@ impl Session {
             return Ok((session, *declaration));
         }
         Err(session.amiss(hello.name(), &reply))
+    }
+
+    /// Scenarios are told without these options.
+    pub(super) fn assume(&mut self, assumed: &Options) {
+        self.teller = Teller::new(assumed.clone());
     }
 
     /// Whether a scenario has been run.
@@ -65,17 +73,15 @@ impl Session {
     /// Runs a scenario. After an error the session is of no use any more.
     pub(super) fn run(&mut self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         self.has_run = true;
-        let run = Operation::Run { scenario: Box::new(scenario.clone()) };
-        let reply = self.ask(&run)?;
+        let line = self.teller.run(self.last + 1, scenario)?;
+        let reply = self.ask_line(&line, "run")?;
         if let Some(unasked) = self.lines.unasked() {
             return Err(unreadable("it answers more than once", unasked));
         }
         match reply {
             Reply::Outcome(outcome) => Ok(*outcome),
             Reply::Unsupported(why) => Ok(unsupported(scenario, why)),
-            Reply::Hello(_) | Reply::Done {} | Reply::Refused(_) => {
-                Err(self.amiss(run.name(), &reply))
-            }
+            Reply::Hello(_) | Reply::Done {} | Reply::Refused(_) => Err(self.amiss("run", &reply)),
         }
     }
 

@@ -1,0 +1,226 @@
+//! What the adapter protocol costs a case: production behind it less production in this process, against a bare round trip of lines of
+//! the same size through pipes.
+//!
+//! `cargo bench -p gaugeblock --bench door`
+//!
+//! Everything is measured case by case, by turns; what counts is the least of all rounds.
+#![expect(clippy::print_stdout, reason = "a measurement is printed")]
+
+use std::env;
+use std::io::{BufRead, BufReader, Error, Read, Result, Write};
+use std::num::NonZero;
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::time::Duration;
+
+use gaugeblock::adapters::exec::{Exec, Limits};
+use gaugeblock::adapters::production::Production;
+use gaugeblock::adapters::{Adapter, HarnessError};
+use gaugeblock::certify::{Plan, certify, scenario_of};
+use gaugeblock::protocol::{Answer, Operation, Reply, Request};
+use gaugeblock::suite::{Suite, files};
+use gaugeblock_trace::{Language, Scenario};
+use mimalloc::MiMalloc;
+use serde_json::Value;
+
+/// As the command has it.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
+
+/// How often each case is run each way.
+const ROUNDS: u32 = 15;
+
+fn main() -> Result<()> {
+    if env::args().nth(1).as_deref() == Some("echo") {
+        return echo();
+    }
+    let suite =
+        Suite::read(&files::built_in()).map_err(|errors| Error::other(errors.join("\n")))?;
+    let edition = suite.edition("linuxcnc-2.9").ok_or_else(|| Error::other("no edition"))?;
+    let production = Production::default();
+    let command = format!("{} serve production", env!("CARGO_BIN_EXE_gaugeblock"));
+    let behind =
+        Exec::start(&command, Limits::default()).map_err(|e| Error::other(e.to_string()))?;
+    let behind = behind.assuming(suite.defaults());
+
+    let options = suite.options(edition);
+    let cases = suite.rules.iter().filter(|rule| rule.language == Language::Rs274);
+    let cases = cases.flat_map(|rule| &rule.cases);
+    let scenarios = cases.map(|case| scenario_of(case, &options, edition));
+    let scenarios: Vec<Scenario> = scenarios
+        .filter(|scenario| {
+            production.supports(scenario).is_ok() && behind.supports(scenario).is_ok()
+        })
+        .collect();
+    let mut bare = Bare::start()?;
+    let mut total = Total::default();
+    for scenario in &scenarios {
+        let sizes = sizes(scenario, &production, &suite)?;
+        total.add(measured(scenario, &production, &behind, (&mut bare, sizes))?);
+    }
+    total.print();
+
+    let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
+    let plan = Plan { suite: &suite, edition, only: &[], jobs };
+    let within = time(|| Ok(certify(plan, &production, &|| ()).cases.len()))?;
+    let outside = time(|| Ok(certify(plan, &behind, &|| ()).cases.len()))?;
+    println!(
+        "the whole suite on {jobs} processors: {:.2} s in process, {:.2} s through the protocol",
+        within.as_secs_f64(),
+        outside.as_secs_f64()
+    );
+    Ok(())
+}
+
+/// The least times of one case.
+#[derive(Clone, Copy, Debug)]
+struct Least {
+    within: Duration,
+    behind: Duration,
+    bare: Duration,
+    bytes: usize,
+}
+
+/// How many bytes a run sends and gets: its own two lines, and those of the reset before it.
+fn sizes(scenario: &Scenario, production: &Production, suite: &Suite) -> Result<(usize, usize)> {
+    let defaults = suite.defaults();
+    let operation = Operation::Run { scenario: Box::new(scenario.clone()) };
+    let mut request = serde_json::to_value(&Request { id: 1, operation })?;
+    let default = serde_json::to_value(Scenario::default())?;
+    if let Some(told) = request["scenario"].as_object_mut() {
+        if let Some(options) = told.get_mut("options").and_then(Value::as_object_mut) {
+            options.retain(|id, option| defaults.get(id) != option.as_str());
+        }
+        told.retain(|name, value| {
+            *value != default[name] || name == "program" || name == "machine"
+        });
+    }
+    let outcome = production.run(scenario).map_err(failed)?;
+    let answer = Answer { id: 1, reply: Reply::Outcome(Box::new(outcome)) };
+    let (asked, answered) = (serde_json::to_vec(&request)?, serde_json::to_vec(&answer)?);
+    let (reset, done) = ("{\"id\":1,\"op\":\"reset\"}\n", "{\"id\":1,\"done\":{}}\n");
+    Ok((asked.len() + 1 + reset.len(), answered.len() + 1 + done.len()))
+}
+
+fn failed(error: HarnessError) -> Error {
+    Error::other(error.to_string())
+}
+
+fn measured(
+    scenario: &Scenario,
+    production: &Production,
+    behind: &Exec,
+    (bare, sizes): (&mut Bare, (usize, usize)),
+) -> Result<Least> {
+    let never = Duration::MAX;
+    let mut least = Least { within: never, behind: never, bare: never, bytes: sizes.0 + sizes.1 };
+    for _ in 0..ROUNDS {
+        least.within = least.within.min(time(|| production.run(scenario).map_err(failed))?);
+        least.behind = least.behind.min(time(|| behind.run(scenario).map_err(failed))?);
+        least.bare = least.bare.min(time(|| bare.round_trip(sizes))?);
+    }
+    Ok(least)
+}
+
+/// Sums over all cases.
+#[derive(Debug, Default)]
+struct Total {
+    cases: u32,
+    bytes: usize,
+    within: Duration,
+    behind: Duration,
+    bare: Duration,
+}
+
+impl Total {
+    fn add(&mut self, least: Least) {
+        self.cases += 1;
+        self.bytes += least.bytes;
+        self.within += least.within;
+        self.behind += least.behind;
+        self.bare += least.bare;
+    }
+
+    fn print(&self) {
+        let each = |time: Duration| time.as_secs_f64() * 1e6 / f64::from(self.cases);
+        let overhead = each(self.behind) - each(self.within);
+        println!(
+            "{} cases, {} bytes each, out and back",
+            self.cases,
+            self.bytes / self.cases as usize
+        );
+        println!("in process             {:8.1} us a case", each(self.within));
+        println!("behind the protocol    {:8.1} us a case", each(self.behind));
+        println!("overhead               {overhead:8.1} us a case");
+        println!("a bare round trip      {:8.1} us", each(self.bare));
+        println!("overhead / round trip  {:8.2}", overhead / each(self.bare));
+    }
+}
+
+#[expect(clippy::disallowed_methods, reason = "time is what is measured")]
+fn time<T>(work: impl FnOnce() -> Result<T>) -> Result<Duration> {
+    let start = std::time::Instant::now();
+    std::hint::black_box(work()?);
+    Ok(start.elapsed())
+}
+
+/// A child that reads a line and writes one, and does nothing else.
+#[derive(Debug)]
+struct Bare {
+    child: Child,
+    requests: ChildStdin,
+    answers: BufReader<ChildStdout>,
+    line: Vec<u8>,
+}
+
+impl Bare {
+    fn start() -> Result<Self> {
+        let mut child = Command::new(env::current_exe()?)
+            .arg("echo")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let lost = || Error::other("no pipe");
+        let requests = child.stdin.take().ok_or_else(lost)?;
+        let answers = BufReader::with_capacity(64 << 10, child.stdout.take().ok_or_else(lost)?);
+        Ok(Self { child, requests, answers, line: Vec::new() })
+    }
+
+    /// A line of so many bytes out, and one of so many back.
+    fn round_trip(&mut self, (asked, answered): (usize, usize)) -> Result<()> {
+        self.line.clear();
+        write!(self.line, "{answered:012}")?;
+        self.line.resize(asked.max(14) - 1, b' ');
+        self.line.push(b'\n');
+        self.requests.write_all(&self.line)?;
+        self.line.clear();
+        self.answers.read_until(b'\n', &mut self.line)?;
+        if self.line.len() == answered { Ok(()) } else { Err(Error::other("another size")) }
+    }
+}
+
+impl Drop for Bare {
+    fn drop(&mut self) {
+        let _ended = self.child.kill();
+        let _status = self.child.wait();
+    }
+}
+
+/// The other side of [`Bare`].
+fn echo() -> Result<()> {
+    let mut requests = BufReader::with_capacity(64 << 10, std::io::stdin().lock());
+    let mut answers = std::io::stdout().lock();
+    let mut line = Vec::new();
+    loop {
+        line.clear();
+        if requests.by_ref().read_until(b'\n', &mut line)? == 0 {
+            return Ok(());
+        }
+        let size = std::str::from_utf8(&line[..12]).ok().and_then(|size| size.parse().ok());
+        let size: usize = size.ok_or_else(|| Error::other("no size"))?;
+        line.clear();
+        line.resize(size - 1, b' ');
+        line.push(b'\n');
+        answers.write_all(&line)?;
+        answers.flush()?;
+    }
+}
