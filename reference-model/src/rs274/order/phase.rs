@@ -194,7 +194,12 @@ impl Phases {
 
     /// All of them, in the order of execution.
     pub fn iter(self) -> impl Iterator<Item = Phase> {
-        Phase::ALL.iter().copied().filter(move |phase| self.contains(*phase))
+        let mut left = self.0;
+        std::iter::from_fn(move || {
+            let first = Phase::ALL.get(left.trailing_zeros() as usize)?;
+            left ^= 1 << *first as u32;
+            Some(*first)
+        })
     }
 }
 
