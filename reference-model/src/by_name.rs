@@ -1,7 +1,7 @@
 //! Values by name, for names that stand in the text of the model: ids of rules and of choices.
 
 /// Fewest slots of a table that is not empty.
-const FEWEST_SLOTS: usize = 256;
+const FEWEST_SLOTS: usize = 512;
 
 /// Values by name. To find one costs the same however many there are.
 #[derive(Clone, Debug)]

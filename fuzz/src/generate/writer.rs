@@ -6,6 +6,9 @@ use super::state::{State, Sub};
 use super::table::{Kind, Row, TABLE};
 use super::wrong;
 
+/// Room for the text of most programs.
+const MOST_TEXT: usize = 1024;
+
 /// Deepest nesting of loops, branches and subs.
 const DEEPEST: u32 = 4;
 
@@ -52,7 +55,7 @@ impl<'d, 'b> Writer<'d, 'b> {
             (total, row)
         };
         let rows = chosen_rows(dice, recipe).into_iter().map(with_sum).collect();
-        let (text, after_end) = (String::new(), String::new());
+        let (text, after_end) = (String::with_capacity(MOST_TEXT), String::new());
         Self { dice, state, text, manner, rows, total, left, last_label: 100, after_end }
     }
 

@@ -37,7 +37,7 @@ pub struct State {
     /// Whether T has selected a tool since the last tool change.
     pub selected_for_change: bool,
     /// The tool of each slot of the changer, be it in its slot or in the spindle.
-    pub slots: BTreeMap<u32, i32>,
+    pub slots: Shared<BTreeMap<u32, i32>>,
     /// Numbered and global named parameters. Local ones are in the frames.
     pub parameters: Parameters,
     /// The main program's frame and one for each call in progress, innermost last; never empty.
@@ -110,7 +110,7 @@ pub(crate) fn in_pocket_zero(machine: &Machine) -> i32 {
 }
 
 /// The tool of each slot of a changer, as the tool table has them.
-pub(crate) fn slots(machine: &Machine) -> BTreeMap<u32, i32> {
+pub(crate) fn slots(machine: &Machine) -> Shared<BTreeMap<u32, i32>> {
     let tools = machine.tools.iter();
     tools
         .filter_map(|tool| {
@@ -181,7 +181,7 @@ impl State {
             prepared_tool: -1,
             selected_tool: -1,
             selected_for_change: false,
-            slots: BTreeMap::new(),
+            slots: Shared::default(),
             frames: vec![Frame::default()],
             line: 1,
             cycle_dwell: 0.0,

@@ -167,7 +167,7 @@ impl<'a> Outside<'a> {
         }
         // Where nothing slows motion down it is at full speed.
         let unconnected = if input == Input::AdaptiveFeed { 1.0 } else { 0.0 };
-        if self.bench.inputs.is_empty() {
+        if self.bench.inputs.iter().all(|change| change.time > self.time) {
             return unconnected;
         }
         let name = match input {

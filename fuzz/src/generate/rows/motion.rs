@@ -3,6 +3,9 @@
 use super::super::table::{Kind, Row};
 use super::super::writer::Writer;
 
+/// Room for most axis words of a block.
+const MOST_WORDS: usize = 64;
+
 pub(in super::super) const ROWS: &[Row] = &[
     Row::any("motion.traverse", Kind::Motion, 30, |w| {
         let axes = w.axes(3);
@@ -103,7 +106,7 @@ pub(in super::super) const ROWS: &[Row] = &[
 impl Writer<'_, '_> {
     /// One to `most` axis words, each preceded by a blank.
     pub(in super::super) fn axes(&mut self, most: u32) -> String {
-        let (mut text, mut used) = (String::new(), Vec::new());
+        let (mut text, mut used) = (String::with_capacity(MOST_WORDS), Vec::with_capacity(4));
         for _ in 0..self.dice.range(1, most) {
             let all = &self.state.axes;
             let main = all.len().min(3);

@@ -4,7 +4,7 @@ use gaugeblock_trace::{Axis, FaultKind};
 
 use crate::rs274::machine::State;
 use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code, motion_code};
-use crate::rs274::order::{is_of_axis, moves_by_axis_words};
+use crate::rs274::order::{has_axis_words, is_of_axis, moves_by_axis_words};
 use crate::rs274::quirks::{cycles, settings as quirks};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
@@ -53,7 +53,10 @@ fn one_meaning_of_p(words: &Words, state: &State) -> Result<(), Halt> {
 /// Rule motion.no-such-axis. A letter of an axis that the machine does not have is refused, with G10 L2 too
 /// (offsets.set-unknown-axis). Polar words stand for X and Y.
 fn axes(words: &Words, state: &mut State) -> Result<(), Halt> {
-    let polar = words.letters.keys().any(|letter| "@^".contains(*letter));
+    if !has_axis_words(words) {
+        return Ok(());
+    }
+    let polar = words.letters.keys().any(|letter| matches!(letter, '@' | '^'));
     let absent = Axis::ALL.iter().find(|axis| {
         let by_angle = polar && matches!(axis, Axis::X | Axis::Y);
         let named = by_angle || words.letters.contains_key(&letter(**axis));
@@ -99,7 +102,7 @@ fn used_by_offset_data(letter: char, words: &Words, state: &State) -> bool {
 
 /// Rule motion.polar-moves-only. Polar words name a point that a move goes to, and no offset.
 fn polar(words: &Words) -> Result<(), Halt> {
-    if !words.letters.keys().any(|letter| "@^".contains(*letter)) {
+    if !words.letters.keys().any(|letter| matches!(letter, '@' | '^')) {
         return Ok(());
     }
     if words.g.iter().any(|code| [280, 300].contains(code)) {

@@ -37,6 +37,7 @@ use super::read::{self, Words};
 use super::refusal::{Halt, refuse};
 use super::syntax::{Block, Expression, Keyword, Label, OWord};
 use super::task::Record;
+use crate::math;
 
 /// The main program among the files.
 pub const MAIN: usize = 0;
@@ -273,12 +274,15 @@ fn o_word(label: &str) -> String {
 
 /// A number close to an integer, as a label.
 fn whole(number: f64) -> Result<String, Halt> {
-    let rounded = number.round() + 0.0;
-    if (number - rounded).abs() > 0.0001 {
-        let message = format!("{number} after O is not an integer");
-        return Err(refuse("subroutines.computed-o-words", FaultKind::NotAnInteger, message));
+    match math::near_integer(number) {
+        // It may lie beyond what an integer of the machine holds.
+        Some(i64::MIN | i64::MAX) => Ok(number.round().to_string()),
+        Some(label) => Ok(label.to_string()),
+        None => {
+            let message = format!("{number} after O is not an integer");
+            Err(refuse("subroutines.computed-o-words", FaultKind::NotAnInteger, message))
+        }
     }
-    Ok(rounded.to_string())
 }
 
 /// An expression that a rule of control asks for: when it has no value, the rule's block is refused with it.

@@ -194,7 +194,12 @@ impl Phases {
 
     /// All of them, in the order of execution.
     pub fn iter(self) -> impl Iterator<Item = Phase> {
-        Phase::ALL.iter().copied().filter(move |phase| self.contains(*phase))
+        let mut left = self.0;
+        std::iter::from_fn(move || {
+            let first = Phase::ALL.get(left.trailing_zeros() as usize)?;
+            left ^= 1 << *first as u32;
+            Some(*first)
+        })
     }
 }
 
@@ -207,7 +212,7 @@ const OFFSET_DATA: [u32; 10] = [100, 280, 281, 300, 301, 520, 920, 921, 922, 923
 /// Rule modal-groups.motion-suspended. A code of group 0 that uses axis words suspends the motion mode for its block.
 pub fn moves_without_code(words: &Words) -> bool {
     let codes = || words.g.iter().filter_map(|number| g_code(*number));
-    let offset = |letter: &&char| "ijk".contains(**letter);
+    let offset = |letter: &&char| matches!(**letter, 'i'..='k');
     let offsets = words.letters.keys().find(offset);
     let uses_offsets = |offset: &char| codes().any(|code| code.words.contains(*offset));
     let by_offsets = offsets.is_some_and(|offset| !uses_offsets(offset));

@@ -1,6 +1,6 @@
 //! HAL items: the pins of the machine under the names that a program can read.
 
-use gaugeblock_trace::{Machine, Pin, Sorted};
+use gaugeblock_trace::{Machine, Pin, Shared, Sorted};
 
 use super::{Input, Outside};
 
@@ -23,7 +23,7 @@ pub(super) struct Synchronised {
     /// When, seconds since the start.
     time: f64,
     /// The value of each pin that was not zero.
-    levels: Sorted<Pin, f64>,
+    levels: Shared<Sorted<Pin, f64>>,
 }
 
 impl Item {

@@ -35,9 +35,9 @@ pub struct Outside {
     /// Seconds since the start.
     time: f64,
     /// The value of each pin that is not zero, or was not.
-    levels: Sorted<Pin, f64>,
+    levels: Shared<Sorted<Pin, f64>>,
     /// Every change of a pin so far.
-    changes: Vec<PinChange>,
+    changes: Shared<Vec<PinChange>>,
     /// What outputs become when the next motion begins.
     awaiting_motion: BTreeMap<Pin, f64>,
     /// Orientations that have begun and not ended, by spindle.
@@ -66,7 +66,7 @@ impl Outside {
             bench: bench.clone().into(),
             time: 0.0,
             levels: brakes.collect(),
-            changes: Vec::new(),
+            changes: Shared::default(),
             awaiting_motion: BTreeMap::new(),
             orienting: BTreeMap::new(),
             is_asked: false,

@@ -10,7 +10,7 @@ mod tests;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use gaugeblock_trace::{FaultKind, Indexed, Machine};
+use gaugeblock_trace::{FaultKind, Indexed, Machine, Shared};
 
 use super::machine::State;
 use super::readings::Readings;
@@ -48,11 +48,11 @@ impl fmt::Display for Name {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parameters {
     /// Numbers 31 and up that were stored or set; coordinate systems in the machine's length unit.
-    numbered: BTreeMap<u32, f64>,
+    numbered: Shared<BTreeMap<u32, f64>>,
     /// Global named parameters that the program has set.
-    named: BTreeMap<String, f64>,
+    named: Shared<BTreeMap<String, f64>>,
     /// Names that were local parameters somewhere: tells a deleted one from one that never was.
-    local_names: BTreeSet<String>,
+    local_names: Shared<BTreeSet<String>>,
     /// Settings of the block that is being executed, which take effect at its end.
     announced: Vec<(Name, f64)>,
     /// Parameters that were given a value since somebody asked last, the same one or another.
@@ -66,7 +66,7 @@ pub struct Parameters {
 impl Parameters {
     /// The parameters when a program starts: the stored ones, and 0 for all others except #5220 and #5599.
     pub fn new(machine: &Machine, _readings: &Readings) -> Self {
-        Self { numbered: numbered::at_start(machine), ..Self::default() }
+        Self { numbered: numbered::at_start(machine).into(), ..Self::default() }
     }
 
     /// A numbered parameter as it is stored (coordinate systems: machine unit); zero when never set.
@@ -127,7 +127,7 @@ pub fn value(name: &Name, state: &State) -> Result<f64, Halt> {
     if let Some(value) = predefined::value(name, state) {
         return value;
     }
-    let set = if is_global(name) { &state.parameters.named } else { &state.frame().locals };
+    let set = if is_global(name) { &*state.parameters.named } else { &state.frame().locals };
     if let Some(value) = set.get(name) {
         return Ok(*value);
     }
@@ -165,7 +165,9 @@ pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), Halt> {
             state.parameters.named.insert(name.clone(), value);
         }
         Name::Named(name) => {
-            state.parameters.local_names.insert(name.clone());
+            if !state.parameters.local_names.contains(name) {
+                state.parameters.local_names.insert(name.clone());
+            }
             state.frame_mut().locals.insert(name.clone(), value);
         }
     }

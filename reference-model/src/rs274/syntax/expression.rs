@@ -28,7 +28,7 @@ const OPERATORS: [(&str, Operator); 15] = [
 
 /// The operator that is next, with its spelling.
 pub(super) fn operator_at(parser: &Parser<'_>) -> Option<(&'static str, Operator)> {
-    OPERATORS.into_iter().find(|(spelling, _)| parser.sees(spelling))
+    OPERATORS.iter().copied().find(|(spelling, _)| parser.sees(spelling))
 }
 
 /// Groups of operators in the order in which they are performed.

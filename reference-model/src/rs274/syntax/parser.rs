@@ -6,6 +6,9 @@ use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse_at};
 use crate::rs274::text::Glyph;
 
+/// Room for the digits of most numbers.
+const MOST_DIGITS: usize = 16;
+
 /// A place in the characters of a line that count.
 ///
 /// Recursion goes no deeper than the line is long, and lines are at most 256 characters long.
@@ -29,7 +32,7 @@ impl<'a> Parser<'a> {
             glyphs,
             at: 0,
             readings,
-            digits: String::new(),
+            digits: String::with_capacity(MOST_DIGITS),
             reached: Vec::with_capacity(16),
             failed: Vec::new(),
         }

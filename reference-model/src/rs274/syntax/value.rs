@@ -38,9 +38,6 @@ const FUNCTIONS: [(&str, Function); 12] = [
     ("tan", Function::Tangent),
 ];
 
-/// Room for the digits of most numbers.
-const MOST_DIGITS: usize = 16;
-
 impl Parser<'_> {
     /// A number, a parameter, an expression or a function, perhaps behind a sign.
     pub(super) fn value(&mut self, wanted: Wanted) -> Result<Expression, Halt> {
@@ -127,7 +124,6 @@ impl Parser<'_> {
     fn number(&mut self) -> Result<f64, Halt> {
         let mut text = std::mem::take(&mut self.digits);
         text.clear();
-        text.reserve(MOST_DIGITS);
         self.take_into(&mut text, |character| character.is_ascii_digit());
         let whole = text.len();
         if self.take(".") {

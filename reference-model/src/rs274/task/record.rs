@@ -326,11 +326,17 @@ impl Record {
         });
     }
 
-    /// The local parameters where the run is now. Local names that were recorded elsewhere are forgotten.
+    /// The local parameters where the run is now, but for numbered ones that are zero and were. Local names that were recorded elsewhere
+    /// are forgotten.
     fn local_names(&mut self, state: &State) -> Vec<Name> {
         self.parameters.retain(|name, _| !name.is_local_name());
+        let arguments = (1..).zip(&state.frame().arguments);
+        let set = arguments.filter(|(_, value)| value.abs() > 0.0);
+        let set = set.map(|(number, _)| Name::Numbered(number));
+        let recorded = self.parameters.range(Name::Numbered(1)..=Name::Numbered(30));
+        let recorded = recorded.map(|(name, _)| name.clone());
         let named = state.frame().locals.keys().cloned().map(Name::Named);
-        (1..=30).map(Name::Numbered).chain(named).collect()
+        set.chain(recorded).chain(named).collect()
     }
 
     /// Those of some parameters that exist and are not as they were recorded last.

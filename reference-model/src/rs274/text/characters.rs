@@ -2,7 +2,6 @@
 
 use gaugeblock_trace::{FaultKind, Span};
 
-use super::BLANKS;
 use super::comments::comment_at;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::text as quirks;
@@ -40,37 +39,44 @@ pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Commen
     let mut glyphs = Vec::with_capacity(line.len());
     let mut comments: Vec<Comment> = Vec::new();
     let (mut blanks, mut upper_case) = (false, false);
-    let mut behind_comment = 0;
-    for (at, character) in line.char_indices() {
-        if at < behind_comment {
+    let (mut end, mut behind_comment) = (0, 0);
+    for character in line.chars() {
+        let start = end;
+        end += width(character);
+        if start < behind_comment {
             continue;
         }
-        if matches!(character, ';' | '(' | ')') {
-            let comment = comment_at(line, at, &state.readings).inspect_err(|_| {
-                if !comments.is_empty() {
-                    state.evidence.refused("text.comment-format-checked");
+        match character {
+            ';' | '(' | ')' => {
+                let comment =
+                    comment_at(line, start as usize, &state.readings).inspect_err(|_| {
+                        if !comments.is_empty() {
+                            state.evidence.refused("text.comment-format-checked");
+                        }
+                    })?;
+                behind_comment = comment.span.end;
+                let (start, end) = (comment.span.start, comment.span.end);
+                glyphs.push(Glyph { character: Glyph::COMMENT, start, end });
+                state.evidence.accepted(if comment.semicolon {
+                    "text.comment-semicolon"
+                } else {
+                    "text.comment-parentheses"
+                });
+                state.evidence.accepted("text.comment-verbatim");
+                comments.push(comment);
+            }
+            ' ' | '\t' | '\r' => {
+                if !std::mem::replace(&mut blanks, true) {
+                    state.evidence.accepted("text.blanks");
                 }
-            })?;
-            behind_comment = comment.span.end as usize;
-            let (start, end) = (comment.span.start, comment.span.end);
-            glyphs.push(Glyph { character: Glyph::COMMENT, start, end });
-            state.evidence.accepted(if comment.semicolon {
-                "text.comment-semicolon"
-            } else {
-                "text.comment-parentheses"
-            });
-            state.evidence.accepted("text.comment-verbatim");
-            comments.push(comment);
-        } else if BLANKS.contains(&character) {
-            if !std::mem::replace(&mut blanks, true) {
-                state.evidence.accepted("text.blanks");
             }
-        } else {
-            if character.is_ascii_uppercase() && !std::mem::replace(&mut upper_case, true) {
-                state.evidence.accepted("text.case");
+            'A'..='Z' => {
+                if !std::mem::replace(&mut upper_case, true) {
+                    state.evidence.accepted("text.case");
+                }
+                glyphs.push(Glyph { character: character.to_ascii_lowercase(), start, end });
             }
-            let (start, end) = (place(at), place(at + character.len_utf8()));
-            glyphs.push(Glyph { character: character.to_ascii_lowercase(), start, end });
+            _ => glyphs.push(Glyph { character, start, end }),
         }
     }
     state.evidence.accepted("text.line-length");
@@ -101,6 +107,11 @@ fn line_length(line: &str, readings: &Readings) -> Result<(), Halt> {
         return Err(refuse("text.line-length", FaultKind::LineTooLong, message));
     }
     Ok(())
+}
+
+/// How many bytes a character takes.
+fn width(character: char) -> u32 {
+    if character.is_ascii() { 1 } else { place(character.len_utf8()) }
 }
 
 /// A place in a line, which has at most 256 characters.

@@ -153,11 +153,13 @@ fn with_line_feeds(text: &str, readings: &Readings) -> String {
 fn lines(text: &str) -> Vec<Range<usize>> {
     let mut lines = Vec::with_capacity(text.len() / 8 + 1);
     let mut begin = 0;
-    for line in text.split_inclusive('\n') {
-        let ended = line.strip_suffix('\n');
-        let text = ended.map_or(line, |text| text.strip_suffix('\r').unwrap_or(text));
-        lines.push(begin..begin + text.len());
-        begin += line.len();
+    for (at, _) in text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n') {
+        let line = &text[begin..at];
+        lines.push(begin..begin + line.strip_suffix('\r').unwrap_or(line).len());
+        begin = at + 1;
+    }
+    if begin < text.len() {
+        lines.push(begin..text.len());
     }
     lines
 }
