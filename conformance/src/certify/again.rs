@@ -29,6 +29,13 @@ impl Twice {
     }
 }
 
+/// What a controller did.
+pub(super) struct Ran {
+    pub(super) found: Outcome,
+    /// How it failed where other programs had run before; this is then what it did alone, twice.
+    pub(super) before: Option<String>,
+}
+
 /// A controller and what it is to run.
 #[derive(Clone, Copy)]
 pub(super) struct Runs<'a> {
@@ -38,16 +45,16 @@ pub(super) struct Runs<'a> {
 
 impl Runs<'_> {
     /// What the controller does; where `twice` says so, only if it does the same when it is asked again.
-    pub(super) fn outcome(self, twice: bool) -> Result<Outcome, Unjudged> {
+    pub(super) fn outcome(self, twice: bool) -> Result<Ran, Unjudged> {
         let found = match self.controller.run(self.scenario) {
             Ok(found) => found,
-            Err(error) if ends_the_controller(&error) => return Err(self.ended(&error)),
+            Err(error) if is_perhaps_left(&error) => return self.failed(&error),
             Err(error) => return Err(Unjudged::from(&error)),
         };
         if twice {
             self.same_again(&found)?;
         }
-        Ok(found)
+        Ok(Ran { found, before: None })
     }
 
     /// A new controller, or one that is always new.
@@ -70,17 +77,22 @@ impl Runs<'_> {
         Some(format!("{place}{}: first {first}, then {second}", difference.field))
     }
 
-    /// The controller is gone. What ends it alone, too, is the case's; otherwise that is left open.
-    fn ended(self, error: &HarnessError) -> Unjudged {
+    /// There is no outcome. What fails alone, too, is the case's; what does not was left there by an earlier program if it never
+    /// fails alone, and chance otherwise.
+    fn failed(self, error: &HarnessError) -> Result<Ran, Unjudged> {
+        let anew = self.controller.run_anew(self.scenario);
+        let is_always_new = anew.is_none();
+        let first = match anew.unwrap_or_else(|| self.controller.run(self.scenario)) {
+            Ok(_) if is_always_new => return Err(by_chance(error)),
+            Ok(first) => first,
+            Err(again) => return Err(Unjudged::from(&again)),
+        };
         match self.alone() {
-            Err(again) if ends_the_controller(&again) => Unjudged::from(&again),
-            Err(_) => Unjudged::from(error),
-            Ok(_) => Unjudged::new(
-                Cause::Nondeterministic,
-                format!(
-                    "{error}; not so when run alone: what an earlier program left there, or chance"
-                ),
-            ),
+            Ok(second) if self.difference(&first, &second).is_none() => {
+                Ok(Ran { found: first, before: Some(error.to_string()) })
+            }
+            Ok(_) => Err(by_chance(error)),
+            Err(again) => Err(by_chance(&again)),
         }
     }
 
@@ -101,9 +113,15 @@ impl Runs<'_> {
     }
 }
 
-/// Whether the controller that did this is no more.
-fn ends_the_controller(error: &HarnessError) -> bool {
-    matches!(error, HarnessError::Crashed { .. } | HarnessError::TimedOut { .. })
+/// Whether an earlier program may have left what did this.
+fn is_perhaps_left(error: &HarnessError) -> bool {
+    use HarnessError::{Crashed, TimedOut, Unreadable};
+    matches!(error, Crashed { .. } | TimedOut { .. } | Unreadable { .. })
+}
+
+fn by_chance(error: &HarnessError) -> Unjudged {
+    let why = format!("{error}; and not so when it was run again alone");
+    Unjudged::new(Cause::Nondeterministic, why)
 }
 
 #[cfg(test)]

@@ -24,8 +24,8 @@ use crate::judge::{Finding, judge};
 use crate::observe::Observed;
 use crate::shard::Shard;
 use crate::suite::{Assertion, Case, Edition, Rule, Suite};
-use again::Runs;
 pub use again::Twice;
+use again::{Ran, Runs};
 pub use excuse::{BASELINE, EXPECTATIONS};
 use select::{Selected, Subject, select};
 pub use select::{cases, void};
@@ -166,7 +166,11 @@ impl Held<'_> {
         }
         let runs = Runs { controller, scenario: &scenario };
         let found = match runs.outcome(twice.chooses(&rule.id, &case.name)) {
-            Ok(found) => found,
+            Ok(Ran { found, before }) => {
+                result.repeated = before.is_some();
+                result.before = before;
+                found
+            }
             Err(unjudged) => {
                 result.verdict = Verdict::NotJudged(unjudged);
                 return result;

@@ -236,6 +236,8 @@ pub struct CaseResult<'a> {
     /// Whether it was run again on a new controller, since the used one departed from the documents. What the new one did
     /// is judged.
     pub repeated: bool,
+    /// How it failed where other programs had run before. It is judged by what it did alone.
+    pub before: Option<String>,
     /// A small picture of its samples, where there are any.
     pub sketch: Option<Sketch>,
     /// How long it took, with everything that was run for it. It is no part of what came of the case.
@@ -265,6 +267,7 @@ impl<'a> CaseResult<'a> {
             masked: BTreeSet::new(),
             compared: Tally::default(),
             repeated: false,
+            before: None,
             sketch: None,
             cost: Duration::ZERO,
         }

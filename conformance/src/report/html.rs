@@ -268,7 +268,14 @@ fn not_judged<'a>(report: &'a Report<'_>) -> Vec<Open<'a>> {
         let word = result.verdict.word();
         Some(Open { rule: &result.rule.id, case: result.name, word, class: class(word), why })
     };
-    report.run.cases.iter().filter_map(why).collect()
+    let leaked = report.leaks().into_iter().map(|(result, why)| Open {
+        rule: &result.rule.id,
+        case: result.name,
+        word: "leaked state",
+        class: class("nondeterministic"),
+        why,
+    });
+    report.run.cases.iter().filter_map(why).chain(leaked).collect()
 }
 
 fn fingerprint<'a>(report: &'a Report<'_>) -> Option<Fingerprint<'a>> {

@@ -195,6 +195,13 @@ impl<'a> Report<'a> {
         self.run.cases.iter().filter(diverges).collect()
     }
 
+    /// Cases that failed where other programs had run before, and not alone, with how they did: what those left there did it.
+    pub fn leaks(&self) -> Vec<(&CaseResult<'a>, &str)> {
+        let leaks = |case: &'_ CaseResult<'a>| case.before.is_some();
+        let leaking = self.run.cases.iter().filter(|case| leaks(case));
+        leaking.map(|case| (case, case.before.as_deref().unwrap_or_default())).collect()
+    }
+
     /// Fields and effects that were not shown, with the number of cases.
     pub fn masked(&self) -> BTreeMap<&str, usize> {
         let mut masked = BTreeMap::new();
@@ -226,7 +233,7 @@ impl<'a> Report<'a> {
         let fails = self.profiles.iter().any(|profile| profile.claimed && !profile.passes());
         if wrong || fails {
             1
-        } else if counts.not_judged() > 0 || counts.all() == 0 {
+        } else if counts.not_judged() > 0 || counts.all() == 0 || !self.leaks().is_empty() {
             3
         } else {
             0

@@ -27,6 +27,9 @@ pub struct StoredCase {
     pub masked: BTreeSet<String>,
     /// Whether it was judged on a new controller, since the used one departed.
     pub repeated: bool,
+    /// How it failed where other programs had run before. It was judged alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub before: Option<String>,
     /// A small picture of its samples.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sketch: Option<Sketch>,
@@ -206,6 +209,7 @@ impl StoredCase {
             compared: result.compared.clone(),
             masked: result.masked.clone(),
             repeated: result.repeated,
+            before: result.before.clone(),
             sketch: result.sketch.clone(),
         }
     }
@@ -233,6 +237,7 @@ impl StoredCase {
             masked: self.masked.clone(),
             compared: self.compared.clone(),
             repeated: self.repeated,
+            before: self.before.clone(),
             sketch: self.sketch.clone(),
             cost: Duration::ZERO,
         })

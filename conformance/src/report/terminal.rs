@@ -151,6 +151,11 @@ fn not_judged(text: &mut String, report: &Report<'_>) {
         let word = styled(YELLOW, result.verdict.word());
         line!(text, "{word} {} / {}: {}", result.rule.id, result.name, inert(why));
     }
+    for (result, how) in report.leaks() {
+        let (rule, how) = (&result.rule.id, inert(how));
+        let word = styled(YELLOW, "leaked state");
+        line!(text, "{word} {rule} / {}: judged alone; after other programs {how}", result.name);
+    }
 }
 
 fn waived(text: &mut String, report: &Report<'_>) {
@@ -264,6 +269,9 @@ fn verdict(text: &mut String, report: &Report<'_>) {
             (RED, "departs from its documents")
         }
         (1, _) => (RED, "does not pass what it claims"),
+        _ if counts.not_judged() == 0 && counts.all() > 0 => {
+            (YELLOW, "not clean: programs leave something there that fails others")
+        }
         _ => (YELLOW, "not finished: some cases were not judged"),
     };
     line!(text, "{}", styled(style, words));
