@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::certify::{Run, Verdict};
@@ -40,7 +41,7 @@ pub struct Expectations {
 }
 
 /// How a run and the expectations disagree.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "trouble", rename_all = "snake_case")]
 pub enum Trouble {
     /// A divergence that is not listed.
@@ -115,18 +116,14 @@ impl Expectations {
 
     /// What a run shows, as expectations.
     pub fn of(run: &Run<'_>, controller: &str, version: &str) -> Self {
-        let known = run.cases.iter().filter_map(|result| match &result.verdict {
-            Verdict::Diverges(departure) => Some(Known {
+        let known = run.cases.iter().filter_map(|result| {
+            let departure = result.verdict.own_departure()?;
+            Some(Known {
                 rule: result.rule.id.clone(),
                 case: result.name.to_owned(),
                 found: departure.line(),
                 explanation: joined(&departure.explanation),
-            }),
-            Verdict::Pass
-            | Verdict::ChargedElsewhere(_)
-            | Verdict::Unsupported(_)
-            | Verdict::Inconclusive(_)
-            | Verdict::NotJudged(_) => None,
+            })
         });
         Self {
             controller: controller.to_owned(),
@@ -163,15 +160,16 @@ impl Expectations {
         for result in &run.cases {
             let (rule, case) = (result.rule.id.clone(), result.name.to_owned());
             let known = listed.remove(&(result.rule.id.as_str(), result.name));
-            match (&result.verdict, known) {
-                (Verdict::Diverges(departure), None) => {
+            let own = result.verdict.own_departure();
+            match (&result.verdict, own, known) {
+                (_, Some(departure), None) => {
                     troubles.push(Trouble::New { rule, case, found: departure.line() });
                 }
-                (Verdict::Diverges(departure), Some(known)) if departure.line() != known.found => {
+                (_, Some(departure), Some(known)) if departure.line() != known.found => {
                     let (listed, found) = (known.found.clone(), departure.line());
                     troubles.push(Trouble::Changed { rule, case, listed, found });
                 }
-                (Verdict::ChargedElsewhere(departure), None)
+                (Verdict::ChargedElsewhere(departure), _, None)
                     if !departure
                         .explanation
                         .iter()
@@ -179,18 +177,14 @@ impl Expectations {
                 {
                     troubles.push(Trouble::New { rule, case, found: departure.line() });
                 }
-                (Verdict::Diverges(_), Some(_)) | (_, None) => {}
-                (Verdict::Pass | Verdict::ChargedElsewhere(_), Some(_)) => {
+                (_, Some(_), Some(_)) | (_, None, None) => {}
+                (Verdict::Pass | Verdict::ChargedElsewhere(_), None, Some(_)) => {
                     let why = "the case passes: take the entry out".to_owned();
                     troubles.push(Trouble::Stale { rule, case, why });
                 }
-                (
-                    Verdict::Unsupported(why)
-                    | Verdict::Inconclusive(why)
-                    | Verdict::NotJudged(why),
-                    Some(_),
-                ) => {
-                    let why = format!("the case is not judged: {why}");
+                (verdict, None, Some(_)) => {
+                    let why = verdict.why().unwrap_or_default();
+                    let why = format!("the case is not judged: {}: {why}", verdict.word());
                     troubles.push(Trouble::Stale { rule, case, why });
                 }
             }

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use gaugeblock_trace::Options;
 use gaugeblock_trace::scenario::Bench;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use crate::adapters::Adapter;
 use crate::judge::{Finding, judge};
@@ -11,16 +13,78 @@ use crate::observe::Observed;
 use crate::suite::{Choice, Suite};
 
 /// What a controller shows of a choice.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Shown {
     /// Exactly this option.
     Option(String),
     /// None of the options: it does something else.
+    #[serde(rename = "none")]
     Nothing(Vec<String>),
     /// More than one: what tells them apart is not shown.
+    #[serde(rename = "any_of")]
     Several(Vec<String>),
     /// The program could not be run.
     NotRun(String),
+}
+
+impl std::fmt::Display for Shown {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Option(option) => write!(f, "{option}"),
+            Self::Nothing(why) => write!(f, "none of the options: {}", why.join("; ")),
+            Self::Several(options) => write!(f, "cannot be told: {}", options.join(" or ")),
+            Self::NotRun(why) => write!(f, "not run: {why}"),
+        }
+    }
+}
+
+/// A choice or quirk: what a controller is held to, and what it shows.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Trait {
+    /// The choice or quirk.
+    pub choice: String,
+    /// The option that it is held to.
+    pub held_to: String,
+    /// Whether that is its own declaration, and not the edition's.
+    pub declared: bool,
+    /// What it shows.
+    pub shown: Shown,
+}
+
+impl Trait {
+    /// Whether it shows for sure what it is held to.
+    pub fn agrees(&self) -> bool {
+        matches!(&self.shown, Shown::Option(option) if *option == self.held_to)
+    }
+
+    /// Whether it shows for sure something else than what it is held to.
+    pub fn departs(&self) -> bool {
+        match &self.shown {
+            Shown::Option(option) => *option != self.held_to,
+            Shown::Several(options) => !options.contains(&self.held_to),
+            Shown::Nothing(_) => true,
+            Shown::NotRun(_) => false,
+        }
+    }
+}
+
+/// What a controller shows of every choice, beside what it is held to.
+pub fn traits(
+    suite: &Suite,
+    options: &Options,
+    bench: Option<&str>,
+    controller: &dyn Adapter,
+) -> Vec<Trait> {
+    let declared = controller.options();
+    let shown = fingerprint(suite, options, bench, controller).into_iter();
+    let beside = shown.map(|(choice, shown)| Trait {
+        choice: choice.id.clone(),
+        held_to: options.get(&choice.id).unwrap_or_default().to_owned(),
+        declared: declared.get(&choice.id).is_some(),
+        shown,
+    });
+    beside.collect()
 }
 
 /// What a controller shows of every choice, in order.

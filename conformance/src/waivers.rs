@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use crate::certify::{Run, Verdict};
+use crate::certify::Run;
 use crate::expectations::Trouble;
 
 /// A day of the calendar.
@@ -83,6 +83,24 @@ pub struct Waiver {
     pub expires: Day,
 }
 
+/// A case whose divergence is waived.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Waived {
+    /// The rule.
+    pub rule: String,
+    /// Its case.
+    pub case: String,
+    /// Who answers for it, until when, and why.
+    pub why: String,
+}
+
+impl Waived {
+    /// Its rule and case.
+    pub fn place(&self) -> (&str, &str) {
+        (&self.rule, &self.case)
+    }
+}
+
 /// A file of waivers.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -109,16 +127,16 @@ impl Waivers {
         }
     }
 
-    /// What is wrong in spite of the waivers, and a sentence for each that holds: of `troubles`, or of all divergences of the run
-    /// where it was held against nothing else.
+    /// What is wrong in spite of the waivers, and what is waived: of `troubles`, or of all divergences of the run where it was held
+    /// against nothing else.
     pub fn hold(
         &self,
         run: &Run<'_>,
         troubles: Option<Vec<Trouble>>,
         today: Day,
-    ) -> (Vec<Trouble>, Vec<String>) {
+    ) -> (Vec<Trouble>, Vec<Waived>) {
         let troubles = troubles.unwrap_or_else(|| divergences(run));
-        let (mut left, mut notes) = (Vec::new(), Vec::new());
+        let (mut left, mut held) = (Vec::new(), Vec::new());
         let mut used = vec![false; self.waiver.len()];
         for trouble in troubles {
             let (rule, case) = trouble.place();
@@ -129,15 +147,14 @@ impl Waivers {
                 Some((waiver, used)) if !matches!(trouble, Trouble::Stale { .. }) => {
                     *used = true;
                     let Waiver { owner, reason, expires, .. } = waiver;
+                    let (rule, case) = (rule.to_owned(), case.to_owned());
                     if *expires < today {
-                        let (rule, case) = (rule.to_owned(), case.to_owned());
                         let why =
                             format!("waived by {owner} until {expires}, which is over: {reason}");
                         left.push(Trouble::Stale { rule, case, why });
                     } else {
-                        notes.push(format!(
-                            "waived by {owner} until {expires}: {trouble}: {reason}"
-                        ));
+                        let why = format!("by {owner} until {expires}: {reason}");
+                        held.push(Waived { rule, case, why });
                     }
                 }
                 _ => left.push(trouble),
@@ -148,22 +165,18 @@ impl Waivers {
             let why = format!("waived by {}, and there is nothing to waive", waiver.owner);
             left.push(Trouble::Stale { rule: waiver.rule.clone(), case, why });
         }
-        (left, notes)
+        (left, held)
     }
 }
 
 /// Every divergence of a run, as one that is not listed.
 fn divergences(run: &Run<'_>) -> Vec<Trouble> {
-    let departed = run.cases.iter().filter_map(|result| match &result.verdict {
-        Verdict::Diverges(departure) | Verdict::ChargedElsewhere(departure) => Some(Trouble::New {
+    let departed = run.cases.iter().filter_map(|result| {
+        Some(Trouble::New {
             rule: result.rule.id.clone(),
             case: result.name.to_owned(),
-            found: departure.line(),
-        }),
-        Verdict::Pass
-        | Verdict::Unsupported(_)
-        | Verdict::Inconclusive(_)
-        | Verdict::NotJudged(_) => None,
+            found: result.verdict.departure()?.line(),
+        })
     });
     departed.collect()
 }

@@ -10,8 +10,9 @@ use std::time::Duration;
 
 use common::gaugeblock;
 use gaugeblock::adapters::exec::{Exec, Limits};
-use gaugeblock::certify::{Plan, Verdict, certify};
+use gaugeblock::certify::{CaseResult, Course, Plan, Twice, Verdict, certify_in};
 use gaugeblock::protocol::{Answer, Request};
+use gaugeblock::shard::Shard;
 use gaugeblock::suite::{Suite, files};
 
 const PAGE: &str = include_str!("../adapters/PROTOCOL.md");
@@ -113,62 +114,97 @@ fn a_controller_gets_the_same_verdicts_through_the_protocol() {
     }
 }
 
-/// What an adapter does on one program, and what the reason of its case says then; it passes where nothing is said.
-fn misbehaviours() -> Vec<(&'static str, &'static str, &'static str)> {
-    let entries = include_str!("misbehaviours.txt").split("\n\n").skip(1);
+/// What an adapter does on one program, and the verdict of its case with its reason; it passes where nothing is said.
+fn misbehaviours(text: &'static str) -> Vec<(&'static str, &'static str, &'static str)> {
+    let entries = text.split("\n\n").skip(1);
     let entry = |text: &'static str| {
-        let mut lines = text.lines();
-        let mut next = || lines.next().unwrap_or_default().trim();
-        (next(), next(), next().trim_start_matches("> "))
+        let (name, rest) = text.split_once('\n').unwrap_or((text, ""));
+        let (does, expected) = rest.split_once("  > ").unwrap_or((rest, ""));
+        (name.trim(), does, expected.trim())
     };
     entries.map(entry).collect()
 }
 
 const LOOP: &str = "for request in map(json.loads, sys.stdin):\n";
 
-/// The verdicts of one rule's cases on a controller: that of the case that is meddled with, and the others.
-fn verdicts_of(command: &str, suite: &Suite) -> (Verdict, Vec<Verdict>) {
-    let limits = Limits { time: Duration::from_secs(1), bytes: 1 << 20, ..Limits::default() };
-    let controller =
-        Exec::start(command, limits).unwrap_or_else(|error| panic!("{command}: {error}"));
+/// The verdicts of one rule's cases on a controller: that of the case that is meddled with and whether it was judged alone, and the
+/// others.
+fn verdicts_of(
+    command: &str,
+    suite: &Suite,
+    twice: Twice,
+    seconds: u64,
+) -> ((Verdict, bool), Vec<Verdict>) {
+    let time = Duration::from_secs(seconds);
+    let limits = Limits { time, bytes: 1 << 20, ..Limits::default() };
+    // Where a machine has much to do, a start may take longer than the answers that are waited for here.
+    let mut starts = (0..5).map(|_| Exec::start(command, limits));
+    let controller = starts.find_map(Result::ok).unwrap_or_else(|| panic!("{command}: no start"));
     let edition = suite.edition("linuxcnc-2.9").expect("the edition");
     let only = ["modal-groups.g-code-out-of-range".to_owned()];
     let plan = Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
-    let run = certify(plan, &controller, &|| ());
+    let mut each = |_: &CaseResult<'_>| {};
+    let course =
+        Course { shard: Shard::WHOLE, done: Vec::new(), twice, shrink: 0, each: &mut each };
+    let run = certify_in(plan, &controller, course);
     let (it, others): (Vec<_>, Vec<_>) =
         run.cases.into_iter().partition(|case| case.name == "g101");
-    let it = it.into_iter().next().expect("the case").verdict;
-    (it, others.into_iter().map(|case| case.verdict).collect())
+    let it = it.into_iter().next().expect("the case");
+    let others = others.into_iter().map(|case| case.verdict).collect();
+    ((it.verdict, it.repeated), others)
 }
 
-#[test]
-fn whatever_a_controller_does_the_other_verdicts_stand_and_nothing_is_left() {
+/// Whether a verdict is the one that is expected: its word, and what its reason says.
+fn is_right((verdict, alone): &(Verdict, bool), expected: &str) -> bool {
+    let expected = if expected.is_empty() { "pass" } else { expected };
+    let (word, reason) = expected.split_once(": ").unwrap_or((expected, ""));
+    let (word, is_alone) = word.strip_suffix(", alone").map_or((word, false), |word| (word, true));
+    let why = verdict.why().unwrap_or_default();
+    let is_inert = !why.contains(char::is_control);
+    verdict.word() == word && *alone == is_alone && why.contains(reason) && is_inert
+}
+
+/// Runs the behaviours of a list: each gets its verdict, and the others theirs.
+fn each_gets_its_verdict(list: &'static str, twice: Twice) {
     let suite = Suite::read(&files::built_in()).expect("the suite");
-    let (plain, usual) = verdicts_of(&changed("well-behaved.py", &[]), &suite);
-    assert_eq!(plain, Verdict::Pass);
+    let (plain, usual) = verdicts_of(&changed("well-behaved.py", &[]), &suite, twice, 20);
+    assert_eq!(plain, (Verdict::Pass, false));
     assert!(usual.iter().filter(|verdict| **verdict == Verdict::Pass).count() >= 3);
     let mut wrong = Vec::new();
-    let all = misbehaviours();
-    assert!(all.len() > 40, "{}", all.len());
-    for (name, does, reason) in all {
+    for (name, does, expected) in misbehaviours(list) {
         let when =
             "    if request['op'] == 'run' and 'g101' in request['scenario']['program']['main']:\n";
-        let meddled = format!("{LOOP}{when}        {does}\n");
-        let command = changed(&format!("{}.py", name.replace(' ', "-")), &[(LOOP, &meddled)]);
-        let (verdict, others) = verdicts_of(&command, &suite);
-        let is_right = if let Verdict::NotJudged(why) = &verdict {
-            !reason.is_empty() && why.contains(reason) && !why.contains(char::is_control)
-        } else {
-            reason.is_empty() && verdict == Verdict::Pass
-        };
-        if !is_right || others != usual {
-            wrong
-                .push(format!("{name}: {verdict:?}, the others are the same: {}", others == usual));
+        let does = if does.trim().is_empty() { "  pass" } else { does };
+        let does = does.replace("\n  ", "\n        ");
+        let meddled = format!("{LOOP}{when}      {does}\n");
+        // Only what hangs is waited for in vain.
+        let hangs = does.contains("no end after") || expected.contains("no end after");
+        let seconds = if hangs { 2 } else { 20 };
+        let file = format!("{}-{}.py", name.replace(' ', "-"), twice.0);
+        let (found, others) =
+            verdicts_of(&changed(&file, &[(LOOP, &meddled)]), &suite, twice, seconds);
+        if !is_right(&found, expected) || others != usual {
+            let same = others == usual;
+            wrong.push(format!(
+                "{name}: {found:?}, not {expected}; the others are the same: {same}"
+            ));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     let left = Command::new("pgrep").args(["-f", "sleep 4321"]).output().expect("pgrep");
     assert_eq!(text(&left.stdout), "", "processes are left behind");
+}
+
+#[test]
+fn whatever_a_controller_does_the_other_verdicts_stand_and_nothing_is_left() {
+    let list = include_str!("misbehaviours.txt");
+    assert!(misbehaviours(list).len() > 50, "{}", misbehaviours(list).len());
+    each_gets_its_verdict(list, Twice(0));
+}
+
+#[test]
+fn a_controller_that_answers_otherwise_the_second_time_is_told_from_one_that_does_not() {
+    each_gets_its_verdict(include_str!("asked_twice.txt"), Twice(100));
 }
 
 #[test]
@@ -178,7 +214,9 @@ fn a_controller_that_crashes_is_no_pass() {
     let output =
         gaugeblock(&["certify", &controller, "--only", "modal-groups.g-code-out-of-range"]);
     assert_eq!(output.status.code(), Some(3), "{}", text(&output.stdout));
-    assert!(text(&output.stdout).contains("crashed (exit status 3, asked to `run`)"));
+    let said = text(&output.stdout);
+    assert!(said.contains("crashed (exit status 3, asked to `run`)"), "{said}");
+    assert!(said.contains("crash modal-groups.g-code-out-of-range / g101"), "{said}");
 }
 
 #[test]
@@ -208,7 +246,8 @@ fn a_controller_that_cannot_be_asked_is_told_before_anything_runs() {
         ),
     ] {
         let controller = format!("exec:{}", changed(name, &changes));
-        let output = gaugeblock(&["certify", &controller, "--time-limit", "1"]);
+        let limit = if name == "silent.py" { "1" } else { "20" };
+        let output = gaugeblock(&["certify", &controller, "--time-limit", limit]);
         let message = text(&output.stderr);
         let status = if name == "edition.py" { 2 } else { 3 };
         assert_eq!(output.status.code(), Some(status), "{name}: {message}");

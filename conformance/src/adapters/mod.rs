@@ -260,8 +260,10 @@ impl std::error::Error for ControllerError {}
 /// Why a run has no outcome. Never an outcome, never a pass.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum HarnessError {
-    /// The controller could not be started, or its private files not be written.
+    /// The controller could not be started or asked, or its private files not be written.
     NotRun(String),
+    /// Nobody has run it: there is no answer, and no fault either.
+    Absent(String),
     /// It was ended by a signal, or with a status that it does not document.
     Crashed {
         /// How it ended.
@@ -301,6 +303,7 @@ impl fmt::Display for HarnessError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotRun(why) => write!(f, "not run: {why}"),
+            Self::Absent(why) => write!(f, "{why}"),
             Self::Crashed { status, stderr } => write!(f, "crashed ({status}): {stderr}"),
             Self::TimedOut { seconds } => write!(f, "no end after {seconds} s"),
             Self::Flooded { bytes } => write!(f, "more than {bytes} bytes of output"),

@@ -1,6 +1,10 @@
 //! The suite run against a controller: a verdict for each case, in any order and in parallel with the same result.
 
+mod again;
+mod excuse;
+mod moved;
 mod select;
+mod shrunk;
 mod verdict;
 
 use std::collections::BTreeMap;
@@ -9,21 +13,23 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use gaugeblock_trace::motion::Samples;
 use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{End, Options, Outcome, Scenario};
 
-use crate::adapters::{Adapter, Motion, NotMoved};
-use crate::compare::{Basis, compare};
+use crate::adapters::Adapter;
+use crate::adapters::exec::now;
+use crate::compare::{Basis, compare, state};
 use crate::explain::{Departed, Other};
 use crate::judge::{Finding, judge};
-use crate::motion;
 use crate::observe::Observed;
 use crate::shard::Shard;
-use crate::suite::{Assertion, Case, Edition, MotionCase, Rule, Suite};
+use crate::suite::{Assertion, Case, Edition, Rule, Suite};
+pub use again::Twice;
+use again::{Ran, Runs};
+pub use excuse::{BASELINE, EXPECTATIONS};
 use select::{Selected, Subject, select};
 pub use select::{cases, void};
-pub use verdict::{CaseResult, Departure, Run, Traces, Verdict};
+pub use verdict::{CaseResult, Cause, Departure, Run, Traces, Unjudged, Verdict};
 
 /// What is run, and how.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +50,10 @@ pub struct Course<'a, 'c> {
     pub shard: Shard,
     /// What was run before, which is not run again.
     pub done: Vec<CaseResult<'a>>,
+    /// Which cases are run twice.
+    pub twice: Twice,
+    /// How many programs are tried to make that of a divergence smaller, where nothing explains it; none where it stays as it is.
+    pub shrink: u32,
     /// Told of each case that is run, one at a time.
     pub each: &'c mut (dyn FnMut(&CaseResult<'a>) + Send),
 }
@@ -57,13 +67,21 @@ impl fmt::Debug for Course<'_, '_> {
 /// Runs the suite; `done` is told of each finished case.
 pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + Sync)) -> Run<'a> {
     let mut each = |_: &CaseResult<'a>| done();
-    certify_in(plan, controller, Course { shard: Shard::WHOLE, done: Vec::new(), each: &mut each })
+    let course = Course {
+        shard: Shard::WHOLE,
+        done: Vec::new(),
+        twice: Twice::default(),
+        shrink: 0,
+        each: &mut each,
+    };
+    certify_in(plan, controller, course)
 }
 
 /// Runs as much of the suite as is to be run.
 pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'a, '_>) -> Run<'a> {
     let options = options_of(plan.suite, plan.edition, controller);
     let Selected { void, cases } = select(plan, controller.has_laws_of_motion()).of(course.shard);
+    let (twice, shrink) = (course.twice, course.shrink);
     let mut before = BTreeMap::new();
     for result in course.done {
         before.insert((result.rule.id.as_str(), result.name), result);
@@ -89,10 +107,13 @@ pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'
                     let turn = next.fetch_add(1, Ordering::Relaxed);
                     let Some((_, place)) = order.get(turn) else { break };
                     let (rule, subject) = cases[*place];
-                    let result = match subject {
-                        Subject::Run(case) => run_case(plan, &options, controller, rule, case),
-                        Subject::Motion(case) => run_motion(plan, &options, controller, rule, case),
+                    let held = Held { plan, options: &options, controller, twice, shrink };
+                    let begun = now();
+                    let mut result = match subject {
+                        Subject::Run(case) => held.run_case(rule, case),
+                        Subject::Motion(case) => held.run_motion(rule, case),
                     };
+                    result.cost = begun.elapsed();
                     let mut guard = results.lock().unwrap_or_else(PoisonError::into_inner);
                     let (results, each) = &mut *guard;
                     each(&result);
@@ -102,7 +123,12 @@ pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'
         }
     });
     let (results, _) = results.into_inner().unwrap_or_else(PoisonError::into_inner);
-    Run { edition: plan.edition, cases: results.into_iter().flatten().collect(), void }
+    Run {
+        edition: plan.edition,
+        cases: results.into_iter().flatten().collect(),
+        void,
+        fingerprint: None,
+    }
 }
 
 /// The options that a controller is held to: the edition's, and on top of them those that it declares to read the documents by.
@@ -114,126 +140,82 @@ pub fn options_of(suite: &Suite, edition: &Edition, controller: &dyn Adapter) ->
     options
 }
 
-fn run_case<'a>(
-    plan: Plan<'_>,
-    options: &Options,
-    controller: &dyn Adapter,
-    rule: &'a Rule,
-    case: &'a Case,
-) -> CaseResult<'a> {
-    let scenario = scenario_of(case, options, plan.edition);
-    let mut result = CaseResult::begun(rule, &case.name, &case.program);
-    if let Err(reason) = controller.supports(&scenario) {
-        result.verdict = Verdict::Unsupported(reason);
-        return result;
+/// A controller, and what it is held to.
+#[derive(Clone, Copy)]
+struct Held<'a> {
+    plan: Plan<'a>,
+    options: &'a Options,
+    controller: &'a dyn Adapter,
+    twice: Twice,
+    shrink: u32,
+}
+
+impl Held<'_> {
+    fn run_case<'r>(self, rule: &'r Rule, case: &'r Case) -> CaseResult<'r> {
+        let Self { plan, options, controller, twice, shrink } = self;
+        let scenario = scenario_of(case, options, plan.edition);
+        let mut result = CaseResult::begun(rule, &case.name, &case.program);
+        if let Err(reason) = controller.supports(&scenario) {
+            result.verdict = Verdict::Unsupported(reason);
+            return result;
+        }
+        let expected = gaugeblock_reference::run(&scenario).0;
+        if let Some(why) = left_open(&expected.end) {
+            result.verdict = Verdict::Inconclusive(why);
+            return result;
+        }
+        let runs = Runs { controller, scenario: &scenario };
+        let found = match runs.outcome(twice.chooses(&rule.id, &case.name)) {
+            Ok(Ran { found, before }) => {
+                result.repeated = before.is_some();
+                result.before = before;
+                found
+            }
+            Err(unjudged) => {
+                result.verdict = Verdict::NotJudged(unjudged);
+                return result;
+            }
+        };
+        if let End::Unsupported { what, .. } = &found.end {
+            result.verdict = Verdict::Unsupported(what.clone());
+            return result;
+        }
+        let against = Against {
+            suite: plan.suite,
+            scenario: &scenario,
+            edition: &plan.edition.id,
+            controller,
+        };
+        match against.lasting(case, &expected, found, &mut result) {
+            Ok(Some((departure, found))) => {
+                result.verdict = against.charged(rule, case, departure, &found);
+            }
+            Ok(None) => {}
+            Err(unjudged) => result.verdict = Verdict::NotJudged(unjudged),
+        }
+        // A smaller program could depart by another quirk in the same way, so that what is explained stays as it is.
+        if let (Verdict::Diverges(departure), 1..) = (&mut result.verdict, shrink)
+            && departure.explanation.is_empty()
+        {
+            departure.shrunk = shrunk::smallest(controller, &scenario, shrink);
+        }
+        result
     }
-    let expected = gaugeblock_reference::run(&scenario).0;
-    match &expected.end {
-        End::Unsupported { what, .. } => {
-            result.verdict =
-                Verdict::Inconclusive(format!("the model does not specify it yet: {what}"));
-            return result;
-        }
-        End::Unspecified { why, .. } => {
-            result.verdict = Verdict::Inconclusive(format!("the documents leave it open: {why}"));
-            return result;
-        }
+}
+
+/// Why the specification says nothing of a case.
+fn left_open(end: &End) -> Option<String> {
+    match end {
+        End::Unsupported { what, .. } => Some(format!("the model does not specify it yet: {what}")),
+        End::Unspecified { why, .. } => Some(format!("the documents leave it open: {why}")),
         End::ProgramEnd
         | End::PercentEnd
         | End::Endless
         | End::Paused
         | End::Aborted
         | End::Fault(_)
-        | End::BudgetExhausted { .. } => {}
+        | End::BudgetExhausted { .. } => None,
     }
-    let found = match controller.run(&scenario) {
-        Ok(found) => found,
-        Err(error) => {
-            result.verdict = Verdict::NotJudged(error.to_string());
-            return result;
-        }
-    };
-    if let End::Unsupported { what, .. } = &found.end {
-        result.verdict = Verdict::Unsupported(what.clone());
-        return result;
-    }
-    let against =
-        Against { suite: plan.suite, scenario: &scenario, edition: &plan.edition.id, controller };
-    if let Some((departure, found)) = against.lasting(case, &expected, found, &mut result) {
-        let departed = against.departed(rule, case, &found);
-        let why = departure.divergence.as_ref().map(|_| departed.explanation()).unwrap_or_default();
-        let explanation = why.iter().map(Other::name).collect();
-        let departure = Departure { explanation, ..departure };
-        result.verdict = if is_charged_elsewhere(departed, &departure, &why) {
-            Verdict::ChargedElsewhere(departure)
-        } else {
-            Verdict::Diverges(departure)
-        };
-    }
-    result
-}
-
-/// A case of motion: its own samples, or what the controller makes of its program at each feed of segments.
-fn run_motion<'a>(
-    plan: Plan<'_>,
-    options: &Options,
-    controller: &dyn Adapter,
-    rule: &'a Rule,
-    case: &'a MotionCase,
-) -> CaseResult<'a> {
-    let mut result = CaseResult::begun(rule, &case.name, &case.program);
-    let bench = plan.edition.bench.as_ref();
-    let (scenario, path) = match motion::asked(case, options, bench) {
-        Ok(asked) => asked,
-        Err(why) => {
-            result.verdict = Verdict::Inconclusive(why);
-            return result;
-        }
-    };
-    let readings = plan.suite.motion_options(plan.edition);
-    let feeds: &[Option<u32>] = if case.is_recorded() { &[None] } else { &motion::FEEDS };
-    for every in feeds {
-        let held = samples_of(controller, &scenario, case, *every)
-            .map(|samples| motion::held(case, &rule.id, &readings, (&samples, &path)));
-        match held {
-            Ok(Ok(())) => result.compared.add(Basis::Laws, case.says.len()),
-            Ok(Err((saying, found))) => {
-                let fed = every
-                    .map_or(String::new(), |every| format!("with a segment in {every} cycles: "));
-                let assertion = Some((saying, format!("{fed}{found}")));
-                result.verdict = Verdict::Diverges(Departure {
-                    assertion,
-                    divergence: None,
-                    explanation: Vec::new(),
-                    traces: None,
-                });
-                break;
-            }
-            Err(NotMoved::Unsupported(why)) => {
-                result.verdict = Verdict::Unsupported(why);
-                break;
-            }
-            Err(NotMoved::Failed(why)) => {
-                result.verdict = Verdict::NotJudged(why);
-                break;
-            }
-        }
-    }
-    result
-}
-
-fn samples_of(
-    controller: &dyn Adapter,
-    scenario: &Scenario,
-    case: &MotionCase,
-    every: Option<u32>,
-) -> Result<Samples, NotMoved> {
-    if case.is_recorded() {
-        return motion::made(case).map_err(NotMoved::Failed);
-    }
-    let limits = case.limits().map_err(NotMoved::Failed)?;
-    let script = case.script();
-    controller.moves(&Motion { scenario, limits: &limits, script: &script, every })
 }
 
 /// The scenario of a case under an edition. The edition's bench answers where the case has none of its own.
@@ -263,28 +245,51 @@ struct Against<'a> {
 
 impl Against<'_> {
     /// The departure that a controller shows on which nothing ran before, and what it did; another one may only have kept
-    /// something of an earlier program. What it is known to do needs no second run.
+    /// something of an earlier program. What it is known to do needs no second run, and one that does something else each time has no
+    /// verdict.
     fn lasting(
         &self,
         case: &Case,
         expected: &Outcome,
         found: Outcome,
         result: &mut CaseResult<'_>,
-    ) -> Option<(Departure, Outcome)> {
-        let unjudged = result.clone();
-        let departure = self.departure(case, expected, &found, result)?;
+    ) -> Result<Option<(Departure, Outcome)>, Unjudged> {
+        let begun = result.clone();
+        let Some(departure) = self.departure(case, expected, &found, result) else {
+            return Ok(None);
+        };
         if self.departed(result.rule, case, &found).is_known(self.edition) {
-            return Some((departure, found));
+            return Ok(Some((departure, found)));
         }
         let Some(Ok(anew)) = self.controller.run_anew(self.scenario) else {
-            return Some((departure, found));
+            return Ok(Some((departure, found)));
         };
         if anew == found {
-            return Some((departure, found));
+            return Ok(Some((departure, found)));
         }
-        *result = CaseResult { repeated: true, ..unjudged };
-        let departure = self.departure(case, expected, &anew, result)?;
-        Some((departure, anew))
+        *result = CaseResult { repeated: true, ..begun };
+        let runs = Runs { controller: self.controller, scenario: self.scenario };
+        if let Ok(once_more) = runs.alone()
+            && let Some(difference) = runs.difference(&anew, &once_more)
+        {
+            let why = format!("twice on a new controller: {difference}");
+            return Err(Unjudged { cause: Cause::Nondeterministic, why });
+        }
+        let departure = self.departure(case, expected, &anew, result);
+        Ok(departure.map(|departure| (departure, anew)))
+    }
+
+    /// Whose departure it is: that of the rule, or of others that are about what explains it.
+    fn charged(&self, rule: &Rule, case: &Case, departure: Departure, found: &Outcome) -> Verdict {
+        let departed = self.departed(rule, case, found);
+        let why = departure.divergence.as_ref().map(|_| departed.explanation()).unwrap_or_default();
+        let explanation = why.iter().map(Other::name).collect();
+        let departure = Departure { explanation, ..departure };
+        if is_charged_elsewhere(departed, &departure, &why) {
+            Verdict::ChargedElsewhere(departure)
+        } else {
+            Verdict::Diverges(departure)
+        }
     }
 
     fn departed<'a>(&'a self, rule: &'a Rule, case: &'a Case, found: &'a Outcome) -> Departed<'a> {
@@ -327,10 +332,10 @@ impl Against<'_> {
         result.compared.extend(&comparison.compared);
         let divergence = comparison.divergence.map(|divergence| divergence.to_string());
         let departs = assertion.is_some() || divergence.is_some();
-        let explanation = Vec::new();
         departs.then(|| {
             let traces = Some(Traces::of(outcomes.0, outcomes.1));
-            Departure { assertion, divergence, explanation, traces }
+            let state = state(&expected, &found, &shows);
+            Departure { assertion, divergence, traces, state, ..Departure::default() }
         })
     }
 }

@@ -1,11 +1,19 @@
 //! What comes of cases and of a run.
+//!
+//! **Invariant:** nothing but `Pass` and `ChargedElsewhere` says that a controller does what the documents say.
 
 use std::collections::BTreeSet;
+use std::fmt;
+use std::time::Duration;
 
 use gaugeblock_trace::Outcome;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::compare::Tally;
+use crate::adapters::HarnessError;
+use crate::compare::{StateDifference, Tally};
+use crate::fingerprint::Trait;
+use crate::motion::Sketch;
 use crate::suite::{Edition, Rule};
 
 /// What came of a case.
@@ -18,12 +26,142 @@ pub enum Verdict {
     /// The case's own assertions hold, and the one difference is a quirk that this rule is not about: it is charged to
     /// the rules that name the quirk. Everything else is as the documents say.
     ChargedElsewhere(Departure),
+    /// It does something else, exactly as is known of it. Who knows: the expectations, or an earlier report.
+    Known(Departure, String),
+    /// It does something else, and somebody answers for it until a day: who, until when and why.
+    Waived(Departure, String),
     /// Not run: the controller declared not to have this, or not to show it.
     Unsupported(String),
-    /// Nothing can be said, and why. Never a pass.
+    /// The documents or the model leave it open, and why. Never a pass.
     Inconclusive(String),
-    /// The controller crashed, hung or was not understood. Never a pass.
-    NotJudged(String),
+    /// There is no outcome to judge, or more than one. Never a pass.
+    NotJudged(Unjudged),
+}
+
+impl Verdict {
+    /// In a word or two, as every report names it.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Diverges(_) => "diverges",
+            Self::ChargedElsewhere(_) => "charged elsewhere",
+            Self::Known(..) => "known",
+            Self::Waived(..) => "waived",
+            Self::Unsupported(_) => "unsupported",
+            Self::Inconclusive(_) => "inconclusive",
+            Self::NotJudged(unjudged) => unjudged.cause.word(),
+        }
+    }
+
+    /// What the controller does otherwise, whoever knows of it.
+    pub fn departure(&self) -> Option<&Departure> {
+        match self {
+            Self::Diverges(departure)
+            | Self::ChargedElsewhere(departure)
+            | Self::Known(departure, _)
+            | Self::Waived(departure, _) => Some(departure),
+            Self::Pass | Self::Unsupported(_) | Self::Inconclusive(_) | Self::NotJudged(_) => None,
+        }
+    }
+
+    /// What the controller does otherwise in what the rule is about, whoever knows of it.
+    pub fn own_departure(&self) -> Option<&Departure> {
+        if matches!(self, Self::ChargedElsewhere(_)) { None } else { self.departure() }
+    }
+
+    /// Who knows of a departure, or answers for it.
+    pub fn excuse(&self) -> Option<&str> {
+        if let Self::Known(_, who) | Self::Waived(_, who) = self { Some(who) } else { None }
+    }
+
+    /// Why nothing can be said, where that is so.
+    pub fn open(&self) -> Option<&str> {
+        if matches!(self, Self::Unsupported(_)) { None } else { self.why() }
+    }
+
+    /// Why nothing was compared, where that is so.
+    pub fn why(&self) -> Option<&str> {
+        match self {
+            Self::Unsupported(why)
+            | Self::Inconclusive(why)
+            | Self::NotJudged(Unjudged { why, .. }) => Some(why),
+            Self::Pass
+            | Self::Diverges(_)
+            | Self::ChargedElsewhere(_)
+            | Self::Known(..)
+            | Self::Waived(..) => None,
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.word())?;
+        let said = self.departure().map(Departure::line);
+        match self.why().map(str::to_owned).or(said) {
+            Some(why) => write!(f, ": {why}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Why a case that was to be run has no verdict.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unjudged {
+    /// In a word.
+    pub cause: Cause,
+    /// In a sentence.
+    pub why: String,
+}
+
+impl Unjudged {
+    pub(super) fn new(cause: Cause, why: impl Into<String>) -> Self {
+        Self { cause, why: why.into() }
+    }
+}
+
+impl From<&HarnessError> for Unjudged {
+    fn from(error: &HarnessError) -> Self {
+        let cause = match error {
+            HarnessError::Crashed { .. } => Cause::Crash,
+            HarnessError::TimedOut { .. } => Cause::Timeout,
+            HarnessError::Absent(_) => Cause::NotRun,
+            HarnessError::NotRun(_)
+            | HarnessError::Flooded { .. }
+            | HarnessError::Unreadable { .. }
+            | HarnessError::UnknownMessage(_)
+            | HarnessError::ObservationDisturbs { .. } => Cause::HarnessError,
+        };
+        Self::new(cause, error.to_string())
+    }
+}
+
+/// What keeps a case from being judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Cause {
+    /// Of two runs of the same case one did something else.
+    Nondeterministic,
+    /// The controller died of it, also when nothing else had run before.
+    Crash,
+    /// The controller did not end in time.
+    Timeout,
+    /// The controller could not be started or asked, or what it said is no answer.
+    HarnessError,
+    /// Nobody has run it.
+    NotRun,
+}
+
+impl Cause {
+    /// In a word or two.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Nondeterministic => "nondeterministic",
+            Self::Crash => "crash",
+            Self::Timeout => "timeout",
+            Self::HarnessError => "harness error",
+            Self::NotRun => "not run",
+        }
+    }
 }
 
 /// What a controller does otherwise, in words that stay the same from run to run.
@@ -37,10 +175,14 @@ pub struct Departure {
     pub explanation: Vec<String>,
     /// What happened, side by side; none for servo samples.
     pub traces: Option<Traces>,
+    /// In what the state differs, where it does so first.
+    pub state: Option<StateDifference>,
+    /// The smallest program that departs in the same way, where it was looked for.
+    pub shrunk: Option<String>,
 }
 
 /// What the documents say that happens, and what did, as texts. Long ones are cut.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Traces {
     /// By the documents.
     pub expected: String,
@@ -94,6 +236,12 @@ pub struct CaseResult<'a> {
     /// Whether it was run again on a new controller, since the used one departed from the documents. What the new one did
     /// is judged.
     pub repeated: bool,
+    /// How it failed where other programs had run before. It is judged by what it did alone.
+    pub before: Option<String>,
+    /// A small picture of its samples, where there are any.
+    pub sketch: Option<Sketch>,
+    /// How long it took, with everything that was run for it. It is no part of what came of the case.
+    pub cost: Duration,
 }
 
 /// The suite, run.
@@ -105,6 +253,8 @@ pub struct Run<'a> {
     pub cases: Vec<CaseResult<'a>>,
     /// Rules that do not exist in the edition, and why.
     pub void: Vec<(&'a Rule, &'a str)>,
+    /// What the controller shows of each choice and quirk, where it was asked for.
+    pub fingerprint: Option<Vec<Trait>>,
 }
 
 impl<'a> CaseResult<'a> {
@@ -117,6 +267,9 @@ impl<'a> CaseResult<'a> {
             masked: BTreeSet::new(),
             compared: Tally::default(),
             repeated: false,
+            before: None,
+            sketch: None,
+            cost: Duration::ZERO,
         }
     }
 }

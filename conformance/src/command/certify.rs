@@ -4,19 +4,21 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
+use super::against::Against;
 use super::{Format, Refused, controller, place, write_out};
 use crate::adapters::exec::Limits;
 use crate::adapters::{Adapter, Capabilities};
-use crate::certify::{CaseResult, Course, Plan, Run, cases, certify_in};
+use crate::certify::{CaseResult, Course, Plan, Run, Twice, cases, certify_in, options_of};
 use crate::expectations::Expectations;
+use crate::fingerprint::traits;
 use crate::journal::{self, Journal};
-use crate::report::stored::StoredCase;
+use crate::report::cost::{self, Cost};
+use crate::report::stored::JournalCase;
 use crate::report::{Header, Report, html, json, junit, markdown, profiles, terminal};
 use crate::shard::Shard;
 use crate::suite::Suite;
-use crate::waivers::{Day, Waivers};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock certify
@@ -55,22 +57,12 @@ pub(super) struct Arguments {
     /// A profile that is claimed: an unsupported or unjudged rule of it fails, too; may be repeated
     #[arg(long, value_name = "PROFILE")]
     profile: Vec<String>,
-    /// What the controller is known to do otherwise; anything else fails
-    #[arg(long, value_name = "FILE")]
-    expectations: Option<PathBuf>,
-    /// An earlier report: only divergences that are new or have changed since fail
-    #[arg(long, value_name = "REPORT", conflicts_with = "expectations")]
-    baseline: Option<PathBuf>,
-    /// Divergences that somebody answers for until a day: rule, case, reason, owner, expires (TOML)
-    #[arg(long, value_name = "FILE")]
-    waivers: Option<PathBuf>,
-    /// The day on which waivers are held to be [default: today]
-    #[arg(long, value_name = "YYYY-MM-DD")]
-    today: Option<Day>,
+    #[command(flatten)]
+    against: Against,
     /// Write what it does otherwise as a file of expectations, to be read before it is used
     #[arg(long, value_name = "FILE")]
     write_expectations: Option<PathBuf>,
-    /// Write report.html, report.json, junit.xml, report.txt and summary.md (for a pull request) into this folder, and a journal while it runs
+    /// Write report.html, report.json, junit.xml, report.txt, summary.md (for a pull request) and cost.json into this folder, and a journal while it runs
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
     /// Go on with the journal in the folder of --report
@@ -82,6 +74,15 @@ pub(super) struct Arguments {
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// How many cases of a hundred are run twice, to see that they come to the same
+    #[arg(long, value_name = "PERCENT", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=100))]
+    twice: u8,
+    /// Look for the smallest program of each divergence that no quirk explains, trying so many [default: 300]
+    #[arg(long, value_name = "ATTEMPTS", num_args = 0..=1, default_value_t = 0, default_missing_value = "300")]
+    shrink: u32,
+    /// What the report says of each choice and quirk that the controller shows [default: where time is virtual and there is a report]
+    #[arg(long, value_name = "WHEN", value_enum)]
+    fingerprint: Option<When>,
     /// Run each program also unobserved, to see that observing changes nothing [default: a sample]
     #[arg(long)]
     check_observation: bool,
@@ -96,6 +97,15 @@ pub(super) struct Arguments {
     verbose: bool,
 }
 
+/// Whether something is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum When {
+    /// It is
+    Always,
+    /// It is not
+    Never,
+}
+
 pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     if let Some(edition) = &arguments.edition {
         super::edition(suite, edition)?;
@@ -107,10 +117,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
             format!("one of: {}", known.join(", ")),
         ));
     }
-    let expectations = arguments.expectations.as_deref().map(read).transpose()?;
-    let baseline = arguments.baseline.as_deref().map(super::report::stored).transpose()?;
-    let baseline = baseline.map(|(_, stored)| stored);
-    let waivers = arguments.waivers.as_deref().map(read_waivers).transpose()?;
+    let known = arguments.against.read()?;
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
     }
@@ -130,10 +137,6 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     if arguments.check_observation {
         controller.check_observation();
     }
-    if let Some(expectations) = &expectations {
-        let shows = controller.capabilities();
-        fits(expectations, (&shows.name, &shows.version), &edition.id)?;
-    }
     let jobs = super::jobs(arguments.jobs.or(controller.best_jobs()));
     let plan = Plan { suite, edition, only: &arguments.only, jobs };
     let shard = arguments.shard;
@@ -144,22 +147,19 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
             "`gaugeblock rules` lists the rules' ids",
         ));
     }
-    let header = Header::of(plan, controller.as_ref(), shard);
-    let run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
+    let twice = arguments.twice;
+    let header = Header { twice, ..Header::of(plan, controller.as_ref(), shard) };
+    known.fits(&header)?;
+    let mut run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
+    if is_fingerprinted(arguments, controller.as_ref()) {
+        let options = options_of(suite, edition, controller.as_ref());
+        let bench = edition.bench.as_deref();
+        run.fingerprint = Some(traits(suite, &options, bench, controller.as_ref()));
+    }
     let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
+    let (troubles, mended) = known.hold(&mut run, whole);
     let mut notes = controller.notes();
-    let mut troubles = expectations.map(|expectations| expectations.hold(&run, whole));
-    if let Some(baseline) = baseline {
-        let (new, mended) = baseline.hold(&run);
-        troubles = Some(new);
-        notes.extend(mended);
-    }
-    if let Some(waivers) = waivers {
-        let today = arguments.today.unwrap_or_else(today);
-        let (left, waived) = waivers.hold(&run, troubles, today);
-        troubles = Some(left);
-        notes.extend(waived);
-    }
+    notes.extend(mended);
     // What a profile comes to is known of the whole alone.
     let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };
     let profiles = profiles::profiles(suite, &run, claimed);
@@ -174,6 +174,14 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     }
     print(&report, arguments.format, arguments.verbose);
     Ok(report.exit_status())
+}
+
+/// A controller in real time may need minutes for it, another one a second at most.
+fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
+    match arguments.fingerprint {
+        Some(when) => when == When::Always,
+        None => arguments.report.is_some() && controller.capabilities().pin_period <= 0.0,
+    }
 }
 
 pub(super) fn print(report: &Report<'_>, format: Format, verbose: bool) {
@@ -204,12 +212,14 @@ fn run_with_journal<'a>(
     let mut each = |result: &CaseResult<'_>| {
         bar.inc(1);
         if let Some(Err(why)) =
-            journal.as_mut().map(|journal| journal.done(&StoredCase::of(result)))
+            journal.as_mut().map(|journal| journal.done(&JournalCase::of(result)))
         {
             trouble.get_or_insert(why);
         }
     };
-    let run = certify_in(plan, controller, Course { shard, done, each: &mut each });
+    let twice = Twice(header.twice);
+    let course = Course { shard, done, twice, shrink: arguments.shrink, each: &mut each };
+    let run = certify_in(plan, controller, course);
     bar.finish_and_clear();
     match trouble {
         Some(why) => Err(Refused::unfinished(format!("the journal: {why}"), "is the disk full?")),
@@ -225,7 +235,7 @@ fn begun<'a>(
     suite: &'a Suite,
 ) -> Result<(Journal, Vec<CaseResult<'a>>), Refused> {
     let mut done = Vec::new();
-    let journal = Journal::open(folder, header, resume, &mut |case: StoredCase| done.push(case));
+    let journal = Journal::open(folder, header, resume, &mut |case: JournalCase| done.push(case));
     let journal = journal.map_err(|why| {
         Refused::wrong(
             why,
@@ -248,60 +258,6 @@ pub(super) fn progress(cases: usize) -> indicatif::ProgressBar {
     }
 }
 
-fn read_waivers(path: &Path) -> Result<Waivers, Refused> {
-    let name = path.display();
-    let hint = "[[waiver]] with rule, reason, owner, expires = \"2027-01-31\", and case for one of its cases";
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
-    Waivers::read(&text)
-        .map_err(|error| Refused::wrong(format!("{name}: {}", error.trim_end()), hint))
-}
-
-#[expect(clippy::disallowed_methods, reason = "a waiver ends on a day of the calendar")]
-fn today() -> Day {
-    let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    Day::after_epoch(since.map_or(0, |since| since.as_secs() / 86_400))
-}
-
-pub(super) fn read(path: &Path) -> Result<Expectations, Refused> {
-    let name = path.display();
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        Refused::wrong(format!("{name}: {error}"), "--write-expectations makes such a file")
-    })?;
-    Expectations::read(&text).map_err(|error| {
-        Refused::wrong(
-            format!("{name}: {}", error.trim_end()),
-            "--write-expectations makes such a file",
-        )
-    })
-}
-
-pub(super) fn fits(
-    expectations: &Expectations,
-    (name, version): (&str, &str),
-    edition: &str,
-) -> Result<(), Refused> {
-    if expectations.controller != name || expectations.edition != edition {
-        return Err(Refused::wrong(
-            format!(
-                "these expectations are of {} held to {}, not of {name} held to {edition}",
-                expectations.controller, expectations.edition
-            ),
-            "name the expectations of this controller and edition",
-        ));
-    }
-    if expectations.version != version {
-        return Err(Refused::unfinished(
-            format!(
-                "these expectations are of version {}, the controller is of {version}",
-                expectations.version
-            ),
-            "look at what the new version does, then --write-expectations",
-        ));
-    }
-    Ok(())
-}
-
 fn write_expectations(file: &Path, run: &Run<'_>, shows: &Capabilities) -> Result<(), Refused> {
     let text = Expectations::of(run, &shows.name, &shows.version)
         .to_text()
@@ -317,6 +273,7 @@ pub(super) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Ref
     let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();
     place::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
     place::write_whole(&folder.join("report.html"), &page)?;
+    place::write_whole(&folder.join(cost::FILE), Cost::of(report.run).to_text())?;
     place::write_whole(&folder.join("junit.xml"), &xml)?;
     place::write_whole(&folder.join("report.txt"), &text)?;
     place::write_whole(&folder.join("summary.md"), markdown::markdown(report))

@@ -9,7 +9,7 @@ use serde_json::json;
 use super::certify::progress;
 use super::{Format, Refused, write_out};
 use crate::adapters::faulty::Faulty;
-use crate::certify::{Plan, Verdict, certify};
+use crate::certify::{CaseResult, Plan, certify};
 use crate::suite::Suite;
 
 /// The editions that notice what is wrong with post-processors and with custom macros.
@@ -37,10 +37,8 @@ pub(super) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8,
                 None => edition,
             };
             let run = certify(Plan { edition, ..plan }, &Faulty::new(*fault)?, &|| {});
-            let fails = |verdict: &Verdict| {
-                matches!(verdict, Verdict::Diverges(_) | Verdict::ChargedElsewhere(_))
-            };
-            let failing: Vec<_> = run.cases.iter().filter(|case| fails(&case.verdict)).collect();
+            let departs = |case: &&CaseResult<'_>| case.verdict.departure().is_some();
+            let failing: Vec<_> = run.cases.iter().filter(departs).collect();
             let rules = failing.iter().map(|case| case.rule.id.as_str()).collect();
             bar.inc(1);
             Some(Caught { fault: *fault, cases: failing.len(), rules })

@@ -41,7 +41,7 @@ pub(super) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
     match arguments.format {
         Format::Json => {
             let options: serde_json::Map<_, _> =
-                shown.iter().map(|(choice, shown)| (choice.id.clone(), value(shown))).collect();
+                shown.iter().map(|(choice, shown)| (choice.id.clone(), json!(shown))).collect();
             let editions: Vec<_> = nearest
                 .iter()
                 .map(|(id, agree)| json!({ "edition": id, "agree": agree }))
@@ -55,13 +55,7 @@ pub(super) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
         Format::Text => {
             let mut text = String::new();
             for (choice, shown) in &shown {
-                let words = match shown {
-                    Shown::Option(option) => option.clone(),
-                    Shown::Nothing(why) => format!("none of the options: {}", why.join("; ")),
-                    Shown::Several(options) => format!("cannot be told: {}", options.join(" or ")),
-                    Shown::NotRun(why) => format!("not run: {why}"),
-                };
-                let _infallible = writeln!(text, "{:<40} {words}", choice.id);
+                let _infallible = writeln!(text, "{:<40} {shown}", choice.id);
             }
             if let Some((id, agree)) = nearest.first() {
                 let _infallible =
@@ -72,13 +66,4 @@ pub(super) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
     }
     let unknown = shown.iter().any(|(_, shown)| matches!(shown, Shown::Nothing(_)));
     Ok(if unknown { 3 } else { 0 })
-}
-
-fn value(shown: &Shown) -> serde_json::Value {
-    match shown {
-        Shown::Option(option) => json!({ "option": option }),
-        Shown::Nothing(why) => json!({ "none": why }),
-        Shown::Several(options) => json!({ "any_of": options }),
-        Shown::NotRun(why) => json!({ "not_run": why }),
-    }
 }

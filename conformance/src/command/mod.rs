@@ -1,6 +1,7 @@
 //! The command line `gaugeblock`.
 
 mod adapter;
+mod against;
 mod certify;
 mod check;
 mod compare;
@@ -59,7 +60,7 @@ const EXIT: &str = "Exit status:
   0  every case passes, is a known divergence, or is unsupported by what the controller declared before
   1  a divergence, a stale expectation, or a known divergence that changed
   2  the call or its input is wrong
-  3  could not finish: controller missing or of an unknown version, crash, time-out, inconclusive";
+  3  could not finish: controller missing or of an unknown version, crash, time-out, two runs that differ, inconclusive";
 
 /// Holds a CNC controller to the documents of its language, rule by rule.
 #[derive(Debug, Parser)]
@@ -113,7 +114,7 @@ enum Command {
     Adapter(adapter::Adapter),
     /// Speak the adapter protocol for a controller, on standard input and output
     Serve(serve::Arguments),
-    /// Print the JSON schema of a scenario or an outcome
+    /// Print the JSON schema of a scenario, an outcome or a report
     Schema(schema::Arguments),
 }
 

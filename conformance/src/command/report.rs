@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 
+use super::against::Against;
 use super::{Format, Refused, certify, place};
 use crate::certify::{Plan, Run, cases, void};
+use crate::report::cost::{self, Cost};
 use crate::report::merge::{Stored, in_order, merged};
 use crate::report::{Report, profiles};
 use crate::shard::Shard;
@@ -30,10 +32,9 @@ pub(super) struct Merge {
     /// Folders of --report, or the report.json within
     #[arg(value_name = "REPORT", required = true)]
     reports: Vec<PathBuf>,
-    /// What the controller is known to do otherwise; anything else fails
-    #[arg(long, value_name = "FILE")]
-    expectations: Option<PathBuf>,
-    /// Write report.html, report.json, junit.xml, report.txt and summary.md into this folder
+    #[command(flatten)]
+    against: Against,
+    /// Write report.html, report.json, junit.xml, report.txt, summary.md and cost.json into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
     /// What to print
@@ -62,20 +63,20 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, Refused> {
         ));
     }
     let edition = super::edition(suite, &header.edition)?;
-    let expectations = arguments.expectations.as_deref().map(certify::read).transpose()?;
-    if let Some(expectations) = &expectations {
-        certify::fits(expectations, (&header.controller, &header.version), &edition.id)?;
-    }
+    let known = arguments.against.read()?;
+    known.fits(header)?;
     let plan = Plan { suite, edition, only: &header.only, jobs: NonZero::<usize>::MIN };
     let all = cases(plan, header.laws, Shard::WHOLE);
-    let cases = in_order(&whole.cases, &all, suite).map_err(wrong)?;
-    let run = Run { edition, cases, void: void(plan) };
-    let troubles = expectations.map(|known| known.hold(&run, header.only.is_empty()));
+    let mut cases = in_order(&whole.cases, &all, suite).map_err(wrong)?;
+    cost_of(&arguments.reports)?.tell(&mut cases);
+    let fingerprint = whole.fingerprint.clone();
+    let mut run = Run { edition, cases, void: void(plan), fingerprint };
+    let (troubles, mended) = known.hold(&mut run, header.only.is_empty());
     let profiles = profiles::profiles(suite, &run, &whole.claimed());
     let report = Report {
         run: &run,
         header: header.clone(),
-        notes: whole.notes.clone(),
+        notes: [whole.notes.clone(), mended].concat(),
         profiles,
         troubles,
     };
@@ -85,6 +86,21 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, Refused> {
     }
     certify::print(&report, arguments.format, arguments.verbose);
     Ok(report.exit_status())
+}
+
+/// What the parts cost, as far as they tell it.
+fn cost_of(reports: &[PathBuf]) -> Result<Cost, Refused> {
+    let mut all = Cost::default();
+    for path in reports {
+        let folder = if path.is_dir() { Some(path.as_path()) } else { path.parent() };
+        let file = folder.unwrap_or(Path::new(".")).join(cost::FILE);
+        let Ok(text) = std::fs::read_to_string(&file) else { continue };
+        let cost = Cost::read(&text).map_err(|error| {
+            Refused::wrong(format!("{}: {error}", file.display()), "leave the file out")
+        })?;
+        all = all.and(cost);
+    }
+    Ok(all)
 }
 
 pub(super) fn stored(path: &Path) -> Result<(String, Stored), Refused> {

@@ -10,6 +10,8 @@ enum What {
     Scenario,
     /// What can be observed of a run
     Outcome,
+    /// What `certify --report` writes as report.json
+    Report,
 }
 
 #[derive(Debug, Args)]
@@ -24,6 +26,7 @@ pub(super) fn schema(arguments: &Arguments) -> Result<u8, Refused> {
     let schema = match arguments.what {
         What::Scenario => gaugeblock_trace::schema::scenario(),
         What::Outcome => gaugeblock_trace::schema::outcome(),
+        What::Report => crate::report::json::schema(),
     };
     write_out(&format!("{:#}\n", schema.as_value()));
     Ok(0)

@@ -2,6 +2,7 @@
 
 pub mod pins;
 mod same;
+mod state;
 mod tally;
 pub mod tolerance;
 
@@ -10,6 +11,7 @@ use std::collections::BTreeSet;
 use gaugeblock_trace::{Block, End, Entry, Fault, Pin, Settings, Value};
 
 pub use same::surely_same;
+pub use state::{FieldDifference, StateDifference, state};
 pub use tally::{Basis, Tally};
 
 use crate::adapters::Capabilities;
@@ -165,14 +167,8 @@ impl Walk<'_> {
     }
 
     fn step(&mut self, a: &ObservedStep, b: &ObservedStep) -> Option<Divergence> {
-        let entries = |step: &ObservedStep| {
-            let mut entries = step.settings.entries();
-            entries.extend(step.state.iter().flat_map(gaugeblock_trace::State::entries));
-            entries.retain(|entry| entry.field != "parameter");
-            entries
-        };
         let shown = &self.shows.fields;
-        self.fields(&a.block, &entries(a), &entries(b), shown)
+        self.fields(&a.block, &state::entries(a), &state::entries(b), shown)
     }
 
     fn fields(

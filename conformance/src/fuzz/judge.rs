@@ -135,6 +135,7 @@ impl Plan<'_> {
             HarnessError::TimedOut { .. } => "time-out",
             HarnessError::Flooded { .. } => "flood",
             HarnessError::NotRun(_)
+            | HarnessError::Absent(_)
             | HarnessError::Unreadable { .. }
             | HarnessError::UnknownMessage(_)
             | HarnessError::ObservationDisturbs { .. } => {

@@ -16,6 +16,7 @@ mod held;
 mod made;
 mod picture;
 pub mod rides;
+mod sketch;
 mod summary;
 
 pub use drawn::drawn;
@@ -23,4 +24,5 @@ pub use drive::{Circumstances, Planned, Stopped, plan, plan_under};
 pub use held::{FEEDS, asked, held};
 pub use made::made;
 pub use picture::Picture;
+pub use sketch::Sketch;
 pub use summary::Summary;

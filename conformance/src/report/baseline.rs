@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::merge::Stored;
-use super::stored::{StoredCase, StoredDeparture, StoredVerdict};
-use crate::certify::{CaseResult, Departure, Run, Verdict};
+use super::stored::StoredDeparture;
+use crate::certify::{Run, Verdict};
 use crate::expectations::Trouble;
 
 impl Stored {
@@ -13,13 +13,15 @@ impl Stored {
         let before: BTreeMap<(&str, &str), &StoredDeparture> = self
             .cases
             .iter()
-            .filter_map(|case| Some(((case.rule.as_str(), case.case.as_str()), departed(case)?)))
+            .filter_map(|case| {
+                Some(((case.rule.as_str(), case.case.as_str()), case.verdict.departure()?))
+            })
             .collect();
         let (mut troubles, mut mended) = (Vec::new(), Vec::new());
         for result in &run.cases {
             let (rule, case) = (result.rule.id.clone(), result.name.to_owned());
             let before = before.get(&(result.rule.id.as_str(), result.name));
-            match (departs(result), before) {
+            match (result.verdict.departure(), before) {
                 (None, None) => {}
                 (Some(departure), None) => {
                     troubles.push(Trouble::New { rule, case, found: departure.line() });
@@ -37,27 +39,5 @@ impl Stored {
             }
         }
         (troubles, mended)
-    }
-}
-
-fn departs<'a>(result: &'a CaseResult<'_>) -> Option<&'a Departure> {
-    match &result.verdict {
-        Verdict::Diverges(departure) | Verdict::ChargedElsewhere(departure) => Some(departure),
-        Verdict::Pass
-        | Verdict::Unsupported(_)
-        | Verdict::Inconclusive(_)
-        | Verdict::NotJudged(_) => None,
-    }
-}
-
-fn departed(case: &StoredCase) -> Option<&StoredDeparture> {
-    match &case.verdict {
-        StoredVerdict::Diverges(departure) | StoredVerdict::ChargedElsewhere(departure) => {
-            Some(departure)
-        }
-        StoredVerdict::Pass
-        | StoredVerdict::Unsupported(_)
-        | StoredVerdict::Inconclusive(_)
-        | StoredVerdict::NotJudged(_) => None,
     }
 }

@@ -1,16 +1,23 @@
 //! The report as one page that needs nothing beside it: worst first, with a search, and what each divergence is.
 //!
-//! What a controller says stands in it as text, whatever it is: the template escapes everything.
+//! What a controller says stands in it as text, whatever it is: the template escapes everything but pictures, which are made of numbers.
+
+use std::time::Duration;
 
 use minijinja::Environment;
 use minijinja::value::Serde;
 use serde::Serialize;
 
-use super::terminal::without_guard;
-use super::{Report, RuleVerdict, json};
-use crate::certify::{CaseResult, Departure, Traces, Verdict};
+use super::cards::{Card, cards, class};
+use super::json::{self, JudgedProfile};
+use super::{Report, RuleVerdict, inert};
+use crate::certify::CaseResult;
 
 const PAGE: &str = include_str!("page.html");
+/// Pictures of motions that are as they should be, at most: the page has to stay small.
+const PICTURES: usize = 48;
+/// The slowest cases, so many of them.
+const SLOWEST: usize = 10;
 
 /// The report as HTML.
 ///
@@ -22,7 +29,8 @@ pub fn html(report: &Report<'_>) -> Result<String, String> {
         environment.add_template("page.html", PAGE)?;
         environment.get_template("page.html")?.render(Serde(page(report)))
     };
-    render().map_err(|error: minijinja::Error| format!("{error:#}"))
+    let page = render().map_err(|error: minijinja::Error| format!("{error:#}"))?;
+    Ok(inert(&page).into_owned())
 }
 
 /// What the page shows.
@@ -33,51 +41,65 @@ struct Page<'a> {
     edition: &'a str,
     sentence: &'a str,
     says: &'static str,
+    status: &'static str,
     notes: &'a [String],
     counts: Vec<Count>,
     troubles: Option<Vec<String>>,
-    profiles: serde_json::Value,
+    profiles: Vec<JudgedProfile>,
+    fingerprint: Option<Fingerprint<'a>>,
+    words: Vec<Word>,
     divergences: Vec<Card<'a>>,
     rules: Vec<Row<'a>>,
+    motions: Vec<Moved<'a>>,
     not_judged: Vec<Open<'a>>,
     unsupported: Vec<Unsupported<'a>>,
-    void: serde_json::Value,
+    void: Vec<Void<'a>>,
+    cost: Option<Cost<'a>>,
     basis: String,
     masked: String,
     gaugeblock_version: &'a str,
     suite: &'a str,
-    options: String,
+    only: &'a [String],
+    shard: String,
+    twice: u8,
 }
 
 fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
     let header = &report.header;
-    let mut json = json::json(report);
     let masked: Vec<_> = report.masked().into_keys().collect();
     let reasons = report.unsupported().into_iter();
     let mut unsupported: Vec<_> = reasons.map(|(why, cases)| Unsupported { why, cases }).collect();
     unsupported.sort_by(|a, b| b.cases.cmp(&a.cases).then_with(|| a.why.cmp(b.why)));
     let troubles = report.troubles.as_ref();
-    let options = header.options.0.iter().map(|(id, option)| format!("{id} = {option}"));
+    let void = report.run.void.iter().map(|(rule, why)| Void { rule: &rule.id, why });
+    let (status, says) = says(report);
     Page {
         controller: &header.controller,
         version: &header.version,
         edition: &header.edition,
         sentence: &report.run.edition.sentence,
-        says: says(report),
+        says,
+        status,
         notes: &report.notes,
         counts: counts(report),
         troubles: troubles.map(|all| all.iter().map(ToString::to_string).collect()),
-        profiles: json["profiles"].take(),
-        divergences: divergences(report),
+        profiles: json::profiles(report),
+        fingerprint: fingerprint(report),
+        words: words(report),
+        divergences: cards(report),
         rules: rules(report),
+        motions: motions(report),
         not_judged: not_judged(report),
         unsupported,
-        void: json["void"].take(),
+        void: void.collect(),
+        cost: cost(report),
         basis: basis(report),
         masked: if masked.is_empty() { "nothing".to_owned() } else { masked.join(", ") },
         gaugeblock_version: &header.gaugeblock_version,
         suite: &header.suite,
-        options: options.collect::<Vec<_>>().join(", "),
+        only: &header.only,
+        shard: header.shard.to_string(),
+        twice: header.twice,
     }
 }
 
@@ -85,7 +107,14 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
 struct Count {
     name: &'static str,
     count: usize,
-    class: &'static str,
+    class: String,
+}
+
+/// A verdict that can be filtered by.
+#[derive(Debug, Serialize)]
+struct Word {
+    word: &'static str,
+    class: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -95,35 +124,16 @@ struct Unsupported<'a> {
 }
 
 #[derive(Debug, Serialize)]
-struct Card<'a> {
+struct Void<'a> {
     rule: &'a str,
-    case: &'a str,
-    sentence: &'a str,
-    sources: String,
-    assertion: Option<(&'a str, &'a str)>,
-    divergence: &'a Option<String>,
-    explanation: String,
-    program: &'a str,
-    sides: Vec<Side<'a>>,
-}
-
-#[derive(Debug, Serialize)]
-struct Side<'a> {
-    name: &'static str,
-    blocks: Vec<Part<'a>>,
-}
-
-#[derive(Debug, Serialize)]
-struct Part<'a> {
-    text: &'a str,
-    differs: bool,
+    why: &'a str,
 }
 
 #[derive(Debug, Serialize)]
 struct Row<'a> {
     rule: &'a str,
     verdict: &'static str,
-    class: &'static str,
+    class: String,
     sentence: &'a str,
     sources: String,
     cases: usize,
@@ -133,109 +143,108 @@ struct Row<'a> {
 struct Open<'a> {
     rule: &'a str,
     case: &'a str,
+    word: &'static str,
+    class: String,
     why: &'a str,
 }
 
-/// What the whole comes to, in a sentence.
-pub(super) fn says(report: &Report<'_>) -> &'static str {
+#[derive(Debug, Serialize)]
+struct Moved<'a> {
+    rule: &'a str,
+    case: &'a str,
+    picture: String,
+}
+
+/// Each choice and quirk: what it is held to, and what it shows.
+#[derive(Debug, Serialize)]
+struct Fingerprint<'a> {
+    agrees: usize,
+    all: usize,
+    declared: usize,
+    departs: Vec<Shown<'a>>,
+    rest: Vec<Shown<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct Shown<'a> {
+    choice: &'a str,
+    held_to: &'a str,
+    declared: bool,
+    shown: String,
+}
+
+#[derive(Debug, Serialize)]
+struct Cost<'a> {
+    all: String,
+    each: String,
+    slowest: Vec<Slow<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct Slow<'a> {
+    rule: &'a str,
+    case: &'a str,
+    time: String,
+}
+
+/// What the whole comes to, in a sentence, and as which kind of verdict that is shown.
+pub(super) fn says(report: &Report<'_>) -> (&'static str, &'static str) {
     match report.exit_status() {
-        0 if report.troubles.is_some() => "It does what is known of it, and nothing else.",
-        0 => "It does what the documents say, in everything that was judged.",
-        1 => "It departs from what it is held to.",
-        _ => "Something could not be judged: this is no certificate.",
+        0 if report.troubles.is_some() => {
+            ("pass", "It does what is known of it, and nothing else.")
+        }
+        0 => ("pass", "It does what the documents say, in everything that was judged."),
+        1 => ("diverges", "It departs from what it is held to."),
+        _ => ("inconclusive", "Something could not be judged: this is no certificate."),
     }
 }
 
 fn counts(report: &Report<'_>) -> Vec<Count> {
     let counts = report.counts();
-    let count = |name, count, class| Count { name, count, class };
-    vec![
-        count("cases", counts.all(), ""),
+    let count = |name, count, word| Count { name, count, class: class(word) };
+    let mut all = vec![
+        count("cases", counts.all(), "all"),
         count("pass", counts.pass, "pass"),
         count("diverge", counts.diverges, "diverges"),
-        count("pass but for a quirk of other rules", counts.charged_elsewhere, "charged"),
-        count("unsupported", counts.unsupported, "unsupported"),
-        count("not judged", counts.not_judged, "not-judged"),
-    ]
+    ];
+    let more = [
+        ("pass but for a quirk of other rules", counts.charged_elsewhere, "charged elsewhere"),
+        ("known", counts.known, "known"),
+        ("waived", counts.waived, "waived"),
+        ("unsupported", counts.unsupported, "unsupported"),
+    ];
+    let open = counts.unjudged().map(|(word, count)| (word, count, word));
+    let more = more.into_iter().chain(open).filter(|(_, count, _)| *count > 0);
+    all.extend(more.map(|(name, number, word)| count(name, number, word)));
+    all
 }
 
-/// The divergences that nothing explains first.
-fn divergences<'a>(report: &'a Report<'_>) -> Vec<Card<'a>> {
-    let departed = |result: &'a CaseResult<'_>| match &result.verdict {
-        Verdict::Diverges(departure) => Some((result, departure)),
-        Verdict::Pass
-        | Verdict::ChargedElsewhere(_)
-        | Verdict::Unsupported(_)
-        | Verdict::Inconclusive(_)
-        | Verdict::NotJudged(_) => None,
-    };
-    let mut all: Vec<_> = report.run.cases.iter().filter_map(departed).collect();
-    all.sort_by_key(|(_, departure)| !departure.explanation.is_empty());
-    all.into_iter().map(|(result, departure)| card(result, departure)).collect()
-}
-
-fn card<'a>(result: &'a CaseResult<'_>, departure: &'a Departure) -> Card<'a> {
-    let sources = result.rule.sources.iter().map(ToString::to_string);
-    let assertion = departure.assertion.as_ref();
-    Card {
-        rule: &result.rule.id,
-        case: result.name,
-        sentence: &result.rule.sentence,
-        sources: sources.collect::<Vec<_>>().join("; "),
-        assertion: assertion.map(|(said, found)| (without_guard(said), found.as_str())),
-        divergence: &departure.divergence,
-        explanation: departure.explanation.join(" and "),
-        program: result.program,
-        sides: departure.traces.as_ref().map(sides).unwrap_or_default(),
-    }
-}
-
-/// Both traces, block by block; those that are not the same at the same place are marked.
-fn sides(traces: &Traces) -> Vec<Side<'_>> {
-    let (expected, found) = (blocks(&traces.expected), blocks(&traces.found));
-    let marked = |own: &[&'_ str], other: &[&str]| -> Vec<bool> {
-        own.iter().enumerate().map(|(at, text)| other.get(at) != Some(text)).collect()
-    };
-    let differs = (marked(&expected, &found), marked(&found, &expected));
-    [("by the documents", expected, differs.0), ("on the controller", found, differs.1)]
-        .into_iter()
-        .map(|(name, blocks, differs)| {
-            let parts = blocks.into_iter().zip(differs);
-            Side { name, blocks: parts.map(|(text, differs)| Part { text, differs }).collect() }
-        })
-        .collect()
-}
-
-/// The parts of a trace: what stands before the first block, the blocks, and what stands behind them.
-fn blocks(trace: &str) -> Vec<&str> {
-    let mut parts = Vec::new();
-    let mut begin = 0;
-    for (at, _) in trace.match_indices('\n') {
-        let rest = &trace[at + 1..];
-        if !rest.starts_with(' ') {
-            parts.push(&trace[begin..at]);
-            begin = at + 1;
-        }
-    }
-    parts.push(trace[begin..].trim_end());
-    parts.retain(|part| !part.is_empty());
-    parts
+/// The verdicts of rules, and those of cards.
+fn words(report: &Report<'_>) -> Vec<Word> {
+    let counts = report.counts();
+    let mut words = vec!["diverges"];
+    words.extend(
+        [(counts.known, "known"), (counts.waived, "waived")]
+            .iter()
+            .filter_map(|(count, word)| (*count > 0).then_some(*word)),
+    );
+    words.extend(["not judged", "unsupported", "pass"]);
+    words.into_iter().map(|word| Word { word, class: class(word) }).collect()
 }
 
 /// The worst first.
 fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
     let mut rules = report.rules();
-    let class = |verdict| match verdict {
-        RuleVerdict::Diverges => (0, "diverges"),
-        RuleVerdict::NotJudged => (1, "not-judged"),
-        RuleVerdict::Unsupported => (2, "unsupported"),
-        RuleVerdict::Pass => (3, "pass"),
-    };
-    rules.sort_by_key(|result| class(result.verdict));
+    rules.sort_by_key(|result| match result.verdict {
+        RuleVerdict::Diverges => 0,
+        RuleVerdict::NotJudged => 1,
+        RuleVerdict::Unsupported => 2,
+        RuleVerdict::Pass => 3,
+    });
     let row = |result: super::RuleResult<'a>| Row {
         rule: &result.rule.id,
         verdict: result.verdict.word(),
-        class: class(result.verdict).1,
+        class: class(result.verdict.word()),
         sentence: &result.rule.sentence,
         sources: result.rule.sources.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
         cases: result.counts.all(),
@@ -243,17 +252,72 @@ fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
     rules.into_iter().map(row).collect()
 }
 
+/// Pictures of what is no card.
+fn motions<'a>(report: &'a Report<'_>) -> Vec<Moved<'a>> {
+    let others = report.run.cases.iter().filter(|result| result.verdict.departure().is_none());
+    let drawn = others.filter_map(|result| {
+        let picture = result.sketch.as_ref()?.svg();
+        Some(Moved { rule: &result.rule.id, case: result.name, picture })
+    });
+    drawn.take(PICTURES).collect()
+}
+
 fn not_judged<'a>(report: &'a Report<'_>) -> Vec<Open<'a>> {
-    let why = |result: &'a CaseResult<'_>| match &result.verdict {
-        Verdict::Inconclusive(why) | Verdict::NotJudged(why) => {
-            Some(Open { rule: &result.rule.id, case: result.name, why })
-        }
-        Verdict::Pass
-        | Verdict::Diverges(_)
-        | Verdict::ChargedElsewhere(_)
-        | Verdict::Unsupported(_) => None,
+    let why = |result: &'a CaseResult<'_>| {
+        let why = result.verdict.open()?;
+        let word = result.verdict.word();
+        Some(Open { rule: &result.rule.id, case: result.name, word, class: class(word), why })
     };
-    report.run.cases.iter().filter_map(why).collect()
+    let leaked = report.leaks().into_iter().map(|(result, why)| Open {
+        rule: &result.rule.id,
+        case: result.name,
+        word: "leaked state",
+        class: class("nondeterministic"),
+        why,
+    });
+    report.run.cases.iter().filter_map(why).chain(leaked).collect()
+}
+
+fn fingerprint<'a>(report: &'a Report<'_>) -> Option<Fingerprint<'a>> {
+    let traits = report.run.fingerprint.as_ref()?;
+    let shown = |of: &'a crate::fingerprint::Trait| Shown {
+        choice: &of.choice,
+        held_to: &of.held_to,
+        declared: of.declared,
+        shown: of.shown.to_string(),
+    };
+    let (departs, rest): (Vec<_>, Vec<_>) = traits.iter().partition(|of| of.departs());
+    Some(Fingerprint {
+        agrees: traits.iter().filter(|of| of.agrees()).count(),
+        all: traits.len(),
+        declared: traits.iter().filter(|of| of.declared).count(),
+        departs: departs.into_iter().map(shown).collect(),
+        rest: rest.into_iter().map(shown).collect(),
+    })
+}
+
+/// What it cost, where that is known.
+fn cost<'a>(report: &'a Report<'_>) -> Option<Cost<'a>> {
+    let cases = &report.run.cases;
+    let all: Duration = cases.iter().map(|result| result.cost).sum();
+    if all.is_zero() {
+        return None;
+    }
+    let mut slowest: Vec<_> = cases.iter().collect();
+    slowest.sort_by_key(|result| std::cmp::Reverse(result.cost));
+    let slow = |result: &&'a CaseResult<'_>| Slow {
+        rule: &result.rule.id,
+        case: result.name,
+        time: in_words(result.cost),
+    };
+    let each = all / u32::try_from(cases.len()).unwrap_or(u32::MAX).max(1);
+    let slowest = slowest.iter().take(SLOWEST).map(slow).collect();
+    Some(Cost { all: in_words(all), each: in_words(each), slowest })
+}
+
+fn in_words(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    if seconds >= 1.0 { format!("{seconds:.1} s") } else { format!("{:.2} ms", seconds * 1e3) }
 }
 
 /// How many values of each kind were compared.

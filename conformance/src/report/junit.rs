@@ -4,36 +4,36 @@ use std::collections::BTreeMap;
 
 use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
 
-use super::Report;
-use crate::certify::Verdict;
+use super::{Report, inert, inert_line};
+use crate::certify::{Unjudged, Verdict};
 
-/// The report as `JUnit` XML. A divergence that the expectations list is a success with a note.
+/// The report as `JUnit` XML. The verdict is the type of a failure, an error, or what is skipped; what is known or waived is skipped.
 ///
 /// # Errors
 /// A text that XML cannot hold.
 pub fn junit(report: &Report<'_>) -> Result<String, String> {
-    let name = format!("{} held to {}", report.header.controller, report.run.edition.id);
+    let controller = inert_line(&report.header.controller);
+    let name = format!("{controller} held to {}", report.run.edition.id);
     let mut document = quick_junit::Report::new(name);
     let mut chapters: BTreeMap<&str, TestSuite> = BTreeMap::new();
     for result in &report.run.cases {
+        let word = result.verdict.word();
         let status = match &result.verdict {
             Verdict::Pass | Verdict::ChargedElsewhere(_) => TestCaseStatus::success(),
-            Verdict::Diverges(_) if is_known(report, &result.rule.id, result.name) => {
-                TestCaseStatus::success()
-            }
             Verdict::Diverges(departure) => {
                 let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-                status.set_message(departure.line()).set_description(result.program.to_owned());
+                status.set_type(word).set_message(inert(&departure.line()).into_owned());
+                status.set_description(result.program.to_owned());
                 status
             }
-            Verdict::Unsupported(why) => {
+            Verdict::Known(_, why) | Verdict::Waived(_, why) | Verdict::Unsupported(why) => {
                 let mut status = TestCaseStatus::skipped();
-                status.set_message(why.clone());
+                status.set_type(word).set_message(inert(why).into_owned());
                 status
             }
-            Verdict::Inconclusive(why) | Verdict::NotJudged(why) => {
+            Verdict::Inconclusive(why) | Verdict::NotJudged(Unjudged { why, .. }) => {
                 let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
-                status.set_message(why.clone());
+                status.set_type(word).set_message(inert(why).into_owned());
                 status
             }
         };
@@ -44,9 +44,4 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
     }
     document.add_test_suites(chapters.into_values());
     document.to_string().map_err(|error| error.to_string())
-}
-
-fn is_known(report: &Report<'_>, rule: &str, case: &str) -> bool {
-    let troubles = report.troubles.as_ref();
-    troubles.is_some_and(|all| !all.iter().any(|trouble| trouble.place() == (rule, case)))
 }

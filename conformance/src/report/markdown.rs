@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use super::terminal::without_guard;
 use super::{Report, RuleResult, html};
-use crate::certify::{CaseResult, Departure, Verdict};
+use crate::certify::CaseResult;
 use crate::expectations::Trouble;
 
 /// Most bytes of the page: less than a comment on GitHub may have.
@@ -40,22 +40,30 @@ pub fn markdown(report: &Report<'_>) -> String {
 fn head(report: &Report<'_>) -> String {
     let header = &report.header;
     let counts = report.counts();
+    let (_, says) = html::says(report);
+    let columns = [
+        ("cases", counts.all(), true),
+        ("pass", counts.pass, true),
+        ("diverge", counts.diverges, true),
+        ("pass but for a quirk of other rules", counts.charged_elsewhere, true),
+        ("known", counts.known, false),
+        ("waived", counts.waived, false),
+        ("unsupported", counts.unsupported, true),
+        ("not judged", counts.not_judged(), true),
+    ];
+    let columns = columns.into_iter().filter(|(_, count, always)| *always || *count > 0);
+    let (mut names, mut rule, mut numbers) = (String::new(), String::new(), String::new());
+    for (name, count, _) in columns {
+        names.push_str(&format!(" {name} |"));
+        rule.push_str(" ---: |");
+        numbers.push_str(&format!(" {count} |"));
+    }
     format!(
-        "## {}\n\n{} {} held to {}: {}\n\n\
-         | cases | pass | diverge | pass but for a quirk of other rules | unsupported | not judged |\n\
-         | ---: | ---: | ---: | ---: | ---: | ---: |\n\
-         | {} | {} | {} | {} | {} | {} |\n",
-        html::says(report),
+        "## {says}\n\n{} {} held to {}: {}\n\n|{names}\n|{rule}\n|{numbers}\n",
         code(&header.controller),
         code(&header.version),
         code(&header.edition),
         plain(&report.run.edition.sentence),
-        counts.all(),
-        counts.pass,
-        counts.diverges,
-        counts.charged_elsewhere,
-        counts.unsupported,
-        counts.not_judged
     )
 }
 
@@ -130,7 +138,8 @@ fn divergences(report: &Report<'_>, room: usize) -> String {
     all.sort_by_key(|result| result.program.len());
     let mut rules = BTreeSet::new();
     all.retain(|result| rules.insert(&result.rule.id));
-    let is_explained = |result: &&CaseResult<'_>| departure(result).map(|it| it.explanation.len());
+    let is_explained =
+        |result: &&CaseResult<'_>| result.verdict.own_departure().map(|it| it.explanation.len());
     all.sort_by_key(|result| (is_explained(result).is_none_or(|parts| parts > 0), &result.rule.id));
     if all.is_empty() {
         return String::new();
@@ -152,20 +161,16 @@ fn divergences(report: &Report<'_>, room: usize) -> String {
     text
 }
 
-fn departure<'a>(result: &'a CaseResult<'_>) -> Option<&'a Departure> {
-    if let Verdict::Diverges(departure) = &result.verdict { Some(departure) } else { None }
-}
-
 /// A divergence, folded.
 fn card(result: &CaseResult<'_>) -> String {
-    let Some(departure) = departure(result) else { return String::new() };
+    let Some(departure) = result.verdict.own_departure() else { return String::new() };
     let CaseResult { rule, name, .. } = result;
     let summary = escaped(&format!("{} / {name}", rule.id));
     let mut text = format!("\n<details><summary><code>{summary}</code></summary>\n\n");
     let sources = rule.sources.iter().map(|source| plain(&source.to_string()));
     let sources: Vec<_> = sources.collect();
     text.push_str(&format!("{} ({})\n\n", plain(&rule.sentence), sources.join("; ")));
-    text.push_str(&program(result.program));
+    text.push_str(&program(departure.shrunk.as_deref().unwrap_or(result.program)));
     text.push('\n');
     if let Some((said, found)) = &departure.assertion {
         let said = without_guard(said);
@@ -196,10 +201,9 @@ fn program(program: &str) -> String {
 
 fn not_judged(report: &Report<'_>) -> String {
     let told = report.run.cases.iter().filter_map(|result| {
-        let (Verdict::Inconclusive(why) | Verdict::NotJudged(why)) = &result.verdict else {
-            return None;
-        };
-        Some(format!("{}: {}", code(&format!("{} / {}", result.rule.id, result.name)), code(why)))
+        let why = result.verdict.open()?;
+        let place = code(&format!("{} / {}", result.rule.id, result.name));
+        Some(format!("{place}: {}, {}", result.verdict.word(), code(why)))
     });
     let told: Vec<_> = told.collect();
     if told.is_empty() {

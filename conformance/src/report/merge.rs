@@ -5,9 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use gaugeblock_trace::Options;
 use serde::{Deserialize, Serialize};
 
+use super::json::VERSION;
 use super::stored::StoredCase;
 use crate::adapters::Adapter;
-use crate::certify::{CaseResult, Plan};
+use crate::certify::{CaseResult, Plan, Twice};
+use crate::fingerprint::Trait;
 use crate::shard::Shard;
 use crate::suite::Suite;
 
@@ -32,6 +34,8 @@ pub struct Header {
     pub laws: bool,
     /// The part of the cases.
     pub shard: Shard,
+    /// How many cases of a hundred are run twice.
+    pub twice: u8,
 }
 
 impl Header {
@@ -48,12 +52,13 @@ impl Header {
             only: plan.only.to_vec(),
             laws: controller.has_laws_of_motion(),
             shard,
+            twice: Twice::default().0,
         }
     }
 }
 
 /// A report that is read again: as much of it as the rest follows from.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct Stored {
     /// What it is of.
     #[serde(flatten)]
@@ -62,6 +67,8 @@ pub struct Stored {
     pub notes: Vec<String>,
     /// Its cases.
     pub cases: Vec<StoredCase>,
+    /// What the controller shows of each choice and quirk.
+    pub fingerprint: Option<Vec<Trait>>,
     profiles: Vec<Claimed>,
 }
 
@@ -77,7 +84,22 @@ impl Stored {
     /// # Errors
     /// It is not one, with its place.
     pub fn read(text: &str) -> Result<Self, String> {
-        serde_json::from_str(text).map_err(|error| error.to_string())
+        #[derive(Deserialize)]
+        struct Form {
+            gaugeblock: String,
+            schema: u32,
+        }
+        let wrong = |error: serde_json::Error| error.to_string();
+        let Form { gaugeblock, schema } = serde_json::from_str(text).map_err(wrong)?;
+        if gaugeblock != "report" {
+            return Err(format!("it is no report, but of gaugeblock's kind `{gaugeblock}`"));
+        }
+        if schema != VERSION {
+            return Err(format!(
+                "a report of version {schema}, and this reads version {VERSION}: make it anew"
+            ));
+        }
+        serde_json::from_str(text).map_err(wrong)
     }
 
     /// The profiles that were claimed.
@@ -122,6 +144,7 @@ pub fn merged(parts: &[(String, Stored)]) -> Result<Stored, String> {
         header: Header { shard: Shard::WHOLE, ..first.header.clone() },
         notes: notes.into_iter().cloned().collect(),
         cases: parts.iter().flat_map(|(_, part)| part.cases.iter().cloned()).collect(),
+        fingerprint: parts.iter().find_map(|(_, part)| part.fingerprint.clone()),
         profiles: first.profiles.clone(),
     })
 }
@@ -140,6 +163,7 @@ fn unlike(a: &Stored, b: &Stored) -> String {
         of("gaugeblock", &first.gaugeblock_version, &second.gaugeblock_version),
         of("--only", &first.only.join(" "), &second.only.join(" ")),
         of("--profile", &a.claimed().join(" "), &b.claimed().join(" ")),
+        of("--twice", &first.twice.to_string(), &second.twice.to_string()),
         of("number of shards", &first.shard.of.to_string(), &second.shard.of.to_string()),
     ]
     .into_iter()

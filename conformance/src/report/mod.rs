@@ -1,7 +1,10 @@
 //! What a run of the suite comes to: counts, a verdict per rule, an exit status.
 
 pub mod baseline;
+mod cards;
+pub mod cost;
 pub mod html;
+mod inert;
 pub mod json;
 pub mod junit;
 pub mod markdown;
@@ -13,29 +16,33 @@ pub mod terminal;
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+pub use inert::{inert, inert_line};
 pub use merge::Header;
 pub use profiles::ProfileResult;
 
-use crate::certify::{CaseResult, Run, Verdict};
+use crate::certify::{CaseResult, Cause, Run, Verdict};
 use crate::compare::Tally;
 use crate::expectations::Trouble;
 use crate::suite::Rule;
 
 /// A verdict on a whole rule.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
 pub enum RuleVerdict {
     /// Every case that was judged passes, or passes but for a quirk of other rules, and at least one was.
     #[serde(rename = "pass")]
     Pass,
-    /// A case diverges.
+    /// A case diverges, known or not.
     #[serde(rename = "diverges")]
     Diverges,
     /// No case could be run on this controller.
     #[serde(rename = "unsupported")]
     Unsupported,
-    /// A case was not judged, or inconclusive.
+    /// A case was not judged, or is inconclusive.
     #[serde(rename = "not judged")]
     NotJudged,
 }
@@ -81,40 +88,84 @@ pub struct RuleResult<'a> {
 }
 
 /// How many cases came to what.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Counts {
+    /// All cases.
+    pub cases: usize,
     /// Cases that pass.
     pub pass: usize,
-    /// Cases that diverge.
+    /// Cases that diverge, and nobody knows of it.
     pub diverges: usize,
     /// Cases that pass but for a quirk that is charged to other rules.
     pub charged_elsewhere: usize,
+    /// Cases that diverge exactly as is known.
+    pub known: usize,
+    /// Cases that diverge, and somebody answers for it.
+    pub waived: usize,
     /// Cases that the controller does not support.
     pub unsupported: usize,
-    /// Cases that were not judged or are inconclusive.
-    pub not_judged: usize,
+    /// Cases that documents or model leave open.
+    pub inconclusive: usize,
+    /// Cases of which two runs differ.
+    pub nondeterministic: usize,
+    /// Cases that the controller died of.
+    pub crash: usize,
+    /// Cases that did not end in time.
+    pub timeout: usize,
+    /// Cases of which the controller could not be asked, or its answer not be read.
+    pub harness_error: usize,
+    /// Cases that nobody has run.
+    pub not_run: usize,
 }
 
 impl Counts {
     fn add(&mut self, verdict: &Verdict) {
-        match verdict {
-            Verdict::Pass => self.pass += 1,
-            Verdict::Diverges(_) => self.diverges += 1,
-            Verdict::ChargedElsewhere(_) => self.charged_elsewhere += 1,
-            Verdict::Unsupported(_) => self.unsupported += 1,
-            Verdict::Inconclusive(_) | Verdict::NotJudged(_) => self.not_judged += 1,
-        }
+        self.cases += 1;
+        let count = match verdict {
+            Verdict::Pass => &mut self.pass,
+            Verdict::Diverges(_) => &mut self.diverges,
+            Verdict::ChargedElsewhere(_) => &mut self.charged_elsewhere,
+            Verdict::Known(..) => &mut self.known,
+            Verdict::Waived(..) => &mut self.waived,
+            Verdict::Unsupported(_) => &mut self.unsupported,
+            Verdict::Inconclusive(_) => &mut self.inconclusive,
+            Verdict::NotJudged(unjudged) => match unjudged.cause {
+                Cause::Nondeterministic => &mut self.nondeterministic,
+                Cause::Crash => &mut self.crash,
+                Cause::Timeout => &mut self.timeout,
+                Cause::HarnessError => &mut self.harness_error,
+                Cause::NotRun => &mut self.not_run,
+            },
+        };
+        *count += 1;
+    }
+
+    /// Why cases that were to be judged are not, each with its word.
+    pub fn unjudged(self) -> [(&'static str, usize); 6] {
+        [
+            ("inconclusive", self.inconclusive),
+            ("nondeterministic", self.nondeterministic),
+            ("crash", self.crash),
+            ("timeout", self.timeout),
+            ("harness error", self.harness_error),
+            ("not run", self.not_run),
+        ]
     }
 
     /// All cases.
     pub fn all(self) -> usize {
-        self.pass + self.diverges + self.charged_elsewhere + self.unsupported + self.not_judged
+        self.cases
+    }
+
+    /// Cases that were to be judged and are not.
+    pub fn not_judged(self) -> usize {
+        self.unjudged().into_iter().map(|(_, count)| count).sum()
     }
 
     fn verdict(self) -> RuleVerdict {
-        if self.diverges > 0 {
+        if self.diverges + self.known + self.waived > 0 {
             RuleVerdict::Diverges
-        } else if self.not_judged > 0 {
+        } else if self.not_judged() > 0 {
             RuleVerdict::NotJudged
         } else if self.pass + self.charged_elsewhere > 0 {
             RuleVerdict::Pass
@@ -139,10 +190,17 @@ impl<'a> Report<'a> {
         verdicts(self.run)
     }
 
-    /// Cases that diverge, in order.
+    /// Cases that diverge, known or not, in order.
     pub fn divergences(&self) -> Vec<&CaseResult<'a>> {
-        let diverges = |result: &&CaseResult<'a>| matches!(result.verdict, Verdict::Diverges(_));
+        let diverges = |result: &&CaseResult<'a>| result.verdict.own_departure().is_some();
         self.run.cases.iter().filter(diverges).collect()
+    }
+
+    /// Cases that failed where other programs had run before, and not alone, with how they did: what those left there did it.
+    pub fn leaks(&self) -> Vec<(&CaseResult<'a>, &str)> {
+        let leaks = |case: &'_ CaseResult<'a>| case.before.is_some();
+        let leaking = self.run.cases.iter().filter(|case| leaks(case));
+        leaking.map(|case| (case, case.before.as_deref().unwrap_or_default())).collect()
     }
 
     /// Fields and effects that were not shown, with the number of cases.
@@ -176,7 +234,7 @@ impl<'a> Report<'a> {
         let fails = self.profiles.iter().any(|profile| profile.claimed && !profile.passes());
         if wrong || fails {
             1
-        } else if counts.not_judged > 0 || counts.all() == 0 {
+        } else if counts.not_judged() > 0 || counts.all() == 0 || !self.leaks().is_empty() {
             3
         } else {
             0

@@ -1,10 +1,10 @@
-//! The report as a person reads it on a terminal.
+//! The report as a person reads it on a terminal. What a controller says is [`inert`] here.
 
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
 
-use super::{Report, RuleVerdict};
+use super::{Report, RuleVerdict, inert, inert_line};
 use crate::certify::{CaseResult, Verdict};
 
 const BOLD: Style = Style::new().bold();
@@ -30,12 +30,14 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
     head(&mut text, report);
     chapters(&mut text, report);
     let known = report.troubles.is_some();
-    if !known || verbose {
-        for result in report.divergences() {
+    for result in report.divergences() {
+        let is_new = matches!(result.verdict, Verdict::Diverges(_));
+        if verbose || is_new && !known {
             divergence(&mut text, result);
         }
     }
     not_judged(&mut text, report);
+    waived(&mut text, report);
     troubles(&mut text, report);
     profiles(&mut text, report);
     unseen(&mut text, report, verbose);
@@ -45,10 +47,11 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
 
 fn head(text: &mut String, report: &Report<'_>) {
     let controller = format!("{} {}", report.header.controller, report.header.version);
+    let controller = inert_line(&controller);
     line!(text, "{} held to {}", styled(BOLD, &controller), styled(BOLD, &report.run.edition.id));
     line!(text, "{}", styled(DIM, &report.run.edition.sentence));
     for note in &report.notes {
-        line!(text, "{} {note}", styled(YELLOW, "note"));
+        line!(text, "{} {}", styled(YELLOW, "note"), inert(note));
     }
     line!(text);
 }
@@ -98,19 +101,24 @@ fn chapters(text: &mut String, report: &Report<'_>) {
 
 /// A divergence: the rule, where it stands, the program, what was expected and found.
 fn divergence(text: &mut String, result: &CaseResult<'_>) {
-    let Verdict::Diverges(departure) = &result.verdict else { return };
-    line!(text, "{} {} / {}", styled(RED, "diverges"), styled(BOLD, &result.rule.id), result.name);
+    let Some(departure) = result.verdict.departure() else { return };
+    let word = result.verdict.word();
+    line!(text, "{} {} / {}", styled(RED, word), styled(BOLD, &result.rule.id), result.name);
     line!(text, "  {}", result.rule.sentence);
     for source in &result.rule.sources {
         line!(text, "  {}", styled(DIM, &format!("{source}")));
     }
-    program(text, result);
+    program(text, result.program);
     if let Some((assertion, found)) = &departure.assertion {
         line!(text, "  expected  {}", styled(GREEN, without_guard(assertion)));
-        line!(text, "  found     {}", styled(RED, found));
+        line!(text, "  found     {}", styled(RED, &inert(found)));
     }
     if let Some(divergence) = &departure.divergence {
-        line!(text, "  first difference  {divergence}");
+        line!(text, "  first difference  {}", inert(divergence));
+    }
+    if let Some(shrunk) = &departure.shrunk {
+        line!(text, "  the smallest program that does so");
+        shrunk.lines().for_each(|line| line!(text, "         {line}"));
     }
     if !departure.explanation.is_empty() {
         let explanation = departure.explanation.join(" and ");
@@ -125,8 +133,8 @@ pub(super) fn without_guard(assertion: &str) -> &str {
     guarded.map_or(assertion, |(_, claim)| claim)
 }
 
-fn program(text: &mut String, result: &CaseResult<'_>) {
-    let lines: Vec<&str> = result.program.lines().collect();
+fn program(text: &mut String, program: &str) {
+    let lines: Vec<&str> = program.lines().collect();
     const SHOWN: usize = 24;
     for (place, line) in lines.iter().take(SHOWN).enumerate() {
         let line: String = line.chars().take(100).collect();
@@ -139,21 +147,30 @@ fn program(text: &mut String, result: &CaseResult<'_>) {
 
 fn not_judged(text: &mut String, report: &Report<'_>) {
     for result in &report.run.cases {
-        let (word, why) = match &result.verdict {
-            Verdict::Inconclusive(why) => ("inconclusive", why),
-            Verdict::NotJudged(why) => ("not judged", why),
-            Verdict::Pass
-            | Verdict::Diverges(_)
-            | Verdict::ChargedElsewhere(_)
-            | Verdict::Unsupported(_) => continue,
-        };
-        line!(text, "{} {} / {}: {why}", styled(YELLOW, word), result.rule.id, result.name);
+        let Some(why) = result.verdict.open() else { continue };
+        let word = styled(YELLOW, result.verdict.word());
+        line!(text, "{word} {} / {}: {}", result.rule.id, result.name, inert(why));
+    }
+    for (result, how) in report.leaks() {
+        let (rule, how) = (&result.rule.id, inert(how));
+        let word = styled(YELLOW, "leaked state");
+        line!(text, "{word} {rule} / {}: judged alone; after other programs {how}", result.name);
+    }
+}
+
+fn waived(text: &mut String, report: &Report<'_>) {
+    for result in &report.run.cases {
+        let Verdict::Waived(departure, why) = &result.verdict else { continue };
+        let line = inert(&departure.line()).into_owned();
+        let word = styled(YELLOW, result.verdict.word());
+        line!(text, "{word} {} / {}: {why}: {line}", result.rule.id, result.name);
     }
 }
 
 fn troubles(text: &mut String, report: &Report<'_>) {
     for trouble in report.troubles.iter().flatten() {
-        line!(text, "{} {trouble}", styled(RED, "expectation"));
+        let trouble = trouble.to_string();
+        line!(text, "{} {}", styled(RED, "expectation"), inert(&trouble));
     }
 }
 
@@ -192,7 +209,7 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
     if !unsupported.is_empty() {
         line!(text, "unsupported, by reason:");
         for (reason, cases) in unsupported {
-            line!(text, "  {cases:>5}  {reason}");
+            line!(text, "  {cases:>5}  {}", inert(reason));
         }
     }
     let masked = report.masked();
@@ -223,16 +240,27 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
 fn verdict(text: &mut String, report: &Report<'_>) {
     let counts = report.counts();
     let compared: usize = report.run.cases.iter().map(|result| result.compared.total()).sum();
+    let mut departing = vec![
+        format!("{} pass", counts.pass),
+        format!("{} pass but for a quirk of other rules", counts.charged_elsewhere),
+        format!("{} diverge", counts.diverges),
+    ];
+    let excused = [(counts.known, "known"), (counts.waived, "waived")];
+    let excused = excused.into_iter().filter(|(count, _)| *count > 0);
+    departing.extend(excused.map(|(count, word)| format!("{count} {word}")));
     line!(
         text,
-        "{} cases: {} pass, {} pass but for a quirk of other rules, {} diverge, {} unsupported, {} not judged; {compared} values compared",
+        "{} cases: {}, {} unsupported, {} not judged; {compared} values compared",
         counts.all(),
-        counts.pass,
-        counts.charged_elsewhere,
-        counts.diverges,
+        departing.join(", "),
         counts.unsupported,
-        counts.not_judged
+        counts.not_judged()
     );
+    let open = counts.unjudged().into_iter().filter(|(_, count)| *count > 0);
+    let open: Vec<_> = open.map(|(word, count)| format!("{count} {word}")).collect();
+    if !open.is_empty() {
+        line!(text, "not judged: {}", styled(YELLOW, &open.join(", ")));
+    }
     let (style, words) = match (report.exit_status(), &report.troubles) {
         (0, Some(_)) => (GREEN, "as the documents say, apart from what is known"),
         (0, None) => (GREEN, "as the documents say"),
@@ -241,6 +269,9 @@ fn verdict(text: &mut String, report: &Report<'_>) {
             (RED, "departs from its documents")
         }
         (1, _) => (RED, "does not pass what it claims"),
+        _ if counts.not_judged() == 0 && counts.all() > 0 => {
+            (YELLOW, "not clean: programs leave something there that fails others")
+        }
         _ => (YELLOW, "not finished: some cases were not judged"),
     };
     line!(text, "{}", styled(style, words));

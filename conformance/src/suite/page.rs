@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 
 use gaugeblock_trace::Language;
 use gaugeblock_trace::scenario::{Bench, Budget, Machine, OperatorEvent, Program, Scenario, Start};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::motion::MotionCase;
 
 /// Where a document says something.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Source {
     /// Document, such as `linuxcnc-2.8`.

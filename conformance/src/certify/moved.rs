@@ -1,0 +1,103 @@
+//! Cases of motion: samples held to laws.
+
+use gaugeblock_trace::Scenario;
+use gaugeblock_trace::motion::{ProgrammedPath, Samples};
+
+use super::Held;
+use super::verdict::{CaseResult, Cause, Departure, Unjudged, Verdict};
+use crate::adapters::{Adapter, Motion, NotMoved};
+use crate::compare::Basis;
+use crate::motion::{self, Sketch};
+use crate::suite::{MotionCase, Rule};
+
+impl Held<'_> {
+    /// A case of motion: its own samples, or what the controller makes of its program at each feed of segments.
+    pub(super) fn run_motion<'r>(self, rule: &'r Rule, case: &'r MotionCase) -> CaseResult<'r> {
+        let mut result = CaseResult::begun(rule, &case.name, &case.program);
+        let bench = self.plan.edition.bench.as_ref();
+        match motion::asked(case, self.options, bench) {
+            Ok((scenario, path)) => {
+                let moved = Moved { held: self, rule, case, scenario: &scenario, path: &path };
+                result.verdict = moved.verdict(&mut result);
+            }
+            Err(why) => result.verdict = Verdict::Inconclusive(why),
+        }
+        result
+    }
+}
+
+/// A case of motion with what it asks for.
+#[derive(Clone, Copy)]
+struct Moved<'a> {
+    held: Held<'a>,
+    rule: &'a Rule,
+    case: &'a MotionCase,
+    scenario: &'a Scenario,
+    path: &'a ProgrammedPath,
+}
+
+impl Moved<'_> {
+    fn verdict(self, result: &mut CaseResult<'_>) -> Verdict {
+        let Self { held, rule, case, scenario, path } = self;
+        let readings = held.plan.suite.motion_options(held.plan.edition);
+        let feeds: &[Option<u32>] = if case.is_recorded() { &[None] } else { &motion::FEEDS };
+        let mut twice = !case.is_recorded() && held.twice.chooses(&rule.id, &case.name);
+        for every in feeds {
+            let samples = match samples_of(held.controller, scenario, case, *every) {
+                Ok(samples) => samples,
+                Err(not_moved) => return why_not(not_moved),
+            };
+            if std::mem::take(&mut twice)
+                && let Err(unjudged) = self.same_again(&samples, *every)
+            {
+                return Verdict::NotJudged(unjudged);
+            }
+            let judged = motion::held(case, &rule.id, &readings, (&samples, path));
+            if judged.is_err() || result.sketch.is_none() {
+                result.sketch = Some(Sketch::of(&samples, path));
+            }
+            match judged {
+                Ok(()) => result.compared.add(Basis::Laws, case.says.len()),
+                Err((saying, found)) => {
+                    let fed =
+                        every.map_or(String::new(), |n| format!("with a segment in {n} cycles: "));
+                    let assertion = Some((saying, format!("{fed}{found}")));
+                    return Verdict::Diverges(Departure { assertion, ..Departure::default() });
+                }
+            }
+        }
+        Verdict::Pass
+    }
+
+    fn same_again(self, first: &Samples, every: Option<u32>) -> Result<(), Unjudged> {
+        let second = samples_of(self.held.controller, self.scenario, self.case, every);
+        let why = match second {
+            Ok(second) if second == *first => return Ok(()),
+            Ok(second) if second.len() == first.len() => "other samples".to_owned(),
+            Ok(second) => format!("first {} samples, then {}", first.len(), second.len()),
+            Err(NotMoved::Unsupported(why) | NotMoved::Failed(why)) => format!("then {why}"),
+        };
+        Err(Unjudged::new(Cause::Nondeterministic, format!("run twice: {why}")))
+    }
+}
+
+fn why_not(not_moved: NotMoved) -> Verdict {
+    match not_moved {
+        NotMoved::Unsupported(why) => Verdict::Unsupported(why),
+        NotMoved::Failed(why) => Verdict::NotJudged(Unjudged::new(Cause::HarnessError, why)),
+    }
+}
+
+fn samples_of(
+    controller: &dyn Adapter,
+    scenario: &Scenario,
+    case: &MotionCase,
+    every: Option<u32>,
+) -> Result<Samples, NotMoved> {
+    if case.is_recorded() {
+        return motion::made(case).map_err(NotMoved::Failed);
+    }
+    let limits = case.limits().map_err(NotMoved::Failed)?;
+    let script = case.script();
+    controller.moves(&Motion { scenario, limits: &limits, script: &script, every })
+}
