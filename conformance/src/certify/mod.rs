@@ -146,7 +146,7 @@ fn run_case<'a>(
         | End::Fault(_)
         | End::BudgetExhausted { .. } => {}
     }
-    let found = match controller.run(&scenario) {
+    let found = match controller.run_expecting(&scenario, &expected) {
         Ok(found) => found,
         Err(error) => {
             result.verdict = Verdict::NotJudged(error.to_string());
