@@ -16,7 +16,7 @@ use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock::certify::{Plan, certify, scenario_of};
-use gaugeblock::protocol::{Answer, Operation, Reply, Request};
+use gaugeblock::protocol::{Answer, Operation, Reply, Request, Ways};
 use gaugeblock::suite::{Suite, files};
 use gaugeblock_trace::{Language, Scenario};
 use mimalloc::MiMalloc;
@@ -83,7 +83,7 @@ struct Least {
 /// How many bytes a run sends and gets: its own two lines, and those of the reset before it.
 fn sizes(scenario: &Scenario, production: &Production, suite: &Suite) -> Result<(usize, usize)> {
     let defaults = suite.defaults();
-    let operation = Operation::Run { scenario: Box::new(scenario.clone()) };
+    let operation = Operation::Run { scenario: Box::new(scenario.clone()), ways: Ways::default() };
     let mut request = serde_json::to_value(&Request { id: 1, operation })?;
     let default = serde_json::to_value(Scenario::default())?;
     if let Some(told) = request["scenario"].as_object_mut() {

@@ -28,7 +28,7 @@ fn asked(edition: &str, only: &str) -> Vec<(Scenario, usize)> {
     assert_eq!(output.status.code(), Some(0), "{said}{}", String::from_utf8_lossy(&output.stderr));
     let wire = std::fs::read_to_string(&wire).expect("what was told");
     let read = |line: &str| match serde_json::from_str(line).expect(line) {
-        Request { operation: Operation::Run { scenario }, .. } => Some((*scenario, line.len())),
+        Request { operation: Operation::Run { scenario, .. }, .. } => Some((*scenario, line.len())),
         Request { .. } => None,
     };
     wire.lines().filter_map(read).collect()

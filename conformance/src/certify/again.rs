@@ -44,9 +44,9 @@ pub(super) struct Runs<'a> {
 }
 
 impl Runs<'_> {
-    /// What the controller does; where `twice` says so, only if it does the same when it is asked again.
-    pub(super) fn outcome(self, twice: bool) -> Result<Ran, Unjudged> {
-        let found = match self.controller.run(self.scenario) {
+    /// What the controller does, where the documents say `expected`; where `twice` says so, only if it does the same when it is asked again.
+    pub(super) fn outcome(self, expected: &Outcome, twice: bool) -> Result<Ran, Unjudged> {
+        let found = match self.controller.run_expecting(self.scenario, expected) {
             Ok(found) => found,
             Err(error) if is_perhaps_left(&error) => return self.failed(&error),
             Err(error) => return Err(Unjudged::from(&error)),

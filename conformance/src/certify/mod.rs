@@ -165,7 +165,7 @@ impl Held<'_> {
             return result;
         }
         let runs = Runs { controller, scenario: &scenario };
-        let found = match runs.outcome(twice.chooses(&rule.id, &case.name)) {
+        let found = match runs.outcome(&expected, twice.chooses(&rule.id, &case.name)) {
             Ok(Ran { found, before }) => {
                 result.repeated = before.is_some();
                 result.before = before;

@@ -117,7 +117,14 @@ fn vocabulary() -> String {
         text.push_str(&format!("{place}\n"));
         for word in words {
             let means = protocol::FEATURES.iter().find(|(name, _)| *name == word);
-            let means = means.filter(|_| place == "features").map(|(_, means)| *means);
+            let means = match place {
+                "features" => means.map(|(_, means)| *means),
+                "offers" => {
+                    let offer = protocol::OFFERS.iter().find(|(_, name, _)| *name == word);
+                    offer.map(|(.., means)| *means)
+                }
+                _ => None,
+            };
             match means {
                 Some(means) => text.push_str(&format!("  {word:22} {means}\n")),
                 None => text.push_str(&format!("  {word}\n")),

@@ -121,14 +121,10 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
     }
-    let mut controller: Box<dyn Adapter> = match arguments.controller.strip_prefix("exec:") {
-        Some(command) => {
-            let time = Duration::from_secs(arguments.time_limit);
-            let limits = Limits { time, ..Limits::default() };
-            Box::new(controller::exec(command, limits)?.assuming(suite.defaults()))
-        }
-        None => controller::controller(&arguments.controller)?,
-    };
+    let time = Duration::from_secs(arguments.time_limit);
+    let limits = Limits { time, start: time, ..Limits::default() };
+    let mut controller =
+        controller::controller_within(&arguments.controller, limits, suite.defaults())?;
     let own = controller.own_edition().unwrap_or(controller::own_edition(&arguments.controller));
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
     controller::declared_options(controller.as_ref(), suite)?;

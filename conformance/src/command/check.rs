@@ -10,17 +10,23 @@ use crate::protocol::check::{Came, checks};
 #[command(after_help = "Examples:
   gaugeblock adapter check \"python3 adapter.py\"
   gaugeblock adapter check ./adapter
+  gaugeblock adapter check tcp:127.0.0.1:4100
 
 Exit status: 0 nothing is wrong, 1 something is, 3 it cannot be asked at all.")]
 pub(super) struct Arguments {
-    /// The adapter, as a command of the shell
+    /// The adapter, as a command of the shell, or tcp:HOST:PORT where it listens
     #[arg(value_name = "COMMAND")]
     command: String,
 }
 
 pub(super) fn check(arguments: &Arguments) -> Result<u8, Refused> {
-    let command = arguments.command.strip_prefix("exec:").unwrap_or(&arguments.command);
-    let adapter = controller::exec(command, Limits::default())?;
+    let named = &arguments.command;
+    let named = match named.split_once(':') {
+        Some(("exec" | "tcp", _)) => named.clone(),
+        _ => format!("exec:{named}"),
+    };
+    let adapter = controller::behind(&named, Limits::default())
+        .unwrap_or_else(|| controller::exec(&named, Limits::default()))?;
     let begun = crate::adapters::exec::now();
     let found = checks(&adapter, &|| begun.elapsed().as_secs_f64());
     let mut wrong = 0;
@@ -34,13 +40,10 @@ pub(super) fn check(arguments: &Arguments) -> Result<u8, Refused> {
             }
             Came::LeftOut(says) => ("left out", says),
         };
-        text.push_str(&format!("{mark:8}  {:17}  {says}\n", check.what));
+        text.push_str(&format!("{mark:8}  {:19}  {says}\n", check.what));
     }
     text.push_str(&match wrong {
-        0 => format!(
-            "\nnothing is wrong with it: gaugeblock certify {:?}\n",
-            format!("exec:{command}")
-        ),
+        0 => format!("\nnothing is wrong with it: gaugeblock certify {named:?}\n"),
         _ => format!(
             "\n{wrong} to be mended; `gaugeblock adapter protocol` tells how it should be\n"
         ),

@@ -14,10 +14,22 @@ use crate::adapters::{Adapter, ControllerError};
 use crate::suite::{Edition, Suite};
 
 /// The names, as the help tells them.
-pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`)";
+pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`); tcp:HOST:PORT: one whose adapter listens there";
 
 /// The controller of a name.
 pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
+    controller_within(name, Limits::default(), Options::default())
+}
+
+/// The controller of a name; where it is behind an adapter, within these limits, and told no options that have these defaults.
+pub(super) fn controller_within(
+    name: &str,
+    limits: Limits,
+    defaults: Options,
+) -> Result<Box<dyn Adapter>, Refused> {
+    if let Some(behind) = behind(name, limits) {
+        return Ok(Box::new(behind?.assuming(defaults)));
+    }
     match name.split_once(':') {
         None if name == "reference" => Ok(Box::new(Reference::default())),
         None if name == "production" => Ok(Box::new(Production::default())),
@@ -25,7 +37,6 @@ pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
         Some(("rs274", path)) => rs274(Some(Path::new(path))),
         None if name == "linuxcnc" => Ok(Box::new(linuxcnc()?)),
         Some(("faulty", fault)) => faulty(fault),
-        Some(("exec", command)) => Ok(Box::new(exec(command, Limits::default())?)),
         _ => Err(Refused::wrong(
             format!("there is no controller `{name}`"),
             format!("one of {NAMES}"),
@@ -76,7 +87,16 @@ fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, Refused> {
     }
 }
 
-/// A controller behind an adapter.
+/// A controller behind an adapter, where this names one.
+pub(super) fn behind(name: &str, limits: Limits) -> Option<Result<Exec, Refused>> {
+    match name.split_once(':')? {
+        ("exec", command) => Some(exec(command, limits)),
+        ("tcp", address) => Some(tcp(address, limits)),
+        _ => None,
+    }
+}
+
+/// A controller behind a command.
 pub(super) fn exec(command: &str, limits: Limits) -> Result<Exec, Refused> {
     if command.trim().is_empty() {
         return Err(Refused::wrong(
@@ -88,6 +108,23 @@ pub(super) fn exec(command: &str, limits: Limits) -> Result<Exec, Refused> {
         Refused::unfinished(
             format!("exec:{command}: {error}"),
             format!("`gaugeblock adapter check {command:?}` tells what is wrong with an adapter"),
+        )
+    })
+}
+
+/// A controller whose adapter listens at an address.
+fn tcp(address: &str, limits: Limits) -> Result<Exec, Refused> {
+    let port = address.rsplit_once(':').and_then(|(_, port)| port.parse::<u16>().ok());
+    if port.is_none() {
+        return Err(Refused::wrong(
+            format!("`tcp:{address}` names no host and port"),
+            "as in tcp:127.0.0.1:4100",
+        ));
+    }
+    Exec::connect(address, limits).map_err(|error| {
+        Refused::unfinished(
+            format!("tcp:{address}: {error}"),
+            "start the adapter there first; one of ours: gaugeblock serve production --tcp HOST:PORT",
         )
     })
 }

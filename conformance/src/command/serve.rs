@@ -1,19 +1,26 @@
 //! `gaugeblock serve`.
 
+use std::io::BufReader;
+use std::net::{TcpListener, TcpStream};
+use std::sync::Arc;
+
 use clap::Args;
 use gaugeblock_trace::{Language, Scenario};
 
 use super::{Refused, controller};
 use crate::adapters::Adapter;
-use crate::protocol;
+use crate::protocol::{self, Offer, Served};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock certify \"exec:gaugeblock serve production\"
       what `certify production` says, through the protocol
+  gaugeblock serve production --tcp 4100
+  gaugeblock certify tcp:127.0.0.1:4100
+      the same over the network
   echo '{\"id\":1,\"op\":\"hello\",\"protocol\":1,\"referee\":\"me\"}' | gaugeblock serve reference
       what the specification declares: everything that can be declared
 
-It ends with `bye`, or where its input ends.";
+It ends with `bye`, or where its input ends; over the network it goes on until it is killed.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -21,15 +28,64 @@ pub(super) struct Arguments {
     /// The controller
     #[arg(value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
+    /// What is declared beyond the operations that each adapter has to know
+    #[arg(long, value_enum, value_name = "OFFER", value_delimiter = ',', default_values_t = [Offer::Files, Offer::Motion])]
+    offer: Vec<Offer>,
+    /// Listen at this address instead of standard input, and print it; a port alone is that of the loopback address, port 0 any that is free. Whoever reaches it
+    /// can have programs run: nobody is asked who they are
+    #[arg(long, value_name = "[HOST:]PORT")]
+    tcp: Option<String>,
 }
 
 pub(super) fn serve(arguments: &Arguments) -> Result<u8, Refused> {
-    let controller = controller::controller(&arguments.controller)?;
+    let controller: Arc<dyn Adapter> = Arc::from(controller::controller(&arguments.controller)?);
     let languages = languages(controller.as_ref());
-    let (mut requests, mut answers) = (std::io::stdin().lock(), std::io::stdout().lock());
-    protocol::serve(controller.as_ref(), &languages, &mut requests, &mut answers)
+    let offers = arguments.offer.iter().copied().collect();
+    let served = Served { controller, languages, offers };
+    if let Some(address) = &arguments.tcp {
+        return listen(&served, address);
+    }
+    let requests = Box::new(BufReader::new(std::io::stdin()));
+    protocol::serve(&served, requests, &mut std::io::stdout().lock())
         .map_err(|error| Refused::unfinished(error.to_string(), "its caller went away"))?;
     Ok(0)
+}
+
+/// A session for each connection.
+fn listen(served: &Served, address: &str) -> Result<u8, Refused> {
+    let refused = |error: std::io::Error| {
+        Refused::wrong(
+            format!("--tcp {address}: {error}"),
+            "a port that is free, as in 4100, or with an address of this machine, as in 127.0.0.1:4100",
+        )
+    };
+    // Who says no host means this one, and nobody else.
+    let host = if address.contains(':') { "" } else { "127.0.0.1:" };
+    let address = format!("{host}{address}");
+    let listener = TcpListener::bind(&address).map_err(refused)?;
+    let own = listener.local_addr().map_err(refused)?;
+    super::write_out(&format!("{own}\n"));
+    for connection in listener.incoming() {
+        // Whose connection is gone by now asks again.
+        let Ok(connection) = connection else { continue };
+        let served = served.clone();
+        std::thread::spawn(move || {
+            // It ends one session, and nothing else.
+            let _ended = session(&served, connection);
+        });
+    }
+    Ok(0)
+}
+
+fn session(served: &Served, connection: TcpStream) -> std::io::Result<()> {
+    connection.set_nodelay(true)?;
+    let requests = Box::new(BufReader::new(connection.try_clone()?));
+    let mut answers = std::io::BufWriter::new(&connection);
+    let ended = protocol::serve(served, requests, &mut answers);
+    drop(answers);
+    // Whoever still reads from it is told, too.
+    connection.shutdown(std::net::Shutdown::Both)?;
+    ended
 }
 
 /// The languages that a controller speaks.

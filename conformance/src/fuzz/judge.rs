@@ -47,7 +47,7 @@ impl Plan<'_> {
                 return Came::Unsupported;
             }
         }
-        let (expected, mut evidence) = outcome(self.against, scenario);
+        let (expected, mut evidence) = outcome(self.against, scenario, None);
         let expected = match expected {
             Ok(expected) => expected,
             Err(error) => return self.broken(self.against, &error, statistics),
@@ -56,7 +56,7 @@ impl Plan<'_> {
         if let Some(came) = open(self.against, &expected, statistics) {
             return came;
         }
-        let (found, other) = outcome(self.iut, scenario);
+        let (found, other) = outcome(self.iut, scenario, Some(&expected));
         let found = match found {
             Ok(found) => found,
             Err(HarnessError::TimedOut { .. } | HarnessError::Flooded { .. })
@@ -168,16 +168,21 @@ fn name(side: &dyn Adapter) -> &str {
     &side.capabilities().name
 }
 
-/// The outcome of a scenario, and of the model its evidence too.
+/// The outcome of a scenario, and of the model its evidence too. What the other side showed is what is expected of it.
 fn outcome(
     side: &dyn Adapter,
     scenario: &Scenario,
+    expected: Option<&Outcome>,
 ) -> (Result<Outcome, HarnessError>, Option<Evidence>) {
     if name(side) == "reference" {
         let (outcome, evidence) = gaugeblock_reference::run(scenario);
         return (Ok(outcome), Some(evidence));
     }
-    (side.run(scenario), None)
+    let outcome = match expected {
+        Some(expected) => side.run_expecting(scenario, expected),
+        None => side.run(scenario),
+    };
+    (outcome, None)
 }
 
 /// Whether a run says nothing of the scenario: it is not supported, or the documents leave it open.

@@ -8,7 +8,7 @@ use gaugeblock_trace::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{FEATURES, VERSION};
+use super::{FEATURES, OFFERS, Offer, VERSION};
 use crate::adapters::Capabilities;
 
 /// What a controller is and shows. Everything has to be said but what is marked as optional.
@@ -41,6 +41,9 @@ pub struct Declaration {
     /// Optional: how many sessions may run at once; as many as there are processors where nothing is said, 1 for a single machine.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sessions: Option<u16>,
+    /// Optional: what it can do beyond the operations that each adapter has to know.
+    #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
+    pub offers: BTreeSet<Offer>,
 }
 
 /// What a controller shows, by the names of the vocabulary (`gaugeblock adapter vocabulary` lists them).
@@ -108,6 +111,7 @@ impl Declaration {
             edition: None,
             options: Options::default(),
             sessions: None,
+            offers: BTreeSet::new(),
         }
     }
 
@@ -176,6 +180,7 @@ pub fn vocabulary() -> Vec<(&'static str, Vec<&'static str>)> {
         ("state of nct (fields)", NctState::FIELDS.to_vec()),
         ("effects", Effect::NAMES.to_vec()),
         ("pins", Pin::names().collect()),
+        ("offers", OFFERS.iter().map(|(_, name, _)| *name).collect()),
     ]
 }
 

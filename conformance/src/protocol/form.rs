@@ -1,34 +1,63 @@
 //! Requests and answers as they stand in a line: read in one pass, and what is wrong is told with its place.
 
-use gaugeblock_trace::{Outcome, Scenario};
-use schemars::JsonSchema;
+use gaugeblock_trace::motion::{MotionLimits, MotionScript};
+use gaugeblock_trace::scenario::{OperatorEvent, When};
+use gaugeblock_trace::{Outcome, Scenario, Step};
 use serde::Deserialize;
 
-use super::{Declaration, Operation, Reply};
+use super::{Declaration, Operation, Reply, Standing, Stream, Ways};
 
 /// A request, whatever it asks. What else stands in it is left for later versions.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Request {
     id: u64,
     op: String,
     protocol: Option<u32>,
     referee: Option<String>,
+    folder: Option<String>,
     scenario: Option<Box<Scenario>>,
+    stream: Option<Stream>,
+    #[serde(default)]
+    digest: bool,
+    #[serde(default)]
+    live: Vec<When>,
+    limits: Option<MotionLimits>,
+    script: Option<MotionScript>,
+    every: Option<u32>,
+    batches: Option<u32>,
+    event: Option<OperatorEvent>,
 }
 
 impl TryFrom<Request> for super::Request {
     type Error = String;
 
     fn try_from(form: Request) -> Result<Self, String> {
-        let Request { id, op, protocol, referee, scenario } = form;
+        let Request { id, op, scenario, .. } = form;
         let lacks = |what: &str| format!("`{op}` lacks `{what}`");
         let operation = match op.as_str() {
             "hello" => Operation::Hello {
-                protocol: protocol.ok_or_else(|| lacks("protocol"))?,
-                referee: referee.ok_or_else(|| lacks("referee"))?,
+                protocol: form.protocol.ok_or_else(|| lacks("protocol"))?,
+                referee: form.referee.ok_or_else(|| lacks("referee"))?,
+                folder: form.folder,
             },
             "reset" => Operation::Reset {},
-            "run" => Operation::Run { scenario: scenario.ok_or_else(|| lacks("scenario"))? },
+            "run" => Operation::Run {
+                scenario: scenario.ok_or_else(|| lacks("scenario"))?,
+                ways: Ways { stream: form.stream, digest: form.digest, live: form.live },
+            },
+            "move" => Operation::Move {
+                scenario: scenario.ok_or_else(|| lacks("scenario"))?,
+                limits: form.limits.ok_or_else(|| lacks("limits"))?,
+                script: form.script.ok_or_else(|| lacks("script"))?,
+                every: form.every,
+            },
+            "cancel" => Operation::Cancel {},
+            "state" => Operation::State {},
+            "credit" => {
+                Operation::Credit { batches: form.batches.ok_or_else(|| lacks("batches"))? }
+            }
+            "operator" => Operation::Operator { event: form.event.ok_or_else(|| lacks("event"))? },
+            "outcome" => Operation::Outcome {},
             "bye" => Operation::Bye {},
             _ => return Err(format!("unknown operation `{op}`")),
         };
@@ -37,30 +66,42 @@ impl TryFrom<Request> for super::Request {
 }
 
 /// An answer, whatever it says. What else stands in it is left for later versions.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Answer {
     id: u64,
     hello: Option<Box<Declaration>>,
     done: Option<Done>,
     outcome: Option<Box<Outcome>>,
+    file: Option<String>,
+    samples: Option<String>,
+    state: Option<Box<Standing>>,
+    steps: Option<Vec<Step>>,
+    at: Option<u32>,
+    digest: Option<String>,
     unsupported: Option<String>,
     refused: Option<String>,
 }
 
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
 struct Done {}
 
 impl TryFrom<Answer> for super::Answer {
     type Error = String;
 
     fn try_from(form: Answer) -> Result<Self, String> {
-        let Answer { id, hello, done, outcome, unsupported, refused } = form;
+        let Answer { id, .. } = form;
         let replies = [
-            hello.map(Reply::Hello),
-            done.map(|Done {}| Reply::Done {}),
-            outcome.map(Reply::Outcome),
-            unsupported.map(Reply::Unsupported),
-            refused.map(Reply::Refused),
+            form.hello.map(Reply::Hello),
+            form.done.map(|Done {}| Reply::Done {}),
+            form.outcome.map(Reply::Outcome),
+            form.file.map(Reply::File),
+            form.samples.map(Reply::Samples),
+            form.state.map(Reply::State),
+            form.steps.map(Reply::Steps),
+            form.at.map(Reply::At),
+            form.digest.map(Reply::Digest),
+            form.unsupported.map(Reply::Unsupported),
+            form.refused.map(Reply::Refused),
         ];
         let mut replies = replies.into_iter().flatten();
         match (replies.next(), replies.next()) {

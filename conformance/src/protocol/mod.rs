@@ -5,17 +5,22 @@
 
 pub mod check;
 mod declaration;
+pub mod digest;
 mod features;
 mod form;
+mod offers;
 mod serve;
 
-use gaugeblock_trace::{Outcome, Scenario};
+use gaugeblock_trace::motion::{MotionLimits, MotionScript};
+use gaugeblock_trace::scenario::{OperatorEvent, When};
+use gaugeblock_trace::{Indexed, Outcome, Scenario, Settings, State, Step};
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::{Deserialize, Serialize};
 
 pub use declaration::{Clock, Declaration, Observables, vocabulary};
 pub use features::{FEATURES, needed};
-pub use serve::serve;
+pub use offers::{OFFERS, Offer};
+pub use serve::{Served, serve};
 
 /// The version that is frozen: what stands in it stays, and what comes is optional.
 pub const VERSION: u32 = 1;
@@ -23,6 +28,7 @@ pub const VERSION: u32 = 1;
 /// What the referee asks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "form::Request")]
+#[schemars(!try_from)]
 pub struct Request {
     /// The answer has the same; never the same twice in a session.
     pub id: u64,
@@ -31,7 +37,7 @@ pub struct Request {
     pub operation: Operation,
 }
 
-/// What can be asked.
+/// What can be asked. What belongs to an [`Offer`] is asked of nobody who does not declare it.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "op", rename_all = "snake_case")]
 pub enum Operation {
@@ -41,6 +47,9 @@ pub enum Operation {
         protocol: u32,
         /// The referee and its version, for a log.
         referee: String,
+        /// For [`Offer::Files`]: a folder in which answers may be laid, where both are on one machine.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        folder: Option<String>,
     },
     /// Be as after power-on: nothing of an earlier program is left. Answered by `done`.
     Reset {},
@@ -48,7 +57,38 @@ pub enum Operation {
     Run {
         /// All that the run depends on.
         scenario: Box<Scenario>,
+        /// How it may be told.
+        #[serde(flatten)]
+        ways: Ways,
     },
+    /// [`Offer::Motion`]: run this, and tell what is commanded of the axes. Answered by `samples`, `file` or `unsupported`.
+    Move {
+        /// All that the run depends on.
+        scenario: Box<Scenario>,
+        /// What the axes can do, and the servo period.
+        limits: MotionLimits,
+        /// What a person and the inputs do, by servo cycle.
+        script: MotionScript,
+        /// The planner is given a segment in so many servo cycles; as many as it takes where nothing is said.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        every: Option<u32>,
+    },
+    /// [`Offer::Cancel`]: end the run that is going on and be as after `reset`. Answered by `done`; the run is not answered any more.
+    Cancel {},
+    /// [`Offer::State`]: tell what is in force now. Answered by `state`.
+    State {},
+    /// [`Offer::Stream`]: so many more batches may come. It has the id of the run and no answer of its own.
+    Credit {
+        /// How many more.
+        batches: u32,
+    },
+    /// [`Offer::LiveOperator`]: do this now. It has the id of the run and no answer of its own.
+    Operator {
+        /// What, and where it belongs.
+        event: OperatorEvent,
+    },
+    /// [`Offer::Digest`]: tell the outcome of the last run, whose digest was answered. Answered by `outcome` or `file`.
+    Outcome {},
     /// The session ends: answer with `done`, and exit.
     Bye {},
 }
@@ -60,14 +100,58 @@ impl Operation {
             Self::Hello { .. } => "hello",
             Self::Reset {} => "reset",
             Self::Run { .. } => "run",
+            Self::Move { .. } => "move",
+            Self::Cancel {} => "cancel",
+            Self::State {} => "state",
+            Self::Credit { .. } => "credit",
+            Self::Operator { .. } => "operator",
+            Self::Outcome {} => "outcome",
             Self::Bye {} => "bye",
         }
     }
 }
 
+/// How a run may be told beside one whole outcome in one line.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
+pub struct Ways {
+    /// [`Offer::Stream`]: its steps may come in batches before the outcome, which then has the rest of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stream: Option<Stream>,
+    /// [`Offer::Digest`]: a digest will do for an answer.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[schemars(default)]
+    pub digest: bool,
+    /// [`Offer::LiveOperator`]: the places of the operator's events, which are not in the scenario then.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
+    pub live: Vec<When>,
+}
+
+/// What may be streamed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Stream {
+    /// How many batches may come before more are allowed by `credit`.
+    pub credit: u32,
+}
+
+/// What is in force between runs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Standing {
+    /// Settings in force.
+    pub settings: Settings,
+    /// The state, where there is one to tell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub state: Option<State>,
+    /// Numbered parameters that are not zero.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub parameters: Option<Indexed<u32, f64>>,
+}
+
 /// What the adapter answers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "form::Answer")]
+#[schemars(!try_from)]
 pub struct Answer {
     /// That of the request.
     pub id: u64,
@@ -82,10 +166,23 @@ pub struct Answer {
 pub enum Reply {
     /// To `hello`.
     Hello(Box<Declaration>),
-    /// To `reset` and `bye`.
+    /// To `reset`, `cancel` and `bye`.
     Done {},
-    /// To `run`: what was observed.
+    /// To `run` and `outcome`: what was observed.
     Outcome(Box<Outcome>),
+    /// To `run` and `outcome`: the name of a file in the folder of `hello`, which holds the outcome as it would stand in the line; to `move`: one which holds
+    /// samples in either form.
+    File(String),
+    /// To `move`: samples as a table of text.
+    Samples(String),
+    /// To `state`: what is in force.
+    State(Box<Standing>),
+    /// To `run`, before the answer proper: a batch of its steps.
+    Steps(Vec<Step>),
+    /// To `run`, before the answer proper: the controller is at this place of those in `live`, counted from 0.
+    At(u32),
+    /// To `run`: the digest of the outcome, which can be asked for.
+    Digest(String),
     /// To `run`: the controller does not have what this scenario needs, and why. Nothing was run. It counts as unsupported.
     Unsupported(String),
     /// To anything: the adapter does not know this operation, or could not do it, and why. It is never a verdict on the controller.
@@ -99,6 +196,12 @@ impl Reply {
             Self::Hello(_) => "hello",
             Self::Done {} => "done",
             Self::Outcome(_) => "outcome",
+            Self::File(_) => "file",
+            Self::Samples(_) => "samples",
+            Self::State(_) => "state",
+            Self::Steps(_) => "steps",
+            Self::At(_) => "at",
+            Self::Digest(_) => "digest",
             Self::Unsupported(_) => "unsupported",
             Self::Refused(_) => "refused",
         }

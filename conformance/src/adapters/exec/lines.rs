@@ -1,6 +1,7 @@
 //! A line out, a line back, over streams that may hang, flood or end at any moment.
 
-use std::io::{ErrorKind, PipeReader, PipeWriter, Read, Write};
+use std::fs::File;
+use std::io::{ErrorKind, Read, Write};
 use std::time::{Duration, Instant};
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
@@ -20,8 +21,8 @@ const PACE: Duration = Duration::from_millis(50);
 pub(super) enum NoLine {
     /// The stream ended.
     Ended,
-    /// Not in time.
-    Late,
+    /// Not in time; whether all that was to be said could be written.
+    Late(bool),
     /// More bytes than allowed without an end of line.
     TooLong,
 }
@@ -29,19 +30,20 @@ pub(super) enum NoLine {
 /// The streams of a session.
 #[derive(Debug)]
 pub(super) struct Lines {
-    input: PipeWriter,
-    output: PipeReader,
-    errors: PipeReader,
+    input: File,
+    output: File,
+    /// Where there is an error output.
+    errors: Option<File>,
     /// What was read and not taken.
     read: Vec<u8>,
     /// How many bytes of it are known to hold no end of a line.
     seen: usize,
+    /// Length of the last line that was taken.
+    taken: usize,
     /// The end of the error output.
     said: Vec<u8>,
     /// Whether the output has ended.
     ended: bool,
-    /// Whether the error output has ended.
-    silent: bool,
 }
 
 impl Lines {
@@ -50,23 +52,22 @@ impl Lines {
     /// # Errors
     /// They cannot be set to return at once.
     pub(super) fn new(
-        input: PipeWriter,
-        output: PipeReader,
-        errors: PipeReader,
+        input: File,
+        output: File,
+        errors: Option<File>,
     ) -> Result<Self, HarnessError> {
-        let not_run = |error: rustix::io::Errno| HarnessError::NotRun(error.to_string());
-        ioctl_fionbio(&input, true).map_err(not_run)?;
-        ioctl_fionbio(&output, true).map_err(not_run)?;
-        ioctl_fionbio(&errors, true).map_err(not_run)?;
+        for stream in [Some(&input), Some(&output), errors.as_ref()].into_iter().flatten() {
+            ioctl_fionbio(stream, true).map_err(|error| HarnessError::NotRun(error.to_string()))?;
+        }
         Ok(Self {
             input,
             output,
             errors,
             read: Vec::new(),
             seen: 0,
+            taken: 0,
             said: Vec::new(),
             ended: false,
-            silent: false,
         })
     }
 
@@ -76,7 +77,7 @@ impl Lines {
         (!self.read.is_empty()).then_some(self.read.as_slice())
     }
 
-    /// Writes a line and reads one. `is_gone` tells whether nobody is there any more to answer: somebody else may hold the streams open.
+    /// Writes a line, or nothing, and reads one. `is_gone` tells whether nobody is there any more to answer: somebody else may hold the streams open.
     pub(super) fn ask(
         &mut self,
         line: &[u8],
@@ -100,7 +101,7 @@ impl Lines {
             }
             let left = deadline.saturating_duration_since(now());
             if left.is_zero() {
-                return Err(NoLine::Late);
+                return Err(NoLine::Late(unsent.is_empty()));
             }
             // What it wrote before it went has arrived by then.
             if gone {
@@ -111,8 +112,8 @@ impl Lines {
                 continue;
             }
             let mut streams = vec![PollFd::new(&self.output, PollFlags::IN)];
-            if !self.silent {
-                streams.push(PollFd::new(&self.errors, PollFlags::IN));
+            if let Some(errors) = &self.errors {
+                streams.push(PollFd::new(errors, PollFlags::IN));
             }
             if !unsent.is_empty() {
                 streams.push(PollFd::new(&self.input, PollFlags::OUT));
@@ -121,6 +122,11 @@ impl Lines {
             // Where it fails we only look sooner.
             waited = matches!(poll(&mut streams, Some(&pace)), Ok(0));
         }
+    }
+
+    /// Length of the last line that came.
+    pub(super) fn taken(&self) -> usize {
+        self.taken
     }
 
     /// The last lines of the error output, for a person.
@@ -160,9 +166,9 @@ impl Lines {
     /// Keeps the end of the error output.
     fn hear(&mut self) {
         let mut part = [0; KEPT];
-        while !self.silent {
-            match self.errors.read(&mut part) {
-                Ok(0) => self.silent = true,
+        while let Some(errors) = &mut self.errors {
+            match errors.read(&mut part) {
+                Ok(0) => self.errors = None,
                 Ok(count) => {
                     self.said.extend_from_slice(&part[..count]);
                     let surplus = self.said.len().saturating_sub(KEPT);
@@ -172,7 +178,7 @@ impl Lines {
                     }
                 }
                 Err(error) if error.kind() == ErrorKind::WouldBlock => return,
-                Err(_) => self.silent = true,
+                Err(_) => self.errors = None,
             }
         }
     }
@@ -188,6 +194,7 @@ impl Lines {
         let mut line = std::mem::replace(&mut self.read, rest);
         line.truncate(end);
         self.seen = 0;
+        self.taken = end;
         Some(line)
     }
 }

@@ -1,24 +1,31 @@
-//! Any controller: a command that speaks the [adapter protocol](crate::protocol) on its standard streams.
+//! Any controller: a command that speaks the [adapter protocol](crate::protocol) on its standard streams, or whoever speaks it at an address.
 //!
 //! Nothing of what it says is trusted. It runs in a process group of its own, with limits of time, output and memory; whoever breaks a limit, dies or
 //! answers something else than was asked is ended with all that it started, and the next scenario gets a new one. What it declares before it runs
 //! anything bounds what is asked of it and what is judged.
 
 mod lines;
+mod peer;
 mod process;
+mod running;
 mod session;
+mod side;
 mod told;
+mod trial;
 
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
+use gaugeblock_trace::motion::Samples;
 use gaugeblock_trace::{Options, Outcome, Scenario};
 
-use super::{Adapter, Capabilities, ControllerError, HarnessError};
-use crate::protocol::{Declaration, needed};
+use super::{Adapter, Capabilities, ControllerError, HarnessError, Motion, NotMoved};
+use crate::protocol::{Declaration, Offer, needed};
+use peer::Door;
 pub(crate) use process::now;
+use running::Stopped;
 use session::Session;
 
 /// What a controller may cost.
@@ -26,8 +33,12 @@ use session::Session;
 pub struct Limits {
     /// Wall time of an answer.
     pub time: Duration,
+    /// Wall time until it has started and answered for the first time.
+    pub start: Duration,
     /// Bytes of an answer.
     pub bytes: usize,
+    /// Bytes of an outcome that comes in batches, or of an answer that lies in a file.
+    pub whole: usize,
     /// Bytes of memory of each of its processes.
     pub memory: u64,
     /// Bytes of each file that it writes.
@@ -36,14 +47,16 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { time: Duration::from_secs(10), bytes: 64 << 20, memory: 4 << 30, file: 1 << 30 }
+        let (time, start) = (Duration::from_secs(10), Duration::from_secs(10));
+        let (bytes, whole) = (64 << 20, 256 << 20);
+        Self { time, start, bytes, whole, memory: 4 << 30, file: 1 << 30 }
     }
 }
 
 /// A controller behind the protocol.
 #[derive(Debug)]
 pub struct Exec {
-    command: String,
+    door: Door,
     limits: Limits,
     /// Options that need not be told.
     assumed: Options,
@@ -61,8 +74,20 @@ impl Exec {
     /// # Errors
     /// It cannot be started, does not answer, or declares what is no declaration.
     pub fn start(command: &str, limits: Limits) -> Result<Self, ControllerError> {
+        Self::behind(Door::Command(command.to_owned()), limits)
+    }
+
+    /// Connects to an adapter that listens at `HOST:PORT`, and asks what it is.
+    ///
+    /// # Errors
+    /// Nobody listens there, it does not answer, or it declares what is no declaration.
+    pub fn connect(address: &str, limits: Limits) -> Result<Self, ControllerError> {
+        Self::behind(Door::Address(address.to_owned()), limits)
+    }
+
+    fn behind(door: Door, limits: Limits) -> Result<Self, ControllerError> {
         let (session, declaration) =
-            Session::begin(command, limits).map_err(ControllerError::Broken)?;
+            Session::begin(&door, limits).map_err(ControllerError::Broken)?;
         let capabilities = declaration.capabilities().map_err(|error| {
             ControllerError::Broken(HarnessError::Unreadable {
                 what: "hello".to_owned(),
@@ -70,9 +95,8 @@ impl Exec {
             })
         })?;
         let idle = Mutex::new(vec![session]);
-        let (command, assumed) = (command.to_owned(), Options::default());
-        let spoilt = AtomicUsize::new(0);
-        Ok(Self { command, limits, assumed, declaration, capabilities, idle, spoilt })
+        let (assumed, spoilt) = (Options::default(), AtomicUsize::new(0));
+        Ok(Self { door, limits, assumed, declaration, capabilities, idle, spoilt })
     }
 
     /// Takes these options for the defaults of their choices: a scenario is told without them.
@@ -87,12 +111,18 @@ impl Exec {
         &self.declaration
     }
 
-    /// Asks for an operation that there is not, which has to be refused, and whether the session goes on after it.
-    ///
-    /// # Errors
-    /// It is answered otherwise.
-    pub fn asked_the_unknown(&self) -> Result<(), HarnessError> {
-        self.new_session()?.ask_the_unknown()
+    /// Lets a session that was reset do something.
+    fn within<T>(
+        &self,
+        work: impl Fn(&mut Session) -> Result<T, Stopped>,
+    ) -> Result<T, HarnessError> {
+        let mut session = self.session()?;
+        let done = work(&mut session);
+        if done.as_ref().map_or_else(|stopped| stopped.goes_on, |_| true) {
+            self.sessions().push(session);
+        }
+        // Another session that failed is gone, with all that it started.
+        done.map_err(|stopped| stopped.error)
     }
 
     /// A session that was reset. Where one that was used cannot be, that is not to be charged to the next scenario.
@@ -113,7 +143,12 @@ impl Exec {
 
     /// A session of its own. One that declares something else than the first is not the same controller.
     fn new_session(&self) -> Result<Session, HarnessError> {
-        let (mut session, declaration) = Session::begin(&self.command, self.limits)?;
+        if self.declaration.sessions.is_some() {
+            // There may be no room for one more beside it.
+            let idle = self.sessions().pop();
+            drop(idle);
+        }
+        let (mut session, declaration) = Session::begin(&self.door, self.limits)?;
         session.assume(&self.assumed);
         if declaration != self.declaration {
             return Err(HarnessError::Unreadable {
@@ -172,18 +207,31 @@ impl Adapter for Exec {
     }
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
-        let mut session = self.session()?;
-        let outcome = session.run(scenario)?;
-        // A session that failed is gone, with all that it started.
-        self.sessions().push(session);
-        Ok(outcome)
+        self.within(|session| session.run(scenario, None))
+    }
+
+    fn run_expecting(
+        &self,
+        scenario: &Scenario,
+        expected: &Outcome,
+    ) -> Result<Outcome, HarnessError> {
+        self.within(|session| session.run(scenario, Some(expected)))
+    }
+
+    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
+        if !self.declaration.offers.contains(&Offer::Motion) {
+            return Err(NotMoved::Unsupported("it shows no servo samples".to_owned()));
+        }
+        self.supports(motion.scenario).map_err(NotMoved::Unsupported)?;
+        self.within(|session| session.moves(motion))
+            .unwrap_or_else(|error| Err(NotMoved::Failed(error.to_string())))
     }
 
     fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
         let anew = || {
             let mut session = self.new_session()?;
             session.reset()?;
-            session.run(scenario)
+            session.run(scenario, None).map_err(|stopped| stopped.error)
         };
         Some(anew())
     }

@@ -1,56 +1,81 @@
 //! A session: requests and answers by turns, from `hello` to `bye`.
 
-use std::io::pipe;
-use std::time::Duration;
+use std::collections::BTreeSet;
+use std::time::Instant;
 
 use gaugeblock_trace::{Options, Outcome, Scenario};
 use serde::Serialize;
 
 use super::lines::{Lines, NoLine};
-use super::process::{Process, now};
+use super::peer::{Door, GRACE, Peer};
+use super::process::now;
+use super::side::Folder;
 use super::told::Teller;
 use super::{HarnessError, Limits};
-use crate::protocol::{Answer, Declaration, Operation, Reply, VERSION};
-
-/// How long a controller may take to end once its output has, or once it was told to.
-const GRACE: Duration = Duration::from_millis(500);
+use crate::protocol::{Answer, Declaration, Offer, Operation, Reply, Standing, VERSION};
 
 /// Most of a line that is shown to a person.
-const SHOWN: usize = 200;
+pub(super) const SHOWN: usize = 200;
 
-/// A controller that was started and has told what it is.
+/// A controller that was started, or connected to, and has told what it is.
 #[derive(Debug)]
 pub(super) struct Session {
-    lines: Lines,
-    process: Process,
-    limits: Limits,
-    teller: Teller,
+    pub(super) lines: Lines,
+    pub(super) peer: Peer,
+    pub(super) limits: Limits,
+    pub(super) teller: Teller,
+    /// What it may lay answers into, where it runs on this machine.
+    pub(super) folder: Option<Folder>,
+    offers: BTreeSet<Offer>,
+    /// Whether it says that parameters are told at the end.
+    tells_parameters: bool,
     /// Id of the last request.
-    last: u64,
-    has_run: bool,
+    pub(super) last: u64,
+    pub(super) has_run: bool,
+    /// What was in force after the first reset, where it can tell.
+    fresh: Option<Box<Standing>>,
 }
 
 impl Session {
-    /// Starts the command and says hello.
-    pub(super) fn begin(
-        command: &str,
-        limits: Limits,
-    ) -> Result<(Self, Declaration), HarnessError> {
-        let not_run = |error: std::io::Error| HarnessError::NotRun(error.to_string());
-        let (input, our_input) = pipe().map_err(not_run)?;
-        let (our_output, output) = pipe().map_err(not_run)?;
-        let (our_errors, errors) = pipe().map_err(not_run)?;
-        let process = Process::start(command, (input, output, errors), limits).map_err(not_run)?;
-        let lines = Lines::new(our_input, our_output, our_errors)?;
-        let teller = Teller::default();
-        let mut session = Self { lines, process, limits, teller, last: 0, has_run: false };
+    /// Opens a door and says hello.
+    pub(super) fn begin(door: &Door, limits: Limits) -> Result<(Self, Declaration), HarnessError> {
+        let folder = match door {
+            Door::Command(_) => Some(
+                Folder::make()
+                    .map_err(|error| HarnessError::NotRun(format!("a folder: {error}")))?,
+            ),
+            Door::Address(_) => None,
+        };
+        let (peer, lines) = door.open(limits)?;
+        let mut session = Self {
+            lines,
+            peer,
+            limits: Limits { time: limits.start, ..limits },
+            teller: Teller::default(),
+            folder,
+            offers: BTreeSet::new(),
+            tells_parameters: false,
+            last: 0,
+            has_run: false,
+            fresh: None,
+        };
         let referee = format!("gaugeblock {}", env!("CARGO_PKG_VERSION"));
-        let hello = Operation::Hello { protocol: VERSION, referee };
+        let folder = session.folder.as_ref();
+        let folder = folder.and_then(|folder| folder.path().to_str()).map(str::to_owned);
+        let hello = Operation::Hello { protocol: VERSION, referee, folder };
         let reply = session.ask(&hello)?;
+        session.limits = limits;
         if let Reply::Hello(declaration) = reply {
+            session.offers.clone_from(&declaration.offers);
+            session.tells_parameters = declaration.observables.final_parameters;
             return Ok((session, *declaration));
         }
         Err(session.amiss(hello.name(), &reply))
+    }
+
+    /// Whether it can do something that not each adapter can.
+    pub(super) fn offers(&self, offer: Offer) -> bool {
+        self.offers.contains(&offer)
     }
 
     /// Scenarios are told without these options.
@@ -63,91 +88,104 @@ impl Session {
         self.has_run
     }
 
-    /// Sets the controller back.
+    /// Makes no more use of other offers than these.
+    pub(super) fn keep_to(&mut self, offers: &[Offer]) {
+        self.offers.retain(|offer| offers.contains(offer));
+    }
+
+    /// Whether parameters at the end can be had apart from the outcome.
+    pub(super) fn can_be_asked_for_parameters(&self) -> bool {
+        self.tells_parameters && self.offers(Offer::State)
+    }
+
+    /// Sets the controller back. What it tells to be in force then has to be what was in force after the first reset.
     pub(super) fn reset(&mut self) -> Result<(), HarnessError> {
         let reset = Operation::Reset {};
         let reply = self.ask(&reset)?;
-        if reply == (Reply::Done {}) { Ok(()) } else { Err(self.amiss(reset.name(), &reply)) }
+        if reply != (Reply::Done {}) {
+            return Err(self.amiss(reset.name(), &reply));
+        }
+        if self.offers(Offer::State) {
+            let standing = self.state()?;
+            let fresh = self.fresh.get_or_insert_with(|| standing.clone());
+            if *fresh != standing {
+                let what = "after `reset` something else is in force than after the first one";
+                return Err(unreadable(what, told(fresh, &standing).as_bytes()));
+            }
+        }
+        Ok(())
     }
 
-    /// Runs a scenario. After an error the session is of no use any more.
-    pub(super) fn run(&mut self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
-        self.has_run = true;
-        let line = self.teller.run(self.last + 1, scenario)?;
-        let reply = self.ask_line(&line, "run")?;
-        if let Some(unasked) = self.lines.unasked() {
-            return Err(unreadable("it answers more than once", unasked));
+    /// What it tells to be in force.
+    pub(super) fn state(&mut self) -> Result<Box<Standing>, HarnessError> {
+        let state = Operation::State {};
+        let reply = self.ask(&state)?;
+        if let Reply::State(standing) = reply {
+            return Ok(standing);
         }
-        match reply {
-            Reply::Outcome(outcome) => Ok(*outcome),
-            Reply::Unsupported(why) => Ok(unsupported(scenario, why)),
-            Reply::Hello(_) | Reply::Done {} | Reply::Refused(_) => Err(self.amiss("run", &reply)),
-        }
+        Err(self.amiss(state.name(), &reply))
     }
 
-    /// Asks for an operation that no version has, then for a reset.
-    pub(super) fn ask_the_unknown(&mut self) -> Result<(), HarnessError> {
-        let line =
-            format!("{{\"id\":{},\"op\":\"gaugeblock-unknown\",\"later\":[1]}}\n", self.last + 1);
-        let reply = self.ask_line(line.as_bytes(), "gaugeblock-unknown")?;
-        if !matches!(reply, Reply::Refused(_)) {
-            let what = format!("answered with `{}`", reply.name());
-            return Err(HarnessError::Unreadable { what, line: String::new() });
-        }
-        self.reset()
-    }
-
-    fn ask(&mut self, operation: &Operation) -> Result<Reply, HarnessError> {
+    pub(super) fn ask(&mut self, operation: &Operation) -> Result<Reply, HarnessError> {
         let line = request(self.last + 1, operation)?;
         self.ask_line(&line, operation.name())
     }
 
-    fn ask_line(&mut self, line: &[u8], name: &str) -> Result<Reply, HarnessError> {
+    pub(super) fn ask_line(&mut self, line: &[u8], name: &str) -> Result<Reply, HarnessError> {
+        self.begin_to_ask()?;
+        let deadline = now() + self.limits.time;
+        self.exchange(line, name, deadline).map_err(|late| late.into_error(self.limits))
+    }
+
+    /// A new request is about to be made: its id is the next one.
+    pub(super) fn begin_to_ask(&mut self) -> Result<(), HarnessError> {
         if let Some(unasked) = self.lines.unasked() {
             return Err(unreadable("it speaks without being asked", unasked));
         }
         self.last += 1;
-        let deadline = now() + self.limits.time;
-        let process = &mut self.process;
-        let is_gone = || process.ends_within(Duration::ZERO).is_some();
-        let answer = match self.lines.ask(line, self.limits.bytes, deadline, is_gone) {
+        Ok(())
+    }
+
+    /// Writes what is to be said, if anything, and reads an answer to the last request.
+    pub(super) fn exchange(
+        &mut self,
+        line: &[u8],
+        name: &str,
+        deadline: Instant,
+    ) -> Result<Reply, NoReply> {
+        let peer = &mut self.peer;
+        let answer = match self.lines.ask(line, self.limits.bytes, deadline, || peer.is_gone()) {
             Ok(answer) => answer,
-            Err(NoLine::Ended) => return Err(self.ended(name)),
-            Err(NoLine::Late) => {
-                return Err(HarnessError::TimedOut { seconds: self.limits.time.as_secs() });
-            }
+            Err(NoLine::Ended) => return Err(NoReply::Other(self.ended(name))),
+            Err(NoLine::Late(all_said)) => return Err(NoReply::Late { all_said }),
             Err(NoLine::TooLong) => {
-                return Err(HarnessError::Flooded { bytes: self.limits.bytes });
+                return Err(NoReply::Other(HarnessError::Flooded { bytes: self.limits.bytes }));
             }
         };
-        let answer: Answer = serde_json::from_slice(&answer)
-            .map_err(|error| unreadable(&format!("answer to `{name}`: {error}"), &answer))?;
+        let answer: Answer = serde_json::from_slice(&answer).map_err(|error| {
+            NoReply::Other(unreadable(&format!("answer to `{name}`: {error}"), &answer))
+        })?;
         if answer.id != self.last {
             let what = format!("answer to request {}, not to {}", answer.id, self.last);
-            return Err(unreadable(&what, answer.reply.name().as_bytes()));
+            return Err(NoReply::Other(unreadable(&what, answer.reply.name().as_bytes())));
         }
         Ok(answer.reply)
     }
 
     /// Its output ended before it answered.
     fn ended(&mut self, name: &str) -> HarnessError {
-        let status = self.process.ends_within(GRACE);
-        let status = status.unwrap_or_else(|| "its output ended, and it runs on".to_owned());
+        let status = self.peer.ended();
         let stderr = self.lines.errors();
         HarnessError::Crashed { status: format!("{status}, asked to `{name}`"), stderr }
     }
 
     /// An answer that does not belong to what was asked.
-    fn amiss(&mut self, asked: &str, reply: &Reply) -> HarnessError {
-        match reply {
-            Reply::Refused(why) => {
-                HarnessError::NotRun(format!("the adapter refuses `{}`: {}", asked, shown(why)))
-            }
-            Reply::Hello(_) | Reply::Done {} | Reply::Outcome(_) | Reply::Unsupported(_) => {
-                let what = format!("`{}` answered with `{}`", asked, reply.name());
-                HarnessError::Unreadable { what, line: self.lines.errors() }
-            }
+    pub(super) fn amiss(&mut self, asked: &str, reply: &Reply) -> HarnessError {
+        if let Reply::Refused(why) = reply {
+            return HarnessError::NotRun(format!("the adapter refuses `{asked}`: {}", shown(why)));
         }
+        let what = format!("`{}` answered with `{}`", asked, reply.name());
+        HarnessError::Unreadable { what, line: self.lines.errors() }
     }
 }
 
@@ -156,19 +194,37 @@ impl Drop for Session {
         // Whatever it answers, it had its chance to end by itself.
         let asked = self.last;
         if let Ok(line) = request(asked + 1, &Operation::Bye {})
-            && self.process.ends_within(Duration::ZERO).is_none()
+            && !self.peer.is_gone()
         {
             let deadline = now() + GRACE;
             let answered = self.lines.ask(&line, SHOWN, deadline, || false);
             if answered.is_ok() {
-                let _status = self.process.ends_within(GRACE);
+                self.peer.let_end();
             }
         }
     }
 }
 
+/// Why there is no reply.
+#[derive(Debug)]
+pub(super) enum NoReply {
+    /// Not in time; whether all that was to be said could be written.
+    Late { all_said: bool },
+    /// Something that no session survives.
+    Other(HarnessError),
+}
+
+impl NoReply {
+    pub(super) fn into_error(self, limits: Limits) -> HarnessError {
+        match self {
+            Self::Late { .. } => HarnessError::TimedOut { seconds: limits.time.as_secs() },
+            Self::Other(error) => error,
+        }
+    }
+}
+
 /// A request as a line.
-fn request(id: u64, operation: &Operation) -> Result<Vec<u8>, HarnessError> {
+pub(super) fn request(id: u64, operation: &Operation) -> Result<Vec<u8>, HarnessError> {
     #[derive(Serialize)]
     struct Line<'a> {
         id: u64,
@@ -182,7 +238,7 @@ fn request(id: u64, operation: &Operation) -> Result<Vec<u8>, HarnessError> {
 }
 
 /// The outcome of a scenario that the controller did not run.
-fn unsupported(scenario: &Scenario, why: String) -> Outcome {
+pub(super) fn unsupported(scenario: &Scenario, why: String) -> Outcome {
     use gaugeblock_trace::{Block, End, Program, Settings};
     Outcome {
         language: scenario.program.language,
@@ -195,12 +251,22 @@ fn unsupported(scenario: &Scenario, why: String) -> Outcome {
     }
 }
 
-fn unreadable(what: &str, line: &[u8]) -> HarnessError {
+/// The first member in which what is in force differs.
+fn told(fresh: &Standing, now: &Standing) -> String {
+    let lines = |standing: &Standing| {
+        serde_json::to_string(standing).unwrap_or_default().replace(",\"", "\n\"")
+    };
+    let (fresh, now) = (lines(fresh), lines(now));
+    let other = now.lines().zip(fresh.lines()).find(|(now, fresh)| now != fresh);
+    other.map(|(now, fresh)| format!("{now}, not {fresh}")).unwrap_or(now)
+}
+
+pub(super) fn unreadable(what: &str, line: &[u8]) -> HarnessError {
     HarnessError::Unreadable { what: shown(what), line: shown(&String::from_utf8_lossy(line)) }
 }
 
 /// As much of a controller's text as a person reads, in one line and without what a terminal would obey.
-fn shown(text: &str) -> String {
+pub(super) fn shown(text: &str) -> String {
     let plain = text.chars().map(|c| if c.is_control() { ' ' } else { c });
     let mut shown: String = plain.clone().take(SHOWN).collect();
     if plain.count() > SHOWN {

@@ -8,6 +8,7 @@ use gaugeblock_trace::{Machine, Options, Program, Scenario};
 use serde::Serialize;
 
 use super::super::HarnessError;
+use crate::protocol::Ways;
 
 /// Tells scenarios, and keeps what it told of options: scenarios share them.
 #[derive(Clone, Debug, Default)]
@@ -24,9 +25,14 @@ impl Teller {
         Self { assumed, ..Self::default() }
     }
 
-    /// A request to run a scenario, as a line.
-    pub(super) fn run(&mut self, id: u64, scenario: &Scenario) -> Result<Vec<u8>, HarnessError> {
-        let Scenario { program, options, machine, bench, operator, budget } = scenario;
+    /// A request to run a scenario, as a line; `operator` takes the place of its own.
+    pub(super) fn run(
+        &mut self,
+        id: u64,
+        (scenario, operator): (&Scenario, &[OperatorEvent]),
+        ways: &Ways,
+    ) -> Result<Vec<u8>, HarnessError> {
+        let Scenario { program, options, machine, bench, operator: _, budget } = scenario;
         let told = Told {
             program,
             options: self.options(options),
@@ -35,7 +41,7 @@ impl Teller {
             operator,
             budget: (*budget != Budget::default()).then_some(budget),
         };
-        let mut line = serde_json::to_vec(&Line { id, op: "run", scenario: told })
+        let mut line = serde_json::to_vec(&Line { id, op: "run", scenario: told, ways })
             .map_err(|error| HarnessError::NotRun(error.to_string()))?;
         line.push(b'\n');
         Ok(line)
@@ -58,6 +64,8 @@ struct Line<'a> {
     id: u64,
     op: &'static str,
     scenario: Told<'a>,
+    #[serde(flatten)]
+    ways: &'a Ways,
 }
 
 #[derive(Serialize)]

@@ -1,5 +1,7 @@
 //! What is wrong with an adapter, before anything is certified: each check is one scenario or two, and says in a sentence what came of it.
 
+mod offered;
+
 use std::collections::BTreeSet;
 
 use gaugeblock_trace::{End, Language, Outcome, Scenario};
@@ -75,6 +77,7 @@ pub fn checks(adapter: &Exec, clock: &dyn Fn() -> f64) -> Vec<Check> {
         },
     );
     add("speed", speed(adapter, &plain, clock));
+    found.extend(offered::checks(adapter, &plain, &first));
     found
 }
 

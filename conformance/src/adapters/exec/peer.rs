@@ -1,0 +1,104 @@
+//! Who speaks at the other end: a process of ours, or whoever answers at an address.
+
+use std::fs::File;
+use std::io::pipe;
+use std::net::{TcpStream, ToSocketAddrs};
+use std::os::fd::OwnedFd;
+use std::time::Duration;
+
+use super::lines::Lines;
+use super::process::Process;
+use super::{HarnessError, Limits};
+
+/// How long a controller may take to end once its output has, or once it was told to.
+pub(super) const GRACE: Duration = Duration::from_millis(500);
+
+/// Where a controller is found.
+#[derive(Clone, Debug)]
+pub(super) enum Door {
+    /// A command of the shell, for a process of its own.
+    Command(String),
+    /// An address at which an adapter listens: `HOST:PORT`.
+    Address(String),
+}
+
+/// The other end of a session.
+#[derive(Debug)]
+pub(super) enum Peer {
+    /// It was started for the session, and ends with it.
+    Process(Process),
+    /// It runs on when the connection is closed.
+    Connection,
+}
+
+impl Door {
+    /// Starts the command, or connects.
+    pub(super) fn open(&self, limits: Limits) -> Result<(Peer, Lines), HarnessError> {
+        match self {
+            Self::Command(command) => started(command, limits),
+            Self::Address(address) => connected(address, limits),
+        }
+    }
+}
+
+impl Peer {
+    /// Whether nobody is there any more, as far as can be seen without what it writes.
+    pub(super) fn is_gone(&mut self) -> bool {
+        match self {
+            Self::Process(process) => process.ends_within(Duration::ZERO).is_some(),
+            Self::Connection => false,
+        }
+    }
+
+    /// Gives it time to end by itself.
+    pub(super) fn let_end(&mut self) {
+        if let Self::Process(process) = self {
+            let _status = process.ends_within(GRACE);
+        }
+    }
+
+    /// How it ended, once its output has.
+    pub(super) fn ended(&mut self) -> String {
+        match self {
+            Self::Process(process) => process
+                .ends_within(GRACE)
+                .unwrap_or_else(|| "its output ended, and it runs on".to_owned()),
+            Self::Connection => "the connection was closed".to_owned(),
+        }
+    }
+}
+
+fn started(command: &str, limits: Limits) -> Result<(Peer, Lines), HarnessError> {
+    let (input, our_input) = pipe().map_err(not_run)?;
+    let (our_output, output) = pipe().map_err(not_run)?;
+    let (our_errors, errors) = pipe().map_err(not_run)?;
+    let process = Process::start(command, (input, output, errors), limits).map_err(not_run)?;
+    let file = |end: OwnedFd| File::from(end);
+    let lines =
+        Lines::new(file(our_input.into()), file(our_output.into()), Some(file(our_errors.into())))?;
+    Ok((Peer::Process(process), lines))
+}
+
+fn connected(address: &str, limits: Limits) -> Result<(Peer, Lines), HarnessError> {
+    let no_connection = |error: std::io::Error| {
+        HarnessError::NotRun(format!("no connection to {address}: {error}"))
+    };
+    let mut stream = Err(std::io::ErrorKind::NotFound.into());
+    for place in address.to_socket_addrs().map_err(no_connection)? {
+        stream = TcpStream::connect_timeout(&place, limits.start);
+        if stream.is_ok() {
+            break;
+        }
+    }
+    let stream = stream.map_err(no_connection)?;
+    // A line is a whole request: nothing is gained by waiting for more.
+    let _where_it_can_be_had = stream.set_nodelay(true);
+    let output = stream.try_clone().map_err(no_connection)?;
+    let lines =
+        Lines::new(File::from(OwnedFd::from(stream)), File::from(OwnedFd::from(output)), None)?;
+    Ok((Peer::Connection, lines))
+}
+
+fn not_run(error: std::io::Error) -> HarnessError {
+    HarnessError::NotRun(error.to_string())
+}

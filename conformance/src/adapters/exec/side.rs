@@ -1,0 +1,115 @@
+//! A folder of a session in which a controller may lay answers. Nothing else on the machine can be named.
+
+use std::fs::{DirBuilder, File};
+use std::io::{ErrorKind, Read};
+use std::os::fd::OwnedFd;
+use std::os::unix::fs::{DirBuilderExt, MetadataExt};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use rustix::fs::{AtFlags, CWD, Mode, OFlags, openat, unlinkat};
+
+/// The folder. It is removed with all that is in it when this is dropped.
+#[derive(Debug)]
+pub(super) struct Folder {
+    path: PathBuf,
+    /// Held open, so that something else under its name changes nothing.
+    handle: OwnedFd,
+}
+
+impl Folder {
+    /// Makes one that nobody else may enter.
+    pub(super) fn make() -> std::io::Result<Self> {
+        static FOLDERS: AtomicU64 = AtomicU64::new(0);
+        let path = loop {
+            let number = FOLDERS.fetch_add(1, Ordering::Relaxed);
+            let name = format!("gaugeblock-answers-{}-{number}", std::process::id());
+            let path = std::env::temp_dir().join(name);
+            match DirBuilder::new().mode(0o700).create(&path) {
+                Ok(()) => break path,
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => (),
+                Err(error) => return Err(error),
+            }
+        };
+        let flags = OFlags::RDONLY | OFlags::DIRECTORY | OFlags::NOFOLLOW | OFlags::CLOEXEC;
+        let handle = openat(CWD, &path, flags, Mode::empty())?;
+        Ok(Self { path, handle })
+    }
+
+    /// Where it is.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Reads a file of it and removes it.
+    ///
+    /// # Errors
+    /// A name of something elsewhere, no file there, something else than a file, or more than `most` bytes.
+    pub(super) fn take(&self, name: &str, most: usize) -> Result<Vec<u8>, String> {
+        if name.is_empty() || name.starts_with('.') || name.contains(['/', '\\', '\0']) {
+            return Err("its name is not that of a file in the folder".to_owned());
+        }
+        // What is no file must neither be followed nor waited for.
+        let flags = OFlags::RDONLY | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC;
+        let file = openat(&self.handle, name, flags, Mode::empty())
+            .map_err(|error| std::io::Error::from(error).to_string())?;
+        let mut file = File::from(file);
+        let about = file.metadata().map_err(|error| error.to_string())?;
+        if !about.is_file() || about.nlink() != 1 {
+            return Err("it is no file of its own".to_owned());
+        }
+        let limit = u64::try_from(most).unwrap_or(u64::MAX);
+        let mut bytes = Vec::new();
+        let read = (&mut file).take(limit.saturating_add(1)).read_to_end(&mut bytes);
+        // Whatever becomes of this, the folder goes with the session.
+        let _removed = unlinkat(&self.handle, name, AtFlags::empty());
+        read.map_err(|error| error.to_string())?;
+        if bytes.len() > most {
+            return Err(format!("it has more than {most} bytes"));
+        }
+        Ok(bytes)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _removed = std::fs::remove_dir_all(&self.path);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs::write;
+
+    use super::*;
+
+    #[test]
+    fn only_files_of_the_folder_are_read_and_nothing_is_left() {
+        let folder = Folder::make().unwrap();
+        let path = folder.path().to_owned();
+        write(path.join("answer"), "1234").unwrap();
+        assert_eq!(folder.take("answer", 4), Ok(b"1234".to_vec()));
+        assert!(folder.take("answer", 4).is_err(), "it is read once");
+        write(path.join("long"), "12345").unwrap();
+        assert!(folder.take("long", 4).unwrap_err().contains("more than 4 bytes"));
+        let outside = path.with_extension("outside");
+        write(&outside, "secret").unwrap();
+        std::os::unix::fs::symlink(&outside, path.join("link")).unwrap();
+        std::fs::hard_link(&outside, path.join("hard")).unwrap();
+        std::fs::create_dir(path.join("folder")).unwrap();
+        for name in ["link", "hard", "folder", "", ".", "..", "folder/x", "/etc/passwd", ".hidden"]
+        {
+            assert!(folder.take(name, 100).is_err(), "{name}");
+        }
+        // Another folder under its name is not read.
+        let moved = path.with_extension("moved");
+        std::fs::rename(&path, &moved).unwrap();
+        std::fs::create_dir(&path).unwrap();
+        write(path.join("answer"), "other").unwrap();
+        assert!(folder.take("answer", 100).is_err());
+        drop(folder);
+        assert!(!path.exists());
+        std::fs::remove_dir_all(&moved).unwrap();
+        std::fs::remove_file(&outside).unwrap();
+    }
+}

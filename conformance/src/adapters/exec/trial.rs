@@ -1,0 +1,91 @@
+//! What is asked of an adapter only to see whether it works.
+
+use gaugeblock_trace::{Outcome, Scenario};
+
+use super::session::{Session, request};
+use super::{Exec, HarnessError};
+use crate::protocol::{Offer, Operation, Reply, Ways};
+
+impl Exec {
+    /// Asks for an operation that there is not, which has to be refused, and whether the session goes on after it.
+    ///
+    /// # Errors
+    /// It is answered otherwise.
+    pub fn asked_the_unknown(&self) -> Result<(), HarnessError> {
+        self.new_session()?.ask_the_unknown()
+    }
+
+    /// Runs a scenario in a session of its own that makes use of these offers and no other.
+    ///
+    /// # Errors
+    /// There is no outcome.
+    pub fn run_by(&self, offers: &[Offer], scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        let mut session = self.new_session()?;
+        session.keep_to(offers);
+        session.reset()?;
+        session.run(scenario, None).map_err(|stopped| stopped.error)
+    }
+
+    /// The digest that it tells of a scenario's outcome. None where it tells the outcome itself.
+    ///
+    /// # Errors
+    /// It answers otherwise.
+    #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
+    pub fn digest_of(&self, scenario: &Scenario) -> Result<Option<String>, HarnessError> {
+        let mut session = self.new_session()?;
+        session.reset()?;
+        let ways = Ways { digest: true, ..Ways::default() };
+        let run = Operation::Run { scenario: Box::new(scenario.clone()), ways };
+        match session.ask(&run)? {
+            Reply::Digest(digest) => Ok(Some(digest)),
+            Reply::Outcome(_) | Reply::File(_) => Ok(None),
+            reply => Err(session.amiss(run.name(), &reply)),
+        }
+    }
+
+    /// Cancels a run at once, then runs another scenario in the same session. None where the cancel was not answered as it must be.
+    ///
+    /// # Errors
+    /// The other one has no outcome.
+    pub fn run_after_cancel(
+        &self,
+        cancelled: &Scenario,
+        then: &Scenario,
+    ) -> Result<Option<Outcome>, HarnessError> {
+        let mut session = self.new_session()?;
+        session.reset()?;
+        session.begin_to_ask()?;
+        let scenario = Box::new(cancelled.clone());
+        let run = request(session.last, &Operation::Run { scenario, ways: Ways::default() })?;
+        if !session.cancel(run) {
+            return Ok(None);
+        }
+        session.reset()?;
+        session.run(then, None).map(Some).map_err(|stopped| stopped.error)
+    }
+
+    /// Runs a scenario and resets the same session, which has to tell then what it told before.
+    ///
+    /// # Errors
+    /// It tells otherwise, or there is no outcome.
+    pub fn reset_after(&self, scenario: &Scenario) -> Result<(), HarnessError> {
+        let mut session = self.new_session()?;
+        session.reset()?;
+        session.run(scenario, None).map_err(|stopped| stopped.error)?;
+        session.reset()
+    }
+}
+
+impl Session {
+    /// Asks for an operation that no version has, then for a reset.
+    fn ask_the_unknown(&mut self) -> Result<(), HarnessError> {
+        let line =
+            format!("{{\"id\":{},\"op\":\"gaugeblock-unknown\",\"later\":[1]}}\n", self.last + 1);
+        let reply = self.ask_line(line.as_bytes(), "gaugeblock-unknown")?;
+        if !matches!(reply, Reply::Refused(_)) {
+            let what = format!("answered with `{}`", reply.name());
+            return Err(HarnessError::Unreadable { what, line: String::new() });
+        }
+        self.reset()
+    }
+}

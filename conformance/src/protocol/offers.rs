@@ -1,0 +1,66 @@
+//! Offers: what an adapter can do beyond the operations that each of them has to know. Nothing of it is asked of one that does not declare it.
+
+use clap::ValueEnum;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Something that an adapter can offer.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    JsonSchema,
+    ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Offer {
+    /// `cancel` ends a run that takes too long, and the session goes on
+    Cancel,
+    /// a run can be answered with a digest of its outcome
+    Digest,
+    /// answers can lie in files of a folder that `hello` names
+    Files,
+    /// the operator's events come one by one, when the controller is where they belong
+    LiveOperator,
+    /// `move` tells servo samples
+    Motion,
+    /// `state` tells what is in force between runs
+    State,
+    /// the steps of a run can come in batches
+    Stream,
+}
+
+/// Every offer, its name, and what an adapter does that declares it.
+pub const OFFERS: &[(Offer, &str, &str)] = &[
+    (Offer::Cancel, "cancel", "`cancel` ends a run that takes too long, and the session goes on"),
+    (Offer::Digest, "digest", "a run can be answered with a digest of its outcome"),
+    (Offer::Files, "files", "answers can lie in files of a folder that `hello` names"),
+    (
+        Offer::LiveOperator,
+        "live-operator",
+        "the operator's events come one by one, when the controller is where they belong",
+    ),
+    (Offer::Motion, "motion", "`move` tells servo samples"),
+    (Offer::State, "state", "`state` tells what is in force between runs"),
+    (Offer::Stream, "stream", "the steps of a run can come in batches"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_offer_is_listed_by_the_name_that_stands_in_a_declaration() {
+        let listed: Vec<Offer> = OFFERS.iter().map(|(offer, ..)| *offer).collect();
+        assert_eq!(listed, Offer::value_variants());
+        for (offer, name, _) in OFFERS {
+            assert_eq!(serde_json::to_value(offer).unwrap(), *name);
+        }
+    }
+}

@@ -1,0 +1,261 @@
+//! The controller's side of the protocol, for a controller of this project.
+
+mod requests;
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeSet;
+use std::io::{BufRead, Result, Write};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use gaugeblock_trace::motion::{MotionLimits, Samples};
+use gaugeblock_trace::{Language, Outcome, Scenario, Step};
+
+use super::digest::digest;
+use super::{Answer, Declaration, Offer, Operation, Reply, Request, Standing, Ways};
+use crate::adapters::{Adapter, Motion, NotMoved};
+use crate::observe::Observed;
+use requests::{Ran, Requests};
+
+/// Steps of a batch.
+const BATCH: usize = 100;
+
+/// Bytes of an answer that is laid into a file rather than sent.
+const LARGE: usize = 64 << 10;
+
+/// What is served.
+#[derive(Clone, Debug)]
+pub struct Served {
+    /// The controller. Each of its runs begins as after power-on, whatever ran before or still runs.
+    pub controller: Arc<dyn Adapter>,
+    /// The languages that it speaks.
+    pub languages: Vec<Language>,
+    /// What is declared beyond the operations that each adapter has to know.
+    pub offers: BTreeSet<Offer>,
+}
+
+/// Answers requests until `bye`, or until there are no more.
+///
+/// # Errors
+/// A stream that cannot be read or written.
+pub fn serve(
+    served: &Served,
+    requests: Box<dyn BufRead + Send>,
+    answers: &mut dyn Write,
+) -> Result<()> {
+    let requests = Requests::of(requests, served.offers.contains(&Offer::Cancel));
+    let (folder, last) = (None, None);
+    let mut serving = Serving { served, requests, answers, folder, files: 0, last };
+    while let Some(line) = serving.requests.next()? {
+        if !serving.answered(&line)? {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// A session.
+struct Serving<'a> {
+    served: &'a Served,
+    requests: Requests,
+    answers: &'a mut dyn Write,
+    /// Where answers may be laid.
+    folder: Option<PathBuf>,
+    /// How many were.
+    files: u32,
+    /// What the last run came to, until the next reset.
+    last: Option<Outcome>,
+}
+
+impl Serving<'_> {
+    /// Answers a line; whether the session goes on.
+    fn answered(&mut self, line: &[u8]) -> Result<bool> {
+        let Request { id, operation } = match requests::read(line) {
+            Ok(request) => request,
+            Err((id, why)) => {
+                self.say(id, Reply::Refused(why))?;
+                return Ok(true);
+            }
+        };
+        let lasts = operation != Operation::Bye {};
+        let reply = match operation {
+            Operation::Hello { folder, .. } => {
+                self.folder = folder.map(PathBuf::from).filter(|_| self.offers(Offer::Files));
+                Reply::Hello(Box::new(self.declaration()))
+            }
+            // Each run begins on a controller as after power-on.
+            Operation::Reset {} | Operation::Cancel {} | Operation::Bye {} => {
+                self.last = None;
+                Reply::Done {}
+            }
+            // It was said before the answer of a run had come, and is of no use any more.
+            Operation::Credit { .. } if self.offers(Offer::Stream) => return Ok(true),
+            Operation::Run { scenario, ways } => return self.run(id, *scenario, ways),
+            Operation::Move { scenario, limits, script, every } if self.offers(Offer::Motion) => {
+                let controller = Arc::clone(&self.served.controller);
+                let work = move || {
+                    let motion =
+                        Motion { scenario: &scenario, limits: &limits, script: &script, every };
+                    moved(controller.as_ref(), &motion)
+                };
+                match self.requests.run(work)? {
+                    Ran::Done(Ok(samples)) => self.samples(&samples)?,
+                    Ran::Done(Err(reply)) => reply,
+                    Ran::Cancelled(by) => return self.cancelled(by),
+                    Ran::Alone => return Ok(false),
+                }
+            }
+            Operation::State {} if self.offers(Offer::State) => self.state(),
+            Operation::Outcome {} if self.offers(Offer::Digest) => match self.last.clone() {
+                Some(outcome) => self.outcome(outcome)?,
+                None => Reply::Refused("nothing was run".to_owned()),
+            },
+            Operation::Move { .. }
+            | Operation::State {}
+            | Operation::Outcome {}
+            | Operation::Credit { .. }
+            | Operation::Operator { .. } => {
+                Reply::Refused("it was not offered, or has no place here".to_owned())
+            }
+        };
+        self.say(id, reply)?;
+        Ok(lasts)
+    }
+
+    fn offers(&self, offer: Offer) -> bool {
+        self.served.offers.contains(&offer)
+    }
+
+    fn declaration(&self) -> Declaration {
+        let Served { controller, languages, offers } = self.served;
+        let sessions = controller.best_jobs().and_then(|jobs| u16::try_from(jobs.get()).ok());
+        let declaration = Declaration::of(controller.capabilities(), languages.clone());
+        Declaration { sessions, offers: offers.clone(), ..declaration }
+    }
+
+    /// Runs a scenario and tells its outcome in the way that is asked for; whether the session goes on.
+    fn run(&mut self, id: u64, mut scenario: Scenario, ways: Ways) -> Result<bool> {
+        // The whole script has to be known before the run: it asks for all of it at the beginning.
+        for place in 0..u32::try_from(ways.live.len()).unwrap_or(u32::MAX) {
+            self.say(id, Reply::At(place))?;
+            match self.next_within(id)? {
+                Some(Operation::Operator { event }) => scenario.operator.push(event),
+                Some(Operation::Cancel {}) => return self.cancelled(id + 1),
+                _ => return Ok(false),
+            }
+        }
+        if let Err(why) = self.served.controller.supports(&scenario) {
+            return self.say(id, Reply::Unsupported(why));
+        }
+        let controller = Arc::clone(&self.served.controller);
+        let mut outcome = match self.requests.run(move || controller.run(&scenario))? {
+            Ran::Done(Ok(outcome)) => outcome,
+            Ran::Done(Err(error)) => return self.say(id, Reply::Refused(error.to_string())),
+            Ran::Cancelled(by) => return self.cancelled(by),
+            Ran::Alone => return Ok(false),
+        };
+        if self.offers(Offer::State) || ways.digest {
+            self.last = Some(outcome.clone());
+        }
+        if ways.digest {
+            return self.say(id, Reply::Digest(digest(&outcome)));
+        }
+        if let Some(stream) = ways.stream {
+            let mut credit = stream.credit;
+            while outcome.steps.len() > BATCH {
+                if credit == 0 {
+                    match self.next_within(id)? {
+                        Some(Operation::Credit { batches }) => credit = batches,
+                        Some(Operation::Cancel {}) => return self.cancelled(id + 1),
+                        _ => return Ok(false),
+                    }
+                    continue;
+                }
+                credit -= 1;
+                let rest = outcome.steps.split_off(BATCH);
+                let batch: Vec<Step> = std::mem::replace(&mut outcome.steps, rest);
+                self.say(id, Reply::Steps(batch))?;
+            }
+        }
+        let reply = self.outcome(outcome)?;
+        self.say(id, reply)
+    }
+
+    /// What the referee says while a run is told: of this run, or to cancel it.
+    fn next_within(&mut self, id: u64) -> Result<Option<Operation>> {
+        let Some(line) = self.requests.next()? else { return Ok(None) };
+        let request = requests::read(&line).ok().filter(|request| {
+            request.id == id || request.id == id + 1 && request.operation == Operation::Cancel {}
+        });
+        Ok(request.map(|request| request.operation))
+    }
+
+    fn cancelled(&mut self, by: u64) -> Result<bool> {
+        self.last = None;
+        self.say(by, Reply::Done {})
+    }
+
+    fn outcome(&mut self, outcome: Outcome) -> Result<Reply> {
+        if self.folder.is_some() {
+            let bytes = serde_json::to_vec(&outcome)?;
+            if bytes.len() > LARGE {
+                return self.laid(&bytes);
+            }
+        }
+        Ok(Reply::Outcome(Box::new(outcome)))
+    }
+
+    fn samples(&mut self, samples: &Samples) -> Result<Reply> {
+        let bytes = samples.to_bytes();
+        if self.folder.is_some() && bytes.len() > LARGE {
+            return self.laid(&bytes);
+        }
+        Ok(Reply::Samples(samples.to_csv()))
+    }
+
+    /// Lays an answer into the folder.
+    fn laid(&mut self, bytes: &[u8]) -> Result<Reply> {
+        self.files += 1;
+        let name = format!("answer-{}", self.files);
+        if let Some(folder) = &self.folder {
+            std::fs::write(folder.join(&name), bytes)?;
+        }
+        Ok(Reply::File(name))
+    }
+
+    /// What is in force after the last run, or after power-on.
+    fn state(&self) -> Reply {
+        let power_on = || self.served.controller.run(&Scenario::default());
+        let outcome = match self.last.clone().map_or_else(power_on, Ok) {
+            Ok(outcome) => outcome,
+            Err(error) => return Reply::Refused(error.to_string()),
+        };
+        let observed = Observed::of(&outcome);
+        let (settings, state) = match observed.steps.into_iter().next_back() {
+            Some(step) => (step.settings, step.state),
+            None => (observed.start, None),
+        };
+        Reply::State(Box::new(Standing { settings, state, parameters: outcome.parameters }))
+    }
+
+    fn say(&mut self, id: u64, reply: Reply) -> Result<bool> {
+        // In one piece: whoever waits for it is woken once.
+        let mut line = serde_json::to_vec(&Answer { id, reply })?;
+        line.push(b'\n');
+        self.answers.write_all(&line)?;
+        self.answers.flush()?;
+        Ok(true)
+    }
+}
+
+/// The samples of a run, or what is answered instead.
+fn moved(controller: &dyn Adapter, motion: &Motion<'_>) -> std::result::Result<Samples, Reply> {
+    let checked = motion.limits.to_text().and_then(|text| MotionLimits::from_text(&text));
+    checked.map_err(|error| Reply::Refused(error.to_string()))?;
+    controller.supports(motion.scenario).map_err(Reply::Unsupported)?;
+    controller.moves(motion).map_err(|none| match none {
+        NotMoved::Unsupported(why) => Reply::Unsupported(why),
+        NotMoved::Failed(why) => Reply::Refused(why),
+    })
+}
