@@ -20,6 +20,7 @@ use crate::judge::{Finding, judge};
 use crate::motion;
 use crate::observe::Observed;
 use crate::shard::Shard;
+use crate::suite::assertion::Claim;
 use crate::suite::{Assertion, Case, Edition, MotionCase, Rule, Suite};
 use select::{Selected, Subject, select};
 pub use select::{cases, void};
@@ -123,6 +124,10 @@ fn run_case<'a>(
 ) -> CaseResult<'a> {
     let scenario = scenario_of(case, options, plan.edition);
     let mut result = CaseResult::begun(rule, &case.name, &case.program);
+    if let Some(why) = controller.awaited(&scenario) {
+        result.verdict = Verdict::Inconclusive(format!("not run: {why}"));
+        return result;
+    }
     if let Err(reason) = controller.supports(&scenario) {
         result.verdict = Verdict::Unsupported(reason);
         return result;
@@ -159,6 +164,7 @@ fn run_case<'a>(
     }
     let against =
         Against { suite: plan.suite, scenario: &scenario, edition: &plan.edition.id, controller };
+    let shows_nothing = against.shows_nothing_of(case, &found);
     if let Some((departure, found)) = against.lasting(case, &expected, found, &mut result) {
         let departed = against.departed(rule, case, &found);
         let why = departure.divergence.as_ref().map(|_| departed.explanation()).unwrap_or_default();
@@ -169,6 +175,9 @@ fn run_case<'a>(
         } else {
             Verdict::Diverges(departure)
         };
+    } else if shows_nothing {
+        let why = "nothing was shown of what its assertions are about";
+        result.verdict = Verdict::Unsupported(why.to_owned());
     }
     result
 }
@@ -285,6 +294,21 @@ impl Against<'_> {
         *result = CaseResult { repeated: true, ..unjudged };
         let departure = self.departure(case, expected, &anew, result)?;
         Some((departure, anew))
+    }
+
+    /// Whether a pass would rest on nothing that the sentence is about: blocks are not told, or somebody wrote down what was seen, and all
+    /// that could be judged of the assertions is that the program was accepted.
+    fn shows_nothing_of(&self, case: &Case, found: &Outcome) -> bool {
+        let shows = self.controller.shows(self.scenario);
+        if shows.blocks && self.controller.belongs_to().is_none() {
+            return false;
+        }
+        let found = Observed::of(found);
+        let claims = case.parsed().into_iter().filter(|claim| {
+            applies(claim, &self.scenario.options, self.edition) && claim.claim != Claim::Accepted
+        });
+        let mut findings = claims.map(|claim| judge(&claim, &found, &shows)).peekable();
+        findings.peek().is_some() && findings.all(|found| matches!(found, Finding::Masked(_)))
     }
 
     fn departed<'a>(&'a self, rule: &'a Rule, case: &'a Case, found: &'a Outcome) -> Departed<'a> {

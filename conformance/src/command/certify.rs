@@ -37,6 +37,8 @@ const EXAMPLES: &str = "Examples:
       hold LinuxCNC's whole controller, with a simulated machine, to two chapters of its manual
   gaugeblock certify \"exec:python3 adapter.py\" --profile modal-save
       hold a controller behind an adapter (`gaugeblock adapter --help`)
+  gaugeblock certify rs274 --as \"exec:python3 rs274.py\"
+      hold it to no more than that adapter declares, so that the verdicts of both can be compared
   gaugeblock certify reference --edition m70-draft --only saved-state
       hold the specification to one chapter of an edition";
 
@@ -46,6 +48,9 @@ pub(super) struct Arguments {
     /// The controller under test
     #[arg(value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
+    /// Hold it to no more than this other controller declares: to compare the two case by case
+    #[arg(long = "as", value_name = "CONTROLLER")]
+    like: Option<String>,
     /// The edition of the documents that it is held to [default: its own]
     #[arg(long, value_name = "EDITION")]
     edition: Option<String>,
@@ -100,13 +105,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     if let Some(edition) = &arguments.edition {
         super::edition(suite, edition)?;
     }
-    if let Some(unknown) = arguments.profile.iter().find(|id| suite.profile(id).is_none()) {
-        let known: Vec<_> = suite.profiles.iter().map(|profile| profile.id.as_str()).collect();
-        return Err(Refused::wrong(
-            format!("there is no profile `{unknown}`"),
-            format!("one of: {}", known.join(", ")),
-        ));
-    }
+    known_profiles(&arguments.profile, suite)?;
     let expectations = arguments.expectations.as_deref().map(read).transpose()?;
     let baseline = arguments.baseline.as_deref().map(super::report::stored).transpose()?;
     let baseline = baseline.map(|(_, stored)| stored);
@@ -121,8 +120,12 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
         }
         None => controller::controller(&arguments.controller)?,
     };
+    if let Some(like) = &arguments.like {
+        controller = controller::narrowed(controller, like)?;
+    }
     let own = controller.own_edition().unwrap_or(controller::own_edition(&arguments.controller));
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    controller::belongs(controller.as_ref(), suite, edition)?;
     controller::declared_options(controller.as_ref(), suite)?;
     controller::honours(controller.as_ref(), &suite.options(edition))?;
     controller::speaks(controller.as_ref(), edition)?;
@@ -173,6 +176,20 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     }
     print(&report, arguments.format, arguments.verbose);
     Ok(report.exit_status())
+}
+
+/// Refuses a profile that there is not.
+fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), Refused> {
+    match profiles.iter().find(|id| suite.profile(id).is_none()) {
+        None => Ok(()),
+        Some(unknown) => {
+            let known: Vec<_> = suite.profiles.iter().map(|profile| profile.id.as_str()).collect();
+            Err(Refused::wrong(
+                format!("there is no profile `{unknown}`"),
+                format!("one of: {}", known.join(", ")),
+            ))
+        }
+    }
 }
 
 pub(super) fn print(report: &Report<'_>, format: Format, verbose: bool) {

@@ -7,6 +7,7 @@ use gaugeblock_trace::{Language, Options, Scenario};
 use super::Refused;
 use crate::adapters::exec::{Exec, Limits};
 use crate::adapters::linuxcnc::LinuxCnc;
+use crate::adapters::narrowed::Narrowed;
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::rs274::Rs274;
@@ -109,6 +110,40 @@ pub(super) fn linuxcnc() -> Result<LinuxCnc, Refused> {
             "it needs process, mount, network and message spaces: run as root, or where the system lets users have them",
         )),
     }
+}
+
+/// A controller that shows no more than the named one, and runs no more than that one can.
+pub(super) fn narrowed(
+    controller: Box<dyn Adapter>,
+    like: &str,
+) -> Result<Box<dyn Adapter>, Refused> {
+    Ok(Box::new(Narrowed::new(controller, self::controller(like)?)))
+}
+
+/// Refuses what was asked by another suite or edition than the one that it would be held to.
+pub(super) fn belongs(
+    controller: &dyn Adapter,
+    suite: &Suite,
+    edition: &Edition,
+) -> Result<(), Refused> {
+    let Some((digest, asked)) = controller.belongs_to() else { return Ok(()) };
+    let name = &controller.capabilities().name;
+    if asked != edition.id {
+        return Err(Refused::wrong(
+            format!("{name} was asked by {asked}, and cannot be held to {}", edition.id),
+            "leave --edition out, or export again for the other edition",
+        ));
+    }
+    if digest != suite.digest {
+        return Err(Refused::wrong(
+            format!(
+                "{name} was asked by another suite than this one: digest {digest}, not {}",
+                suite.digest
+            ),
+            "judge it with the gaugeblock that exported it (and its --suite), or export again",
+        ));
+    }
+    Ok(())
 }
 
 /// Refuses an edition that a controller cannot be held to, before anything runs.
