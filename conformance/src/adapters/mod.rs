@@ -8,6 +8,7 @@ pub mod exec;
 pub mod faulty;
 pub mod linuxcnc;
 pub mod narrowed;
+pub mod offline;
 mod probing;
 pub mod production;
 pub mod reference;

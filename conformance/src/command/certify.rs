@@ -179,7 +179,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
 }
 
 /// Refuses a profile that there is not.
-fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), Refused> {
+pub(super) fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), Refused> {
     match profiles.iter().find(|id| suite.profile(id).is_none()) {
         None => Ok(()),
         Some(unknown) => {

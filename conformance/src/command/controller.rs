@@ -8,6 +8,7 @@ use super::Refused;
 use crate::adapters::exec::{Exec, Limits};
 use crate::adapters::linuxcnc::LinuxCnc;
 use crate::adapters::narrowed::Narrowed;
+use crate::adapters::offline::Offline;
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::rs274::Rs274;
@@ -15,7 +16,7 @@ use crate::adapters::{Adapter, ControllerError};
 use crate::suite::{Edition, Suite};
 
 /// The names, as the help tells them.
-pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`)";
+pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`); offline:DIR: a control that was asked on paper (`gaugeblock suite --help`)";
 
 /// The controller of a name.
 pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
@@ -26,6 +27,7 @@ pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
         Some(("rs274", path)) => rs274(Some(Path::new(path))),
         None if name == "linuxcnc" => Ok(Box::new(linuxcnc()?)),
         Some(("faulty", fault)) => faulty(fault),
+        Some(("offline", folder)) => Ok(Box::new(offline(Path::new(folder))?)),
         Some(("exec", command)) => Ok(Box::new(exec(command, Limits::default())?)),
         _ => Err(Refused::wrong(
             format!("there is no controller `{name}`"),
@@ -91,6 +93,11 @@ pub(super) fn exec(command: &str, limits: Limits) -> Result<Exec, Refused> {
             format!("`gaugeblock adapter check {command:?}` tells what is wrong with an adapter"),
         )
     })
+}
+
+/// A control that was asked on paper.
+fn offline(folder: &Path) -> Result<Offline, Refused> {
+    Offline::open(folder).map_err(super::suite::not_a_campaign)
 }
 
 /// LinuxCNC's whole controller.
