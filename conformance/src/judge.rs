@@ -26,7 +26,7 @@ pub fn judge(assertion: &Assertion, run: &Observed, shows: &Capabilities) -> Fin
         Claim::Refused(place) => judge.refused(place.as_ref()),
         Claim::Kind(kind) => {
             let End::Fault(fault) = &run.end else { return Finding::Fails(end_text(&run.end)) };
-            match fault.kind {
+            match fault.kind.filter(|_| shows.faults_have_kinds) {
                 Some(found) => ok(found == *kind, || format!("kind {found}")),
                 None => Finding::Masked("kind".to_owned()),
             }
@@ -35,6 +35,7 @@ pub fn judge(assertion: &Assertion, run: &Observed, shows: &Capabilities) -> Fin
         Claim::After(place, fields) => judge.after(place, fields),
         Claim::AtEnd(fields) => judge.at_end(fields),
         Claim::AtEffect(name, count, fields) => judge.at_effect(name, *count, fields),
+        Claim::EffectsAt(_, _) if !shows.blocks => Finding::Masked("blocks".to_owned()),
         Claim::EffectsAt(place, effects) => match judge.step(place) {
             Some(step) => {
                 let begin = judge.begin(step);
@@ -67,7 +68,8 @@ impl Judge<'_> {
         let End::Fault(fault) = &self.run.end else {
             return Finding::Fails(end_text(&self.run.end));
         };
-        match (place, &fault.block) {
+        let block = fault.block.as_ref().filter(|_| self.shows.faults_have_blocks);
+        match (place, block) {
             (None, _) => Finding::Holds,
             (Some(_), None) => Finding::Masked("the block of a fault".to_owned()),
             (Some(place), Some(block)) => {
@@ -98,6 +100,9 @@ impl Judge<'_> {
     }
 
     fn after(&self, place: &Place, fields: &[Expected]) -> Finding {
+        if !self.shows.blocks {
+            return Finding::Masked("blocks".to_owned());
+        }
         let Some(step) = self.step(place) else {
             return Finding::Fails(format!("block {place} was not executed"));
         };
@@ -109,14 +114,19 @@ impl Judge<'_> {
     /// Where no state is recorded after the last block, an o-word, M98 or M99, only what effects show is judged, and
     /// numbered parameters.
     fn at_end(&self, fields: &[Expected]) -> Finding {
-        let stated = self.run.steps.last().is_some_and(|step| step.state.is_some());
+        let stated = if self.shows.blocks {
+            self.run.steps.last().is_some_and(|step| step.state.is_some())
+        } else {
+            is_accepted(&self.run.end)
+        };
         let mut entries = self.run.last_settings().entries();
         entries.extend(self.run.last_state().iter().flat_map(|state| state.entries()));
         entries.retain(|entry| entry.field != "parameter");
         let (parameters, others): (Vec<_>, Vec<_>) =
             fields.iter().cloned().partition(|field| field.field == "parameter");
+        let told = stated || self.shows.blocks;
         let finding = self.fields(&others, &entries, |field| {
-            self.shows.fields_at_effects.contains(field)
+            told && self.shows.fields_at_effects.contains(field)
                 || stated && self.shows.fields.contains(field)
         });
         if matches!(finding, Finding::Fails(_)) || parameters.is_empty() {
@@ -131,7 +141,8 @@ impl Judge<'_> {
     fn parameters(&self, fields: &[Expected]) -> Finding {
         for field in fields {
             let name = field.index.as_deref().unwrap_or_default();
-            let (Some(shown), Ok(number)) = (&self.run.parameters, name.parse::<u32>()) else {
+            let shown = self.run.parameters.as_ref().filter(|_| self.shows.final_parameters);
+            let (Some(shown), Ok(number)) = (shown, name.parse::<u32>()) else {
                 return Finding::Masked(format!("#{name} at the end"));
             };
             if self.shows.hidden_parameters.iter().any(|hidden| hidden.contains(&number)) {
@@ -214,15 +225,25 @@ impl Judge<'_> {
                 && expected.iter().zip(&found).all(|(a, b)| self.same_effect(a, b))
         };
         let all: Vec<&Effect> = expected.iter().collect();
+        let starts =
+            |expected: &[&Effect]| expected.iter().zip(&found).all(|(a, b)| self.same_effect(a, b));
         let moving = || without_moves_in_place(expected, begin);
         if !self.shows.moves_in_place && !same(&all) && same(&moving()) {
             return Finding::Masked("moves in place".to_owned());
         }
         let same = same(&all);
+        if !same && self.may_go_on(found.len() > all.len() && starts(&all)) {
+            return Finding::Masked("effects of a refused block".to_owned());
+        }
         ok(same, || {
             let texts: Vec<_> = found.iter().map(|effect| effect_text(effect)).collect();
             if texts.is_empty() { "no effects".to_owned() } else { texts.join("; ") }
         })
+    }
+
+    /// Whether what is more than expected may be what a refused block did, since blocks are not told.
+    fn may_go_on(&self, goes_on: bool) -> bool {
+        goes_on && !self.shows.blocks && matches!(self.run.end, End::Fault(_))
     }
 
     fn same_effect(&self, a: &Effect, b: &Effect) -> bool {
@@ -237,6 +258,9 @@ impl Judge<'_> {
         if found < count && name.starts_with("straight_") && !self.shows.moves_in_place {
             return Finding::Masked("moves in place".to_owned());
         }
+        if self.may_go_on(found > count) {
+            return Finding::Masked("effects of a refused block".to_owned());
+        }
         ok(found == count, || format!("{found} of {name}"))
     }
 
@@ -245,9 +269,11 @@ impl Judge<'_> {
             return Finding::Masked("message".to_owned());
         }
         let found = self.run.messages();
-        let same = texts.len() == found.len()
-            && texts.iter().zip(&found).all(|(a, b)| tolerance::texts(a.trim(), b.trim()));
-        ok(same, || {
+        let starts = texts.iter().zip(&found).all(|(a, b)| tolerance::texts(a.trim(), b.trim()));
+        if self.may_go_on(starts && found.len() > texts.len()) {
+            return Finding::Masked("effects of a refused block".to_owned());
+        }
+        ok(starts && texts.len() == found.len(), || {
             if found.is_empty() {
                 "no messages".to_owned()
             } else {

@@ -20,6 +20,7 @@ pub mod journal;
 pub mod judge;
 pub mod motion;
 pub mod observe;
+pub mod offline;
 pub mod protocol;
 pub mod report;
 pub mod rs274;

@@ -7,6 +7,8 @@ pub mod exec;
 #[cfg(feature = "faulty")]
 pub mod faulty;
 pub mod linuxcnc;
+pub mod narrowed;
+pub mod offline;
 mod probing;
 pub mod production;
 pub mod reference;
@@ -42,6 +44,11 @@ pub struct Capabilities {
     pub effects: BTreeSet<String>,
     /// Whether it shows a straight move whose end is where the controlled point is.
     pub moves_in_place: bool,
+    /// Whether it shows which blocks were executed, and the state after each. Where not, its effects stand in one step, with the state at the
+    /// end, which is compared unless a block was refused: what that one has done before is open.
+    pub blocks: bool,
+    /// Whether its faults may name their block.
+    pub faults_have_blocks: bool,
     /// Whether its faults name their kind.
     pub faults_have_kinds: bool,
     /// Whether it shows all numbered parameters at the end.
@@ -71,6 +78,8 @@ impl Capabilities {
             fields_at_effects: fields(),
             effects: Effect::NAMES.iter().map(|name| (*name).to_owned()).collect(),
             moves_in_place: true,
+            blocks: true,
+            faults_have_blocks: true,
             faults_have_kinds: true,
             final_parameters: true,
             hidden_parameters: Vec::new(),
@@ -104,6 +113,8 @@ impl Capabilities {
             fields_at_effects: both(&self.fields_at_effects, &other.fields_at_effects),
             effects: both(&self.effects, &other.effects),
             moves_in_place: self.moves_in_place && other.moves_in_place,
+            blocks: self.blocks && other.blocks,
+            faults_have_blocks: self.faults_have_blocks && other.faults_have_blocks,
             faults_have_kinds: self.faults_have_kinds && other.faults_have_kinds,
             final_parameters: self.final_parameters && other.final_parameters,
             hidden_parameters: [self.hidden_parameters.clone(), other.hidden_parameters.clone()]
@@ -133,7 +144,7 @@ pub enum NotMoved {
     /// It shows none, or not of such a run.
     Unsupported(String),
     /// It failed.
-    Failed(String),
+    Failed(HarnessError),
 }
 
 /// A controller under test, behind the vocabulary.
@@ -161,6 +172,17 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// # Errors
     /// The reason why it cannot; such a case counts as unsupported.
     fn supports(&self, scenario: &Scenario) -> Result<(), String>;
+
+    /// Why there is nothing to judge of the scenario yet, where somebody runs it elsewhere and brings what came of it.
+    fn awaited(&self, scenario: &Scenario) -> Option<String> {
+        let _runs_here = scenario;
+        None
+    }
+
+    /// Digest of the suite, and the edition, that it has been asked by, where it was asked before: it can be held to nothing else.
+    fn belongs_to(&self) -> Option<(&str, &str)> {
+        None
+    }
 
     /// Scenarios with equal keys run fastest one after the other, in the order of their keys: a controller with much to
     /// set up can be kept between them.

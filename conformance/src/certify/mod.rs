@@ -23,6 +23,7 @@ use crate::explain::{Departed, Other};
 use crate::judge::{Finding, judge};
 use crate::observe::Observed;
 use crate::shard::Shard;
+use crate::suite::assertion::Claim;
 use crate::suite::{Assertion, Case, Edition, Rule, Suite};
 pub use again::Twice;
 use again::{Ran, Runs};
@@ -155,6 +156,10 @@ impl Held<'_> {
         let Self { plan, options, controller, twice, shrink } = self;
         let scenario = scenario_of(case, options, plan.edition);
         let mut result = CaseResult::begun(rule, &case.name, &case.program);
+        if let Some(why) = controller.awaited(&scenario) {
+            result.verdict = Verdict::NotJudged(Unjudged::new(Cause::NotRun, why));
+            return result;
+        }
         if let Err(reason) = controller.supports(&scenario) {
             result.verdict = Verdict::Unsupported(reason);
             return result;
@@ -186,9 +191,14 @@ impl Held<'_> {
             edition: &plan.edition.id,
             controller,
         };
+        let shows_nothing = against.shows_nothing_of(case, &found);
         match against.lasting(case, &expected, found, &mut result) {
             Ok(Some((departure, found))) => {
                 result.verdict = against.charged(rule, case, departure, &found);
+            }
+            Ok(None) if shows_nothing => {
+                let why = "nothing was shown of what its assertions are about";
+                result.verdict = Verdict::Unsupported(why.to_owned());
             }
             Ok(None) => {}
             Err(unjudged) => result.verdict = Verdict::NotJudged(unjudged),
@@ -290,6 +300,21 @@ impl Against<'_> {
         } else {
             Verdict::Diverges(departure)
         }
+    }
+
+    /// Whether a pass would rest on nothing that the sentence is about: blocks are not told, or somebody wrote down what was seen, and all
+    /// that could be judged of the assertions is that the program was accepted.
+    fn shows_nothing_of(&self, case: &Case, found: &Outcome) -> bool {
+        let shows = self.controller.shows(self.scenario);
+        if shows.blocks && self.controller.belongs_to().is_none() {
+            return false;
+        }
+        let found = Observed::of(found);
+        let claims = case.parsed().into_iter().filter(|claim| {
+            applies(claim, &self.scenario.options, self.edition) && claim.claim != Claim::Accepted
+        });
+        let mut findings = claims.map(|claim| judge(&claim, &found, &shows)).peekable();
+        findings.peek().is_some() && findings.all(|found| matches!(found, Finding::Masked(_)))
     }
 
     fn departed<'a>(&'a self, rule: &'a Rule, case: &'a Case, found: &'a Outcome) -> Departed<'a> {

@@ -5,7 +5,7 @@ use gaugeblock_trace::motion::{ProgrammedPath, Samples};
 
 use super::Held;
 use super::verdict::{CaseResult, Cause, Departure, Unjudged, Verdict};
-use crate::adapters::{Adapter, Motion, NotMoved};
+use crate::adapters::{Adapter, HarnessError, Motion, NotMoved};
 use crate::compare::Basis;
 use crate::motion::{self, Sketch};
 use crate::suite::{MotionCase, Rule};
@@ -75,7 +75,8 @@ impl Moved<'_> {
             Ok(second) if second == *first => return Ok(()),
             Ok(second) if second.len() == first.len() => "other samples".to_owned(),
             Ok(second) => format!("first {} samples, then {}", first.len(), second.len()),
-            Err(NotMoved::Unsupported(why) | NotMoved::Failed(why)) => format!("then {why}"),
+            Err(NotMoved::Unsupported(why)) => format!("then {why}"),
+            Err(NotMoved::Failed(why)) => format!("then {why}"),
         };
         Err(Unjudged::new(Cause::Nondeterministic, format!("run twice: {why}")))
     }
@@ -84,8 +85,12 @@ impl Moved<'_> {
 fn why_not(not_moved: NotMoved) -> Verdict {
     match not_moved {
         NotMoved::Unsupported(why) => Verdict::Unsupported(why),
-        NotMoved::Failed(why) => Verdict::NotJudged(Unjudged::new(Cause::HarnessError, why)),
+        NotMoved::Failed(why) => Verdict::NotJudged(Unjudged::from(&why)),
     }
+}
+
+fn not_run(why: String) -> NotMoved {
+    NotMoved::Failed(HarnessError::NotRun(why))
 }
 
 fn samples_of(
@@ -95,9 +100,9 @@ fn samples_of(
     every: Option<u32>,
 ) -> Result<Samples, NotMoved> {
     if case.is_recorded() {
-        return motion::made(case).map_err(NotMoved::Failed);
+        return motion::made(case).map_err(not_run);
     }
-    let limits = case.limits().map_err(NotMoved::Failed)?;
+    let limits = case.limits().map_err(not_run)?;
     let script = case.script();
     controller.moves(&Motion { scenario, limits: &limits, script: &script, every })
 }

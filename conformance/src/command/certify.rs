@@ -39,6 +39,8 @@ const EXAMPLES: &str = "Examples:
       hold LinuxCNC's whole controller, with a simulated machine, to two chapters of its manual
   gaugeblock certify \"exec:python3 adapter.py\" --profile modal-save
       hold a controller behind an adapter (`gaugeblock adapter --help`)
+  gaugeblock certify rs274 --as \"exec:python3 rs274.py\"
+      hold it to no more than that adapter declares, so that the verdicts of both can be compared
   gaugeblock certify reference --edition m70-draft --only saved-state
       hold the specification to one chapter of an edition";
 
@@ -48,6 +50,9 @@ pub(super) struct Arguments {
     /// The controller under test
     #[arg(value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
+    /// Hold it to no more than this other controller declares: to compare the two case by case
+    #[arg(long = "as", value_name = "CONTROLLER")]
+    like: Option<String>,
     /// The edition of the documents that it is held to [default: its own]
     #[arg(long, value_name = "EDITION")]
     edition: Option<String>,
@@ -110,13 +115,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     if let Some(edition) = &arguments.edition {
         super::edition(suite, edition)?;
     }
-    if let Some(unknown) = arguments.profile.iter().find(|id| suite.profile(id).is_none()) {
-        let known: Vec<_> = suite.profiles.iter().map(|profile| profile.id.as_str()).collect();
-        return Err(Refused::wrong(
-            format!("there is no profile `{unknown}`"),
-            format!("one of: {}", known.join(", ")),
-        ));
-    }
+    known_profiles(&arguments.profile, suite)?;
     let known = arguments.against.read()?;
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
@@ -125,8 +124,12 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let limits = Limits { time, start: time, ..Limits::default() };
     let mut controller =
         controller::controller_within(&arguments.controller, limits, suite.defaults())?;
+    if let Some(like) = &arguments.like {
+        controller = controller::narrowed(controller, like)?;
+    }
     let own = controller.own_edition().unwrap_or(controller::own_edition(&arguments.controller));
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    controller::belongs(controller.as_ref(), suite, edition)?;
     controller::declared_options(controller.as_ref(), suite)?;
     controller::honours(controller.as_ref(), &suite.options(edition))?;
     controller::speaks(controller.as_ref(), edition)?;
@@ -177,6 +180,20 @@ fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
     match arguments.fingerprint {
         Some(when) => when == When::Always,
         None => arguments.report.is_some() && controller.capabilities().pin_period <= 0.0,
+    }
+}
+
+/// Refuses a profile that there is not.
+pub(super) fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), Refused> {
+    match profiles.iter().find(|id| suite.profile(id).is_none()) {
+        None => Ok(()),
+        Some(unknown) => {
+            let known: Vec<_> = suite.profiles.iter().map(|profile| profile.id.as_str()).collect();
+            Err(Refused::wrong(
+                format!("there is no profile `{unknown}`"),
+                format!("one of: {}", known.join(", ")),
+            ))
+        }
     }
 }
 

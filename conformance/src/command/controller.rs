@@ -7,6 +7,8 @@ use gaugeblock_trace::{Language, Options, Scenario};
 use super::Refused;
 use crate::adapters::exec::{Exec, Limits};
 use crate::adapters::linuxcnc::LinuxCnc;
+use crate::adapters::narrowed::Narrowed;
+use crate::adapters::offline::Offline;
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::rs274::Rs274;
@@ -14,7 +16,7 @@ use crate::adapters::{Adapter, ControllerError};
 use crate::suite::{Edition, Suite};
 
 /// The names, as the help tells them.
-pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`); tcp:HOST:PORT: one whose adapter listens there";
+pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`); tcp:HOST:PORT: one whose adapter listens there; offline:DIR: a control that was asked on paper (`gaugeblock suite --help`)";
 
 /// The controller of a name.
 pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
@@ -37,6 +39,7 @@ pub(super) fn controller_within(
         Some(("rs274", path)) => rs274(Some(Path::new(path))),
         None if name == "linuxcnc" => Ok(Box::new(linuxcnc()?)),
         Some(("faulty", fault)) => faulty(fault),
+        Some(("offline", folder)) => Ok(Box::new(offline(Path::new(folder))?)),
         _ => Err(Refused::wrong(
             format!("there is no controller `{name}`"),
             format!("one of {NAMES}"),
@@ -129,6 +132,11 @@ fn tcp(address: &str, limits: Limits) -> Result<Exec, Refused> {
     })
 }
 
+/// A control that was asked on paper.
+fn offline(folder: &Path) -> Result<Offline, Refused> {
+    Offline::open(folder).map_err(super::suite::not_a_campaign)
+}
+
 /// LinuxCNC's whole controller.
 pub(super) fn linuxcnc() -> Result<LinuxCnc, Refused> {
     match LinuxCnc::find() {
@@ -146,6 +154,40 @@ pub(super) fn linuxcnc() -> Result<LinuxCnc, Refused> {
             "it needs process, mount, network and message spaces: run as root, or where the system lets users have them",
         )),
     }
+}
+
+/// A controller that shows no more than the named one, and runs no more than that one can.
+pub(super) fn narrowed(
+    controller: Box<dyn Adapter>,
+    like: &str,
+) -> Result<Box<dyn Adapter>, Refused> {
+    Ok(Box::new(Narrowed::new(controller, self::controller(like)?)))
+}
+
+/// Refuses what was asked by another suite or edition than the one that it would be held to.
+pub(super) fn belongs(
+    controller: &dyn Adapter,
+    suite: &Suite,
+    edition: &Edition,
+) -> Result<(), Refused> {
+    let Some((digest, asked)) = controller.belongs_to() else { return Ok(()) };
+    let name = &controller.capabilities().name;
+    if asked != edition.id {
+        return Err(Refused::wrong(
+            format!("{name} was asked by {asked}, and cannot be held to {}", edition.id),
+            "leave --edition out, or export again for the other edition",
+        ));
+    }
+    if digest != suite.digest {
+        return Err(Refused::wrong(
+            format!(
+                "{name} was asked by another suite than this one: digest {digest}, not {}",
+                suite.digest
+            ),
+            "judge it with the gaugeblock that exported it (and its --suite), or export again",
+        ));
+    }
+    Ok(())
 }
 
 /// Refuses an edition that a controller cannot be held to, before anything runs.

@@ -24,6 +24,7 @@ mod run;
 mod schema;
 mod serve;
 mod shrink;
+mod suite;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -109,6 +110,9 @@ enum Command {
     Report(report::Reports),
     /// List the rules: sentences, sources, cases; check or bless the suite
     Rules(rules::Arguments),
+    /// Take the suite to a control that cannot host a process, on paper: export it, fill it in
+    #[command(subcommand)]
+    Suite(suite::Offline),
     /// Connect a controller: a template, a check, the words and schemas of the protocol
     #[command(subcommand)]
     Adapter(adapter::Adapter),
@@ -166,6 +170,7 @@ pub fn main() -> ExitCode {
         }
         Command::Report(command) => suite(&call).and_then(|suite| report::report(command, &suite)),
         Command::Rules(arguments) => rules::rules(arguments, call.suite.as_deref()),
+        Command::Suite(command) => suite(&call).and_then(|suite| suite::offline(command, &suite)),
         Command::Adapter(arguments) => adapter::adapter(arguments),
         Command::Serve(arguments) => serve::serve(arguments),
         Command::Schema(arguments) => schema::schema(arguments),

@@ -162,7 +162,7 @@ fn recorded(
             Refused::wrong(why, "`gaugeblock plan --help` tells what it takes")
         }
         NotMoved::Failed(why) => {
-            Refused::unfinished(why, "`gaugeblock run` shows what the program does")
+            Refused::unfinished(why.to_string(), "`gaugeblock run` shows what the program does")
         }
     };
     let samples = linuxcnc()?.record(scenario, limits).map_err(refused)?;

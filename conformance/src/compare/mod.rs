@@ -112,8 +112,13 @@ impl Walk<'_> {
                         missing(Some(block), describe(a), "no further effect".to_owned()),
                     ));
                 }
+                (None, Some(_)) if self.may_be_of_refused_block(expected, found) => {
+                    self.comparison.masked.insert("effects of a refused block".to_owned());
+                    return None;
+                }
                 (None, Some(b)) => {
-                    let block = found.steps.get(b.step).map(|step| step.block.clone());
+                    let step = found.steps.get(b.step).filter(|_| self.shows.blocks);
+                    let block = step.map(|step| step.block.clone());
                     return Some((
                         usize::MAX,
                         missing(block, "no further effect".to_owned(), describe(b)),
@@ -123,6 +128,12 @@ impl Walk<'_> {
             }
         }
         None
+    }
+
+    /// What a refused block has done is open; without blocks it is whatever comes after the rest.
+    fn may_be_of_refused_block(&self, expected: &Observed, found: &Observed) -> bool {
+        let refused = |run: &Observed| matches!(run.end, End::Fault(_));
+        !self.shows.blocks && refused(expected) && refused(found)
     }
 
     fn effect(
@@ -142,6 +153,9 @@ impl Walk<'_> {
 
     /// The first state that differs, and its step.
     fn states(&mut self, expected: &Observed, found: &Observed) -> Option<(usize, Divergence)> {
+        if !self.shows.blocks {
+            return self.state_at_end(expected, found);
+        }
         let (left, right) = (recorded(expected), recorded(found));
         for place in 0..left.len().max(right.len()) {
             let (Some((at, a)), Some((_, b))) = (left.get(place), right.get(place)) else {
@@ -164,6 +178,28 @@ impl Walk<'_> {
             }
         }
         None
+    }
+
+    /// The state at the end, for a controller that does not tell blocks.
+    fn state_at_end(
+        &mut self,
+        expected: &Observed,
+        found: &Observed,
+    ) -> Option<(usize, Divergence)> {
+        let (left, right) = (recorded(expected), recorded(found));
+        if left.len() > 1 {
+            self.comparison.masked.insert("blocks".to_owned());
+        }
+        if !is_accepted(&expected.end) {
+            self.comparison.masked.insert("state at a fault".to_owned());
+            return None;
+        }
+        let (at, a) = left.last()?;
+        let Some((_, b)) = right.last() else {
+            self.comparison.masked.insert("state at the end".to_owned());
+            return None;
+        };
+        Some((*at, self.step(a, b)?))
     }
 
     fn step(&mut self, a: &ObservedStep, b: &ObservedStep) -> Option<Divergence> {
@@ -205,7 +241,7 @@ impl Walk<'_> {
     fn end(&mut self, expected: &End, found: &End) -> Option<Divergence> {
         self.comparison.compared.add(Basis::Acceptance, 1);
         let same = match (expected, found) {
-            (End::Fault(a), End::Fault(b)) => same_fault(a, b),
+            (End::Fault(a), End::Fault(b)) => !self.shows.faults_have_blocks || same_fault(a, b),
             (a, b) => a.name() == b.name(),
         };
         (!same).then(|| Divergence {
@@ -219,7 +255,9 @@ impl Walk<'_> {
     /// What is left to compare at the end: settings that effects would show, numbered parameters, and pins.
     fn last(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
         let block = expected.steps.last()?.block.clone();
-        let shown = &self.shows.fields_at_effects;
+        let none = BTreeSet::new();
+        let is_told = self.shows.blocks || is_accepted(&expected.end);
+        let shown = if is_told { &self.shows.fields_at_effects } else { &none };
         let entries = |settings: &Settings| settings.entries();
         let settings = self.fields(
             &block,
@@ -262,7 +300,8 @@ impl Walk<'_> {
     fn parameters(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
         // A language without numbered parameters has none to show.
         let left = expected.parameters.as_ref()?;
-        let Some(right) = &found.parameters else {
+        let shown = found.parameters.as_ref().filter(|_| self.shows.final_parameters);
+        let Some(right) = shown else {
             self.comparison.masked.insert("parameters at the end".to_owned());
             return None;
         };

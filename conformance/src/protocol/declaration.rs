@@ -66,6 +66,22 @@ pub struct Observables {
     pub hidden_parameters: Vec<(u32, u32)>,
     /// Pins whose changes it tells.
     pub pins: BTreeSet<String>,
+    /// Optional: whether it tells each executed block as a step; true where nothing is said. Where not, all effects stand in one step, with the
+    /// state at the end.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub blocks: bool,
+    /// Optional: whether its faults may name their block; true where nothing is said.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub fault_blocks: bool,
+}
+
+fn yes() -> bool {
+    true
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands on a reference")]
+fn is_yes(said: &bool) -> bool {
+    *said
 }
 
 /// What a controller's times are.
@@ -101,6 +117,8 @@ impl Declaration {
                     .map(|range| (*range.start(), *range.end()))
                     .collect(),
                 pins: shows.pins.clone(),
+                blocks: shows.blocks,
+                fault_blocks: shows.faults_have_blocks,
             },
             resolution: shows.resolution,
             clock: if shows.pin_period > 0.0 {
@@ -157,6 +175,8 @@ impl Declaration {
             fields_at_effects: shows.fields_at_effects.clone(),
             effects: shows.effects.clone(),
             moves_in_place: shows.moves_in_place,
+            blocks: shows.blocks,
+            faults_have_blocks: shows.fault_blocks,
             faults_have_kinds: shows.fault_kinds,
             final_parameters: shows.final_parameters,
             hidden_parameters: shows

@@ -224,7 +224,7 @@ impl Adapter for Exec {
         }
         self.supports(motion.scenario).map_err(NotMoved::Unsupported)?;
         self.within(|session| session.moves(motion))
-            .unwrap_or_else(|error| Err(NotMoved::Failed(error.to_string())))
+            .unwrap_or_else(|error| Err(NotMoved::Failed(error)))
     }
 
     fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {

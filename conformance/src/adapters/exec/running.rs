@@ -87,7 +87,9 @@ impl Session {
         let samples = match reply {
             Reply::Unsupported(why) => return Ok(Err(NotMoved::Unsupported(shown(&why)))),
             // It is the controller that has none, and not the session that is broken.
-            Reply::Refused(why) => return Ok(Err(NotMoved::Failed(shown(&why)))),
+            Reply::Refused(why) => {
+                return Ok(Err(NotMoved::Failed(HarnessError::NotRun(shown(&why)))));
+            }
             Reply::Samples(text) => Samples::from_csv(&text),
             Reply::File(name) => {
                 let bytes = self.file(&name)?;

@@ -320,6 +320,8 @@ fn capabilities(version: String) -> Capabilities {
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
         pins: Pin::names().map(str::to_owned).collect(),
         pin_period: PIN_PERIOD,
+        blocks: true,
+        faults_have_blocks: true,
         faults_have_kinds: true,
         final_parameters: true,
         moves_in_place: false,

@@ -14,8 +14,8 @@ use gaugeblock_trace::{Axis, LengthUnit, Machine, Pin, Scenario};
 
 use super::session::Session;
 use super::setup::{self, Setup};
-use crate::adapters::NotMoved;
 use crate::adapters::probing::workspace;
+use crate::adapters::{HarnessError, NotMoved};
 
 /// How long a program may take.
 const LONGEST: Duration = Duration::from_secs(600);
@@ -55,12 +55,14 @@ pub(super) fn record(scenario: &Scenario, limits: &MotionLimits) -> Result<Sampl
     let tools = workspace::tool_table(&scenario.machine);
     let parameters = workspace::parameter_file(&scenario.machine, &BTreeSet::new());
     let text = Session::record(&setup, &tools, &parameters, LONGEST)
-        .map_err(|error| NotMoved::Failed(error.to_string()))?;
-    let rows = rows(&text, columns.len()).map_err(NotMoved::Failed)?;
+        .map_err(|error| NotMoved::Failed(HarnessError::NotRun(error.to_string())))?;
+    let unreadable =
+        |why| NotMoved::Failed(HarnessError::Unreadable { what: "samples".to_owned(), line: why });
+    let rows = rows(&text, columns.len()).map_err(unreadable)?;
     let scale = unit(&scenario.machine);
     let rows = moving(&rows);
     let kept = kept(&columns, rows, limits);
-    samples(limits.period, &kept, rows, scale).map_err(NotMoved::Failed)
+    samples(limits.period, &kept, rows, scale).map_err(unreadable)
 }
 
 /// Millimetres in the machine's unit of length.

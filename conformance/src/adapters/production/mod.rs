@@ -64,11 +64,13 @@ impl Adapter for Production {
 
     fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
         let outcome = self.run(motion.scenario);
-        let outcome = outcome.map_err(|error| NotMoved::Failed(error.to_string()))?;
+        let outcome = outcome.map_err(|error| NotMoved::Failed(error))?;
         let script = motion.script.clone();
         let circumstances =
             Circumstances { every: motion.every, script, ..Circumstances::default() };
         let planned = plan_under(&outcome, motion.limits, &circumstances);
-        planned.map(|planned| planned.samples).map_err(|stopped| NotMoved::Failed(stopped.why))
+        planned
+            .map(|planned| planned.samples)
+            .map_err(|stopped| NotMoved::Failed(HarnessError::NotRun(stopped.why)))
     }
 }

@@ -227,6 +227,8 @@ fn capabilities(version: String) -> Capabilities {
         fields: owned(&fields, HIDDEN_FIELDS),
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
         moves_in_place: true,
+        blocks: true,
+        faults_have_blocks: true,
         faults_have_kinds: true,
         final_parameters: true,
         fields_at_effects: owned(Settings::FIELDS, HIDDEN_FIELDS),

@@ -96,7 +96,7 @@ fn motion(adapter: &Exec, plain: &Scenario) -> Came {
             Came::Fine(format!("{} samples, {:?} s apart", samples.len(), samples.period()))
         }
         Err(NotMoved::Unsupported(why)) => Came::LeftOut(why),
-        Err(NotMoved::Failed(why)) => Came::Wrong(why),
+        Err(NotMoved::Failed(why)) => Came::Wrong(why.to_string()),
     }
 }
 

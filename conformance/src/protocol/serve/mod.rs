@@ -256,6 +256,6 @@ fn moved(controller: &dyn Adapter, motion: &Motion<'_>) -> std::result::Result<S
     controller.supports(motion.scenario).map_err(Reply::Unsupported)?;
     controller.moves(motion).map_err(|none| match none {
         NotMoved::Unsupported(why) => Reply::Unsupported(why),
-        NotMoved::Failed(why) => Reply::Refused(why),
+        NotMoved::Failed(why) => Reply::Refused(why.to_string()),
     })
 }
