@@ -64,7 +64,7 @@ impl Adapter for Production {
 
     fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
         let outcome = self.run(motion.scenario);
-        let outcome = outcome.map_err(|error| NotMoved::Failed(error))?;
+        let outcome = outcome.map_err(NotMoved::Failed)?;
         let script = motion.script.clone();
         let circumstances =
             Circumstances { every: motion.every, script, ..Circumstances::default() };
