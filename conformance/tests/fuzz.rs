@@ -264,6 +264,20 @@ mod command {
     }
 
     #[test]
+    fn a_run_is_no_part_of_a_much_longer_one_which_has_other_programs() {
+        let here = folder("fuzz-longer");
+        let report = here.to_str().expect("UTF-8");
+        let of = |programs, more: &[&str]| {
+            let call = ["fuzz", "--iut", "reference", "--spliced", "10", "--programs", programs];
+            let output = gaugeblock(&[&call, ["--report", report].as_slice(), more].concat());
+            output.status.code()
+        };
+        assert_eq!(of("64", &[]), Some(0));
+        assert_eq!(of("128", &["--resume"]), Some(0), "a little further");
+        assert_eq!(of("200000", &["--resume"]), Some(2));
+    }
+
+    #[test]
     fn nothing_is_shrunk_where_nothing_differs() {
         let program = folder("shrink").join("good.ngc");
         std::fs::write(&program, "g21\ng0 x1\nm2\n").unwrap();

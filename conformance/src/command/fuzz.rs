@@ -17,6 +17,7 @@ use crate::catalogue::editions_of;
 use crate::certify::scenario_of;
 use crate::fuzz::groups::{Find, Groups, merged, shrunk};
 use crate::fuzz::journal::Header;
+use crate::fuzz::rehearsal::is_long;
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{Extent, Plan, Random, Shard, run};
 use crate::journal::Journal;
@@ -416,8 +417,11 @@ fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
         against: named(plan.against),
         options: format!("{}, {}", edition.id, arguments.options),
         recipe: format!(
-            "wrong {}, spliced {}, only {:?}",
-            arguments.wrong, plan.spliced, arguments.only
+            "wrong {}, spliced {} for a {} run, only {:?}",
+            arguments.wrong,
+            plan.spliced,
+            if is_long(arguments.programs) { "long" } else { "short" },
+            arguments.only
         ),
         seed: arguments.seed,
         shard: arguments.shard.to_string(),

@@ -8,7 +8,7 @@ mod comparable;
 pub mod groups;
 pub mod journal;
 mod judge;
-mod rehearsal;
+pub mod rehearsal;
 pub mod signature;
 pub mod statistics;
 

@@ -28,6 +28,11 @@ const SHORT_UP_TO: u64 = 100_000;
 const SHORT: u64 = 30_000;
 const LONG: u64 = 1_000_000;
 
+/// Whether a plan of so many programs counts as a long one: it has other programs than a short one.
+pub fn is_long(programs: Option<u64>) -> bool {
+    programs.is_some_and(|programs| programs > SHORT_UP_TO)
+}
+
 impl Plan<'_> {
     /// Runs some programs on the model, and puts down by which seeds those of some outcomes are reached that a plan of so many programs
     /// would rarely reach. Without it splices take all seeds alike. How many of a hundred programs should be splices.
@@ -38,8 +43,7 @@ impl Plan<'_> {
         outcomes: impl IntoIterator<Item = (&'r str, RuleOutcome)>,
         programs: Option<u64>,
     ) -> u32 {
-        let programs =
-            if programs.is_some_and(|programs| programs > SHORT_UP_TO) { LONG } else { SHORT };
+        let programs = if is_long(programs) { LONG } else { SHORT };
         let supported = |scenario: &Scenario| {
             [self.iut, self.against].iter().all(|side| side.supports(scenario).is_ok())
         };
