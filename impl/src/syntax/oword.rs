@@ -43,7 +43,7 @@ impl Packer {
     ) -> Packed<()> {
         let start = cursor.at();
         cursor.step();
-        let numbered = matches!(cursor.peek(), b'0'..=b'9' | b'.' | b'+' | b'-');
+        let named = cursor.peek() == b'<';
         let label = self.label(cursor, into)?;
         let mut oword = OWord { keyword: Keyword::Unknown, label, values: 0, next: NONE };
         if label == NONE {
@@ -53,8 +53,7 @@ impl Packer {
         oword.keyword = keyword(cursor);
         block.kind = Kind::Control(oword);
         if oword.keyword == Keyword::Unknown {
-            let named = !numbered && !self.imitates;
-            if named || !matches!(cursor.peek(), 0 | b'(' | b';') {
+            if named && !self.imitates || !matches!(cursor.peek(), 0 | b'(' | b';') {
                 return cursor.refuse_from(start, FaultKind::BadBlock, "no such o-word");
             }
             oword.keyword = Keyword::Program;
