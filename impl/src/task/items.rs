@@ -8,9 +8,9 @@ use gaugeblock_trace::{Machine, Pin};
 use super::machine::Input;
 
 /// The names of all items: inputs, then pins in the order of [`pins`].
-pub(super) fn names(machine: &Machine) -> Vec<String> {
+pub(super) fn names(machine: &Machine) -> impl Iterator<Item = String> + use<> {
     let inputs = inputs(machine.digital_io, machine.analog_io).map(input_name);
-    inputs.chain(pins(machine).map(pin_name)).collect()
+    inputs.chain(pins(machine).map(pin_name))
 }
 
 /// The inputs of a machine.
@@ -21,7 +21,7 @@ pub(super) fn inputs(digital: u16, analog: u16) -> impl Iterator<Item = Input> {
 }
 
 /// The pins of a machine.
-pub(super) fn pins(machine: &Machine) -> impl Iterator<Item = Pin> {
+pub(super) fn pins(machine: &Machine) -> impl Iterator<Item = Pin> + use<> {
     let digital = (0..machine.digital_io).map(Pin::DigitalOut);
     let analog = (0..machine.analog_io).map(Pin::AnalogOut);
     let spindles = (0..u16::from(machine.spindles)).flat_map(|spindle| {

@@ -131,7 +131,8 @@ impl<M: Machine> Task<M> {
     /// [`Error::Configuration`]: an option that its choice does not have.
     pub fn new(mut interpreter: Interpreter, machine: M) -> Result<Self, Error> {
         let desk = Desk::new(&interpreter, machine)?;
-        interpreter.declare_items(items::names(interpreter.machine()));
+        let names = items::names(interpreter.machine());
+        interpreter.declare_items(names);
         Ok(Self { interpreter, desk })
     }
 

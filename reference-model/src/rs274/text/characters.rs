@@ -36,26 +36,23 @@ impl Glyph {
 /// The line is too long, or a comment is not closed.
 pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Comment>), Halt> {
     line_length(line, &state.readings)?;
-    let mut glyphs = Vec::with_capacity(line.len());
+    let bytes = line.as_bytes();
+    let mut glyphs = Vec::with_capacity(bytes.len());
     let mut comments: Vec<Comment> = Vec::new();
     let (mut blanks, mut upper_case) = (false, false);
-    let (mut end, mut behind_comment) = (0, 0);
-    for character in line.chars() {
-        let start = end;
-        end += width(character);
-        if start < behind_comment {
-            continue;
-        }
-        match character {
-            ';' | '(' | ')' => {
-                let comment =
-                    comment_at(line, start as usize, &state.readings).inspect_err(|_| {
-                        if !comments.is_empty() {
-                            state.evidence.refused("text.comment-format-checked");
-                        }
-                    })?;
-                behind_comment = comment.span.end;
+    let mut at = 0;
+    while let Some(byte) = bytes.get(at) {
+        let start = place(at);
+        at += 1;
+        match byte {
+            b';' | b'(' | b')' => {
+                let comment = comment_at(line, at - 1, &state.readings).inspect_err(|_| {
+                    if !comments.is_empty() {
+                        state.evidence.refused("text.comment-format-checked");
+                    }
+                })?;
                 let (start, end) = (comment.span.start, comment.span.end);
+                at = end as usize;
                 glyphs.push(Glyph { character: Glyph::COMMENT, start, end });
                 state.evidence.accepted(if comment.semicolon {
                     "text.comment-semicolon"
@@ -65,19 +62,26 @@ pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Commen
                 state.evidence.accepted("text.comment-verbatim");
                 comments.push(comment);
             }
-            ' ' | '\t' | '\r' => {
-                if !std::mem::replace(&mut blanks, true) {
-                    state.evidence.accepted("text.blanks");
-                }
+            b' ' | b'\t' | b'\r' => blanks = true,
+            b'A'..=b'Z' => {
+                upper_case = true;
+                let character = char::from(byte.to_ascii_lowercase());
+                glyphs.push(Glyph { character, start, end: start + 1 });
             }
-            'A'..='Z' => {
-                if !std::mem::replace(&mut upper_case, true) {
-                    state.evidence.accepted("text.case");
-                }
-                glyphs.push(Glyph { character: character.to_ascii_lowercase(), start, end });
+            0..=127 => glyphs.push(Glyph { character: char::from(*byte), start, end: start + 1 }),
+            128.. => {
+                let character =
+                    line[at - 1..].chars().next().unwrap_or(char::REPLACEMENT_CHARACTER);
+                at += character.len_utf8() - 1;
+                glyphs.push(Glyph { character, start, end: place(at) });
             }
-            _ => glyphs.push(Glyph { character, start, end }),
         }
+    }
+    if blanks {
+        state.evidence.accepted("text.blanks");
+    }
+    if upper_case {
+        state.evidence.accepted("text.case");
     }
     state.evidence.accepted("text.line-length");
     if comments.len() > 1 {
@@ -107,11 +111,6 @@ fn line_length(line: &str, readings: &Readings) -> Result<(), Halt> {
         return Err(refuse("text.line-length", FaultKind::LineTooLong, message));
     }
     Ok(())
-}
-
-/// How many bytes a character takes.
-fn width(character: char) -> u32 {
-    if character.is_ascii() { 1 } else { place(character.len_utf8()) }
 }
 
 /// A place in a line, which has at most 256 characters.
