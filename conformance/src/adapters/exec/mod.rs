@@ -119,6 +119,7 @@ impl Exec {
         let mut session = self.session()?;
         let done = work(&mut session);
         if done.as_ref().map_or_else(|stopped| stopped.goes_on, |_| true) {
+            session.reset_ahead();
             self.sessions().push(session);
         }
         // Another session that failed is gone, with all that it started.

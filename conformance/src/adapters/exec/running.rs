@@ -149,7 +149,8 @@ impl Session {
         mut before: Before,
     ) -> Result<(Reply, Vec<Step>), Stopped> {
         let streams = before.credit > 0;
-        self.begin_to_ask()?;
+        // Its reset has just found that it says nothing more.
+        self.last += 1;
         let deadline = now() + self.limits.time;
         let mut left = self.limits.whole;
         loop {
@@ -181,7 +182,7 @@ impl Session {
                     line = request(self.last, &Operation::Operator { event: event.clone() })?;
                 }
                 reply => {
-                    if let Some(unasked) = self.lines.unasked() {
+                    if let Some(unasked) = self.lines.left() {
                         return Err(unreadable("it answers more than once", unasked).into());
                     }
                     return Ok((reply, before.steps));
