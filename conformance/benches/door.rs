@@ -3,7 +3,8 @@
 //!
 //! `cargo bench -p gaugeblock --bench door`
 //!
-//! Everything is measured case by case, by turns; what counts is the least of all rounds.
+//! Everything is measured case by case, by turns; what counts is the least of all rounds. First a run alone: what it takes until its outcome is
+//! there. Then what it costs a campaign of one job, in which the model works while the controller does.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;
@@ -17,7 +18,7 @@ use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock::certify::{Plan, certify, scenario_of};
 use gaugeblock::protocol::{Answer, Operation, Reply, Request, Ways};
-use gaugeblock::suite::{Suite, files};
+use gaugeblock::suite::{Edition, Suite, files};
 use gaugeblock_trace::{Language, Scenario};
 use mimalloc::MiMalloc;
 use serde_json::Value;
@@ -28,6 +29,9 @@ static ALLOCATOR: MiMalloc = MiMalloc;
 
 /// How often each case is run each way.
 const ROUNDS: u32 = 15;
+
+/// How often each case is certified each way.
+const CAMPAIGNS: u32 = 5;
 
 fn main() -> Result<()> {
     if env::args().nth(1).as_deref() == Some("echo") {
@@ -58,6 +62,7 @@ fn main() -> Result<()> {
         total.add(measured(scenario, &production, &behind, (&mut bare, sizes))?);
     }
     total.print();
+    campaigns(edition, &production, &behind, total.cases)?;
 
     let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let plan = Plan { suite: &suite, edition, only: &[], jobs };
@@ -68,6 +73,35 @@ fn main() -> Result<()> {
         within.as_secs_f64(),
         outside.as_secs_f64()
     );
+    Ok(())
+}
+
+/// What a case costs a campaign of one job in this process, and behind the protocol.
+fn campaigns(edition: &Edition, production: &Production, behind: &Exec, cases: u32) -> Result<()> {
+    let suite = Suite::read(&files::built_in());
+    let mut suite = suite.map_err(|errors| Error::other(errors.join("\n")))?;
+    suite.rules.iter_mut().for_each(|rule| rule.motion.clear());
+    let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
+    let mut least = [Vec::new(), Vec::new()];
+    for _ in 0..CAMPAIGNS {
+        let controllers: [&dyn Adapter; 2] = [production, behind];
+        for (least, controller) in least.iter_mut().zip(controllers) {
+            let run = certify(plan, controller, &|| ());
+            let costs = run.cases.iter().map(|case| case.cost);
+            if least.is_empty() {
+                least.extend(costs);
+            } else {
+                least.iter_mut().zip(costs).for_each(|(least, cost)| *least = cost.min(*least));
+            }
+        }
+    }
+    let each =
+        |times: &[Duration]| times.iter().sum::<Duration>().as_secs_f64() * 1e6 / f64::from(cases);
+    let [within, outside] = least.each_ref().map(|times| each(times));
+    println!(
+        "in a campaign: {within:.1} us a case in process, {outside:.1} us behind the protocol"
+    );
+    println!("overhead               {:8.1} us a case", outside - within);
     Ok(())
 }
 
@@ -90,9 +124,12 @@ fn sizes(scenario: &Scenario, production: &Production, suite: &Suite) -> Result<
         if let Some(options) = told.get_mut("options").and_then(Value::as_object_mut) {
             options.retain(|id, option| defaults.get(id) != option.as_str());
         }
-        told.retain(|name, value| {
-            *value != default[name] || name == "program" || name == "machine"
-        });
+        told.retain(|name, value| *value != default[name]);
+        for part in ["program", "bench"] {
+            if let Some(told) = told.get_mut(part).and_then(Value::as_object_mut) {
+                told.retain(|name, value| *value != default[part][name] || name == "language");
+            }
+        }
     }
     let outcome = production.run(scenario).map_err(failed)?;
     let answer = Answer { id: 1, reply: Reply::Outcome(Box::new(outcome)) };

@@ -17,7 +17,7 @@ pub mod rs274;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::num::NonZero;
-use std::ops::RangeInclusive;
+use std::ops::{Deref, RangeInclusive};
 
 use gaugeblock_trace::motion::{MotionLimits, MotionScript, Samples};
 use gaugeblock_trace::{
@@ -147,6 +147,9 @@ pub enum NotMoved {
     Failed(HarnessError),
 }
 
+/// What a controller does if it does what it should; it may be found out only when it is looked at.
+pub type Expected<'a> = dyn Deref<Target = Outcome> + 'a;
+
 /// A controller under test, behind the vocabulary.
 pub trait Adapter: fmt::Debug + Send + Sync {
     /// What it shows.
@@ -210,6 +213,11 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// There is no outcome to judge: the controller crashed, hung, flooded, or was not understood.
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError>;
 
+    /// Whether it runs in a process of its own, so that what is expected of it is best found out while it does.
+    fn runs_beside(&self) -> bool {
+        false
+    }
+
     /// Runs the scenario, whose outcome is known if the controller does what it should: where it does, the outcome need not be sent.
     ///
     /// # Errors
@@ -217,7 +225,7 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     fn run_expecting(
         &self,
         scenario: &Scenario,
-        expected: &Outcome,
+        expected: &Expected<'_>,
     ) -> Result<Outcome, HarnessError> {
         let _sent_anyway = expected;
         self.run(scenario)

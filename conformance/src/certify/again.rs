@@ -4,7 +4,7 @@ use gaugeblock_trace::{Outcome, Scenario};
 use sha2::{Digest as _, Sha256};
 
 use super::verdict::{Cause, Unjudged};
-use crate::adapters::{Adapter, HarnessError};
+use crate::adapters::{Adapter, Expected, HarnessError};
 use crate::compare::compare;
 use crate::observe::Observed;
 
@@ -45,7 +45,7 @@ pub(super) struct Runs<'a> {
 
 impl Runs<'_> {
     /// What the controller does, where the documents say `expected`; where `twice` says so, only if it does the same when it is asked again.
-    pub(super) fn outcome(self, expected: &Outcome, twice: bool) -> Result<Ran, Unjudged> {
+    pub(super) fn outcome(self, expected: &Expected<'_>, twice: bool) -> Result<Ran, Unjudged> {
         let found = match self.controller.run_expecting(self.scenario, expected) {
             Ok(found) => found,
             Err(error) if is_perhaps_left(&error) => return self.failed(&error),

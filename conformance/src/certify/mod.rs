@@ -7,6 +7,7 @@ mod select;
 mod shrunk;
 mod verdict;
 
+use std::cell::LazyCell;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::num::NonZero;
@@ -164,13 +165,15 @@ impl Held<'_> {
             result.verdict = Verdict::Unsupported(reason);
             return result;
         }
-        let expected = gaugeblock_reference::run(&scenario).0;
+        let expected = LazyCell::new(|| gaugeblock_reference::run(&scenario).0);
+        let runs = Runs { controller, scenario: &scenario };
+        let ran = || runs.outcome(&expected, twice.chooses(&rule.id, &case.name));
+        let begun = controller.runs_beside().then(ran);
         if let Some(why) = left_open(&expected.end) {
             result.verdict = Verdict::Inconclusive(why);
             return result;
         }
-        let runs = Runs { controller, scenario: &scenario };
-        let found = match runs.outcome(&expected, twice.chooses(&rule.id, &case.name)) {
+        let found = match begun.unwrap_or_else(ran) {
             Ok(Ran { found, before }) => {
                 result.repeated = before.is_some();
                 result.before = before;

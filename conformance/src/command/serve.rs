@@ -1,7 +1,9 @@
 //! `gaugeblock serve`.
 
-use std::io::BufReader;
+use std::fs::File;
+use std::io::{BufReader, Error};
 use std::net::{TcpListener, TcpStream};
+use std::os::fd::AsFd as _;
 use std::sync::Arc;
 
 use clap::Args;
@@ -21,6 +23,9 @@ const EXAMPLES: &str = "Examples:
       what the specification declares: everything that can be declared
 
 It ends with `bye`, or where its input ends; over the network it goes on until it is killed.";
+
+/// Bytes of a request that are read at once.
+const REQUEST: usize = 64 << 10;
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -45,15 +50,18 @@ pub(super) fn serve(arguments: &Arguments) -> Result<u8, Refused> {
     if let Some(address) = &arguments.tcp {
         return listen(&served, address);
     }
-    let requests = Box::new(BufReader::new(std::io::stdin()));
-    protocol::serve(&served, requests, &mut std::io::stdout().lock())
-        .map_err(|error| Refused::unfinished(error.to_string(), "its caller went away"))?;
+    let unfinished = |error: Error| Refused::unfinished(error.to_string(), "its caller went away");
+    // The streams themselves: a request is read at once, and an answer written at once.
+    let requests = std::io::stdin().as_fd().try_clone_to_owned().map_err(unfinished)?;
+    let requests = Box::new(BufReader::with_capacity(REQUEST, File::from(requests)));
+    let answers = std::io::stdout().as_fd().try_clone_to_owned().map_err(unfinished)?;
+    protocol::serve(&served, requests, &mut File::from(answers)).map_err(unfinished)?;
     Ok(0)
 }
 
 /// A session for each connection.
 fn listen(served: &Served, address: &str) -> Result<u8, Refused> {
-    let refused = |error: std::io::Error| {
+    let refused = |error: Error| {
         Refused::wrong(
             format!("--tcp {address}: {error}"),
             "a port that is free, as in 4100, or with an address of this machine, as in 127.0.0.1:4100",

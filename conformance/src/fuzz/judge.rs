@@ -179,7 +179,7 @@ fn outcome(
         return (Ok(outcome), Some(evidence));
     }
     let outcome = match expected {
-        Some(expected) => side.run_expecting(scenario, expected),
+        Some(expected) => side.run_expecting(scenario, &expected),
         None => side.run(scenario),
     };
     (outcome, None)

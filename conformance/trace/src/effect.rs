@@ -1,7 +1,7 @@
 //! Effects: what a program does to the world, in order.
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::field::{Argument, Value, words};
 use crate::modes::ControllerMode;
@@ -78,10 +78,23 @@ words! {
 macro_rules! effects {
     ($($(#[$about:meta])* $name:literal $variant:ident { $($(#[$what:meta])* $field:ident: $type:ty,)* })*) => {
         /// Something that a program does, with program coordinates in the active length unit.
-        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+        #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
         #[serde(tag = "effect", deny_unknown_fields)]
         pub enum Effect {
             $($(#[$about])* #[serde(rename = $name)] $variant { $($(#[$what])* $field: $type,)* },)*
+        }
+
+        impl<'de> Deserialize<'de> for Effect {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                #[derive(Deserialize)]
+                #[serde(deny_unknown_fields)]
+                enum Told {
+                    $(#[serde(rename = $name)] $variant { $($field: $type,)* },)*
+                }
+                Ok(match crate::tagged::read(deserializer, "effect")? {
+                    $(Told::$variant { $($field),* } => Self::$variant { $($field),* },)*
+                })
+            }
         }
 
         impl Effect {

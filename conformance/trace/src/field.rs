@@ -3,15 +3,9 @@
 //! A record (settings, state) is a set of optional fields. A field that is absent was not recorded, which means
 //! *unchanged* in a sequence of records and *not shown* in the first. Records are folded with `overlay`.
 
-use std::collections::BTreeMap;
 use std::fmt;
-use std::str::FromStr;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 
 use crate::position::Position;
-use crate::sorted::Sorted;
 use crate::text::TextError;
 
 /// A value as it is compared and printed, whatever its type in the record.
@@ -114,95 +108,6 @@ impl<T: Scalar + PartialEq> Field for T {
             return Err(TextError::new(format!("no index belongs here: [{index}]")));
         }
         *slot = Some(T::from_text(text)?);
-        Ok(())
-    }
-}
-
-/// Several values of one field, by index (spindle number, parameter name).
-///
-/// In JSON and TOML an object whose names are the indices. A record's field in which nothing stands is the same as an
-/// absent one, and is written as absent.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(
-    try_from = "BTreeMap<String, T>",
-    into = "BTreeMap<String, T>",
-    bound(
-        serialize = "K: Clone + fmt::Display, T: Clone + Serialize",
-        deserialize = "K: Ord + fmt::Display + FromStr, T: Deserialize<'de>"
-    )
-)]
-#[schemars(inline, with = "BTreeMap<String, T>", bound = "T: JsonSchema")]
-pub struct Indexed<K, T>(pub Sorted<K, T>);
-
-impl<K: fmt::Display, T> From<Indexed<K, T>> for BTreeMap<String, T> {
-    fn from(indexed: Indexed<K, T>) -> Self {
-        indexed.0.into_iter().map(|(index, value)| (index.to_string(), value)).collect()
-    }
-}
-
-impl<K: Ord + fmt::Display + FromStr, T> TryFrom<BTreeMap<String, T>> for Indexed<K, T> {
-    type Error = TextError;
-
-    fn try_from(map: BTreeMap<String, T>) -> Result<Self, TextError> {
-        let parse = |(index, value): (String, T)| Ok((parse_index(&index)?, value));
-        map.into_iter().map(parse).collect::<Result<_, _>>().map(Self)
-    }
-}
-
-/// Reads an index in its one spelling: `01` and `1` would fall together.
-fn parse_index<K: fmt::Display + FromStr>(text: &str) -> Result<K, TextError> {
-    let index: Option<K> = text.parse().ok();
-    index
-        .filter(|index| index.to_string() == text)
-        .ok_or_else(|| TextError::new(format!("this is no index of the field: {text}")))
-}
-
-impl<K, T> Default for Indexed<K, T> {
-    fn default() -> Self {
-        Self(Sorted::new())
-    }
-}
-
-impl<K: Ord, T> Indexed<K, T> {
-    /// One value at one index.
-    pub fn one(index: K, value: T) -> Self {
-        Self(Sorted::from([(index, value)]))
-    }
-}
-
-impl<K: Ord, T> FromIterator<(K, T)> for Indexed<K, T> {
-    fn from_iter<I: IntoIterator<Item = (K, T)>>(values: I) -> Self {
-        Self(values.into_iter().collect())
-    }
-}
-
-impl<K: Ord + Clone + fmt::Display + FromStr, T: Scalar + PartialEq> Field for Indexed<K, T> {
-    fn is_recorded(&self) -> bool {
-        !self.0.is_empty()
-    }
-
-    fn entries(&self, field: &'static str, out: &mut Vec<Entry>) {
-        out.extend(self.0.iter().map(|(index, value)| Entry {
-            field,
-            index: Some(index.to_string()),
-            value: value.value(),
-        }));
-    }
-
-    fn overlay(&mut self, change: &Self) {
-        self.0.extend(change.0.iter().map(|(index, value)| (index.clone(), value.clone())));
-    }
-
-    fn since(&self, earlier: &Self) -> Option<Self> {
-        let changed = self.0.iter().filter(|(index, value)| earlier.0.get(index) != Some(value));
-        let changed: Self = changed.map(|(index, value)| (index.clone(), value.clone())).collect();
-        (!changed.0.is_empty()).then_some(changed)
-    }
-
-    fn read(slot: &mut Option<Self>, index: Option<&str>, text: &str) -> Result<(), TextError> {
-        let index = index.ok_or_else(|| TextError::new("an index is missing, as in name[0]"))?;
-        let index = parse_index(index)?;
-        slot.get_or_insert_with(Self::default).0.insert(index, T::from_text(text)?);
         Ok(())
     }
 }

@@ -11,6 +11,7 @@
 mod effect;
 mod fault;
 mod field;
+mod indexed;
 mod modes;
 pub mod motion;
 mod outcome;
@@ -21,11 +22,13 @@ pub mod schema;
 mod settings;
 mod shared;
 mod sorted;
+mod tagged;
 pub mod text;
 
 pub use effect::{Channel, Effect, OrientDirection, OutputTiming, Request, WaitMode};
 pub use fault::{Block, Fault, FaultKind, Span};
-pub use field::{Argument, Entry, Field, Indexed, Scalar, Value};
+pub use field::{Argument, Entry, Field, Scalar, Value};
+pub use indexed::Indexed;
 pub use modes::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
     Retract, SpindleMode, SpindleTurn, Switch,

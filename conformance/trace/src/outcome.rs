@@ -1,11 +1,12 @@
 //! Outcome: what can be observed of a run.
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::effect::Effect;
 use crate::fault::{Block, Fault};
-use crate::field::{Indexed, words};
+use crate::field::words;
+use crate::indexed::Indexed;
 use crate::pin::PinChange;
 use crate::position::Position;
 use crate::settings::{Language, Settings, State};
@@ -52,7 +53,7 @@ words! {
 }
 
 /// How a run ended.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "end", rename_all = "snake_case", deny_unknown_fields)]
 pub enum End {
     /// M2, M30.
@@ -86,6 +87,35 @@ pub enum End {
         /// What is open, and in which sentence.
         why: String,
     },
+}
+
+impl<'de> Deserialize<'de> for End {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(rename_all = "snake_case", deny_unknown_fields)]
+        enum Told {
+            ProgramEnd,
+            PercentEnd,
+            Endless,
+            Paused,
+            Aborted,
+            Fault(Fault),
+            BudgetExhausted { bound: Bound },
+            Unsupported { block: Block, what: String },
+            Unspecified { block: Block, why: String },
+        }
+        Ok(match crate::tagged::read(deserializer, "end")? {
+            Told::ProgramEnd => Self::ProgramEnd,
+            Told::PercentEnd => Self::PercentEnd,
+            Told::Endless => Self::Endless,
+            Told::Paused => Self::Paused,
+            Told::Aborted => Self::Aborted,
+            Told::Fault(fault) => Self::Fault(fault),
+            Told::BudgetExhausted { bound } => Self::BudgetExhausted { bound },
+            Told::Unsupported { block, what } => Self::Unsupported { block, what },
+            Told::Unspecified { block, why } => Self::Unspecified { block, why },
+        })
+    }
 }
 
 impl End {

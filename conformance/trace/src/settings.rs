@@ -3,9 +3,10 @@
 use std::fmt;
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::field::{Indexed, Scalar, Value, record, words};
+use crate::field::{Scalar, Value, record, words};
+use crate::indexed::Indexed;
 use crate::modes::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
     Retract, SpindleMode, SpindleTurn, Switch,
@@ -199,7 +200,7 @@ record! {
 }
 
 /// State after a block, in the language of the program.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "language", rename_all = "snake_case")]
 pub enum State {
     /// LinuxCNC's dialect of RS-274.
@@ -208,6 +209,23 @@ pub enum State {
     Nct(NctState),
     /// GPP post-processor variables.
     Gpp(GppState),
+}
+
+impl<'de> Deserialize<'de> for State {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(rename_all = "snake_case")]
+        enum Told {
+            Rs274(Rs274State),
+            Nct(NctState),
+            Gpp(GppState),
+        }
+        Ok(match crate::tagged::read(deserializer, "language")? {
+            Told::Rs274(state) => Self::Rs274(state),
+            Told::Nct(state) => Self::Nct(state),
+            Told::Gpp(state) => Self::Gpp(state),
+        })
+    }
 }
 
 words! {

@@ -70,6 +70,11 @@ impl<K, V> Sorted<K, V> {
         self.0.iter().map(|(key, value)| (key, value))
     }
 
+    /// The same as they lie in memory.
+    pub fn as_slice(&self) -> &[(K, V)] {
+        &self.0
+    }
+
     /// The same, to change the values.
     pub fn iter_mut(&mut self) -> impl Iterator<Item = (&K, &mut V)> {
         self.0.iter_mut().map(|(key, value)| (&*key, value))

@@ -1,5 +1,6 @@
 //! A line out, a line back, over streams that may hang, flood or end at any moment.
 
+use std::fmt;
 use std::fs::File;
 use std::io::{ErrorKind, Read, Write};
 use std::time::{Duration, Instant};
@@ -12,6 +13,9 @@ use super::process::now;
 
 /// Most of the error output that is kept: its end.
 const KEPT: usize = 4096;
+
+/// Bytes that are read at once.
+const PART: usize = 64 << 10;
 
 /// How often we look whether anybody is there.
 const PACE: Duration = Duration::from_millis(50);
@@ -27,8 +31,19 @@ pub(super) enum NoLine {
     TooLong,
 }
 
+/// What came while it was waited for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Came {
+    /// Nothing.
+    Nothing,
+    /// Something.
+    Something {
+        /// Whether the output has something to read, or has ended.
+        output: bool,
+    },
+}
+
 /// The streams of a session.
-#[derive(Debug)]
 pub(super) struct Lines {
     input: File,
     output: File,
@@ -44,6 +59,14 @@ pub(super) struct Lines {
     said: Vec<u8>,
     /// Whether the output has ended.
     ended: bool,
+    /// Room for what is read at once.
+    part: Box<[u8]>,
+}
+
+impl fmt::Debug for Lines {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} bytes not taken", self.read.len())
+    }
 }
 
 impl Lines {
@@ -68,13 +91,32 @@ impl Lines {
             taken: 0,
             said: Vec::new(),
             ended: false,
+            part: vec![0; PART].into_boxed_slice(),
         })
     }
 
-    /// What came that nobody asked for.
+    /// What has come that nobody asked for.
     pub(super) fn unasked(&mut self) -> Option<&[u8]> {
         self.receive(1);
+        self.left()
+    }
+
+    /// What came together with the last line, behind it.
+    pub(super) fn left(&self) -> Option<&[u8]> {
         (!self.read.is_empty()).then_some(self.read.as_slice())
+    }
+
+    /// Whether the output was found to have ended.
+    pub(super) fn has_ended(&self) -> bool {
+        self.ended
+    }
+
+    /// Writes a line as far as there is room for it: what is still to be written.
+    pub(super) fn say(&mut self, line: &[u8]) -> Vec<u8> {
+        let mut unsent = line;
+        // Where nobody reads that is seen by whoever waits for the answer.
+        let _is_open = self.send(&mut unsent);
+        unsent.to_vec()
     }
 
     /// Writes a line, or nothing, and reads one. `is_gone` tells whether nobody is there any more to answer: somebody else may hold the streams open.
@@ -87,9 +129,13 @@ impl Lines {
     ) -> Result<Vec<u8>, NoLine> {
         let mut unsent = line;
         let (mut waited, mut gone) = (false, false);
+        let mut is_open = self.send(&mut unsent);
+        // What is asked for just now is not there yet.
+        let mut is_ready = line.is_empty() || !is_open;
         loop {
-            let is_open = self.send(&mut unsent);
-            self.receive(most);
+            if is_ready {
+                self.receive(most);
+            }
             if let Some(line) = self.take_line() {
                 return Ok(line);
             }
@@ -108,20 +154,39 @@ impl Lines {
                 return Err(NoLine::Ended);
             }
             if waited && is_gone() {
-                gone = true;
+                (gone, is_ready) = (true, true);
                 continue;
             }
-            let mut streams = vec![PollFd::new(&self.output, PollFlags::IN)];
-            if let Some(errors) = &self.errors {
-                streams.push(PollFd::new(errors, PollFlags::IN));
-            }
-            if !unsent.is_empty() {
-                streams.push(PollFd::new(&self.input, PollFlags::OUT));
-            }
-            let pace = Timespec { tv_sec: 0, tv_nsec: left.min(PACE).subsec_nanos().into() };
-            // Where it fails we only look sooner.
-            waited = matches!(poll(&mut streams, Some(&pace)), Ok(0));
+            let came = self.wait(left, !unsent.is_empty());
+            waited = came == Came::Nothing;
+            is_ready = matches!(came, Came::Something { output: true });
+            is_open = self.send(&mut unsent);
+            is_ready |= !is_open;
         }
+    }
+
+    /// Waits until something comes, or can be written, and hears the error output.
+    fn wait(&mut self, left: Duration, has_unsent: bool) -> Came {
+        let none = PollFlags::empty();
+        let errors = self.errors.as_ref().unwrap_or(&self.output);
+        let heard = if self.errors.is_some() { PollFlags::IN } else { none };
+        let mut streams = [
+            PollFd::new(&self.output, PollFlags::IN),
+            PollFd::new(errors, heard),
+            PollFd::new(&self.input, PollFlags::OUT),
+        ];
+        let streams = &mut streams[..if has_unsent { 3 } else { 2 }];
+        let pace = Timespec { tv_sec: 0, tv_nsec: left.min(PACE).subsec_nanos().into() };
+        let came = match poll(streams, Some(&pace)) {
+            Ok(0) => return Came::Nothing,
+            Ok(_) => Came::Something { output: !streams[0].revents().is_empty() },
+            // We only look sooner.
+            Err(_) => Came::Something { output: true },
+        };
+        if !streams[1].revents().is_empty() {
+            self.hear();
+        }
+        came
     }
 
     /// Length of the last line that came.
@@ -150,17 +215,26 @@ impl Lines {
 
     /// Reads what there is, and a little more than may be.
     fn receive(&mut self, most: usize) {
-        let left = most.saturating_add(1).saturating_sub(self.read.len());
-        if left > 0 && !self.ended {
-            let left = u64::try_from(left).unwrap_or(u64::MAX);
-            let end = (&self.output).take(left).read_to_end(&mut self.read);
-            let is_full = self.read.len() > most;
-            self.ended = match end {
-                Err(error) => error.kind() != ErrorKind::WouldBlock,
-                Ok(_) => !is_full,
-            };
+        while !self.ended {
+            let left = most.saturating_add(1).saturating_sub(self.read.len()).min(PART);
+            if left == 0 {
+                return;
+            }
+            match self.output.read(&mut self.part[..left]) {
+                Ok(0) => self.ended = true,
+                Ok(count) => {
+                    self.read.extend_from_slice(&self.part[..count]);
+                    if count < left {
+                        return;
+                    }
+                }
+                Err(error) if error.kind() == ErrorKind::Interrupted => (),
+                Err(error) => {
+                    self.ended = error.kind() != ErrorKind::WouldBlock;
+                    return;
+                }
+            }
         }
-        self.hear();
     }
 
     /// Keeps the end of the error output.

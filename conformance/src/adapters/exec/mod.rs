@@ -21,7 +21,7 @@ use std::time::Duration;
 use gaugeblock_trace::motion::Samples;
 use gaugeblock_trace::{Options, Outcome, Scenario};
 
-use super::{Adapter, Capabilities, ControllerError, HarnessError, Motion, NotMoved};
+use super::{Adapter, Capabilities, ControllerError, Expected, HarnessError, Motion, NotMoved};
 use crate::protocol::{Declaration, Offer, needed};
 use peer::Door;
 pub(crate) use process::now;
@@ -119,6 +119,7 @@ impl Exec {
         let mut session = self.session()?;
         let done = work(&mut session);
         if done.as_ref().map_or_else(|stopped| stopped.goes_on, |_| true) {
+            session.reset_ahead();
             self.sessions().push(session);
         }
         // Another session that failed is gone, with all that it started.
@@ -210,10 +211,14 @@ impl Adapter for Exec {
         self.within(|session| session.run(scenario, None))
     }
 
+    fn runs_beside(&self) -> bool {
+        true
+    }
+
     fn run_expecting(
         &self,
         scenario: &Scenario,
-        expected: &Outcome,
+        expected: &Expected<'_>,
     ) -> Result<Outcome, HarnessError> {
         self.within(|session| session.run(scenario, Some(expected)))
     }

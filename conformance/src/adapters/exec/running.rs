@@ -4,7 +4,7 @@ use gaugeblock_trace::motion::Samples;
 use gaugeblock_trace::scenario::OperatorEvent;
 use gaugeblock_trace::{Outcome, Scenario, Step};
 
-use super::super::{HarnessError, Motion, NotMoved};
+use super::super::{Expected, HarnessError, Motion, NotMoved};
 use super::peer::GRACE;
 use super::process::now;
 use super::session::{NoReply, Session, request, shown, unreadable, unsupported};
@@ -38,15 +38,15 @@ struct Before {
 }
 
 impl Session {
-    /// Runs a scenario. `expected` is what the specification says, where it is known: it may save that the outcome is sent.
+    /// Runs a scenario. `expected` is what the specification says, where somebody wants to know: it is found out while the controller runs, and may
+    /// save that the outcome is sent.
     pub(super) fn run(
         &mut self,
         scenario: &Scenario,
-        expected: Option<&Outcome>,
+        expected: Option<&Expected<'_>>,
     ) -> Result<Outcome, Stopped> {
         self.has_run = true;
-        let expected = expected.filter(|_| self.offers(Offer::Digest));
-        let digest = expected.is_some();
+        let digest = expected.is_some() && self.offers(Offer::Digest);
         let stream = (self.offers(Offer::Stream) && !digest).then_some(Stream { credit: CREDIT });
         let all = scenario.operator.as_slice();
         let (live, at_once): (&[_], &[_]) =
@@ -56,8 +56,12 @@ impl Session {
         let line = self.teller.run(self.last + 1, (scenario, at_once), &ways)?;
         let before =
             Before { credit: stream.map_or(0, |stream| stream.credit), ..Before::default() };
+        let line = self.lines.say(&line);
+        if let Some(expected) = expected {
+            let _found_out: &Outcome = expected;
+        }
         let (reply, steps) = self.long("run", line, live, before)?;
-        let mut outcome = match (reply, expected) {
+        let mut outcome = match (reply, expected.filter(|_| digest)) {
             (Reply::Unsupported(why), _) => return Ok(unsupported(scenario, why)),
             (Reply::Digest(told), Some(expected)) => self.by_digest(&told, expected)?,
             (reply, _) => self.outcome("run", reply)?,
@@ -149,7 +153,8 @@ impl Session {
         mut before: Before,
     ) -> Result<(Reply, Vec<Step>), Stopped> {
         let streams = before.credit > 0;
-        self.begin_to_ask()?;
+        // Its reset has just found that it says nothing more.
+        self.last += 1;
         let deadline = now() + self.limits.time;
         let mut left = self.limits.whole;
         loop {
@@ -181,7 +186,7 @@ impl Session {
                     line = request(self.last, &Operation::Operator { event: event.clone() })?;
                 }
                 reply => {
-                    if let Some(unasked) = self.lines.unasked() {
+                    if let Some(unasked) = self.lines.left() {
                         return Err(unreadable("it answers more than once", unasked).into());
                     }
                     return Ok((reply, before.steps));

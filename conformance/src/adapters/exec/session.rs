@@ -32,6 +32,8 @@ pub(super) struct Session {
     /// Id of the last request.
     pub(super) last: u64,
     pub(super) has_run: bool,
+    /// What is still to be said of a reset that was asked for and not answered yet, if there is one.
+    ahead: Option<Vec<u8>>,
     /// What was in force after the first reset, where it can tell.
     fresh: Option<Box<Standing>>,
 }
@@ -57,6 +59,7 @@ impl Session {
             tells_parameters: false,
             last: 0,
             has_run: false,
+            ahead: None,
             fresh: None,
         };
         let referee = format!("gaugeblock {}", env!("CARGO_PKG_VERSION"));
@@ -98,12 +101,34 @@ impl Session {
         self.tells_parameters && self.offers(Offer::State)
     }
 
+    /// Asks for a reset whose answer [`Session::reset`] takes: the controller is set back while something else is done here.
+    pub(super) fn reset_ahead(&mut self) {
+        // Whoever has said more than it was asked for is found out by the reset itself.
+        if self.ahead.is_none() && self.lines.left().is_none() {
+            self.last += 1;
+            self.ahead = Some(self.lines.say(&reset(self.last)));
+        }
+    }
+
     /// Sets the controller back. What it tells to be in force then has to be what was in force after the first reset.
     pub(super) fn reset(&mut self) -> Result<(), HarnessError> {
-        let reset = Operation::Reset {};
-        let reply = self.ask(&reset)?;
+        let unsent = match self.ahead.take() {
+            Some(unsent) => unsent,
+            None => {
+                self.begin_to_ask()?;
+                reset(self.last)
+            }
+        };
+        let deadline = now() + self.limits.time;
+        let reply = self.exchange(&unsent, RESET, deadline);
+        let reply = reply.map_err(|late| late.into_error(self.limits))?;
         if reply != (Reply::Done {}) {
-            return Err(self.amiss(reset.name(), &reply));
+            return Err(self.amiss(RESET, &reply));
+        }
+        // It may be long ago that it answered.
+        self.is_silent()?;
+        if self.lines.has_ended() {
+            return Err(self.ended(RESET));
         }
         if self.offers(Offer::State) {
             let standing = self.state()?;
@@ -139,11 +164,15 @@ impl Session {
 
     /// A new request is about to be made: its id is the next one.
     pub(super) fn begin_to_ask(&mut self) -> Result<(), HarnessError> {
-        if let Some(unasked) = self.lines.unasked() {
-            return Err(unreadable("it speaks without being asked", unasked));
-        }
+        self.is_silent()?;
         self.last += 1;
         Ok(())
+    }
+
+    /// It has said nothing that it was not asked for.
+    fn is_silent(&mut self) -> Result<(), HarnessError> {
+        let unasked = self.lines.unasked();
+        unasked.map_or(Ok(()), |line| Err(unreadable("it speaks without being asked", line)))
     }
 
     /// Writes what is to be said, if anything, and reads an answer to the last request.
@@ -192,15 +221,20 @@ impl Session {
 impl Drop for Session {
     fn drop(&mut self) {
         // Whatever it answers, it had its chance to end by itself.
-        let asked = self.last;
-        if let Ok(line) = request(asked + 1, &Operation::Bye {})
-            && !self.peer.is_gone()
-        {
-            let deadline = now() + GRACE;
-            let answered = self.lines.ask(&line, SHOWN, deadline, || false);
-            if answered.is_ok() {
-                self.peer.let_end();
-            }
+        let ahead = self.ahead.take();
+        let Ok(bye) = request(self.last + 1, &Operation::Bye {}) else { return };
+        if self.peer.is_gone() {
+            return;
+        }
+        let (line, peer) = ([ahead.clone().unwrap_or_default(), bye].concat(), &mut self.peer);
+        let mut answered = true;
+        if ahead.is_some() {
+            let deadline = now() + self.limits.time;
+            answered = self.lines.ask(&line, SHOWN, deadline, || peer.is_gone()).is_ok();
+        }
+        let line = if ahead.is_some() { &[] } else { line.as_slice() };
+        if answered && self.lines.ask(line, SHOWN, now() + GRACE, || false).is_ok() {
+            peer.let_end();
         }
     }
 }
@@ -221,6 +255,14 @@ impl NoReply {
             Self::Other(error) => error,
         }
     }
+}
+
+/// Name of the operation.
+const RESET: &str = "reset";
+
+/// The request to be as after power-on.
+fn reset(id: u64) -> Vec<u8> {
+    format!("{{\"id\":{id},\"op\":\"{RESET}\"}}\n").into_bytes()
 }
 
 /// A request as a line.

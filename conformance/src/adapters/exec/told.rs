@@ -2,21 +2,30 @@
 //! are the first of their choice.
 
 use std::collections::BTreeMap;
+use std::ops::Not;
 
-use gaugeblock_trace::scenario::{Bench, Budget, OperatorEvent};
-use gaugeblock_trace::{Machine, Options, Program, Scenario};
+use gaugeblock_trace::scenario::{
+    Bench, Budget, InputChange, OperatorEvent, OrientAnswer, ProbeContact, Start, UserProgram, When,
+};
+use gaugeblock_trace::{Language, Machine, Options, Program, Scenario};
 use serde::Serialize;
+use serde_json::value::RawValue;
 
 use super::super::HarnessError;
-use crate::protocol::Ways;
+use crate::protocol::{Stream, Ways};
+
+/// Bytes that most requests fit into.
+const USUAL: usize = 4 << 10;
 
 /// Tells scenarios, and keeps what it told of options: scenarios share them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Teller {
     /// Options that need not be told.
     assumed: Options,
-    /// Options that were to be told last, and what of them was.
-    last: (Options, BTreeMap<String, String>),
+    /// Options that were to be told last, and what of them was, where anything was.
+    last: (Options, Option<Box<RawValue>>),
+    /// The machine that need not be told.
+    usual: Machine,
 }
 
 impl Teller {
@@ -32,30 +41,37 @@ impl Teller {
         (scenario, operator): (&Scenario, &[OperatorEvent]),
         ways: &Ways,
     ) -> Result<Vec<u8>, HarnessError> {
+        let not_told = |error: serde_json::Error| HarnessError::NotRun(error.to_string());
         let Scenario { program, options, machine, bench, operator: _, budget } = scenario;
+        self.tell_options(options).map_err(not_told)?;
+        let Ways { stream, digest, live } = ways;
         let told = Told {
-            program,
-            options: self.options(options),
-            machine,
-            bench: (*bench != Bench::default()).then_some(bench),
+            program: ToldProgram::of(program),
+            options: self.last.1.as_deref(),
+            machine: (*machine != self.usual).then_some(machine),
+            bench: (*bench != Bench::default()).then(|| ToldBench::of(bench)),
             operator,
             budget: (*budget != Budget::default()).then_some(budget),
         };
-        let mut line = serde_json::to_vec(&Line { id, op: "run", scenario: told, ways })
-            .map_err(|error| HarnessError::NotRun(error.to_string()))?;
+        let mut line = Vec::with_capacity(USUAL);
+        let request =
+            Line { id, op: "run", scenario: told, stream: *stream, digest: *digest, live };
+        serde_json::to_writer(&mut line, &request).map_err(not_told)?;
         line.push(b'\n');
         Ok(line)
     }
 
-    fn options(&mut self, options: &Options) -> &BTreeMap<String, String> {
-        let is_last = std::ptr::eq(&*options.0, &*self.last.0.0);
-        if !is_last {
-            let differs = |(id, option): &(&String, &String)| self.assumed.get(id) != Some(option);
-            let told = options.0.iter().filter(differs);
-            let told = told.map(|(id, option)| (id.clone(), option.clone())).collect();
-            self.last = (options.clone(), told);
+    /// Makes what is told of these options.
+    fn tell_options(&mut self, options: &Options) -> serde_json::Result<()> {
+        if std::ptr::eq(&*options.0, &*self.last.0.0) {
+            return Ok(());
         }
-        &self.last.1
+        let differs = |(id, option): &(&String, &String)| self.assumed.get(id) != Some(option);
+        let told: BTreeMap<_, _> = options.0.iter().filter(differs).collect();
+        let text =
+            (!told.is_empty()).then(|| serde_json::value::to_raw_value(&told)).transpose()?;
+        self.last = (options.clone(), text);
+        Ok(())
     }
 }
 
@@ -64,20 +80,134 @@ struct Line<'a> {
     id: u64,
     op: &'static str,
     scenario: Told<'a>,
-    #[serde(flatten)]
-    ways: &'a Ways,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stream: Option<Stream>,
+    #[serde(skip_serializing_if = "Not::not")]
+    digest: bool,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    live: &'a [When],
 }
 
 #[derive(Serialize)]
 struct Told<'a> {
-    program: &'a Program,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    options: &'a BTreeMap<String, String>,
-    machine: &'a Machine,
+    program: ToldProgram<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    bench: Option<&'a Bench>,
+    options: Option<&'a RawValue>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    machine: Option<&'a Machine>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bench: Option<ToldBench<'a>>,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     operator: &'a [OperatorEvent],
     #[serde(skip_serializing_if = "Option::is_none")]
     budget: Option<&'a Budget>,
+}
+
+/// A program; its language and its text are always told.
+#[derive(Serialize)]
+struct ToldProgram<'a> {
+    language: Language,
+    main: &'a str,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    files: &'a BTreeMap<String, String>,
+    #[serde(skip_serializing_if = "Not::not")]
+    block_delete: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    start: Option<Start>,
+}
+
+impl<'a> ToldProgram<'a> {
+    fn of(program: &'a Program) -> Self {
+        let Program { language, main, files, block_delete, start } = program;
+        let start = (*start != Start::default()).then_some(*start);
+        Self { language: *language, main, files, block_delete: *block_delete, start }
+    }
+}
+
+#[derive(Serialize)]
+struct ToldBench<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<&'a str>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    wires: &'a BTreeMap<String, u16>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    inputs: &'a [InputChange],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    orient: &'a [OrientAnswer],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    probe: Option<ProbeContact>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tool_change_time: Option<f64>,
+    #[serde(skip_serializing_if = "Not::not")]
+    manual_tool_change: bool,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    user_programs: &'a [UserProgram],
+}
+
+impl<'a> ToldBench<'a> {
+    fn of(bench: &'a Bench) -> Self {
+        let Bench {
+            name,
+            wires,
+            inputs,
+            orient,
+            probe,
+            tool_change_time,
+            manual_tool_change,
+            user_programs,
+        } = bench;
+        Self {
+            name: name.as_deref(),
+            wires,
+            inputs,
+            orient,
+            probe: *probe,
+            tool_change_time: (tool_change_time.to_bits() != 0).then_some(*tool_change_time),
+            manual_tool_change: *manual_tool_change,
+            user_programs,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::{Operation, Request};
+
+    fn told(scenario: &Scenario, teller: &mut Teller) -> (String, Scenario) {
+        let line = teller.run(7, (scenario, &scenario.operator), &Ways::default()).unwrap();
+        let Request { operation, .. } = serde_json::from_slice(&line).unwrap();
+        let Operation::Run { scenario, .. } = operation else { panic!("{operation:?}") };
+        (String::from_utf8(line).unwrap(), *scenario)
+    }
+
+    #[test]
+    fn what_has_its_default_is_not_told() {
+        let (line, _) = told(&Scenario::of("m2\n"), &mut Teller::default());
+        let run =
+            r#"{"id":7,"op":"run","scenario":{"program":{"language":"rs274","main":"m2\n"}}}"#;
+        assert_eq!(line, format!("{run}\n"));
+    }
+
+    #[test]
+    fn what_is_told_comes_back() {
+        let mut scenario = Scenario::of("m2\n");
+        scenario.program.block_delete = true;
+        scenario.program.start = Start::Mdi;
+        scenario.program.files.insert("a.ngc".to_owned(), "m2".to_owned());
+        scenario.options = Options([("a".to_owned(), "b".to_owned())].into());
+        scenario.machine.spindles = 3;
+        scenario.bench.probe = Some(ProbeContact::Never);
+        scenario.bench.tool_change_time = 2.5;
+        scenario.bench.manual_tool_change = true;
+        scenario.bench.orient = vec![OrientAnswer::Never];
+        scenario.bench.wires.insert("1".to_owned(), 2);
+        scenario.bench.user_programs = vec![UserProgram::default()];
+        scenario.budget.steps = 5;
+        let mut teller = Teller::default();
+        for name in [None, Some("another")] {
+            scenario.bench.name = name.map(str::to_owned);
+            assert_eq!(told(&scenario, &mut teller).1, scenario);
+        }
+    }
 }

@@ -16,7 +16,7 @@ use super::digest::digest;
 use super::{Answer, Declaration, Offer, Operation, Reply, Request, Standing, Ways};
 use crate::adapters::{Adapter, Motion, NotMoved};
 use crate::observe::Observed;
-use requests::{Ran, Requests};
+use requests::{Ran, Reader, Requests};
 
 /// Steps of a batch.
 const BATCH: usize = 100;
@@ -46,7 +46,8 @@ pub fn serve(
 ) -> Result<()> {
     let requests = Requests::of(requests, served.offers.contains(&Offer::Cancel));
     let (folder, last) = (None, None);
-    let mut serving = Serving { served, requests, answers, folder, files: 0, last };
+    let (reader, line) = (Reader::default(), Vec::new());
+    let mut serving = Serving { served, requests, reader, answers, line, folder, files: 0, last };
     while let Some(line) = serving.requests.next()? {
         if !serving.answered(&line)? {
             break;
@@ -59,7 +60,10 @@ pub fn serve(
 struct Serving<'a> {
     served: &'a Served,
     requests: Requests,
+    reader: Reader,
     answers: &'a mut dyn Write,
+    /// Room for an answer.
+    line: Vec<u8>,
     /// Where answers may be laid.
     folder: Option<PathBuf>,
     /// How many were.
@@ -71,7 +75,7 @@ struct Serving<'a> {
 impl Serving<'_> {
     /// Answers a line; whether the session goes on.
     fn answered(&mut self, line: &[u8]) -> Result<bool> {
-        let Request { id, operation } = match requests::read(line) {
+        let Request { id, operation } = match self.reader.read(line) {
             Ok(request) => request,
             Err((id, why)) => {
                 self.say(id, Reply::Refused(why))?;
@@ -107,8 +111,12 @@ impl Serving<'_> {
                 }
             }
             Operation::State {} if self.offers(Offer::State) => self.state(),
-            Operation::Outcome {} if self.offers(Offer::Digest) => match self.last.clone() {
-                Some(outcome) => self.outcome(outcome)?,
+            Operation::Outcome {} if self.offers(Offer::Digest) => match self.last.take() {
+                Some(outcome) => {
+                    let goes_on = self.tell(id, &outcome);
+                    self.last = Some(outcome);
+                    return goes_on;
+                }
                 None => Reply::Refused("nothing was run".to_owned()),
             },
             Operation::Move { .. }
@@ -178,8 +186,7 @@ impl Serving<'_> {
                 self.say(id, Reply::Steps(batch))?;
             }
         }
-        let reply = self.outcome(outcome)?;
-        self.say(id, reply)
+        self.tell(id, &outcome)
     }
 
     /// What the referee says while a run is told: of this run, or to cancel it.
@@ -196,14 +203,19 @@ impl Serving<'_> {
         self.say(by, Reply::Done {})
     }
 
-    fn outcome(&mut self, outcome: Outcome) -> Result<Reply> {
-        if self.folder.is_some() {
-            let bytes = serde_json::to_vec(&outcome)?;
-            if bytes.len() > LARGE {
-                return self.laid(&bytes);
-            }
+    /// Tells an outcome, or lays it into the folder; whether the session goes on.
+    fn tell(&mut self, id: u64, outcome: &Outcome) -> Result<bool> {
+        self.line.clear();
+        write!(self.line, "{{\"id\":{id},\"outcome\":")?;
+        let start = self.line.len();
+        serde_json::to_writer(&mut self.line, outcome)?;
+        if self.folder.is_some() && self.line.len() - start > LARGE {
+            let bytes = self.line.split_off(start);
+            let laid = self.laid(&bytes)?;
+            return self.say(id, laid);
         }
-        Ok(Reply::Outcome(Box::new(outcome)))
+        self.line.push(b'}');
+        self.end_line()
     }
 
     fn samples(&mut self, samples: &Samples) -> Result<Reply> {
@@ -240,10 +252,15 @@ impl Serving<'_> {
     }
 
     fn say(&mut self, id: u64, reply: Reply) -> Result<bool> {
-        // In one piece: whoever waits for it is woken once.
-        let mut line = serde_json::to_vec(&Answer { id, reply })?;
-        line.push(b'\n');
-        self.answers.write_all(&line)?;
+        self.line.clear();
+        serde_json::to_writer(&mut self.line, &Answer { id, reply })?;
+        self.end_line()
+    }
+
+    /// Says the line. In one piece: whoever waits for it is woken once.
+    fn end_line(&mut self) -> Result<bool> {
+        self.line.push(b'\n');
+        self.answers.write_all(&self.line)?;
         self.answers.flush()?;
         Ok(true)
     }

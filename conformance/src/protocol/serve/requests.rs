@@ -4,7 +4,12 @@ use std::collections::VecDeque;
 use std::io::{BufRead, Result};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-use super::super::{Operation, Request};
+use gaugeblock_trace::scenario::{Bench, Budget, OperatorEvent};
+use gaugeblock_trace::{Machine, Options, Program};
+use serde::Deserialize;
+use serde_json::value::RawValue;
+
+use super::super::{Operation, Request, Stream, Ways};
 
 /// Where requests come from.
 pub(super) enum Requests {
@@ -124,7 +129,7 @@ impl Requests {
 
 /// A request, or the id of what is none and what is wrong with it.
 pub(super) fn read(line: &[u8]) -> std::result::Result<Request, (u64, String)> {
-    #[derive(serde::Deserialize)]
+    #[derive(Deserialize)]
     struct Id {
         id: u64,
     }
@@ -132,6 +137,76 @@ pub(super) fn read(line: &[u8]) -> std::result::Result<Request, (u64, String)> {
         let id = serde_json::from_slice(line).map_or(0, |Id { id }| id);
         (id, format!("not understood: {error}"))
     })
+}
+
+/// Reads requests, most of which are to run a program under the options of the one before.
+#[derive(Debug, Default)]
+pub(super) struct Reader {
+    /// The text of the last options, and what it says.
+    last: (String, Options),
+}
+
+impl Reader {
+    /// A request, or the id of what is none and what is wrong with it.
+    pub(super) fn read(&mut self, line: &[u8]) -> std::result::Result<Request, (u64, String)> {
+        self.run(line).map_or_else(|| read(line), Ok)
+    }
+
+    /// A plain request to run something.
+    fn run(&mut self, line: &[u8]) -> Option<Request> {
+        let Run { id, op: Op::Run, scenario, stream, digest } =
+            serde_json::from_slice(line).ok()?;
+        let Scenario { program, options, machine, bench, operator, budget } = scenario;
+        let options = match options.map(RawValue::get) {
+            None => Options::default(),
+            Some(text) if text == self.last.0 => self.last.1.clone(),
+            Some(text) => {
+                self.last = (text.to_owned(), serde_json::from_str(text).ok()?);
+                self.last.1.clone()
+            }
+        };
+        let scenario =
+            gaugeblock_trace::Scenario { program, options, machine, bench, operator, budget };
+        let ways = Ways { stream, digest, live: Vec::new() };
+        Some(Request { id, operation: Operation::Run { scenario: Box::new(scenario), ways } })
+    }
+}
+
+/// A request as most of them are. Any other one is read as [`Request`].
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Run<'a> {
+    id: u64,
+    op: Op,
+    #[serde(borrow)]
+    scenario: Scenario<'a>,
+    stream: Option<Stream>,
+    #[serde(default)]
+    digest: bool,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Op {
+    Run,
+}
+
+/// A scenario whose options have not been read.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Scenario<'a> {
+    #[serde(default)]
+    program: Program,
+    #[serde(borrow)]
+    options: Option<&'a RawValue>,
+    #[serde(default)]
+    machine: Machine,
+    #[serde(default)]
+    bench: Bench,
+    #[serde(default)]
+    operator: Vec<OperatorEvent>,
+    #[serde(default)]
+    budget: Budget,
 }
 
 /// The next line that is not blank.

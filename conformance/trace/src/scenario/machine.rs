@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::field::Indexed;
+use crate::indexed::Indexed;
 use crate::modes::LengthUnit;
 use crate::position::{Axis, Position};
 

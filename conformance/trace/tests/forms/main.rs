@@ -5,3 +5,4 @@ mod motion;
 mod refused_text;
 mod round_trip;
 mod schemas;
+mod tagged;

@@ -246,7 +246,7 @@ fn scenarios() {
         ("[machine]\n\naxes = [\"x\", \"q\"]\n", 3),
         ("[machine]\norient_offset = nan\n", 2),
         ("[machine.parameters]\n5220 = 1\n5221 = -inf\n", 3),
-        ("[machine.parameters]\n05220 = 1.0\n", 1),
+        ("[machine.parameters]\n05220 = 1.0\n", 2),
         ("[[machine.tools]]\nnumber = 1\n[[machine.tools]]\ndiameter = inf\n", 4),
         ("[budget]\nsteps = -1\n", 2),
         ("[bench]\nprobe = \"sometimes\"\n", 2),
