@@ -10,7 +10,7 @@ use super::readings::MotionStart;
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
 use super::visits::{Visit, rest_after, visits};
-use crate::motion::route::{Corner, Route, Task};
+use crate::motion::route::{Corner, Passing, Route, Task};
 use crate::motion::vector::{count, distance};
 
 /// A change of an output that the path asks for.
@@ -125,7 +125,8 @@ fn ask(
             let near = start(record, (route, matching), number, (visit.latest(), span));
             // A motion that leads nowhere may start at any time of the rest.
             let stays = matches!(task, Task::InPlace(_));
-            let (near, until) = visit.at.filter(|_| stays).unwrap_or(near);
+            let (first, until) = near;
+            let near = visit.at.filter(|_| stays).map_or(first, |at| at.0.min(first));
             for switching in switches {
                 let when = vec![(near.saturating_sub(1), until + 1)];
                 let certain = certain(until + 1);
@@ -153,7 +154,8 @@ fn start(
         .map(|span| visit.near_within(record, corner, span))
         .into_iter()
         .fold((end, 0), |all, near| (all.0.min(near.0), all.1.max(near.1)));
-    let leg = route.legs.get(number).filter(|_| visit.at.is_none());
+    let rests = corner.passing == Passing::Rest;
+    let leg = route.legs.get(number).filter(|_| visit.at.is_none() || !rests);
     let (Some(leg), MotionStart::BlendEnd) = (leg, record.readings.motion_start) else {
         return near;
     };
@@ -167,7 +169,8 @@ fn start(
     let in_time = |sample: &usize| matching.legs[*sample].0 <= number;
     let blend_ends =
         |near: usize| (near..record.points.len()).take_while(in_time).find(on_path).unwrap_or(near);
-    (blend_ends(near.0), blend_ends(near.1))
+    let first = if visit.at.is_some() { near.0 } else { blend_ends(near.0) };
+    (first, blend_ends(near.1))
 }
 
 /// The samples that may show an output first that switches while the motion rests at a corner.

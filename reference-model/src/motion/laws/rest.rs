@@ -1,7 +1,7 @@
 //! Where the motion rests: exact stops, ends, dwells.
 
 use gaugeblock_trace::Axis;
-use gaugeblock_trace::motion::Column;
+use gaugeblock_trace::motion::{Column, Feed};
 
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
@@ -136,7 +136,8 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
         let next = route.legs.get(number);
         let open = !alone || number == 0 || turned || held(record, visit);
         let open = |rest: &Rest| {
-            open || rest.at.is_none_or(|(_, end)| end == last) || starves(record, next, rest.at)
+            open || rest.at.is_none_or(|(_, end)| end == last || kept(record, next, end))
+                || starves(record, next, rest.at)
         };
         let shortest = (seconds - record.period) * (1.0 - RELATIVE);
         let longest = (seconds + record.period) * (1.0 + RELATIVE);
@@ -158,7 +159,9 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
         let Rest { at, least, most } = rest;
         let after = at.map_or(visit.after(record), |(_, end)| (end + 1).min(last));
         let words = || format!("rest for less than {most} s where {seconds} s are asked for");
-        if record.requests.aborted.is_none_or(|cycle| cycle > after) {
+        // Who has run back out of it, and is stopped before the motion has come again, rests no more.
+        let gone = turned && visit.last == last;
+        if record.requests.aborted.is_none_or(|cycle| cycle > after && !gone) {
             findings.at_most(after, None, (shortest, most), (0.0, &words));
         }
         if !open(&rest) {
@@ -174,6 +177,14 @@ fn starves(record: &Record<'_>, next: Option<&Leg<'_>>, at: Option<(usize, usize
     let (Some(next), Some((first, _))) = (next, at) else { return false };
     let queued = record.samples.column(Column::Queued);
     queued.is_some_and(|queued| queued[first] <= count(next.place))
+}
+
+/// Whether a feed of zero keeps the motion from beginning the leg that comes next, at the last sample of a rest.
+fn kept(record: &Record<'_>, next: Option<&Leg<'_>>, end: usize) -> bool {
+    let feeds =
+        |leg: &&Leg<'_>| leg.element.controls.feed_override && leg.element.feed != Feed::Rapid;
+    let none = |sample: usize| record.requests.feed_override[sample] <= 0.0;
+    next.filter(feeds).is_some() && (end.saturating_sub(2)..=end).any(none)
 }
 
 /// A rest at a corner.

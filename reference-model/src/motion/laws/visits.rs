@@ -81,13 +81,16 @@ impl Visit {
     fn near(&self, record: &Record<'_>, corner: &Corner) -> (usize, usize) {
         let missed = match corner.passing {
             Passing::Within(tolerance) => tolerance,
-            Passing::Rest | Passing::Exact | Passing::BetweenMidpoints => 0.0,
+            Passing::BetweenMidpoints => f64::INFINITY,
+            Passing::Rest | Passing::Exact => 0.0,
         };
+        let exact = missed <= 0.0;
         let corner = &corner.at;
         let nearest = self.nearest(record, corner);
         let (mut first, mut last) = (nearest, nearest);
-        if self.at.is_some() {
-            return (first, last);
+        if self.at.is_some() && exact {
+            let later = self.stays(record, corner).last().map_or(nearest, |stay| stay.1);
+            return (first, later);
         }
         let place = |sample: usize| &record.points[sample];
         let away = |sample: usize| distance(place(sample), corner);
