@@ -166,7 +166,7 @@ impl Kink {
                 piece.last_ceiling = piece.ceiling;
                 piece.fastest = math::sqrt(piece.ceiling);
             }
-            Law::Bent { .. } | Law::Dwell(_) => {}
+            Law::Bent { .. } | Law::Shared { .. } | Law::Dwell(_) => {}
         }
         piece
     }
@@ -176,7 +176,7 @@ impl Kink {
 fn along(leg: &Leg) -> f64 {
     match leg.whole.law {
         Law::Even { acceleration } | Law::Round { acceleration, .. } => acceleration,
-        Law::Bent { .. } | Law::Dwell(_) => 0.0,
+        Law::Bent { .. } | Law::Shared { .. } | Law::Dwell(_) => 0.0,
     }
 }
 

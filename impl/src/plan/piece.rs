@@ -60,6 +60,15 @@ pub(super) enum Law {
         /// What is planned with: less by what a speed that changes in steps of a cycle loses.
         planned: f64,
     },
+    /// On an arc that is bent acceleration along the path and across it share what the axes can do: |u| + less·v² ≤ most.
+    Shared {
+        /// Per second squared, at rest.
+        most: f64,
+        /// Per unit of the parameter.
+        less: f64,
+        /// The share of both that is planned with: less by what a speed that changes in steps of a cycle loses.
+        planned: f64,
+    },
     /// No motion for so many seconds.
     Dwell(f64),
 }

@@ -1,0 +1,62 @@
+//! Who allows more, or divides a line, loses no time: each of these did once.
+
+use gaugeblock_impl::plan::{Axes, Blend, Feed, Segment};
+use std::f64::consts::TAU;
+
+use super::check::{Feeding, dynamics, run};
+use super::programs::{arc, at, line};
+
+const ORIGIN: Axes = [0.0; 9];
+
+/// Seconds; no limit is broken.
+#[track_caller]
+fn time(program: &[Segment]) -> f64 {
+    let run = run(ORIGIN, program, Feeding::Full);
+    let (speed, change) = run.worst(&dynamics());
+    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+    run.time()
+}
+
+/// An arc about a centre, counterclockwise or not.
+fn about(start: Axes, end: Axes, offset: (f64, f64), turns_left: bool, blend: Blend) -> Segment {
+    let from = libm::atan2(-offset.1, -offset.0);
+    let to = libm::atan2(end[1] - start[1] - offset.1, end[0] - start[0] - offset.0);
+    let angle = (to - from).rem_euclid(TAU);
+    arc(start, end, offset, if turns_left { angle } else { angle - TAU }, blend)
+}
+
+fn at_feed(mut program: Vec<Segment>, per_minute: f64) -> Vec<Segment> {
+    for segment in &mut program {
+        segment.feed = Feed::PerSecond(per_minute / 60.0);
+    }
+    program
+}
+
+/// A line, and an arc that nearly goes back.
+fn sharp(blend: Blend) -> Vec<Segment> {
+    let corner = at(13.316_49, 14.074_47, 0.0);
+    let end = at(12.049_53, 13.061_99, 0.0);
+    let back = about(corner, end, (-3.4365, 3.0013), false, blend);
+    at_feed(vec![line(corner, blend), back], 1376.0)
+}
+
+/// A short line, a short arc that goes on nearly as it does, and a line across.
+fn flat(blend: Blend) -> Vec<Segment> {
+    let (before, corner) = (at(2.81, -15.59, 0.0), at(2.814_55, -15.588_48, 0.0));
+    let end = at(2.674_01, -15.327_57, 0.0);
+    let round = about(corner, end, (-7.006_57, -3.605_73), true, blend);
+    let across = line(at(13.0, -7.0, 0.0), blend);
+    at_feed(vec![line(before, blend), line(corner, blend), round, across], 20801.0)
+}
+
+#[test]
+fn a_farther_corner_with_an_arc_takes_no_longer() {
+    for program in [sharp, flat] {
+        let mut last = f64::INFINITY;
+        for tolerance in [0.003, 0.01, 0.03, 0.05, 0.06, 0.1, 0.15, 0.2, 0.3] {
+            let time = time(&program(Blend::Within(tolerance)));
+            assert!(time <= last * 1.001 + 0.002, "{tolerance}: {time} s after {last} s");
+            last = time;
+        }
+    }
+}
