@@ -1,9 +1,10 @@
 //! Who allows more, or divides a line, loses no time: each of these did once.
 
-use gaugeblock_impl::plan::{Axes, Blend, Feed, Segment};
+use gaugeblock_impl::Planner;
+use gaugeblock_impl::plan::{Axes, Blend, Feed, InputParameter, Segment};
 use std::f64::consts::TAU;
 
-use super::check::{Feeding, dynamics, run};
+use super::check::{CYCLE, Feeding, dynamics, run, run_with};
 use super::programs::{arc, at, line};
 
 const ORIGIN: Axes = [0.0; 9];
@@ -59,4 +60,22 @@ fn a_farther_corner_with_an_arc_takes_no_longer() {
             last = time;
         }
     }
+}
+
+#[test]
+fn a_path_of_many_lines_waits_for_no_look_ahead_when_its_spindle_starts() {
+    let place = |number: u32| at(0.005 * f64::from(number), 0.0, 0.0);
+    let mut program: Vec<Segment> =
+        (1..=400).map(|number| line(place(number), Blend::Within(1e-5))).collect();
+    for segment in &mut program {
+        segment.feed = Feed::PerTurn(0.2);
+    }
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    let mut turns = 0.0;
+    let run = run_with(&mut planner, ORIGIN, &program, Feeding::Full, |_| {
+        turns += 10.0 * CYCLE;
+        InputParameter { spindle_turns: turns, ..InputParameter::default() }
+    });
+    // 2 mm at 2 mm/s.
+    assert!(run.time() < 1.01, "{}", run.time());
 }
