@@ -25,6 +25,10 @@ const KEPT: f64 = 1.0 - 1e-9;
 /// A blend that turns by less, radians, and is longer than an axis moves in so many cycles from rest, may be worth to speed up and slow down in.
 const FLAT: f64 = 0.2;
 const WORTH: f64 = 4.0;
+/// How much less the square of a speed is than another one at least, where that decides how long a blend is.
+const UNEQUAL_FEED: f64 = 0.9;
+/// For how many cycles a leg lasts at least for that, at its own speed or the other one's.
+const LASTING: f64 = 0.25;
 /// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much where a feed limits it.
 const UNEQUAL: f64 = 1.001;
 
@@ -82,6 +86,9 @@ impl Corner {
         let fastest = match paces {
             [Pace::Turn, Pace::Rapid] => fastest.min(squared(TURNS * before.whole.feed)),
             [Pace::Rapid, Pace::Turn] => fastest.min(squared(TURNS * after.whole.feed)),
+            [Pace::Second, _] | [_, Pace::Second] if costs(before, after, limits) => {
+                fastest.min(asked(before)).min(asked(after))
+            }
             _ => fastest,
         };
         let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, turn.len()));
@@ -189,6 +196,23 @@ fn round(leg: &Leg) -> f64 {
 fn pressing(leg: &Leg) -> f64 {
     match leg.whole.pace {
         Pace::Second => leg.whole.ceiling.min(squared(2.0 * leg.whole.feed)),
+        Pace::Rapid | Pace::Turn => leg.whole.ceiling,
+    }
+}
+
+/// Whether a blend of two legs takes longer the longer it is, since all of it is as slow as the slower one: then it is no longer than the programmed
+/// feed needs. Where legs are short a long one saves a piece, of which too many would fit into a cycle.
+fn costs(before: &Leg, after: &Leg, limits: &Limits) -> bool {
+    let (one, other) = (asked(before), asked(after));
+    let short = LASTING * math::sqrt(one.max(other)) * limits.cycle;
+    let long = before.whole.length.min(after.whole.length) > short;
+    long && one.min(other) < UNEQUAL_FEED * one.max(other)
+}
+
+/// The square of the speed that a leg is asked to have while nobody overrides its feed.
+fn asked(leg: &Leg) -> f64 {
+    match leg.whole.pace {
+        Pace::Second => leg.whole.ceiling.min(squared(leg.whole.feed)),
         Pace::Rapid | Pace::Turn => leg.whole.ceiling,
     }
 }

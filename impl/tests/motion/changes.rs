@@ -63,6 +63,22 @@ fn a_farther_corner_with_an_arc_takes_no_longer() {
 }
 
 #[test]
+fn a_divided_line_before_a_slower_one_takes_as_long() {
+    let blend = Blend::Within(0.14);
+    let ends = [(61.0, -9.0), (74.0, 4.0), (87.0, 18.0)];
+    let mut program = at_feed(ends.map(|(x, y)| line(at(x, y, 0.0), blend)).to_vec(), 10_827.0);
+    program[2].feed = Feed::PerSecond(100.0);
+    let whole = time(&program);
+    for share in [0.3, 0.6, 0.9] {
+        let middle = at(61.0 + share * 13.0, -9.0 + share * 13.0, 0.0);
+        let mut divided = program.clone();
+        divided.insert(1, Segment { feed: program[1].feed, ..line(middle, blend) });
+        let time = time(&divided);
+        assert!((time - whole).abs() <= 2.1 * CYCLE, "{share}: {time} s, {whole} s");
+    }
+}
+
+#[test]
 fn a_path_of_many_lines_waits_for_no_look_ahead_when_its_spindle_starts() {
     let place = |number: u32| at(0.005 * f64::from(number), 0.0, 0.0);
     let mut program: Vec<Segment> =
