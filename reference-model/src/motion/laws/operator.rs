@@ -74,12 +74,17 @@ pub(super) fn abort(record: &Record<'_>) -> Verdict {
         return Verdict::NotJudged(why);
     }
     let mut findings = Findings::of(Law::Abort);
-    stops(record, (route, matching), (from, record.points.len()), &mut findings);
+    let back = from > 0 && record.requests.adaptive[from - 1] < 0.0;
+    if !back {
+        stops(record, (route, matching), (from, record.points.len()), &mut findings);
+    }
     let last = record.points.len() - 1;
     if !record.rests(last) {
         let speed = record.speed(last);
         let words = format!("the motion still makes {speed} mm/s when the record ends");
         findings.breaks(last, None, (speed, 0.0), words);
+    } else if back {
+        return Verdict::NotJudged("an abort while the path is run backwards".to_owned());
     }
     findings.verdict()
 }
