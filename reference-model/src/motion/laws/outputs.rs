@@ -111,8 +111,9 @@ fn ask(
     expected: &mut BTreeMap<Pin, Vec<Expected>>,
 ) {
     let corner = &route.corners[number];
+    let certain = visit.passed && !visit.is_left(record);
     let certain =
-        |last: usize| visit.passed && record.requests.aborted.is_none_or(|aborted| last < aborted);
+        |last: usize| certain && record.requests.aborted.is_none_or(|aborted| last < aborted);
     match task {
         Task::Dwell(_) | Task::Wait(_) => (),
         Task::AtOnce(switching) => {

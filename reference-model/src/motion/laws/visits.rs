@@ -33,6 +33,14 @@ impl Visit {
         self.again.map_or(self, |(first, at)| Self { first, at, again: None, ..self })
     }
 
+    /// Whether the motion has run back from it, and is aborted before it has come again.
+    pub(super) fn is_left(self, record: &Record<'_>) -> bool {
+        let back = |sample: usize| record.requests.adaptive[sample] < 0.0;
+        record.requests.aborted.is_some()
+            && self.last + 1 == record.points.len()
+            && (self.first..=self.last).any(back)
+    }
+
     /// First and last sample of each stay at the corner.
     pub(super) fn stays<'a>(
         self,
