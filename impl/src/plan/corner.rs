@@ -81,21 +81,32 @@ impl Corner {
         if paces.contains(&Pace::Turn) && paces.contains(&Pace::Second) {
             return Self::Stop;
         }
-        // A blend that is long enough to cost nothing need not be longer.
-        let fastest = pressing(before).min(pressing(after));
-        let fastest = match paces {
-            [Pace::Turn, Pace::Rapid] => fastest.min(squared(TURNS * before.whole.feed)),
-            [Pace::Rapid, Pace::Turn] => fastest.min(squared(TURNS * after.whole.feed)),
-            [Pace::Second, _] | [_, Pace::Second] if costs(before, after, limits) => {
-                fastest.min(asked(before)).min(asked(after))
-            }
-            _ => fastest,
-        };
-        let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, turn.len()));
+        let enough = enough(before, after, &turn, limits);
         let most = (4.0 * KEPT * tolerance / break_).min(enough);
         let most = most.min(round(before)).min(round(after));
         if most > 0.0 { Self::Blend { most, half } } else { Self::Stop }
     }
+}
+
+/// How much of each leg a blend takes so that it costs nothing, and need not be longer.
+#[inline(never)]
+fn enough(before: &Leg, after: &Leg, turn: &Axes, limits: &Limits) -> f64 {
+    let fastest = pressing(before).min(pressing(after));
+    let fastest = match [before.whole.pace, after.whole.pace] {
+        [Pace::Turn, Pace::Rapid] => fastest.min(squared(TURNS * before.whole.feed)),
+        [Pace::Rapid, Pace::Turn] => fastest.min(squared(TURNS * after.whole.feed)),
+        [Pace::Second, _] | [_, Pace::Second]
+            if before.whole.feed.to_bits() != after.whole.feed.to_bits()
+                && costs(before, after, limits) =>
+        {
+            fastest.min(asked(before)).min(asked(after))
+        }
+        _ => fastest,
+    };
+    let enough = fastest / (2.0 * COST * least(&limits.acceleration, turn, turn.len()));
+    // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them and other corners.
+    let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
+    if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough }
 }
 
 /// A corner of an exact path that is passed without rest.
@@ -202,11 +213,13 @@ fn pressing(leg: &Leg) -> f64 {
 
 /// Whether a blend of two legs takes longer the longer it is, since all of it is as slow as the slower one: then it is no longer than the programmed
 /// feed needs. Where legs are short a long one saves a piece, of which too many would fit into a cycle.
+#[inline(never)]
 fn costs(before: &Leg, after: &Leg, limits: &Limits) -> bool {
     let (one, other) = (asked(before), asked(after));
-    let short = LASTING * math::sqrt(one.max(other)) * limits.cycle;
-    let long = before.whole.length.min(after.whole.length) > short;
-    long && one.min(other) < UNEQUAL_FEED * one.max(other)
+    let most = math::greater(one, other);
+    let short = math::lesser(before.whole.length, after.whole.length);
+    math::lesser(one, other) < UNEQUAL_FEED * most
+        && squared(short) > squared(LASTING * limits.cycle) * most
 }
 
 /// The square of the speed that a leg is asked to have while nobody overrides its feed.

@@ -136,7 +136,7 @@ impl Limits {
         let less = (most - least(&left, &along, axes)) / piece.ceiling;
         // While the speed falls along the curve that is planned, a cycle begins faster than its mean.
         let planned = PLANNED / (1.0 + less * math::sqrt(piece.ceiling) * self.cycle);
-        piece.law = Law::Shared { most, less, planned };
+        piece.law = Law::Shared { most: planned * most, less: planned * less };
     }
 }
 

@@ -148,7 +148,11 @@ impl Motion {
             self.dwelt = seconds;
         }
         let after = self.at.wrapping_add(1);
-        let later = ring.get(after)?;
+        let Some(later) = ring.get(after) else {
+            // Rounding may have brought the motion to the end of all with a little speed left.
+            self.speed = 0.0;
+            return None;
+        };
         self.at = after;
         self.speed *= piece.exit;
         self.x = 0.0;
@@ -255,8 +259,9 @@ impl Motion {
                 let rest = |y: f64| math::sqrt((across - squared(circle.turn * y)).max(0.0));
                 self.curved(piece, end, (ease, left), rest)
             }
-            (Law::Shared { most, less, .. }, _) => {
-                let rest = |y: f64| math::greater(0.0, most - less * y);
+            (Law::Shared { most, less }, _) => {
+                let all = (1.0 + less * self.speed * left) / PLANNED;
+                let rest = |y: f64| math::greater(0.0, most - less * y) * all;
                 self.curved(piece, end, (ease, left), rest)
             }
             (Law::Even { acceleration }, _) => {

@@ -63,6 +63,34 @@ fn a_farther_corner_with_an_arc_takes_no_longer() {
 }
 
 #[test]
+fn a_faster_axis_takes_no_longer() {
+    let blend = Blend::Within(0.13);
+    let corner = at(12.203_07, -1.476_41, 0.0);
+    let end = at(16.615_52, -4.174_87, 0.0);
+    let mut program = at_feed(
+        vec![
+            line(at(0.02, -0.002_65, 0.0), blend),
+            line(at(6.105_33, -0.778_61, 0.0), blend),
+            line(corner, blend),
+            about(corner, end, (-0.697_76, -6.097_75), false, blend),
+        ],
+        20832.0,
+    );
+    (program[0].feed, program[1].feed) = (Feed::Rapid, Feed::Rapid);
+    let time = |velocity: f64| {
+        let mut faster = dynamics();
+        faster.velocity[0] = velocity;
+        let mut planner = Planner::new(faster, ORIGIN).expect("limits");
+        let wants = |_| InputParameter::default();
+        run_with(&mut planner, ORIGIN, &program, Feeding::Full, wants).time()
+    };
+    let slow = time(250.0);
+    for velocity in [300.0, 350.0, 400.0, 443.4, 500.0] {
+        assert!(time(velocity) <= slow + 0.0021, "{velocity}: {} s, {slow} s", time(velocity));
+    }
+}
+
+#[test]
 fn a_divided_line_before_a_slower_one_takes_as_long() {
     let blend = Blend::Within(0.14);
     let ends = [(61.0, -9.0), (74.0, 4.0), (87.0, 18.0)];
