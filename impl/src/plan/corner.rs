@@ -57,11 +57,15 @@ pub(super) fn turn(before: &Leg, after: &Leg) -> Axes {
 impl Corner {
     /// A parabola that takes d of both legs misses the corner by d·|turn|/4, and so does an arc that is bent.
     pub(super) fn between(before: &Leg, after: &Leg, limits: &Limits) -> Self {
-        let turn = turn(before, after);
         let blend = stricter(before.blend, after.blend);
+        // Most often, and known without a root.
+        if blend == Blend::ExactStop {
+            return Self::Stop;
+        }
+        let turn = turn(before, after);
         let break_ = norm(&turn);
         if break_ < SMOOTH {
-            return if blend == Blend::ExactStop { Self::Stop } else { Self::Smooth };
+            return Self::Smooth;
         }
         let (tolerance, half) = match (blend, after.blend) {
             (Blend::ExactStop, _) => return Self::Stop,
@@ -81,32 +85,27 @@ impl Corner {
         if paces.contains(&Pace::Turn) && paces.contains(&Pace::Second) {
             return Self::Stop;
         }
-        let enough = enough(before, after, &turn, limits);
+        // A blend that is long enough to cost nothing need not be longer.
+        let fastest = pressing(before).min(pressing(after));
+        let fastest = match paces {
+            [Pace::Turn, Pace::Rapid] => fastest.min(squared(TURNS * before.whole.feed)),
+            [Pace::Rapid, Pace::Turn] => fastest.min(squared(TURNS * after.whole.feed)),
+            [Pace::Second, _] | [_, Pace::Second]
+                if before.whole.feed.to_bits() != after.whole.feed.to_bits()
+                    && costs(before, after, limits) =>
+            {
+                fastest.min(asked(before)).min(asked(after))
+            }
+            _ => fastest,
+        };
+        let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, turn.len()));
+        // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them and other corners.
+        let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
+        let enough = if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough };
         let most = (4.0 * KEPT * tolerance / break_).min(enough);
         let most = most.min(round(before)).min(round(after));
         if most > 0.0 { Self::Blend { most, half } } else { Self::Stop }
     }
-}
-
-/// How much of each leg a blend takes so that it costs nothing, and need not be longer.
-#[inline(never)]
-fn enough(before: &Leg, after: &Leg, turn: &Axes, limits: &Limits) -> f64 {
-    let fastest = pressing(before).min(pressing(after));
-    let fastest = match [before.whole.pace, after.whole.pace] {
-        [Pace::Turn, Pace::Rapid] => fastest.min(squared(TURNS * before.whole.feed)),
-        [Pace::Rapid, Pace::Turn] => fastest.min(squared(TURNS * after.whole.feed)),
-        [Pace::Second, _] | [_, Pace::Second]
-            if before.whole.feed.to_bits() != after.whole.feed.to_bits()
-                && costs(before, after, limits) =>
-        {
-            fastest.min(asked(before)).min(asked(after))
-        }
-        _ => fastest,
-    };
-    let enough = fastest / (2.0 * COST * least(&limits.acceleration, turn, turn.len()));
-    // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them and other corners.
-    let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
-    if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough }
 }
 
 /// A corner of an exact path that is passed without rest.

@@ -109,20 +109,16 @@ pub(super) fn along(law: Law, circle: &Option<Circle>, exit: f64, distance: f64)
                 planned / circle.turn * (share * cosine + other * sine)
             }
         }
-        (Law::Shared { most, less }, _) => shared((most, less), exit, distance),
+        (Law::Shared { most, less }, _) => {
+            // dy/dx = -2·(most - less·y) gives an exponential. What stands here for 1 - e^-z is never more, and rises no steeper than what is
+            // left of its way to 1.
+            let far = math::lesser(2.0 * less * distance, MOST_FAR);
+            let way = if far < MOST_FAR { distance } else { MOST_FAR / (2.0 * less) };
+            let share = 1.0 / (1.0 + far * (0.5 + far * (1.0 / 12.0)));
+            exit + 2.0 * (most - less * exit) * way * share
+        }
         (Law::Dwell(_) | Law::Round { .. } | Law::Bent { .. }, _) => 0.0,
     }
-}
-
-/// The same on an arc that is bent: dy/dx = -2·(most - less·y) gives an exponential. What stands here for 1 - e^-z is never more, and rises no
-/// steeper than what is left of its way to 1.
-#[cold]
-#[inline(never)]
-fn shared((most, less): (f64, f64), exit: f64, distance: f64) -> f64 {
-    let far = math::lesser(2.0 * less * distance, MOST_FAR);
-    let way = if far < MOST_FAR { distance } else { MOST_FAR / (2.0 * less) };
-    let share = 1.0 / (1.0 + far * (0.5 + far * (1.0 / 12.0)));
-    exit + 2.0 * (most - less * exit) * way * share
 }
 
 fn last(piece: &Piece) -> Axes {

@@ -111,7 +111,7 @@ fn ask(
     expected: &mut BTreeMap<Pin, Vec<Expected>>,
 ) {
     let corner = &route.corners[number];
-    let certain = visit.passed && !visit.is_left(record);
+    let certain = visit.passed && !visit.is_aborted(record);
     let certain =
         |last: usize| certain && record.requests.aborted.is_none_or(|aborted| last < aborted);
     match task {

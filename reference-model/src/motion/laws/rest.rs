@@ -159,8 +159,8 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
         let Rest { at, least, most } = rest;
         let after = at.map_or(visit.after(record), |(_, end)| (end + 1).min(last));
         let words = || format!("rest for less than {most} s where {seconds} s are asked for");
-        let gone = visit.is_left(record);
-        if !gone && record.requests.aborted.is_none_or(|cycle| cycle > after) {
+        let open_ended = visit.is_aborted(record);
+        if !open_ended && record.requests.aborted.is_none_or(|cycle| cycle > after) {
             findings.at_most(after, None, (shortest, most), (0.0, &words));
         }
         if !open(&rest) {

@@ -33,12 +33,9 @@ impl Visit {
         self.again.map_or(self, |(first, at)| Self { first, at, again: None, ..self })
     }
 
-    /// Whether the motion has run back from it, and is aborted before it has come again.
-    pub(super) fn is_left(self, record: &Record<'_>) -> bool {
-        let back = |sample: usize| record.requests.adaptive[sample] < 0.0;
-        record.requests.aborted.is_some()
-            && self.last + 1 == record.points.len()
-            && (self.first..=self.last).any(back)
+    /// Whether an abort ends the record before any sample stands for points behind it alone: what was asked for there is perhaps not done.
+    pub(super) fn is_aborted(self, record: &Record<'_>) -> bool {
+        record.requests.aborted.is_some() && self.last + 1 == record.points.len()
     }
 
     /// First and last sample of each stay at the corner.
