@@ -189,7 +189,7 @@ impl Motion {
         left: f64,
     ) -> f64 {
         let End { exit, remaining } = end;
-        let mut ramp = self.ramp(piece, end, wish.ease, left);
+        let mut ramp = self.ramp(piece, end, wish.ease, (left, limits.cycle));
         if wish.rest {
             let low = math::lesser(ramp.low, self.hardest(piece, limits, left));
             return self.go(piece, low, end, left);
@@ -252,7 +252,7 @@ impl Motion {
         low
     }
 
-    fn ramp(&self, piece: &Piece, end: End, ease: f64, left: f64) -> Ramp {
+    fn ramp(&self, piece: &Piece, end: End, ease: f64, (left, cycle): (f64, f64)) -> Ramp {
         match (piece.law, &piece.circle) {
             (Law::Round { acceleration, .. }, Some(circle)) => {
                 let across = squared(acceleration);
@@ -260,7 +260,7 @@ impl Motion {
                 self.curved(piece, end, (ease, left), rest)
             }
             (Law::Shared { most, less }, _) => {
-                let all = (1.0 + less * self.speed * left) / PLANNED;
+                let all = 1.0 / (PLANNED - less * piece.fastest * cycle);
                 let rest = |y: f64| math::greater(0.0, most - less * y) * all;
                 self.curved(piece, end, (ease, left), rest)
             }
