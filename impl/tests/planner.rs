@@ -2,6 +2,8 @@
 
 #[path = "motion/bits.rs"]
 mod bits;
+#[path = "motion/changes.rs"]
+mod changes;
 #[path = "motion/check.rs"]
 mod check;
 #[path = "motion/found.rs"]

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use gaugeblock_fuzz::motion::Ride;
+use gaugeblock_fuzz::motion::change::Change;
 use gaugeblock_trace::motion::MotionScript;
 use gaugeblock_trace::{Axis, End, Outcome, Scenario, Settings};
 
@@ -26,7 +27,8 @@ const EXAMPLES: &str = "Examples:
       many, with the smallest program of each kind of breach in a folder
 
 Each program is planned, and its samples are held to the laws of motion. Then it is moved, turned, mirrored, doubled or divided, or more
-is allowed to it: that changes its time by two servo cycles at most, or costs no more than two and a thousandth.
+is allowed to it: that changes its time by two servo cycles at most, or costs no more than two and a thousandth. A motion that nothing
+holds and that never ends is broken, too.
 
 Exit status: 0 nothing is broken, 1 something is, 2 the call is wrong, 3 programs could not be planned.";
 
@@ -51,6 +53,9 @@ pub(super) struct Arguments {
     /// Attempts at shrinking each kind of breach; 0 leaves the programs as they were generated
     #[arg(long, value_name = "N", default_value_t = 1000)]
     shrink: u32,
+    /// Change each program in all seven ways, not in one
+    #[arg(long)]
+    every_change: bool,
     /// Write the smallest program of each kind of breach, its machine and its script into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
@@ -68,29 +73,33 @@ struct Found {
 struct Tally {
     programs: u64,
     cycles: usize,
+    /// How often, and the first program.
     not_planned: BTreeMap<String, (u64, u64)>,
+    not_judged: BTreeMap<String, (u64, u64)>,
     found: BTreeMap<String, Found>,
 }
 
 impl Tally {
     fn add(&mut self, number: u64, came: Came) {
         self.programs += 1;
-        match came {
-            Came::Held(cycles) => self.cycles += cycles,
-            Came::NotPlanned(why) => {
-                let (count, first) = self.not_planned.entry(why).or_insert((0, number));
-                *count += 1;
-                *first = number.min(*first);
-            }
-            Came::Broken(breaches) => {
-                for breach in breaches {
-                    let new = Found { count: 0, number: u64::MAX, words: String::new() };
-                    let found = self.found.entry(breach.what).or_insert(new);
-                    found.count += 1;
-                    if number < found.number {
-                        (found.number, found.words) = (number, breach.words);
-                    }
-                }
+        self.cycles += came.cycles;
+        let count = |counts: &mut BTreeMap<String, (u64, u64)>, why| {
+            let (count, first) = counts.entry(why).or_insert((0, number));
+            *count += 1;
+            *first = number.min(*first);
+        };
+        if let Some(why) = came.not_planned {
+            count(&mut self.not_planned, why);
+        }
+        for (law, why) in came.not_judged {
+            count(&mut self.not_judged, format!("{}, {why}", law.id()));
+        }
+        for breach in came.broken {
+            let new = Found { count: 0, number: u64::MAX, words: String::new() };
+            let found = self.found.entry(breach.what).or_insert(new);
+            found.count += 1;
+            if number < found.number {
+                (found.number, found.words) = (number, breach.words);
             }
         }
     }
@@ -104,9 +113,10 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
     let controller = Production::default();
     let runs = |ride: &Ride| outcome(&controller, &scenario, ride);
     let seed = arguments.seed;
+    let changes = |change| if arguments.every_change { Change::ALL.to_vec() } else { vec![change] };
     let tally = generate(arguments, &|number| {
         let (ride, change) = ride(seed, number);
-        judged((seed, number), (&ride, change), &runs)
+        judged((seed, number), (&ride, &changes(change)), &runs)
     });
     let mut text = String::new();
     for (what, found) in &tally.found {
@@ -115,7 +125,7 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
         let smallest = if arguments.shrink == 0 {
             drawn
         } else {
-            shrunk(of, (&drawn, change), what, (arguments.shrink, &runs))
+            shrunk(of, (&drawn, &changes(change)), what, (arguments.shrink, &runs))
         };
         let _infallible = writeln!(
             text,
@@ -131,13 +141,15 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
             let _infallible = writeln!(text, "{call}\n");
         }
     }
-    for (why, (count, first)) in &tally.not_planned {
-        let _infallible =
-            writeln!(text, "not planned, {count} times, first program {first}: {why}");
+    for (what, counts) in [("planned", &tally.not_planned), ("judged", &tally.not_judged)] {
+        for (why, (count, first)) in counts {
+            let _infallible =
+                writeln!(text, "not {what}, {count} times, first program {first}: {why}");
+        }
     }
     let _infallible = writeln!(
         text,
-        "{} programs, {} servo cycles of those that hold; {} kinds of breaches",
+        "{} programs, {} servo cycles; {} kinds of breaches",
         tally.programs,
         tally.cycles,
         tally.found.len()

@@ -52,11 +52,17 @@ pub struct Stopped {
     pub block: Option<Block>,
     /// Why.
     pub why: String,
+    /// Whether it is the planner that comes to no end.
+    pub endless: bool,
 }
 
 impl Stopped {
     fn new(why: impl Into<String>) -> Self {
-        Self { block: None, why: why.into() }
+        Self { block: None, why: why.into(), endless: false }
+    }
+
+    fn endless(why: impl Into<String>) -> Self {
+        Self { endless: true, ..Self::new(why) }
     }
 }
 
@@ -351,7 +357,7 @@ impl<'a> Drive<'a> {
 
     fn cycle(&mut self) -> Result<Phase, Stopped> {
         if self.speed.len() >= MOST_CYCLES {
-            return Err(Stopped::new("it takes more than a hundred million servo cycles"));
+            return Err(Stopped::endless("it takes more than a hundred million servo cycles"));
         }
         self.operate();
         let turns = self.operator.turns.unwrap_or_else(|| spindle(&self.settings));
@@ -360,11 +366,11 @@ impl<'a> Drive<'a> {
         let phase = self.planner.update(&self.input, &mut self.output);
         self.rests = if self.output.speed <= 0.0 { self.rests + 1.0 } else { 0.0 };
         if self.rests > MOST_REST + self.dwells / self.limits.period && self.events.is_empty() {
-            return Err(Stopped::new("it rests, and nobody lets it go on"));
+            return Err(Stopped::endless("it rests, and nobody lets it go on"));
         }
         let dwells = self.rests <= self.dwells / self.limits.period + 2.0;
         if phase == Phase::Waiting && turns <= 0.0 && self.follows && !dwells {
-            return Err(Stopped::new("it follows a spindle that stands"));
+            return Err(Stopped::endless("it follows a spindle that stands"));
         }
         while let Some(switch) = self.planner.switched() {
             if let Some((_, value)) = self.outputs.iter_mut().nth(usize::from(switch.output)) {

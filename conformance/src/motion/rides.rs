@@ -7,16 +7,18 @@
 use gaugeblock_fuzz::generate::Dice;
 use gaugeblock_fuzz::motion::change::Change;
 use gaugeblock_fuzz::motion::{Ride, Step, draw, shrink};
-use gaugeblock_reference::motion::laws::{Verdict, judge};
+use gaugeblock_reference::motion::laws::{Law, Verdict, judge};
 use gaugeblock_reference::motion::path::programmed;
-use gaugeblock_trace::motion::{MotionAction, MotionEvent};
+use gaugeblock_trace::motion::{MotionAction, MotionEvent, MotionScript};
 use gaugeblock_trace::{End, Outcome};
 
-use super::drive::{Circumstances, Planned, plan_under};
+use super::drive::{Circumstances, Planned, Stopped, plan_under};
 
 /// How many cycles a ride may take more where it should take as many, and which share where more is allowed.
 const CYCLES: f64 = 2.0;
 const SHARE: f64 = 1e-3;
+/// What is broken where a ride that nothing holds comes to no end.
+const ENDLESS: &str = "no-end";
 
 /// Runs a ride's program and says what it does.
 pub type Runs<'a> = &'a (dyn Fn(&Ride) -> Outcome + Sync);
@@ -24,24 +26,37 @@ pub type Runs<'a> = &'a (dyn Fn(&Ride) -> Outcome + Sync);
 /// What is broken: the law or the change under which time differs, and words for a person.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Breach {
-    /// The law's id, or the change in a word.
+    /// The law's id, the change in a word, or `no-end`.
     pub what: String,
     /// What was seen.
     pub words: String,
 }
 
 /// What became of a ride.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Came {
-    /// All that can be judged holds; so many cycles were.
-    Held(usize),
-    /// Something is broken.
-    Broken(Vec<Breach>),
-    /// It could not be planned, and why.
-    NotPlanned(String),
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Came {
+    /// Servo cycles; none where it was not planned.
+    pub cycles: usize,
+    /// What is broken.
+    pub broken: Vec<Breach>,
+    /// What could not be planned, and why.
+    pub not_planned: Option<String>,
+    /// What could not be judged, and why.
+    pub not_judged: Vec<(Law, String)>,
 }
 
-/// The ride of a number, and the change under which its time is looked at.
+impl Came {
+    /// Takes up that a ride was not planned: a breach where the planner comes to no end though nothing holds it.
+    fn unplanned(&mut self, ride: &Ride, stopped: Stopped) {
+        if stopped.endless && goes_on(&ride.script) {
+            self.broken.push(Breach { what: ENDLESS.to_owned(), words: stopped.why });
+        } else {
+            self.not_planned = Some(stopped.why);
+        }
+    }
+}
+
+/// The ride of a number, and the change under which its time is looked at where one is enough.
 pub fn ride(seed: u64, number: u64) -> (Ride, Change) {
     let mut dice = Dice::of_seed(seed, number);
     let change = *dice.pick(&Change::ALL);
@@ -49,62 +64,97 @@ pub fn ride(seed: u64, number: u64) -> (Ride, Change) {
 }
 
 /// Judges a ride: as it is, and changed without an operator.
-pub fn judged((seed, number): (u64, u64), (ride, change): (&Ride, Change), runs: Runs<'_>) -> Came {
-    let (outcome, planned) = match planned(ride, runs) {
-        Ok(planned) => planned,
-        Err(why) => return Came::NotPlanned(why),
-    };
-    let path = programmed(&outcome, ride.position());
-    let judgement = judge(&planned.samples, &path, &ride.limits, &ride.script);
-    let mut breaches = Vec::new();
-    for (law, verdict) in &judgement.0 {
-        if let Verdict::Broken(violations) = verdict {
-            let first = violations.first().map_or(String::new(), ToString::to_string);
-            let words = format!("{} times; {first}", violations.len());
-            breaches.push(Breach { what: law.id().to_owned(), words });
+pub fn judged(
+    (seed, number): (u64, u64),
+    (ride, changes): (&Ride, &[Change]),
+    runs: Runs<'_>,
+) -> Came {
+    let mut came = Came::default();
+    match planned(ride, runs) {
+        Ok((outcome, planned)) => {
+            came.cycles = planned.samples.len();
+            let path = programmed(&outcome, ride.position());
+            for (law, verdict) in judge(&planned.samples, &path, &ride.limits, &ride.script).0 {
+                match verdict {
+                    Verdict::Broken(violations) => {
+                        let first = violations.first().map_or(String::new(), ToString::to_string);
+                        let words = format!("{} times; {first}", violations.len());
+                        came.broken.push(Breach { what: law.id().to_owned(), words });
+                    }
+                    Verdict::NotJudged(why) => came.not_judged.push((law, why)),
+                    Verdict::Held { .. } | Verdict::NothingAsked => {}
+                }
+            }
+        }
+        Err(stopped) => came.unplanned(ride, stopped),
+    }
+    for change in changes {
+        match timed(&mut Dice::of_seed(seed ^ 1, number), ride, *change, runs) {
+            Ok(breach) => came.broken.extend(breach),
+            Err((ride, stopped)) => came.unplanned(&ride, stopped),
         }
     }
-    match timed(&mut Dice::of_seed(seed ^ 1, number), ride, change, runs) {
-        Ok(breach) => breaches.extend(breach),
-        Err(why) => return Came::NotPlanned(why),
-    }
-    if breaches.is_empty() { Came::Held(planned.samples.len()) } else { Came::Broken(breaches) }
+    came
 }
 
 /// The smallest ride that breaks the same.
 pub fn shrunk(
     of: (u64, u64),
-    (ride, change): (&Ride, Change),
+    (ride, changes): (&Ride, &[Change]),
     what: &str,
     (attempts, runs): (u32, Runs<'_>),
 ) -> Ride {
-    shrink::shrunk(ride, attempts, &mut |smaller| {
-        let came = judged(of, (smaller, change), runs);
-        matches!(came, Came::Broken(breaches) if breaches.iter().any(|breach| breach.what == what))
-    })
+    let breaks = |ride: &Ride, changes: &[Change]| {
+        judged(of, (ride, changes), runs).broken.iter().any(|breach| breach.what == what)
+    };
+    // One of them is enough, or none.
+    let alone = changes.iter().copied().find(|change| what == format!("time.{}", change.name()));
+    let changes = match &alone {
+        Some(change) => std::slice::from_ref(change),
+        None if breaks(ride, &[]) => &[],
+        None => changes,
+    };
+    shrink::shrunk(ride, attempts, &mut |smaller| breaks(smaller, changes))
 }
 
-fn planned(ride: &Ride, runs: Runs<'_>) -> Result<(Outcome, Planned), String> {
+/// Whether nothing holds the motion in the end.
+fn goes_on(script: &MotionScript) -> bool {
+    let (mut feed, mut rapid, mut adaptive, mut stop, mut hold) = (1.0, 1.0, 1.0, false, false);
+    for event in &script.events {
+        match event.action {
+            MotionAction::FeedOverride(factor) => feed = factor,
+            MotionAction::RapidOverride(factor) => rapid = factor,
+            MotionAction::AdaptiveFeed(factor) => adaptive = factor,
+            MotionAction::FeedStop(on) => stop = on,
+            MotionAction::Hold(on) => hold = on,
+            MotionAction::Abort => return true,
+            MotionAction::SpindleSpeed { turns, .. } if turns.abs() > 0.0 => {}
+            MotionAction::SpindleSpeed { .. } => return false,
+        }
+    }
+    feed > 0.0 && rapid > 0.0 && adaptive > 0.0 && !stop && !hold
+}
+
+fn planned(ride: &Ride, runs: Runs<'_>) -> Result<(Outcome, Planned), Stopped> {
     let outcome = runs(ride);
     if outcome.end != End::ProgramEnd {
         let why = if let End::Fault(fault) = &outcome.end { &fault.message } else { "" };
-        return Err(format!("the program does not come to its end: {why}"));
+        let why = format!("the program does not come to its end: {why}");
+        return Err(Stopped { block: None, why, endless: false });
     }
     let circumstances =
         Circumstances { start: ride.position(), every: ride.every, script: ride.script.clone() };
-    match plan_under(&outcome, &ride.limits, &circumstances) {
-        Ok(planned) => Ok((outcome, planned)),
-        Err(stopped) => Err(stopped.why),
-    }
+    let planned = plan_under(&outcome, &ride.limits, &circumstances)?;
+    Ok((outcome, planned))
 }
 
-/// Whether a changed ride takes the time that it should.
+/// Whether a changed ride takes the time that it should; which ride was not planned, if one is not.
 fn timed(
     dice: &mut Dice<'_>,
     ride: &Ride,
     change: Change,
     runs: Runs<'_>,
-) -> Result<Option<Breach>, String> {
+) -> Result<Option<Breach>, (Box<Ride>, Stopped)> {
     let mut alone = Ride { every: None, ..ride.clone() };
     // The spindle goes on turning.
     let turns = |event: &MotionEvent| matches!(event.action, MotionAction::SpindleSpeed { .. });
@@ -113,8 +163,11 @@ fn timed(
     alone.steps.retain(|step| !matches!(step, Step::Output { with_motion: false, .. }));
     let Some(changed) = change.of(&alone, dice) else { return Ok(None) };
     let cycles = |ride: &Ride| {
-        let planned = planned(ride, runs)?.1;
-        Ok::<f64, String>(f64::from(u32::try_from(planned.samples.len()).unwrap_or(u32::MAX)))
+        let (_, planned) =
+            planned(ride, runs).map_err(|stopped| (Box::new(ride.clone()), stopped))?;
+        Ok::<f64, (Box<Ride>, Stopped)>(f64::from(
+            u32::try_from(planned.samples.len()).unwrap_or(u32::MAX),
+        ))
     };
     let (before, after) = (cycles(&alone)?, cycles(&changed)?);
     let allowed = if change.may_save() { CYCLES.max(SHARE * before) } else { CYCLES };
@@ -123,4 +176,44 @@ fn timed(
         what: format!("time.{}", change.name()),
         words: format!("{before} cycles, {after} where it is {}", change.name()),
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn came(script: Vec<MotionAction>, endless: bool) -> Came {
+        let (mut ride, _) = ride(1, 0);
+        let event = |action| MotionEvent { cycle: 1, action };
+        ride.script.events = script.into_iter().map(event).collect();
+        let mut came = Came::default();
+        came.unplanned(&ride, Stopped { block: None, why: "it rests".to_owned(), endless });
+        came
+    }
+
+    #[test]
+    fn a_motion_that_nothing_holds_and_that_never_ends_is_a_breach() {
+        let released = [MotionAction::Hold(true), MotionAction::Hold(false)];
+        for script in [vec![], released.to_vec(), vec![MotionAction::Abort]] {
+            let came = came(script, true);
+            assert_eq!(came.not_planned, None);
+            assert_eq!(came.broken[0].what, ENDLESS);
+        }
+    }
+
+    #[test]
+    fn one_that_is_held_to_the_end_is_not_planned() {
+        let holds = [
+            MotionAction::Hold(true),
+            MotionAction::FeedStop(true),
+            MotionAction::FeedOverride(0.0),
+            MotionAction::RapidOverride(0.0),
+            MotionAction::AdaptiveFeed(-1.0),
+            MotionAction::SpindleSpeed { spindle: 0, turns: 0.0 },
+        ];
+        for hold in holds {
+            assert!(came(vec![hold], true).broken.is_empty(), "{hold:?}");
+        }
+        assert!(came(vec![], false).broken.is_empty());
+    }
 }

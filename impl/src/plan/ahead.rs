@@ -10,6 +10,9 @@ use super::ring::Ring;
 
 /// Pieces before the one in execution that a change of override is planned for; and how near unplanned ones may come.
 const HORIZON: u64 = 256;
+const WHOLE: u64 = 2 * HORIZON;
+/// How many pieces next to the motion are planned for another scale first; then always so many times as many, up to two horizons.
+const GROWS: u64 = 4;
 /// How near the motion may come to pieces that could be raised, beyond what it takes to stop.
 const MARGIN: u64 = 32;
 
@@ -35,13 +38,16 @@ pub(super) struct Ahead {
     pending: Option<(u64, u64)>,
     /// From here on pieces are planned for another scale.
     stale: u64,
+    /// How many pieces have been taken up that were planned for another scale.
+    span: u64,
     /// How many pieces the last wave changed, which the next one has to be worth.
     touched: u64,
 }
 
 impl Ahead {
     pub(super) fn new(scale: Scale) -> Self {
-        Self { scale, before: None, wave: None, pending: None, stale: u64::MAX, touched: 0 }
+        let stale = u64::MAX;
+        Self { scale, before: None, wave: None, pending: None, stale, span: WHOLE, touched: 0 }
     }
 
     /// Computes the pieces from `changed` on, and lowers those before them that relied on more. Gives back the first piece
@@ -136,17 +142,18 @@ impl Ahead {
     pub(super) fn rescale(&mut self, scale: Scale, ring: &Ring<Piece>, at: u64) {
         self.before = Some(self.planned());
         self.scale = scale;
-        self.stale = at;
+        (self.stale, self.span) = (at, 1);
         self.refresh(ring, at);
     }
 
-    /// Takes up pieces that are planned for another scale when the motion comes near.
+    /// Takes up pieces that are planned for another scale when the motion comes near: a few at first, so that it need not wait for many.
     pub(super) fn refresh(&mut self, ring: &Ring<Piece>, at: u64) {
-        if self.stale > at.saturating_add(HORIZON) {
+        if self.stale > at.saturating_add(HORIZON) || self.span < WHOLE && self.pressing(at) {
             return;
         }
         let newest = ring.end().saturating_sub(1);
-        let high = at.saturating_add(HORIZON.saturating_mul(2)).min(newest);
+        self.span = self.span.saturating_mul(GROWS).min(WHOLE);
+        let high = at.saturating_add(self.span).min(newest);
         let low = self.stale.min(high).max(at);
         self.wave = None;
         self.pending = Some(self.pending.map_or((low, high), |(old, _)| (old.min(low), high)));

@@ -34,7 +34,8 @@ impl Motion {
             let met = (eased.exit - squared(self.speed)) / (2.0 * remaining);
             // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of override that is too late.
             let eases = wish.rapid < 1.0;
-            let fastest = if eases { self.fastest(piece, 0.0) } else { piece.fastest };
+            let fastest =
+                if eases { self.fastest_within(piece, remaining, left) } else { piece.fastest };
             let asked = (wanted(piece, fastest, wish) - self.speed) / left;
             most = math::lesser(asked, met);
             let mut even = None;
@@ -73,6 +74,14 @@ impl Motion {
         }
         let x = if self.backwards { self.x - ahead } else { self.x + ahead };
         math::sqrt(piece.ceiling + rise * x / piece.length)
+    }
+
+    /// The highest speed that the axes allow here and at the end of the cycle.
+    #[cold]
+    #[inline(never)]
+    fn fastest_within(&self, piece: &Piece, remaining: f64, left: f64) -> f64 {
+        let near = math::lesser(self.speed * left, remaining);
+        math::lesser(self.fastest(piece, 0.0), self.fastest(piece, near))
     }
 
     /// On a bend that lasts for some cycles, more than the acceleration that can be kept up to its end: as much as is asked for, if another one can

@@ -25,6 +25,10 @@ const KEPT: f64 = 1.0 - 1e-9;
 /// A blend that turns by less, radians, and is longer than an axis moves in so many cycles from rest, may be worth to speed up and slow down in.
 const FLAT: f64 = 0.2;
 const WORTH: f64 = 4.0;
+/// How much less the square of a speed is than another one at least, where that decides how long a blend is.
+const UNEQUAL_FEED: f64 = 0.9;
+/// For how many cycles a leg lasts at least for that, at its own speed or the other one's.
+const LASTING: f64 = 0.25;
 /// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much where a feed limits it.
 const UNEQUAL: f64 = 1.001;
 
@@ -53,11 +57,15 @@ pub(super) fn turn(before: &Leg, after: &Leg) -> Axes {
 impl Corner {
     /// A parabola that takes d of both legs misses the corner by d·|turn|/4, and so does an arc that is bent.
     pub(super) fn between(before: &Leg, after: &Leg, limits: &Limits) -> Self {
-        let turn = turn(before, after);
         let blend = stricter(before.blend, after.blend);
+        // Most often, and known without a root.
+        if blend == Blend::ExactStop {
+            return Self::Stop;
+        }
+        let turn = turn(before, after);
         let break_ = norm(&turn);
         if break_ < SMOOTH {
-            return if blend == Blend::ExactStop { Self::Stop } else { Self::Smooth };
+            return Self::Smooth;
         }
         let (tolerance, half) = match (blend, after.blend) {
             (Blend::ExactStop, _) => return Self::Stop,
@@ -82,9 +90,18 @@ impl Corner {
         let fastest = match paces {
             [Pace::Turn, Pace::Rapid] => fastest.min(squared(TURNS * before.whole.feed)),
             [Pace::Rapid, Pace::Turn] => fastest.min(squared(TURNS * after.whole.feed)),
+            [Pace::Second, _] | [_, Pace::Second]
+                if before.whole.feed.to_bits() != after.whole.feed.to_bits()
+                    && costs(before, after, limits) =>
+            {
+                fastest.min(asked(before)).min(asked(after))
+            }
             _ => fastest,
         };
         let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, turn.len()));
+        // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them and other corners.
+        let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
+        let enough = if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough };
         let most = (4.0 * KEPT * tolerance / break_).min(enough);
         let most = most.min(round(before)).min(round(after));
         if most > 0.0 { Self::Blend { most, half } } else { Self::Stop }
@@ -166,7 +183,7 @@ impl Kink {
                 piece.last_ceiling = piece.ceiling;
                 piece.fastest = math::sqrt(piece.ceiling);
             }
-            Law::Bent { .. } | Law::Dwell(_) => {}
+            Law::Bent { .. } | Law::Shared { .. } | Law::Dwell(_) => {}
         }
         piece
     }
@@ -176,7 +193,7 @@ impl Kink {
 fn along(leg: &Leg) -> f64 {
     match leg.whole.law {
         Law::Even { acceleration } | Law::Round { acceleration, .. } => acceleration,
-        Law::Bent { .. } | Law::Dwell(_) => 0.0,
+        Law::Bent { .. } | Law::Shared { .. } | Law::Dwell(_) => 0.0,
     }
 }
 
@@ -189,6 +206,25 @@ fn round(leg: &Leg) -> f64 {
 fn pressing(leg: &Leg) -> f64 {
     match leg.whole.pace {
         Pace::Second => leg.whole.ceiling.min(squared(2.0 * leg.whole.feed)),
+        Pace::Rapid | Pace::Turn => leg.whole.ceiling,
+    }
+}
+
+/// Whether a blend of two legs takes longer the longer it is, since all of it is as slow as the slower one: then it is no longer than the programmed
+/// feed needs. Where legs are short a long one saves a piece, of which too many would fit into a cycle.
+#[inline(never)]
+fn costs(before: &Leg, after: &Leg, limits: &Limits) -> bool {
+    let (one, other) = (asked(before), asked(after));
+    let most = math::greater(one, other);
+    let short = math::lesser(before.whole.length, after.whole.length);
+    math::lesser(one, other) < UNEQUAL_FEED * most
+        && squared(short) > squared(LASTING * limits.cycle) * most
+}
+
+/// The square of the speed that a leg is asked to have while nobody overrides its feed.
+fn asked(leg: &Leg) -> f64 {
+    match leg.whole.pace {
+        Pace::Second => leg.whole.ceiling.min(squared(leg.whole.feed)),
         Pace::Rapid | Pace::Turn => leg.whole.ceiling,
     }
 }

@@ -16,6 +16,9 @@ pub(super) const SMOOTH: f64 = 1e-10;
 /// bends it is mostly passed at an even speed, where it bends much the motion slows down towards its corner.
 const ACROSS: f64 = 0.95;
 const ACROSS_CORNER: f64 = 0.8;
+/// How far p' and p'' of an arc are from the line between their ends, over what they swing by and the square of its angle: an eighth, and more where
+/// the radius changes.
+const BOWED: f64 = 0.25;
 /// The change of direction from which a bend is a corner, radians.
 const CORNER: f64 = 0.1;
 
@@ -103,24 +106,37 @@ impl Limits {
 
     fn rule_bent_arc(&self, piece: &mut Piece, circle: &Circle) {
         let axes = piece.axes;
-        let mut along = greatest(piece, circle);
-        let mut across = piece.bend.map(f64::abs);
-        let turning = amplitudes(circle, piece.length).map(|amplitude| amplitude * circle.turn);
-        for (across, turning) in across.iter_mut().zip(&turning) {
-            *across += turning;
+        let (mut place, mut along, mut across) = (piece.end, Axes::default(), Axes::default());
+        piece.motion(0.0, &mut place, &mut along, &mut across);
+        let (mut last, mut last_across) = (Axes::default(), Axes::default());
+        piece.motion(piece.length, &mut place, &mut last, &mut last_across);
+        for ((one, other), (across, then)) in
+            along.iter_mut().zip(&last).zip(across.iter_mut().zip(&last_across))
+        {
+            *one = math::greater(one.abs(), other.abs());
+            *across = math::greater(across.abs(), then.abs());
         }
-        for (along, bend) in along.iter_mut().zip(&piece.bend) {
-            *along += bend.abs() * piece.length;
+        // Between its ends an arc is not farther from a line than this, nor is what it is differentiated to.
+        let bow = BOWED * squared(circle.turn * piece.length);
+        let amplitudes = amplitudes(circle, piece.length);
+        for ((along, across), amplitude) in along.iter_mut().zip(&mut across).zip(&amplitudes) {
+            *along += bow * amplitude;
+            *across += bow * amplitude * circle.turn;
         }
         let turned: f64 = piece.bend.iter().map(|bend| squared(2.0 * bend * piece.length)).sum();
         let share = if turned < squared(CORNER) { ACROSS } else { ACROSS_CORNER };
         let ceiling = share * least(&self.acceleration, &across, axes);
         piece.ceiling = ceiling.min(squared(least(&self.velocity, &along, axes)));
-        let mut left = self.planned;
+        let mut left = self.acceleration;
         for (left, across) in left.iter_mut().zip(&across) {
             *left -= across * piece.ceiling;
         }
-        piece.law = Law::Even { acceleration: least(&left, &along, axes) };
+        // What is allowed at rest and at the ceiling is allowed between them.
+        let most = least(&self.acceleration, &along, axes);
+        let less = (most - least(&left, &along, axes)) / piece.ceiling;
+        // While the speed falls along the curve that is planned, a cycle begins faster than its mean.
+        let planned = PLANNED / (1.0 + less * math::sqrt(piece.ceiling) * self.cycle);
+        piece.law = Law::Shared { most: planned * most, less: planned * less };
     }
 }
 

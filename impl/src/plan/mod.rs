@@ -413,7 +413,7 @@ impl Planner {
         let Some(piece) = self.ring.get(motion.at) else { return true };
         let over = match piece.law {
             Law::Dwell(seconds) => motion.dwelt >= seconds,
-            Law::Even { .. } | Law::Bent { .. } | Law::Round { .. } => {
+            Law::Even { .. } | Law::Bent { .. } | Law::Round { .. } | Law::Shared { .. } => {
                 motion.remaining(piece) <= 0.0
             }
         };

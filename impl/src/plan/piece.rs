@@ -60,6 +60,14 @@ pub(super) enum Law {
         /// What is planned with: less by what a speed that changes in steps of a cycle loses.
         planned: f64,
     },
+    /// On an arc that is bent acceleration along the path and across it share what the axes can do: |u| + less·v² ≤ most, planned with. Both are
+    /// less than what the axes can do by what a speed that changes in steps of a cycle loses: less·v times the cycle at the highest speed.
+    Shared {
+        /// Per second squared, at rest.
+        most: f64,
+        /// Per unit of the parameter.
+        less: f64,
+    },
     /// No motion for so many seconds.
     Dwell(f64),
 }

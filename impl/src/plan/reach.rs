@@ -10,6 +10,8 @@ use super::parameters::Axes;
 use super::piece::{Circle, Law, Piece};
 use crate::math;
 
+/// Where z / (1 + z/2 + z²/12) is greatest: the root of 12, or a little less.
+const MOST_FAR: f64 = 3.464;
 /// The most corners of the set that are looked at before a simpler answer is taken.
 const CORNERS: u32 = 8;
 
@@ -60,7 +62,7 @@ pub(super) fn forward(
     let exit = math::lesser(exit, last_cap);
     let entry = match piece.law {
         Law::Bent { .. } => bent(piece, (&piece.rate, &last(piece)), (exit, cap), limits),
-        Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
+        Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
             along(piece.law, &piece.circle, exit, piece.length)
         }
     };
@@ -80,7 +82,7 @@ pub(super) fn backward(
             let (first, last) = (last(piece).map(|rate| -rate), piece.rate.map(|rate| -rate));
             bent(piece, (&first, &last), (exit, cap), limits)
         }
-        Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
+        Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
             along(piece.law, &piece.circle, exit, piece.length)
         }
     };
@@ -106,6 +108,14 @@ pub(super) fn along(law: Law, circle: &Option<Circle>, exit: f64, distance: f64)
             } else {
                 planned / circle.turn * (share * cosine + other * sine)
             }
+        }
+        (Law::Shared { most, less }, _) => {
+            // dy/dx = -2·(most - less·y) gives an exponential. What stands here for 1 - e^-z is never more, and rises no steeper than what is
+            // left of its way to 1.
+            let far = math::lesser(2.0 * less * distance, MOST_FAR);
+            let way = if far < MOST_FAR { distance } else { MOST_FAR / (2.0 * less) };
+            let share = 1.0 / (1.0 + far * (0.5 + far * (1.0 / 12.0)));
+            exit + 2.0 * (most - less * exit) * way * share
         }
         (Law::Dwell(_) | Law::Round { .. } | Law::Bent { .. }, _) => 0.0,
     }

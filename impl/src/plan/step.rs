@@ -148,7 +148,11 @@ impl Motion {
             self.dwelt = seconds;
         }
         let after = self.at.wrapping_add(1);
-        let later = ring.get(after)?;
+        let Some(later) = ring.get(after) else {
+            // Rounding may have brought the motion to the end of all with a little speed left.
+            self.speed = 0.0;
+            return None;
+        };
         self.at = after;
         self.speed *= piece.exit;
         self.x = 0.0;
@@ -170,7 +174,7 @@ impl Motion {
         match piece.law {
             Law::Bent { .. } if piece.axes <= 3 => self.bend::<3>(piece, end, asked, left),
             Law::Bent { .. } => self.bend::<9>(piece, end, asked, left),
-            Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
+            Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
                 self.along(piece, end, asked, left)
             }
         }
@@ -185,7 +189,7 @@ impl Motion {
         left: f64,
     ) -> f64 {
         let End { exit, remaining } = end;
-        let mut ramp = self.ramp(piece, end, wish.ease, left);
+        let mut ramp = self.ramp(piece, end, wish.ease, (left, limits.cycle));
         if wish.rest {
             let low = math::lesser(ramp.low, self.hardest(piece, limits, left));
             return self.go(piece, low, end, left);
@@ -248,29 +252,45 @@ impl Motion {
         low
     }
 
-    fn ramp(&self, piece: &Piece, End { exit, remaining }: End, ease: f64, left: f64) -> Ramp {
+    fn ramp(&self, piece: &Piece, end: End, ease: f64, (left, cycle): (f64, f64)) -> Ramp {
         match (piece.law, &piece.circle) {
             (Law::Round { acceleration, .. }, Some(circle)) => {
-                let y = squared(self.speed);
                 let across = squared(acceleration);
                 let rest = |y: f64| math::sqrt((across - squared(circle.turn * y)).max(0.0));
-                let most = rest(y);
-                let far = math::lesser((self.speed + 0.5 * most * left) * left, remaining);
-                let high = rest(math::lesser(y + 2.0 * most * far, piece.ceiling));
-                let bound = ease * along(piece.law, &piece.circle, exit, remaining);
-                let later = ease * along(piece.law, &piece.circle, exit, remaining - far);
-                let slope = if far > 0.0 { (later - bound) / far } else { 0.0 };
-                Ramp { low: -most, high, bound, slope }
+                self.curved(piece, end, (ease, left), rest)
+            }
+            (Law::Shared { most, less }, _) => {
+                let all = 1.0 / (PLANNED - less * piece.fastest * cycle);
+                let rest = |y: f64| math::greater(0.0, most - less * y) * all;
+                self.curved(piece, end, (ease, left), rest)
             }
             (Law::Even { acceleration }, _) => {
                 let slope = -2.0 * acceleration * ease;
-                let bound = ease * exit - slope * remaining;
+                let bound = ease * end.exit - slope * end.remaining;
                 Ramp { low: -acceleration / PLANNED, high: acceleration, bound, slope }
             }
             (Law::Round { .. } | Law::Bent { .. } | Law::Dwell(_), _) => {
                 Ramp { low: 0.0, high: 0.0, bound: 0.0, slope: 0.0 }
             }
         }
+    }
+
+    /// The ramp where the acceleration that is left depends on the square of the speed: less where that is higher.
+    fn curved(
+        &self,
+        piece: &Piece,
+        End { exit, remaining }: End,
+        (ease, left): (f64, f64),
+        rest: impl Fn(f64) -> f64,
+    ) -> Ramp {
+        let y = squared(self.speed);
+        let most = rest(y);
+        let far = math::lesser((self.speed + 0.5 * most * left) * left, remaining);
+        let high = rest(math::lesser(y + 2.0 * most * far, piece.ceiling));
+        let bound = ease * along(piece.law, &piece.circle, exit, remaining);
+        let later = ease * along(piece.law, &piece.circle, exit, remaining - far);
+        let slope = if far > 0.0 { (later - bound) / far } else { 0.0 };
+        Ramp { low: -most, high, bound, slope }
     }
 
     /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
@@ -341,7 +361,7 @@ impl Motion {
                     .min((ahead - y) / (2.0 * remaining));
                 low <= high + 1e-9 * (1.0 - low)
             }
-            Law::Even { .. } | Law::Round { .. } | Law::Dwell(_) => {
+            Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
                 y <= along(piece.law, &piece.circle, ahead, remaining) * (1.0 + 1e-9)
             }
         }

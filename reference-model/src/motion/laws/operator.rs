@@ -74,12 +74,17 @@ pub(super) fn abort(record: &Record<'_>) -> Verdict {
         return Verdict::NotJudged(why);
     }
     let mut findings = Findings::of(Law::Abort);
-    stops(record, (route, matching), (from, record.points.len()), &mut findings);
+    let back = from > 0 && record.requests.adaptive[from - 1] < 0.0;
+    if !back {
+        stops(record, (route, matching), (from, record.points.len()), &mut findings);
+    }
     let last = record.points.len() - 1;
     if !record.rests(last) {
         let speed = record.speed(last);
         let words = format!("the motion still makes {speed} mm/s when the record ends");
         findings.breaks(last, None, (speed, 0.0), words);
+    } else if back {
+        return Verdict::NotJudged("an abort while the path is run backwards".to_owned());
     }
     findings.verdict()
 }
@@ -94,18 +99,16 @@ fn stops(
     let latest = (from + CYCLES).min(record.points.len() - 1);
     let speed = (from..=latest).map(|sample| record.speed(sample)).fold(0.0, f64::max);
     let place = matching.places[from];
-    let least = stopping(route, &record.envelope, (place.leg, place.part), speed);
+    let least = stopping(route, &record.envelope, (place.leg, place.part), speed).distance;
+    let least = least.max(carried(record, route, (place.leg, place.part), (from, latest)));
     let two_cycles = 2.0 * speed * record.period;
-    let allowed = least.distance * (1.0 + 1e-6) + two_cycles + record.bulge + record.slack;
+    let allowed = least * (1.0 + 1e-6) + two_cycles + record.bulge + record.slack;
     let (mut way, mut rested) = (0.0, false);
     for sample in from + 1..until {
         let step = distance(&record.points[sample - 1], &record.points[sample]);
         way += step;
         let words = || {
-            format!(
-                "the motion goes on for {way} mm from {speed} mm/s where {} mm suffice",
-                least.distance
-            )
+            format!("the motion goes on for {way} mm from {speed} mm/s where {least} mm suffice")
         };
         findings.at_most(sample, None, (way, allowed), (0.0, &words));
         if rested && step > record.slack {
@@ -114,6 +117,50 @@ fn stops(
         }
         rested |= sample > latest && step <= record.slack;
     }
+}
+
+/// How far a motion goes on along a route at least, since each axis needs its way to brake: from a point, with what the axes make from
+/// some samples to the next ones. On a leg on which an axis has a smaller share of the path, its way is longer along that.
+///
+/// Where an axis turns round on the route, that brakes it, and this says nothing of it.
+fn carried(
+    record: &Record<'_>,
+    route: &Route<'_>,
+    (leg, part): (usize, f64),
+    (first, last): (usize, usize),
+) -> f64 {
+    let samples = first.max(1)..=last;
+    let axis = |place: usize| {
+        let step = |sample: usize| record.points[sample][place] - record.points[sample - 1][place];
+        let steps = samples.clone().map(step);
+        let step = steps.max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0);
+        if step == 0.0 {
+            return 0.0;
+        }
+        let speed = step / record.period;
+        let needed = speed * speed / (2.0 * record.envelope.acceleration[place]);
+        let (mut gained, mut way, mut part) = (0.0, 0.0, part);
+        for leg in &route.legs[leg..] {
+            let steps = (leg.curve.angle().abs() * (1.0 - part) / STEP).ceil().max(1.0);
+            let (mut done, mut here) = (0.0, leg.curve.at(part)[place]);
+            while done < steps {
+                done += 1.0;
+                let there = leg.curve.at(part + (1.0 - part) * done / steps)[place];
+                let more = (there - here) * speed.signum();
+                let long = leg.curve.length() * (1.0 - part) / steps;
+                if gained + more >= needed {
+                    return way + long * ((needed - gained) / more).min(1.0);
+                }
+                if more < 0.0 {
+                    return 0.0;
+                }
+                (gained, way, here) = (gained + more, way + long, there);
+            }
+            part = 0.0;
+        }
+        0.0
+    };
+    (0..9).map(axis).fold(0.0, f64::max)
 }
 
 /// Rule trajectory.reserve. At each instant the elements that the planner was given suffice to stop on, so that it may be

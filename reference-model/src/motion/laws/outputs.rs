@@ -10,17 +10,39 @@ use super::readings::MotionStart;
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
 use super::visits::{Visit, rest_after, visits};
-use crate::motion::route::{Corner, Route, Task};
+use crate::motion::route::{Corner, Passing, Route, Task};
 use crate::motion::vector::{count, distance};
 
-/// A change of an output that the path asks for, and the samples that may show it first.
-#[derive(Clone, Copy, Debug)]
+/// A change of an output that the path asks for.
+#[derive(Clone, Debug)]
 struct Expected {
     value: f64,
-    first: usize,
-    last: usize,
+    /// First and last of the samples that may show it first: those of one time, or of several in order.
+    when: Vec<(usize, usize)>,
     /// Whether the point of the change was passed for sure.
     certain: bool,
+}
+
+impl Expected {
+    fn first(&self) -> usize {
+        self.when.first().map_or(0, |when| when.0)
+    }
+
+    fn last(&self) -> usize {
+        self.when.last().map_or(0, |when| when.1)
+    }
+
+    /// How many samples a sample is too early or too late, and which.
+    fn off(&self, sample: usize) -> (usize, &'static str) {
+        let off = |(first, last): (usize, usize)| {
+            if sample < first {
+                (first - sample, "early")
+            } else {
+                (sample.saturating_sub(last), "late")
+            }
+        };
+        self.when.iter().copied().map(off).min_by_key(|off| off.0).unwrap_or((0, "late"))
+    }
 }
 
 /// Rule trajectory.outputs. An output of M62, M63 or M67 switches at the start of the next motion (sections 11.6.15 and
@@ -64,7 +86,7 @@ fn spans(record: &Record<'_>, route: &Route<'_>, visits: &[Option<Visit>]) -> Ve
     let end = record.points.len() - 1;
     let mut spans = vec![(0, end); visits.len()];
     let near = |number: usize, span: (usize, usize)| {
-        let corner = &route.corners[number].at;
+        let corner = &route.corners[number];
         visits[number].map(|visit| visit.latest().near_within(record, corner, span))
     };
     for number in 1..visits.len() {
@@ -89,25 +111,27 @@ fn ask(
     expected: &mut BTreeMap<Pin, Vec<Expected>>,
 ) {
     let corner = &route.corners[number];
+    let certain = visit.passed && !visit.is_aborted(record);
     let certain =
-        |last: usize| visit.passed && record.requests.aborted.is_none_or(|aborted| last < aborted);
+        |last: usize| certain && record.requests.aborted.is_none_or(|aborted| last < aborted);
     match task {
         Task::Dwell(_) | Task::Wait(_) => (),
         Task::AtOnce(switching) => {
-            let (first, last) = at_once(record, corner, visit);
-            let certain = certain(last);
-            let new = Expected { value: switching.value, first, last, certain };
+            let when = at_once(record, corner, visit);
+            let certain = when.last().is_some_and(|when| certain(when.1));
+            let new = Expected { value: switching.value, when, certain };
             expected.entry(switching.pin).or_default().push(new);
         }
         Task::WithMotion(switches) | Task::InPlace(switches) => {
             let near = start(record, (route, matching), number, (visit.latest(), span));
             // A motion that leads nowhere may start at any time of the rest.
             let stays = matches!(task, Task::InPlace(_));
-            let (near, until) = visit.at.filter(|_| stays).unwrap_or(near);
+            let (first, until) = near;
+            let near = visit.at.filter(|_| stays).map_or(first, |at| at.0.min(first));
             for switching in switches {
-                let (first, last) = (near.saturating_sub(1), until + 1);
-                let certain = certain(last);
-                let new = Expected { value: switching.value, first, last, certain };
+                let when = vec![(near.saturating_sub(1), until + 1)];
+                let certain = certain(until + 1);
+                let new = Expected { value: switching.value, when, certain };
                 expected.entry(switching.pin).or_default().push(new);
             }
         }
@@ -125,13 +149,14 @@ fn start(
     number: usize,
     (visit, span): (Visit, (usize, usize)),
 ) -> (usize, usize) {
-    let corner = &route.corners[number].at;
+    let corner = &route.corners[number];
     let end = record.points.len() - 1;
     let near = [(0, end), (span.0, end), (0, span.1)]
         .map(|span| visit.near_within(record, corner, span))
         .into_iter()
         .fold((end, 0), |all, near| (all.0.min(near.0), all.1.max(near.1)));
-    let leg = route.legs.get(number).filter(|_| visit.at.is_none());
+    let rests = corner.passing == Passing::Rest;
+    let leg = route.legs.get(number).filter(|_| visit.at.is_none() || !rests);
     let (Some(leg), MotionStart::BlendEnd) = (leg, record.readings.motion_start) else {
         return near;
     };
@@ -145,22 +170,24 @@ fn start(
     let in_time = |sample: &usize| matching.legs[*sample].0 <= number;
     let blend_ends =
         |near: usize| (near..record.points.len()).take_while(in_time).find(on_path).unwrap_or(near);
-    (blend_ends(near.0), blend_ends(near.1))
+    let first = if visit.at.is_some() { near.0 } else { blend_ends(near.0) };
+    (first, blend_ends(near.1))
 }
 
 /// The samples that may show an output first that switches while the motion rests at a corner.
 ///
-/// A sample at the corner may; where the rest lies between two samples, the second of these. Where samples are farther apart than
-/// servo cycles, the rest may outlast the last sample there.
-fn at_once(record: &Record<'_>, corner: &Corner, visit: Visit) -> (usize, usize) {
-    if let Some((first, last)) = visit.at {
-        let sparse = record.period > record.limits.period * (1.0 + 1e-9);
-        return (first, last + usize::from(sparse));
+/// A sample at the corner may, of any time that the motion stays there; where the rest lies between two samples, the second of these. Where
+/// samples are farther apart than servo cycles, the rest may outlast the last sample there.
+fn at_once(record: &Record<'_>, corner: &Corner, visit: Visit) -> Vec<(usize, usize)> {
+    if visit.at.is_some() {
+        let sparse = usize::from(record.period > record.limits.period * (1.0 + 1e-9));
+        let stays = visit.stays(record, &corner.at);
+        return stays.map(|(first, last)| (first, last + sparse)).collect();
     }
     // Without any rest the law of stops is broken, and the pair that passes the corner counts here.
     let near = visit.nearest(record, &corner.at);
     let (first, last) = rest_after(record, visit, &corner.at).unwrap_or((near, near));
-    (first + 1, last + 1)
+    vec![(first + 1, last + 1)]
 }
 
 /// Holds the changes of a pin against those that are asked for, one after the other.
@@ -170,23 +197,18 @@ fn compare(pin: Pin, values: &[f64], asked: &[Expected], findings: &mut Findings
     let mut changes = changes.map(|(sample, pair)| (sample + 1, pair[1])).peekable();
     let mut now = values.first().copied().unwrap_or(0.0);
     for (place, wanted) in asked.iter().enumerate() {
-        let brief = asked.get(place + 1).is_some_and(|next| next.first <= wanted.last);
+        let brief = asked.get(place + 1).is_some_and(|next| next.first() <= wanted.last());
         let next = changes.peek().copied();
         if same(wanted.value, now) {
             continue;
         }
         match next {
             Some((sample, value))
-                if same(value, wanted.value) && !(brief && sample > wanted.last) =>
+                if same(value, wanted.value) && !(brief && sample > wanted.last()) =>
             {
                 changes.next();
                 now = value;
-                let off = if sample < wanted.first {
-                    wanted.first - sample
-                } else {
-                    sample.saturating_sub(wanted.last)
-                };
-                let when = if sample < wanted.first { "early" } else { "late" };
+                let (off, when) = wanted.off(sample);
                 let cycles = if off == 1 { "cycle" } else { "cycles" };
                 let words = || {
                     format!("{pin} becomes {value} in cycle {sample}, {off} {cycles} too {when}")
@@ -196,8 +218,8 @@ fn compare(pin: Pin, values: &[f64], asked: &[Expected], findings: &mut Findings
             _ if brief || !wanted.certain => (),
             _ => {
                 let words =
-                    format!("{pin} does not become {} by cycle {}", wanted.value, wanted.last);
-                findings.breaks(wanted.last, None, (now, wanted.value), words);
+                    format!("{pin} does not become {} by cycle {}", wanted.value, wanted.last());
+                findings.breaks(wanted.last(), None, (now, wanted.value), words);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Where the motion rests: exact stops, ends, dwells.
 
 use gaugeblock_trace::Axis;
-use gaugeblock_trace::motion::Column;
+use gaugeblock_trace::motion::{Column, Feed};
 
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
@@ -111,14 +111,15 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
 
 /// Rule trajectory.dwell. The axes stand for the time of a dwell (G4), to the cycle more or less; at least so long where
 /// something else is waited for or held there too, or where the planner does not know yet how it goes on. An abort ends it. Who runs
-/// back out of it makes the rest of it, or all, when the motion has come again.
+/// back out of it makes the rest of it, or all, when the motion has come again. Where the motion rests more than once that may be it, one
+/// rest of the right length is enough.
 pub(super) fn dwell(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
         Err(why) => return Verdict::NotJudged(why.clone()),
     };
     let mut findings = Findings::of(Law::Dwell);
-    let mut asked = false;
+    let (mut asked, mut earliest) = (false, 0);
     let last = record.points.len() - 1;
     for (number, visit) in visits(record, route, matching).into_iter().enumerate() {
         let tasks = &route.corners[number].tasks;
@@ -128,81 +129,99 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
             .sum();
         let Some(visit) = visit.filter(|visit| visit.passed && seconds > 0.0) else { continue };
         asked = true;
-        let corner = &route.corners[number].at;
         let turned = runs_back(record, visit);
-        // Who runs back comes again: all stays count.
-        let stays: Vec<(usize, usize)> = if turned {
-            stays(record, visit, corner).collect()
-        } else {
-            visit.at.into_iter().collect()
-        };
-        let (mut least, mut most) = rest(record, stays.first().copied(), corner);
-        for stay in stays.iter().skip(1) {
-            let (shorter, longer) = rest(record, Some(*stay), corner);
-            (least, most) = (least + shorter, most + longer);
-        }
-        let words = || format!("rest for less than {most} s where {seconds} s are asked for");
-        let after = stays.last().map_or(visit.after(record), |(_, end)| (end + 1).min(last));
-        let aborted = record.requests.aborted.is_some_and(|cycle| cycle <= after);
-        if !aborted {
-            findings.at_most(
-                after,
-                None,
-                ((seconds - record.period) * (1.0 - RELATIVE), most),
-                (0.0, &words),
-            );
-        }
         let alone = tasks
             .iter()
             .all(|task| matches!(task, Task::Dwell(_) | Task::WithMotion(_) | Task::InPlace(_)));
-        let open = number == 0
-            || turned
-            || visit.at.is_none_or(|(_, end)| end == last)
-            || held(record, visit)
-            || starves(record, route.legs.get(number), visit);
-        if alone && !open {
+        let next = route.legs.get(number);
+        let open = !alone || number == 0 || turned || held(record, visit);
+        let open = |rest: &Rest| {
+            open || rest.at.is_none_or(|(_, end)| end == last || kept(record, next, end))
+                || starves(record, next, rest.at)
+        };
+        let shortest = (seconds - record.period) * (1.0 - RELATIVE);
+        let longest = (seconds + record.period) * (1.0 + RELATIVE);
+        let rests = rests(record, visit, &route.corners[number].at);
+        let rest = if turned {
+            // Who runs back comes again: all stays count.
+            rests.into_iter().reduce(Rest::and)
+        } else {
+            let fits = |rest: &&Rest| {
+                rest.since(earliest)
+                    && rest.most >= shortest
+                    && (open(rest) || rest.least <= longest)
+            };
+            let most = || rests.iter().rev().max_by(|a, b| a.most.total_cmp(&b.most)).copied();
+            rests.iter().find(fits).copied().or_else(most)
+        };
+        let rest = rest.unwrap_or(Rest { at: None, least: 0.0, most: record.period });
+        earliest = rest.at.map_or(earliest, |(first, _)| first);
+        let Rest { at, least, most } = rest;
+        let after = at.map_or(visit.after(record), |(_, end)| (end + 1).min(last));
+        let words = || format!("rest for less than {most} s where {seconds} s are asked for");
+        let open_ended = visit.is_aborted(record);
+        if !open_ended && record.requests.aborted.is_none_or(|cycle| cycle > after) {
+            findings.at_most(after, None, (shortest, most), (0.0, &words));
+        }
+        if !open(&rest) {
             let words = || format!("rest for at least {least} s where {seconds} s are asked for");
-            let allowed = (seconds + record.period) * (1.0 + RELATIVE);
-            findings.at_most(after, None, (least, allowed), (0.0, &words));
+            findings.at_most(after, None, (least, longest), (0.0, &words));
         }
     }
     if asked { findings.verdict() } else { Verdict::NothingAsked }
 }
 
 /// Whether a planner was still without the leg that comes next when it rested.
-fn starves(record: &Record<'_>, next: Option<&Leg<'_>>, visit: Visit) -> bool {
-    let (Some(next), Some((first, _))) = (next, visit.at) else { return false };
+fn starves(record: &Record<'_>, next: Option<&Leg<'_>>, at: Option<(usize, usize)>) -> bool {
+    let (Some(next), Some((first, _))) = (next, at) else { return false };
     let queued = record.samples.column(Column::Queued);
     queued.is_some_and(|queued| queued[first] <= count(next.place))
 }
 
-/// How long the motion may have rested during a stay, at least and at most, seconds: from the first to the last sample there, and beyond
-/// them as long as the axes do not need to come and to go.
-fn rest(record: &Record<'_>, stay: Option<(usize, usize)>, corner: &Nine) -> (f64, f64) {
-    let Some((first, last)) = stay else { return (0.0, record.period) };
-    let least = count(last - first) * record.period;
-    let spare = |sample: Option<usize>| {
-        let sample = sample.filter(|sample| *sample < record.points.len());
-        let away = sample.map_or(0.0, |sample| to_rest(record, sample, corner));
-        (record.period - away).max(0.0)
-    };
-    (least, least + spare(first.checked_sub(1)) + spare(Some(last + 1)))
+/// Whether a feed of zero keeps the motion from beginning the leg that comes next, at the last sample of a rest.
+fn kept(record: &Record<'_>, next: Option<&Leg<'_>>, end: usize) -> bool {
+    let feeds =
+        |leg: &&Leg<'_>| leg.element.controls.feed_override && leg.element.feed != Feed::Rapid;
+    let none = |sample: usize| record.requests.feed_override[sample] <= 0.0;
+    next.filter(feeds).is_some() && (end.saturating_sub(2)..=end).any(none)
 }
 
-/// First and last sample of each stay at a corner during a visit.
-fn stays<'a>(
-    record: &'a Record<'_>,
-    visit: Visit,
-    corner: &'a Nine,
-) -> impl Iterator<Item = (usize, usize)> + 'a {
-    let is_at = move |sample: &usize| record.is_at(*sample, corner);
-    let mut next = visit.first;
-    std::iter::from_fn(move || {
-        let first = (next..=visit.last).find(is_at)?;
-        let last = (first..=visit.last).take_while(is_at).last()?;
-        next = last + 1;
-        Some((first, last))
-    })
+/// A rest at a corner.
+#[derive(Clone, Copy, Debug)]
+struct Rest {
+    /// First and last sample there.
+    at: Option<(usize, usize)>,
+    /// How long it may have been, at least and at most, seconds: from the first to the last sample there, and beyond them as long as the
+    /// axes do not need to come and to go.
+    least: f64,
+    most: f64,
+}
+
+impl Rest {
+    /// Both in one, the later one's end being its end.
+    fn and(self, later: Self) -> Self {
+        Self { at: later.at, least: self.least + later.least, most: self.most + later.most }
+    }
+
+    /// Whether it does not begin before a sample.
+    fn since(&self, sample: usize) -> bool {
+        self.at.is_none_or(|(first, _)| first >= sample)
+    }
+}
+
+/// All rests of a visit.
+fn rests(record: &Record<'_>, visit: Visit, corner: &Nine) -> Vec<Rest> {
+    let rest = |(first, last): (usize, usize)| {
+        let least = count(last - first) * record.period;
+        let spare = |sample: Option<usize>| {
+            let sample = sample.filter(|sample| *sample < record.points.len());
+            let away = sample.map_or(0.0, |sample| to_rest(record, sample, corner));
+            (record.period - away).max(0.0)
+        };
+        let most = least + spare(first.checked_sub(1)) + spare(Some(last + 1));
+        Rest { at: Some((first, last)), least, most }
+    };
+    visit.stays(record, corner).map(rest).collect()
 }
 
 /// Whether the motion is asked to run back during a visit.

@@ -3,7 +3,7 @@
 use super::matching::Matching;
 use super::record::Record;
 use crate::math;
-use crate::motion::route::Route;
+use crate::motion::route::{Corner, Passing, Route};
 use crate::motion::vector::{Nine, distance, from_segment};
 
 /// How a corner is passed: the samples that can stand for points on both sides of it.
@@ -33,11 +33,32 @@ impl Visit {
         self.again.map_or(self, |(first, at)| Self { first, at, again: None, ..self })
     }
 
+    /// Whether an abort ends the record before any sample stands for points behind it alone: what was asked for there is perhaps not done.
+    pub(super) fn is_aborted(self, record: &Record<'_>) -> bool {
+        record.requests.aborted.is_some() && self.last + 1 == record.points.len()
+    }
+
+    /// First and last sample of each stay at the corner.
+    pub(super) fn stays<'a>(
+        self,
+        record: &'a Record<'_>,
+        corner: &'a Nine,
+    ) -> impl Iterator<Item = (usize, usize)> + 'a {
+        let is_at = move |sample: &usize| record.is_at(*sample, corner);
+        let mut next = self.first;
+        std::iter::from_fn(move || {
+            let first = (next..=self.last).find(is_at)?;
+            let last = (first..=self.last).take_while(is_at).last()?;
+            next = last + 1;
+            Some((first, last))
+        })
+    }
+
     /// First and last of the samples that may be the nearest one, of those from one to another, if there are any.
     pub(super) fn near_within(
         &self,
         record: &Record<'_>,
-        corner: &Nine,
+        corner: &Corner,
         (since, until): (usize, usize),
     ) -> (usize, usize) {
         let (first, last) = (self.first.max(since), self.last.min(until.saturating_sub(1)));
@@ -60,12 +81,21 @@ impl Visit {
     /// First and last of the samples that may be the nearest one.
     ///
     /// Between two samples the motion may have been as near, since it is a·h²/8 from their chord at most. And where it comes near more than
-    /// once, nobody knows which time is the corner's, if one is no farther away than the other and the way to the next sample.
-    pub(super) fn near(&self, record: &Record<'_>, corner: &Nine) -> (usize, usize) {
+    /// once, nobody knows which time is the corner's, if one is no farther away than the other and the way to the next sample, or than
+    /// the corner may be missed by.
+    fn near(&self, record: &Record<'_>, corner: &Corner) -> (usize, usize) {
+        let missed = match corner.passing {
+            Passing::Within(tolerance) => tolerance,
+            Passing::BetweenMidpoints => f64::INFINITY,
+            Passing::Rest | Passing::Exact => 0.0,
+        };
+        let exact = missed <= 0.0;
+        let corner = &corner.at;
         let nearest = self.nearest(record, corner);
         let (mut first, mut last) = (nearest, nearest);
-        if self.at.is_some() {
-            return (first, last);
+        if self.at.is_some() && exact {
+            let later = self.stays(record, corner).last().map_or(nearest, |stay| stay.1);
+            return (first, later);
         }
         let place = |sample: usize| &record.points[sample];
         let away = |sample: usize| distance(place(sample), corner);
@@ -74,7 +104,7 @@ impl Visit {
         for sample in self.first.max(1)..=self.after(record).min(inner) {
             let way = [sample - 1, sample].map(|from| distance(place(from), place(from + 1)));
             let nearer = away(sample) < away(sample - 1) && away(sample) <= away(sample + 1);
-            let again = nearer && away(sample) <= least + way[0].max(way[1]);
+            let again = nearer && away(sample) <= missed.max(least + way[0].max(way[1]));
             let between = [sample - 1, sample].iter().any(|from| {
                 let ends = [*from, from + 1].map(away);
                 let near = from_segment(place(*from), place(from + 1), corner);
