@@ -219,6 +219,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.path-under-compensation",
     "rs274.per-revolution-dollar",
     "rs274.per-revolution-standing",
+    "rs274.position-under-compensation",
     "rs274.probe-inverse-time",
     "rs274.probe-per-revolution",
     "rs274.probe-same-point",

@@ -13,8 +13,10 @@ use crate::rs274::refusal::Halt;
 /// The stub of a machine.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stub {
-    /// The point as it was told last; none once a spline of three points has led it nowhere.
-    stands: Option<Stands>,
+    /// The point as it was told last.
+    stands: Stands,
+    /// Whether a spline of three points has led it where X and Y have no numbers.
+    lost: bool,
     /// Whether the block that is executed asks for it.
     asked: bool,
 }
@@ -34,7 +36,7 @@ impl Default for Stub {
     fn default() -> Self {
         let zero = Position::default();
         let stands = Stands { point: zero, offset: zero, units: LengthUnit::Millimetre };
-        Self { stands: Some(stands), asked: false }
+        Self { stands, lost: false, asked: false }
     }
 }
 
@@ -62,7 +64,7 @@ pub(crate) enum Told {
     Moves,
     /// A spline leads it to X0 Y0 of the program, wherever that ends.
     Spline,
-    /// A spline of three control points leads it to a point that has no numbers.
+    /// A spline of three control points leads it where X and Y have no numbers.
     Nowhere,
 }
 
@@ -75,18 +77,24 @@ pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), Halt> {
     if !state.outside.is_stand_alone() {
         return Ok(());
     }
-    let here = position(state);
-    state.outside.stub.stands = match told {
-        Told::Moves => Some(stands_at(state.position, state)),
-        Told::Spline => here.map(|here| stands_at(Position { x: 0.0, y: 0.0, ..here }, state)),
-        Told::Nowhere => None,
-        Told::Nothing if asked => {
-            let why = "where the stub of a machine stands behind a spline of three points";
-            state.position = here.ok_or_else(|| Halt::Unspecified(why.to_owned()))?;
+    let here = coordinates(state);
+    let (point, lost) = match told {
+        Told::Moves => (state.position, false),
+        Told::Spline => (Position { x: 0.0, y: 0.0, ..here }, false),
+        Told::Nowhere => (here, true),
+        Told::Nothing => {
+            if asked && state.outside.stub.lost {
+                let why = "where the stub of a machine stands behind a spline of three points";
+                return Err(Halt::Unspecified(why.to_owned()));
+            }
+            if asked {
+                state.position = here;
+            }
             return Ok(());
         }
-        Told::Nothing => return Ok(()),
     };
+    state.outside.stub.stands = stands_at(point, state);
+    state.outside.stub.lost = lost;
     Ok(())
 }
 
@@ -94,17 +102,22 @@ fn stands_at(point: Position, state: &State) -> Stands {
     Stands { point, offset: offset(state), units: state.modes.units }
 }
 
-/// Where the stub stands, active length unit; nowhere if that has no numbers.
+/// Where the stub stands, active length unit, unless that has no numbers.
 pub(crate) fn position(state: &State) -> Option<Position> {
-    let Stands { point, offset: told, units } = state.outside.stub.stands?;
+    (!state.outside.stub.lost).then(|| coordinates(state))
+}
+
+/// The same; X and Y are as they were before they were lost.
+fn coordinates(state: &State) -> Position {
+    let Stands { point, offset: told, units } = state.outside.stub.stands;
     let offset = offset(state);
     if units == state.modes.units && told == offset {
-        return Some(point);
+        return point;
     }
     let point = each(point, told, |point, offset| point + offset);
     let point = converted(point, units, LengthUnit::Millimetre);
     let point = converted(point, LengthUnit::Millimetre, state.modes.units);
-    Some(each(point, offset, |point, offset| point - offset))
+    each(point, offset, |point, offset| point - offset)
 }
 
 /// The offsets that it is told of.
