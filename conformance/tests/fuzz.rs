@@ -309,7 +309,7 @@ fn a_rehearsal_finds_the_seeds_that_do_what_other_programs_rarely_do() {
     assert!(plan.spliced > 0);
     assert!(!plan.seeds.rare.is_empty());
     assert!(
-        plan.seeds.rare.iter().all(|rare| rare.does == [1] && !rare.ends),
+        plan.seeds.rare.iter().all(|rare| rare.does == [1] && rare.others == 8),
         "{:?}",
         plan.seeds.rare
     );
@@ -317,4 +317,42 @@ fn a_rehearsal_finds_the_seeds_that_do_what_other_programs_rarely_do() {
     let does_it =
         (0..PROGRAMS).filter(|number| plan.scenario(*number).program.main.ends_with(rare)).count();
     assert!(does_it > 5, "{does_it} of {PROGRAMS}");
+}
+
+/// The model, but for programs that dwell.
+#[derive(Debug)]
+struct WithoutDwell(Capabilities);
+
+impl Adapter for WithoutDwell {
+    fn capabilities(&self) -> &Capabilities {
+        &self.0
+    }
+
+    fn supports(&self, scenario: &Scenario) -> Result<(), String> {
+        let dwells = scenario.program.main.contains("g4");
+        if dwells { Err("it does not dwell".to_owned()) } else { Ok(()) }
+    }
+
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        Ok(gaugeblock_reference::run(scenario).0)
+    }
+}
+
+#[test]
+fn what_no_case_can_show_is_told_apart_by_what_a_controller_declares() {
+    let restless = WithoutDwell(Capabilities::everything("restless", "1"));
+    let reference = Reference::default();
+    let plan = plan(&restless, &reference);
+    let cases = ["g0 x1\nm2", "g91 g4 p1\nm2", "g41 d1\ng1 x1 f1\nm2"].map(Scenario::of);
+    let outcomes = ["motion.traverse", "order.dwell-before-distance", "compensation.none"]
+        .map(|rule| (rule, RuleOutcome::Accepted));
+    let not_shown: Vec<_> = plan.not_shown(outcomes, cases).into_iter().collect();
+    let of = |name: &str, why: &str| (name.to_owned(), why.to_owned());
+    assert_eq!(
+        not_shown,
+        [
+            of("compensation.none", "no case reaches them as these options read the documents"),
+            of("order.dwell-before-distance", "restless: it does not dwell"),
+        ]
+    );
 }

@@ -10,7 +10,7 @@
 //! * `rs274.tap-dwell-kept`: `modal::cycles`.
 //! * `rs274.arc-radius-tolerance`: `modal::arcs`.
 //! * `rs274.stored-rotation`: `modal`.
-//! * `rs274.retract-under-compensation`: `modal::units`, but for restores.
+//! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::units`, but for restores.
 
 use gaugeblock_trace::LengthUnit;
 

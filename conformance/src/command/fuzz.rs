@@ -11,17 +11,16 @@ use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_fuzz::generate::{Recipe, Setups};
 use gaugeblock_trace::{Language, Options};
 
+use super::fuzz_cases::{outcomes, rarely_reached, seeds};
 use super::{Format, Refused, controller, fuzz_report, place, write_error, write_out};
 use crate::adapters::Adapter;
-use crate::catalogue::editions_of;
-use crate::certify::scenario_of;
 use crate::fuzz::groups::{Find, Groups, merged, shrunk};
 use crate::fuzz::journal::Header;
 use crate::fuzz::rehearsal::is_long;
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{Extent, Plan, Random, Shard, run};
 use crate::journal::Journal;
-use crate::suite::{Choice, Edition, Rule, RuleOutcome, Suite};
+use crate::suite::{Choice, Edition, Suite};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock fuzz
@@ -167,16 +166,14 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     let finds = shrink_all(&plan, so_far.groups.finds(), arguments.shrink);
     let (finds, known): (Vec<Find>, Vec<Find>) =
         finds.into_iter().partition(|find| !known.iter().any(|known| known.is_as(find)));
+    let (rare, not_shown) = rarely_reached(suite, edition, &plan, &so_far.statistics);
     let report = fuzz_report::Report {
         header: &header,
         statistics: &so_far.statistics,
         finds: &finds,
         known: &known,
-        rare: if arguments.only.is_empty() {
-            so_far.statistics.rarely_reached(outcomes(suite, edition))
-        } else {
-            Vec::new()
-        },
+        rare: &rare,
+        not_shown: &not_shown,
         seconds,
     };
     if let Some(folder) = &arguments.report {
@@ -371,36 +368,6 @@ fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), Refuse
         }
     }
     Ok(())
-}
-
-/// The suite's cases under an edition, as seeds of splices.
-fn seeds(suite: &Suite, edition: &Edition, options: &Options) -> Vec<gaugeblock_trace::Scenario> {
-    let runs = |rule, case| editions_of(suite, rule, case).iter().any(|e| e.id == edition.id);
-    let cases = suite.rules.iter().flat_map(|rule| rule.cases.iter().map(move |case| (rule, case)));
-    cases
-        .filter(|(rule, case)| runs(rule, case))
-        .map(|(_, case)| scenario_of(case, options, edition))
-        .filter(|scenario| scenario.operator.is_empty() && scenario.program.main.len() < 2000)
-        .collect()
-}
-
-/// The outcomes that the suite's rules may have under an edition.
-fn outcomes<'a>(
-    suite: &'a Suite,
-    edition: &'a Edition,
-) -> impl Iterator<Item = (&'a str, gaugeblock_reference::RuleOutcome)> {
-    let exists =
-        |rule: &&Rule| rule.language == edition.language && !rule.void.contains_key(&edition.id);
-    let rules = suite.rules.iter().filter(exists);
-    rules.flat_map(|rule| {
-        rule.outcomes.iter().map(move |outcome| {
-            let reached = match outcome {
-                RuleOutcome::Accepted => gaugeblock_reference::RuleOutcome::Accepted,
-                RuleOutcome::Refused => gaugeblock_reference::RuleOutcome::Refused,
-            };
-            (rule.id.as_str(), reached)
-        })
-    })
 }
 
 fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {

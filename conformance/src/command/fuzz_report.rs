@@ -1,5 +1,7 @@
 //! What `gaugeblock fuzz` tells: on a terminal, as JSON, as files.
 
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -8,6 +10,7 @@ use serde_json::json;
 use super::{Refused, place};
 use crate::fuzz::groups::Find;
 use crate::fuzz::journal::Header;
+use crate::fuzz::shown::NotShown;
 use crate::fuzz::statistics::{Counts, ENOUGH, Statistics};
 
 /// How many divergences are shown with their programs.
@@ -22,7 +25,9 @@ pub(super) struct Report<'a> {
     /// What an earlier report told already.
     pub(super) known: &'a [Find],
     /// Outcomes of the suite's rules that few programs or none reached, and how many.
-    pub(super) rare: Vec<(String, u64)>,
+    pub(super) rare: &'a [(String, u64)],
+    /// Those that none reached, and no case does that can be compared here, and why.
+    pub(super) not_shown: &'a NotShown,
     pub(super) seconds: f64,
 }
 
@@ -48,6 +53,7 @@ impl Report<'_> {
         json!({
             "gaugeblock": "fuzz", "version": 0, "run": self.header, "statistics": self.statistics,
             "divergences": finds, "known": self.known.len(), "rarely_reached": self.rare,
+            "not_shown": self.not_shown,
         })
     }
 
@@ -92,6 +98,7 @@ impl Report<'_> {
             list(&mut text, what, counts, if verbose { usize::MAX } else { 6 });
         }
         self.rarely_reached(&mut text, if verbose { usize::MAX } else { 10 });
+        self.not_shown(&mut text, verbose);
         if verbose {
             for (what, counts) in
                 [("ends", &s.ends), ("faults", &s.faults), ("codes", &s.codes), ("rules", &s.rules)]
@@ -118,6 +125,30 @@ impl Report<'_> {
         }
         if self.rare.len() > most {
             let _infallible = writeln!(text, "            … {} more", self.rare.len() - most);
+        }
+    }
+
+    /// What no run of these two says anything of, by what stands in the way.
+    fn not_shown(&self, text: &mut String, verbose: bool) {
+        if self.not_shown.is_empty() {
+            return;
+        }
+        let _infallible = writeln!(
+            text,
+            "{} outcomes were reached by none, nor by a case that could be compared here:",
+            self.not_shown.len()
+        );
+        let mut by_reason: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for (name, why) in self.not_shown {
+            by_reason.entry(why).or_default().push(name);
+        }
+        let mut by_reason: Vec<_> = by_reason.into_iter().collect();
+        by_reason.sort_by_key(|(_, names)| Reverse(names.len()));
+        for (why, names) in by_reason {
+            let _infallible = writeln!(text, "  {:>8}  {why}", names.len());
+            for name in names.iter().filter(|_| verbose) {
+                let _infallible = writeln!(text, "            {name}");
+            }
         }
     }
 

@@ -10,6 +10,7 @@ mod controller;
 mod faults;
 mod fingerprint;
 mod fuzz;
+mod fuzz_cases;
 mod fuzz_motion;
 mod fuzz_report;
 mod judge;

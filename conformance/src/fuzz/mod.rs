@@ -9,6 +9,7 @@ pub mod groups;
 pub mod journal;
 mod judge;
 pub mod rehearsal;
+pub mod shown;
 pub mod signature;
 pub mod statistics;
 
@@ -82,11 +83,9 @@ impl Plan<'_> {
     /// The same; `options` are the edition's, and come with the scenario.
     fn scenario_under(&self, number: u64, options: Options) -> Scenario {
         let mut dice = Dice::of_seed(self.seed, number);
-        let splices = !self.seeds.all.is_empty() && dice.chance(self.spliced);
-        let mut scenario = if splices {
-            splice::spliced(&mut dice, &self.seeds)
-        } else {
-            generate::scenario(&mut dice, &self.recipe)
+        let mut scenario = match self.splice(number) {
+            Some(splice) => splice::spliced(&mut dice, &self.seeds, splice),
+            None => generate::scenario(&mut dice, &self.recipe),
         };
         scenario.options = options;
         for Random { choice, listed } in &self.random {
@@ -106,6 +105,13 @@ impl Plan<'_> {
             scenario.bench.name.clone_from(&self.bench);
         }
         scenario
+    }
+
+    /// Where a number is that of a splice: which one it is. The first of each hundred are.
+    fn splice(&self, number: u64) -> Option<u64> {
+        let share = u64::from(self.spliced);
+        let (hundred, place) = (number / 100, number % 100);
+        (place < share && !self.seeds.all.is_empty()).then_some(hundred * share + place)
     }
 
     /// The edition's options again, out of those of a program. To build all of them anew would cost more than the program.

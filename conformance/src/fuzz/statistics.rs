@@ -135,8 +135,7 @@ impl Statistics {
             return Vec::new();
         }
         let counts = outcomes.into_iter().map(|(rule, outcome)| {
-            let mut name = String::new();
-            push_outcome(&mut name, rule, outcome);
+            let name = name_of(rule, outcome);
             let programs = self.rules.get(&name).copied().unwrap_or_default();
             (name, programs)
         });
@@ -148,6 +147,13 @@ impl Statistics {
 
 /// So many programs reach an outcome of a rule in a run that says something of that rule.
 pub const ENOUGH: u64 = 20;
+
+/// The name under which an outcome of a rule is counted.
+pub fn name_of(rule: &str, outcome: RuleOutcome) -> String {
+    let mut name = String::new();
+    push_outcome(&mut name, rule, outcome);
+    name
+}
 
 /// Adds the name under which an outcome of a rule is counted.
 fn push_outcome(name: &mut String, rule: &str, outcome: RuleOutcome) {

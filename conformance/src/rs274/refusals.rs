@@ -88,6 +88,7 @@ fn under_compensation(message: &str) -> Phase {
         ("changing an offset", Phase::Offsets),
         ("a predefined position", Phase::Offsets),
         ("a return mode", Phase::Modes),
+        ("a path control mode", Phase::Modes),
         ("G53", Phase::Motion),
         ("a canned cycle", Phase::Motion),
         ("probing", Phase::Motion),

@@ -20,28 +20,42 @@ pub struct Seeds {
 pub struct Rare {
     /// The scenarios that do it, by their places.
     pub does: Vec<usize>,
-    /// Whether that ends them.
-    pub ends: bool,
+    /// How many others run before one of them at most: the more, the less often it is reached.
+    pub others: u32,
 }
 
-/// In so many of a hundred splices something rare is done.
-const RARE: u32 = 90;
+/// In all splices but one of so many something rare is done.
+const ONE_IN: u64 = 20;
+
+/// How many of so many splices do something rare.
+pub fn rare_among(splices: u64) -> u64 {
+    splices - splices / ONE_IN
+}
 
 /// One of the scenarios with blocks of others in it, or changed slightly, or one that does something rare behind some others. Options
-/// are those of the first.
+/// are those of the first. What is rare comes in turns: which it is follows from how many splices a plan has had before.
 ///
 /// # Panics
 /// There is no scenario.
-pub fn spliced(dice: &mut Dice<'_>, seeds: &Seeds) -> Scenario {
-    if seeds.rare.is_empty() || !dice.chance(RARE) {
-        let mut scenario = Scenario { budget: BUDGET, ..dice.pick(&seeds.all).clone() };
-        change(dice, seeds, &mut scenario);
-        return scenario;
+pub fn spliced(dice: &mut Dice<'_>, seeds: &Seeds, splice: u64) -> Scenario {
+    let turn = usize::try_from(rare_among(splice)).unwrap_or_default();
+    match turn.checked_rem(seeds.rare.len()) {
+        Some(turn) if splice % ONE_IN != ONE_IN - 1 => rare(dice, seeds, &seeds.rare[turn]),
+        _ => {
+            let mut scenario = Scenario { budget: BUDGET, ..dice.pick(&seeds.all).clone() };
+            change(dice, seeds, &mut scenario);
+            scenario
+        }
     }
-    let Rare { does, ends } = dice.pick(&seeds.rare);
-    let mut scenario = Scenario { budget: BUDGET, ..seeds.all[*dice.pick(does)].clone() };
-    // The more stands before it, the less often it is reached; and it is reached once.
-    let others = dice.range(0, if *ends { 2 } else { 8 });
+}
+
+/// One of the scenarios that do something rare, behind some others.
+///
+/// # Panics
+/// None does it, or one that is not there.
+pub fn rare(dice: &mut Dice<'_>, seeds: &Seeds, rare: &Rare) -> Scenario {
+    let mut scenario = Scenario { budget: BUDGET, ..seeds.all[*dice.pick(&rare.does)].clone() };
+    let others = dice.range(0, rare.others);
     let before = before(dice, seeds, others);
     scenario.program.main.insert_str(0, &before);
     scenario

@@ -112,6 +112,9 @@ impl Modal {
 
     /// G61, G61.1, G64. Q needs P, and is P where it is not given (11.5.37).
     pub(super) fn path(&mut self, words: &Words, code: u16) -> Result<(), Refusal> {
+        if self.imitates {
+            self.refuse_under_compensation("a path control mode is selected")?;
+        }
         if code != 640 {
             let path = if code == 610 { Path::ExactPath } else { Path::ExactStop };
             self.in_force.put(|modes| &mut modes.path, path);

@@ -247,6 +247,10 @@ impl Control {
         let ends = if structure == Structure::Do { Keyword::While } else { Keyword::EndWhile };
         self.break_remembered |=
             structure == Structure::While && state.readings.quirk("rs274.break-remembered");
+        if structure == Structure::While && quirks::control::begins_again(self) {
+            state.frame_mut().open.truncate(place + 1);
+            return Ok(Next::At(self.line(first)));
+        }
         let line = self.end_of_skipped(label, &[ends], first, state)?;
         self.ends_before(&left[1..], line, state)?;
         left.into_iter().for_each(|open| state.frame_mut().end(open));

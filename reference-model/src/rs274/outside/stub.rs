@@ -8,14 +8,36 @@ use gaugeblock_trace::{LengthUnit, Position};
 use super::{Input, Outside};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, each};
+use crate::rs274::refusal::Halt;
 
 /// The stub of a machine.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Stub {
-    /// The point, in millimetres and degrees, as far as it is told.
-    point: Position,
+    /// The point as it was told last.
+    stands: Stands,
+    /// Whether a spline of three points has led it where X and Y have no numbers.
+    lost: bool,
     /// Whether the block that is executed asks for it.
     asked: bool,
+}
+
+/// A point as the stub was told it: where neither unit nor offset has changed, it is the same to the last bit.
+#[derive(Clone, Copy, Debug)]
+struct Stands {
+    /// Program coordinates, as far as the stub knows of offsets.
+    point: Position,
+    /// The offsets that it knew of.
+    offset: Position,
+    /// The length unit of both.
+    units: LengthUnit,
+}
+
+impl Default for Stub {
+    fn default() -> Self {
+        let zero = Position::default();
+        let stands = Stands { point: zero, offset: zero, units: LengthUnit::Millimetre };
+        Self { stands, lost: false, asked: false }
+    }
 }
 
 impl Outside {
@@ -42,34 +64,60 @@ pub(crate) enum Told {
     Moves,
     /// A spline leads it to X0 Y0 of the program, wherever that ends.
     Spline,
+    /// A spline of three control points leads it where X and Y have no numbers.
+    Nowhere,
 }
 
 /// A block is through: where it moved the stub has followed, and where it asked the stub has answered.
-pub(crate) fn after_block(told: Told, state: &mut State) {
+///
+/// # Errors
+/// The stub is asked for a point that has no numbers.
+pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), Halt> {
     let asked = std::mem::take(&mut state.outside.stub.asked);
     if !state.outside.is_stand_alone() {
-        return;
+        return Ok(());
     }
-    match told {
-        Told::Moves => stand_at(state.position, state),
-        Told::Spline => {
-            let point = Position { x: 0.0, y: 0.0, ..position(state) };
-            stand_at(point, state);
+    let here = coordinates(state);
+    let (point, lost) = match told {
+        Told::Moves => (state.position, false),
+        Told::Spline => (Position { x: 0.0, y: 0.0, ..here }, false),
+        Told::Nowhere => (here, true),
+        Told::Nothing => {
+            if asked && state.outside.stub.lost {
+                let why = "where the stub of a machine stands behind a spline of three points";
+                return Err(Halt::Unspecified(why.to_owned()));
+            }
+            if asked {
+                state.position = here;
+            }
+            return Ok(());
         }
-        Told::Nothing if asked => state.position = position(state),
-        Told::Nothing => {}
+    };
+    state.outside.stub.stands = stands_at(point, state);
+    state.outside.stub.lost = lost;
+    Ok(())
+}
+
+fn stands_at(point: Position, state: &State) -> Stands {
+    Stands { point, offset: offset(state), units: state.modes.units }
+}
+
+/// Where the stub stands, active length unit, unless that has no numbers.
+pub(crate) fn position(state: &State) -> Option<Position> {
+    (!state.outside.stub.lost).then(|| coordinates(state))
+}
+
+/// The same; X and Y are as they were before they were lost.
+fn coordinates(state: &State) -> Position {
+    let Stands { point, offset: told, units } = state.outside.stub.stands;
+    let offset = offset(state);
+    if units == state.modes.units && told == offset {
+        return point;
     }
-}
-
-fn stand_at(point: Position, state: &mut State) {
-    let point = each(point, offset(state), |point, offset| point + offset);
-    state.outside.stub.point = converted(point, state.modes.units, LengthUnit::Millimetre);
-}
-
-/// Where the stub stands, active length unit.
-pub(crate) fn position(state: &State) -> Position {
-    let point = converted(state.outside.stub.point, LengthUnit::Millimetre, state.modes.units);
-    each(point, offset(state), |point, offset| point - offset)
+    let point = each(point, told, |point, offset| point + offset);
+    let point = converted(point, units, LengthUnit::Millimetre);
+    let point = converted(point, LengthUnit::Millimetre, state.modes.units);
+    each(point, offset, |point, offset| point - offset)
 }
 
 /// The offsets that it is told of.

@@ -80,7 +80,7 @@ pub fn level_left_behind(control: &Control, frame: Frame, state: &mut State) -> 
 }
 
 /// Quirk rs274.continue-remembered. A continue in a do loop is remembered until a while or repeat ends; whether this one
-/// begins again. A while tests its condition once more, which changes nothing.
+/// begins again. A while tests its condition once more, which changes something only where it is broken.
 pub fn begins_again(control: &mut Control) -> bool {
     std::mem::take(&mut control.continue_remembered)
 }

@@ -59,6 +59,28 @@ pub(crate) fn retract_under_compensation(state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
+/// Quirk rs274.path-under-compensation. G61, G61.1 or G64 is programmed, behind G41 or G42 where that was in force at the save.
+pub(crate) fn path_refused(saved: &Modes, state: &State) -> Result<(), Halt> {
+    if programs_path(saved, &state.modes) {
+        return path_under(saved.compensation, state);
+    }
+    Ok(())
+}
+
+/// Quirk rs274.path-under-compensation. The path control mode stays as it is while the cutter is compensated.
+pub(crate) fn path_under_compensation(state: &State) -> Result<(), Halt> {
+    path_under(state.modes.compensation, state)
+}
+
+fn path_under(compensation: Compensation, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.path-under-compensation";
+    if compensation != Compensation::Off && state.readings.quirk(rule) {
+        let message = "a path control mode is selected while the cutter is compensated";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    Ok(())
+}
+
 /// Quirk rs274.local-offset-restore. A local offset that did not apply at the save is suspended, and one that did apply resumed: by its
 /// parameters, as they are now.
 pub(crate) fn local_offset(saved: &Modes, state: &mut State) {

@@ -105,8 +105,9 @@ pub(crate) fn tool_offset_as_programmed(state: &mut State) {
     modes.tool_offset_unit = modes.units;
 }
 
-/// Quirk rs274.tool-offset-unit. How far G53, G28 and G30 lead beside a point, active length unit: they take the number of the tool
-/// offset for one of that unit. What G28.1 and G30.1 store is beside the point as far in the other direction.
+/// Quirk rs274.tool-offset-unit. How far G53, G28, G30 and M6 lead beside a point, active length unit: they take the number of the tool
+/// offset for one of that unit. What G28.1 and G30.1 store, and what G10 L10 and L11 measure, is beside the point as far in the other
+/// direction.
 pub(crate) fn beside_machine_point(state: &State) -> Position {
     let modes = &state.modes;
     if !state.readings.quirk("rs274.tool-offset-unit") {
@@ -116,7 +117,7 @@ pub(crate) fn beside_machine_point(state: &State) -> Position {
     each(modes.tool_offset, number, |offset, number| offset - number)
 }
 
-/// Quirk rs274.machine-rotary-offset. G53, G28 and G30 do not take the tool offset of A, B and C into account: how far they lead
+/// Quirk rs274.machine-rotary-offset. G53, G28, G30 and an M6 at the position of G30 do not take the tool offset of A, B and C into account: how far they lead
 /// beside the point of a rotary axis.
 pub(crate) fn beside_machine_angle(axis: Axis, state: &State) -> f64 {
     let beside = is_rotary(axis) && state.readings.quirk("rs274.machine-rotary-offset");

@@ -40,6 +40,16 @@ pub(crate) fn needs_weight(words: &Words, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
+/// Quirk rs274.nurbs-order-two. A NURBS of order two needs three control points too.
+pub(crate) fn of_two_points(points: u32, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.nurbs-order-two";
+    if points == 2 && state.readings.quirk(rule) {
+        let message = "a NURBS of two control points";
+        return Err(refuse(rule, FaultKind::MissingWord, message));
+    }
+    Ok(())
+}
+
 /// A spline without X and Y: no document says where it would lead.
 pub(crate) fn without_axis_words(_state: &State) -> Halt {
     Halt::Unspecified("a spline without X and Y".to_owned())

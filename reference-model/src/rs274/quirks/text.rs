@@ -4,12 +4,13 @@
 //! rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`step::message`),
 //! rs274.percent-in-file (`text`).
 
-use gaugeblock_trace::{Compensation, FeedMode};
+use gaugeblock_trace::{Compensation, FaultKind, FeedMode};
 
 use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::readings::Readings;
+use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::syntax::Comment;
 
 /// Quirk rs274.shorter-lines: a line has at most so many characters without its line end.
@@ -34,6 +35,17 @@ pub(crate) fn keyword(text: &str) -> String {
 /// Quirk rs274.wrong-format-sign: what begins like a format with decimals and is none loses its percent sign.
 pub(crate) fn loses_percent_sign(text: &str) -> bool {
     text.starts_with("%.")
+}
+
+/// Quirk rs274.position-under-compensation: 5420 to 5428 have no value while the cutter is compensated, but in messages.
+pub(crate) fn read_under_compensation(name: &Name, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.position-under-compensation";
+    let of_position = matches!(name, Name::Numbered(5420..=5428));
+    if of_position && state.modes.compensation != Compensation::Off && state.readings.quirk(rule) {
+        let message = "the position while the cutter is compensated";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    Ok(())
 }
 
 /// Quirk rs274.named-exists-early: a named parameter that a line creates exists already, as zero, for the values behind

@@ -6,6 +6,7 @@ use super::operate::{function, operate};
 use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
+use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::syntax::{Expression, Parameter};
 
@@ -74,6 +75,7 @@ pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, Hal
 }
 
 fn parameter_value(name: &Name, state: &mut State) -> Result<f64, Halt> {
+    quirks::read_under_compensation(name, state)?;
     let value = parameters::value(name, state);
     match &value {
         Ok(_) => parameters::rules_of(name, state)

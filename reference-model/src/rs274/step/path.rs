@@ -4,6 +4,7 @@ use gaugeblock_trace::{FaultKind, Path};
 
 use super::word;
 use crate::rs274::machine::State;
+use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 
@@ -15,6 +16,7 @@ use crate::rs274::refusal::{Halt, refuse};
 /// # Errors
 /// Rule path-control.negative-tolerance.
 pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
+    quirks::path_under_compensation(state)?;
     let before = state.modes.path;
     let (path, rule) = if words.g.contains(&610) {
         (Path::ExactPath, "path-control.exact-path")

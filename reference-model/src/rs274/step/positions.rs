@@ -70,7 +70,7 @@ fn store(first: u32, state: &mut State) {
 }
 
 /// A stored position on the machine, active length unit; an axis that nothing was stored for is at zero.
-pub(super) fn stored(first: u32, state: &State) -> Position {
+fn stored(first: u32, state: &State) -> Position {
     let mut there = Position::default();
     for (number, axis) in (first..).zip(Axis::ALL) {
         if state.machine.axes.contains(axis) {
@@ -99,8 +99,8 @@ fn straight(first: u32, state: &mut State, record: &mut Record) {
     traverse(there, state, record);
 }
 
-/// Where G28 and G30 lead.
-fn destination(first: u32, state: &State) -> Position {
+/// Where G28 and G30 lead, machine position in the active length unit.
+pub(super) fn destination(first: u32, state: &State) -> Position {
     let mut there = each(stored(first, state), beside_machine_point(state), shifted);
     for axis in Axis::ALL.iter().copied() {
         *there.get_mut(axis) = shifted(there.get(axis), beside_machine_angle(axis, state));

@@ -150,7 +150,7 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
 /// have moved. That way begins where the stub stands.
 fn backed_off(end: Position, state: &State) -> Position {
     let linear = [Axis::X, Axis::Y, Axis::Z];
-    let from = stub::position(state);
+    let Some(from) = stub::position(state) else { return end };
     let back = match state.modes.units {
         LengthUnit::Inch => 0.01,
         LengthUnit::Millimetre => 0.254,

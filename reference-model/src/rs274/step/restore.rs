@@ -36,6 +36,7 @@ pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     quirks::retract(saved, state)?;
     state.modes.retract = saved.retract;
     state.modes.lathe = saved.lathe;
+    quirks::path_refused(saved, state)?;
     path(saved, state);
     compensation(saved, state);
     feed(saved, state);

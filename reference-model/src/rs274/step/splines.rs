@@ -202,6 +202,7 @@ fn close(nurbs: &Nurbs, state: &mut State, record: &mut Record) -> Result<(), Ha
         let what = "a NURBS of fewer control points than its order";
         return Err(Halt::Unspecified(what.to_owned()));
     };
+    quirks::of_two_points(points, state)?;
     state.modes.motion = Motion::None;
     state.position = end;
     record.effect(state, Effect::NurbsFeed { points, end });

@@ -6,6 +6,7 @@ use super::positions;
 use super::tool::entry;
 use super::{pass, spindle, whole, word};
 use crate::rs274::machine::State;
+use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -77,11 +78,11 @@ pub fn before_moving(state: &mut State) {
 fn moves(state: &mut State, record: &mut Record) {
     if state.machine.tool_change.quill_up {
         let here = state.modes.machine_point(state.position);
-        traverse(Position { z: 0.0, ..here }, state, record);
+        traverse(Position { z: beside_machine_point(state).z, ..here }, state, record);
         state.evidence.accepted("tool.change-quill-up");
     }
     if state.machine.tool_change.at_g30 {
-        traverse(positions::stored(positions::G30_POSITION, state), state, record);
+        traverse(positions::destination(positions::G30_POSITION, state), state, record);
         state.evidence.accepted("tool.change-at-g30");
     }
 }

@@ -6,9 +6,10 @@ use super::target::offset_words;
 use super::tool::entry;
 use super::{whole, word};
 use crate::rs274::machine::State;
-use crate::rs274::modes::{converted, unit_size};
+use crate::rs274::modes::{converted, each, unit_size};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::motion as quirks;
+use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -166,6 +167,7 @@ fn something(words: &Words, state: &mut State) -> Result<(), Halt> {
 fn offset(values: Values, tool: &Tool, words: &Words, state: &mut State) -> Result<Position, Halt> {
     let mut modes = state.modes.clone();
     let machine = modes.machine_point(state.position);
+    let machine = each(machine, beside_machine_point(state), |point, beside| point - beside);
     let named = offset_words(words, state);
     let mut wanted = Position::default();
     for (axis, value) in &named {
@@ -187,7 +189,7 @@ fn offset(values: Values, tool: &Tool, words: &Words, state: &mut State) -> Resu
         }
         modes.tool_offset = Position::default();
         let without_tool = modes.machine_point(wanted);
-        crate::rs274::modes::each(machine, without_tool, |machine, point| machine - point)
+        each(machine, without_tool, |machine, point| machine - point)
     };
     let values = converted(values, state.modes.units, state.machine.length_unit);
     let mut offset = tool.offset;

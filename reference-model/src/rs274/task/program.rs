@@ -100,7 +100,7 @@ impl Run<'_> {
         check::check(&words, &mut self.state)?;
         self.state.plane_before = self.state.modes.plane;
         let rest = self.execute(&words)?;
-        stub::after_block(self.record.moves(), &mut self.state);
+        stub::after_block(self.record.moves(), &mut self.state)?;
         if rest == Rest::ProgramEnd {
             self.ended(block.block_delete)?;
             self.record.step(place, &mut self.state);

@@ -291,6 +291,7 @@ impl Record {
         });
         match moves.next() {
             None => Told::Nothing,
+            Some(Effect::NurbsFeed { points: ..=3, .. }) => Told::Nowhere,
             Some(Effect::NurbsFeed { .. }) => Told::Spline,
             Some(_) => Told::Moves,
         }

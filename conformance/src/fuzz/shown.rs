@@ -1,0 +1,67 @@
+//! Which outcomes of rules two controllers can be compared on at all, by what they declare.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock_reference::{RuleOutcome, run};
+use gaugeblock_trace::{End, Outcome, Scenario};
+
+use super::Plan;
+use super::statistics::name_of;
+
+/// Outcomes of rules that no case shows on both sides, and why.
+pub type NotShown = BTreeMap<String, String>;
+
+/// What stands for a reason where no case reaches an outcome, whoever would run it.
+const NO_CASE: &str = "no case reaches them as these options read the documents";
+
+impl Plan<'_> {
+    /// Those of some outcomes that none of the cases which both controllers run reaches, each with what is said of the first case that
+    /// would: by the one that does not run it, or by the model, which does not say what becomes of it.
+    pub fn not_shown<'r>(
+        &self,
+        outcomes: impl IntoIterator<Item = (&'r str, RuleOutcome)>,
+        cases: impl IntoIterator<Item = Scenario>,
+    ) -> NotShown {
+        let (mut shown, mut reasons) = (BTreeSet::new(), BTreeMap::new());
+        for scenario in cases {
+            let (outcome, evidence) = run(&scenario);
+            let why = self.left_out(&scenario, &outcome);
+            for reached in evidence.iter() {
+                match &why {
+                    None => {
+                        shown.insert(reached);
+                    }
+                    Some(why) => {
+                        reasons.entry(reached).or_insert_with(|| why.clone());
+                    }
+                }
+            }
+        }
+        let not_shown = outcomes.into_iter().filter(|outcome| !shown.contains(outcome));
+        let with_reason = not_shown.map(|outcome| {
+            let why = reasons.get(&outcome).cloned();
+            (name_of(outcome.0, outcome.1), why.unwrap_or_else(|| NO_CASE.to_owned()))
+        });
+        with_reason.collect()
+    }
+
+    /// Why a scenario is not compared, where that is known before any controller but the model has run it.
+    pub(super) fn left_out(&self, scenario: &Scenario, outcome: &Outcome) -> Option<String> {
+        for side in [self.iut, self.against] {
+            if let Err(why) = side.supports(scenario) {
+                return Some(format!("{}: {why}", side.capabilities().name));
+            }
+        }
+        match &outcome.end {
+            End::Unsupported { what, .. } => Some(format!("reference: {what}")),
+            End::Unspecified { why, .. } => Some(format!("left open: {why}")),
+            End::ProgramEnd
+            | End::PercentEnd
+            | End::Endless
+            | End::Paused
+            | End::Aborted
+            | End::Fault(_)
+            | End::BudgetExhausted { .. } => None,
+        }
+    }
+}
