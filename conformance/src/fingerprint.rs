@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::Options;
 use gaugeblock_trace::scenario::Bench;
+use gaugeblock_trace::{End, Options};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -148,6 +148,10 @@ pub fn shown(
         Ok(outcome) => outcome,
         Err(error) => return Shown::NotRun(error.to_string()),
     };
+    if let End::Unsupported { what, .. } = &outcome.end {
+        // What it leaves alone it neither accepts nor refuses.
+        return Shown::NotRun(what.clone());
+    }
     let run = Observed::of(&outcome);
     let shows = controller.shows(&scenario);
     let mut holding = Vec::new();

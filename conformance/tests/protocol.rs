@@ -218,6 +218,14 @@ fn a_check_tells_what_is_wrong_with_an_adapter() {
             "an alarm has to be told as a fault",
         ),
         (
+            "refused-step.py",
+            vec![(
+                fault,
+                "if letter == \"g\" and number > 99.9 and not steps.append({\"block\": block, \"events\": []}):",
+            )],
+            "a refused block has done nothing",
+        ),
+        (
             "unknown.py",
             vec![("{\"refused\": \"unknown operation\"}", "{\"done\": {}}")],
             "must be answered with `refused`",

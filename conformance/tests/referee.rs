@@ -7,6 +7,7 @@ use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
 use gaugeblock::certify::{Plan, Run, Verdict, certify};
 use gaugeblock::compare::compare;
 use gaugeblock::expectations::{Expectations, Trouble};
+use gaugeblock::fingerprint::{Shown, fingerprint};
 use gaugeblock::judge::{Finding, judge};
 use gaugeblock::observe::Observed;
 use gaugeblock::report::merge::Stored;
@@ -14,7 +15,7 @@ use gaugeblock::report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock::shard::Shard;
 use gaugeblock::suite::{Suite, files};
 use gaugeblock::waivers::Waivers;
-use gaugeblock_trace::{Effect, End, Event, Outcome, Scenario};
+use gaugeblock_trace::{Block, Effect, End, Event, Outcome, Program, Scenario};
 
 /// The model with one fault planted.
 #[derive(Debug)]
@@ -147,6 +148,23 @@ fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
     assert_eq!(status(&model, std::slice::from_ref(&modal_save)), (vec![modal_save.clone()], 0));
     // What was not run is not passed.
     assert_eq!(status(&model, &[task]), (vec![modal_save], 1));
+}
+
+#[test]
+fn what_a_controller_leaves_alone_it_neither_accepts_nor_refuses() {
+    let suite = suite();
+    let leaves_all_alone = faulty(|mut outcome| {
+        let block = Block::new(Program::MAIN, 1);
+        outcome.end = End::Unsupported { block, what: "it has no such code".to_owned() };
+        outcome.steps.clear();
+        Ok(outcome)
+    });
+    let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
+    let shown = fingerprint(&suite, &suite.options(edition), None, &leaves_all_alone);
+    assert!(!shown.is_empty());
+    for (choice, shown) in shown {
+        assert_eq!(shown, Shown::NotRun("it has no such code".to_owned()), "{}", choice.id);
+    }
 }
 
 #[test]

@@ -40,6 +40,12 @@ pub(super) fn controller_within(
         None if name == "linuxcnc" => Ok(Box::new(linuxcnc()?)),
         Some(("faulty", fault)) => faulty(fault),
         Some(("offline", folder)) => Ok(Box::new(offline(Path::new(folder))?)),
+        None if Path::new(name).is_file() => Err(Refused::wrong(
+            format!("there is no controller `{name}`, but a file"),
+            format!(
+                "an adapter is named by the command that starts it, as in \"exec:./{name}\" or \"exec:python3 {name}\""
+            ),
+        )),
         _ => Err(Refused::wrong(
             format!("there is no controller `{name}`"),
             format!("one of {NAMES}"),
@@ -110,7 +116,7 @@ pub(super) fn exec(command: &str, limits: Limits) -> Result<Exec, Refused> {
     Exec::start(command, limits).map_err(|error| {
         Refused::unfinished(
             format!("exec:{command}: {error}"),
-            format!("`gaugeblock adapter check {command:?}` tells what is wrong with an adapter"),
+            "`gaugeblock adapter vocabulary` lists the words of a declaration, `gaugeblock adapter protocol` tells the rest",
         )
     })
 }

@@ -62,7 +62,8 @@ pub fn checks(adapter: &Exec, clock: &dyn Fn() -> f64) -> Vec<Check> {
     let plain = scenario(accepted);
     let first = adapter.run(&plain);
     add("accepts", accepts(&first, accepted));
-    add("refuses", refuses(&adapter.run(&scenario(refused)), refused));
+    let blocks = declared.observables.blocks;
+    add("refuses", refuses(&adapter.run(&scenario(refused)), refused, blocks));
     let Ok(first) = first else { return found };
     add("configuration", configuration(adapter, &scenario));
     add("same again", same(&first, &adapter.run(&plain), "the same program gives another outcome"));
@@ -109,12 +110,20 @@ fn accepts(outcome: &Result<Outcome, HarnessError>, program: &str) -> Came {
     ))
 }
 
-fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str) -> Came {
-    let end = match outcome {
-        Ok(outcome) => &outcome.end,
+fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str, blocks: bool) -> Came {
+    let Outcome { end, steps, .. } = match outcome {
+        Ok(outcome) => outcome,
         Err(error) => return Came::Wrong(format!("{program:?}: {error}")),
     };
     if let End::Fault(fault) = end {
+        if blocks
+            && let Some(block) = &fault.block
+            && steps.iter().any(|step| step.block == *block)
+        {
+            return Came::Wrong(format!(
+                "{program:?} is refused at {block}, which stands among `steps`: a refused block has done nothing, and is no step"
+            ));
+        }
         let without = if fault.block.is_some() { "" } else { ", without its block" };
         return Came::Fine(format!("{program:?}{without}"));
     }
