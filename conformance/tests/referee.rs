@@ -138,7 +138,7 @@ fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
     };
     let (modal_save, task) = ("modal-save".to_owned(), "task".to_owned());
     let modest = faulty(|mut outcome| {
-        let block = gaugeblock_trace::Block::new("main.ngc", 1);
+        let block = Block::new("main.ngc", 1);
         outcome.end = End::Unsupported { block, what: "M70".to_owned() };
         Ok(outcome)
     });

@@ -45,7 +45,10 @@ const CHANGES: &[Change] = &[
     Change {
         name: "comments",
         moves_lines: false,
-        line: |line| if is_plain(line) { format!("{line} (so)") } else { line.to_owned() },
+        line: |line| {
+            let whole = is_plain(line) && ends_whole(line);
+            if whole { format!("{line} (so)") } else { line.to_owned() }
+        },
     },
     Change {
         name: "upper case",
@@ -90,6 +93,12 @@ const CHANGES: &[Change] = &[
 /// Whether a line is neither a comment nor about the file.
 fn is_plain(line: &str) -> bool {
     !line.trim().is_empty() && !line.contains(['(', ';', '%', '\r'])
+}
+
+/// Whether a comment may follow: a word without its value is refused by another rule where a comment stands in the value's place.
+fn ends_whole(line: &str) -> bool {
+    line.starts_with('o')
+        || line.trim_end().ends_with(|c: char| c.is_ascii_digit() || ".]>".contains(c))
 }
 
 /// A generated scenario and one with a change that means nothing.

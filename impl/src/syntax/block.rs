@@ -136,7 +136,7 @@ impl Packer {
             offset: place.offset,
         };
         let packed = self.items(cursor, &mut block, into);
-        let packed = if line.len() > self.longest() && !planted(Fault::AnyLength) {
+        let packed = if self.is_too_long(line) && !planted(Fault::AnyLength) {
             cursor.refuse(FaultKind::LineTooLong, "a line has at most 256 characters")
         } else {
             packed
@@ -190,9 +190,12 @@ impl Packer {
         Ok(())
     }
 
-    /// At most 256 characters (11.4.2), of which the line end may be one.
-    fn longest(&self) -> usize {
-        if self.choices.line_end_free { 256 } else { 255 }
+    /// At most 256 characters (11.4.2), of which the line end may be one. One of several bytes is one.
+    #[inline]
+    fn is_too_long(&self, line: &[u8]) -> bool {
+        let longest = if self.choices.line_end_free { 256 } else { 255 };
+        let begins = |byte: &&u8| !matches!(byte, 0x80..=0xbf);
+        line.len() > longest && (self.imitates || line.iter().filter(begins).count() > longest)
     }
 
     /// A setting, or a word that has no letter.

@@ -56,7 +56,8 @@ pub(super) fn lines(stdout: &str, plan: &Plan, cut_off: bool) -> Result<Vec<Line
     let mut count = 0;
     let whole =
         if cut_off { stdout.rsplit_once('\n').map_or("", |(whole, _)| whole) } else { stdout };
-    for line in whole.lines() {
+    // A carriage return belongs to what is printed.
+    for line in whole.split_terminator('\n') {
         if let Some(probe) = line.strip_prefix(&plan.marker) {
             lines.extend(reader.take(probe)?.map(|probe| Line::Probe(Box::new(probe))));
         } else if let Some(call) = call(line, count + 1) {

@@ -92,20 +92,19 @@ pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Commen
 
 /// Rule text.line-length. A line has at most 256 characters; a longer one is refused.
 /// Choice text.line-end-counted: whether the line end is one of them.
-/// Quirk rs274.shorter-lines: 252 without the line end.
+/// Quirk rs274.shorter-lines: 252 bytes without the line end.
 fn line_length(line: &str, readings: &Readings) -> Result<(), Halt> {
     if line.len() <= quirks::LONGEST_LINE {
         // So many are allowed whatever is chosen.
         return Ok(());
     }
-    let limit = if readings.quirk("rs274.shorter-lines") {
-        quirks::LONGEST_LINE
+    let (limit, length) = if readings.quirk("rs274.shorter-lines") {
+        (quirks::LONGEST_LINE, line.len())
     } else if readings.is("text.line-end-counted", "counted") {
-        255
+        (255, line.chars().count())
     } else {
-        256
+        (256, line.chars().count())
     };
-    let length = line.chars().count();
     if length > limit {
         let message = format!("the line has {length} characters; {limit} are allowed");
         return Err(refuse("text.line-length", FaultKind::LineTooLong, message));
