@@ -168,8 +168,11 @@ fn start(
         distance(&leg.curve.at(part), point) <= record.slack && part > 0.0
     };
     let in_time = |sample: &usize| matching.legs[*sample].0 <= number;
-    let blend_ends =
-        |near: usize| (near..record.points.len()).take_while(in_time).find(on_path).unwrap_or(near);
+    let blend_ends = |near: usize| {
+        // Who stands at the corner itself is on the path.
+        let on_path = |sample: &usize| record.is_at(*sample, &corner.at) || on_path(sample);
+        (near..record.points.len()).take_while(in_time).find(on_path).unwrap_or(near)
+    };
     let first = if visit.at.is_some() { near.0 } else { blend_ends(near.0) };
     (first, blend_ends(near.1))
 }
