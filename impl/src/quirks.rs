@@ -9,6 +9,8 @@
 //! * `rs274.cycle-retract-from-initial`: `modal::cycles`.
 //! * `rs274.tap-dwell-kept`: `modal::cycles`.
 //! * `rs274.arc-radius-tolerance`: `modal::arcs`.
+//! * `rs274.arc-least-radius`: `modal::arcs`.
+//! * `rs274.continue-seeks-end`: `control::loops`.
 //! * `rs274.stored-rotation`: `modal`.
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::units`, but for restores.
 
@@ -33,6 +35,14 @@ pub(crate) fn arc_tolerances(units: LengthUnit) -> (f64, f64) {
     match units {
         LengthUnit::Inch => (0.002 * diagonal, 0.2 * diagonal),
         LengthUnit::Millimetre => (0.02 * diagonal, 2.0 * diagonal),
+    }
+}
+
+/// Below what radius an arc has none, length units.
+pub(crate) fn arc_least_radius(units: LengthUnit) -> f64 {
+    match units {
+        LengthUnit::Inch => 0.000_05,
+        LengthUnit::Millimetre => 0.001_27,
     }
 }
 

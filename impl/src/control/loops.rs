@@ -149,6 +149,10 @@ impl Interpreter {
                 let end = |keyword| keyword == Keyword::EndWhile;
                 return self.leave(at, block, label, end, source);
             }
+            if self.packer.imitates {
+                let wanted = Wanted { label, accept: |keyword| keyword == Keyword::EndWhile };
+                self.seek(at, block.line, wanted, source)?;
+            }
             return self.jump(head, false, source);
         }
         let wanted = Wanted { label, accept: |keyword| keyword == Keyword::While };

@@ -43,7 +43,7 @@ impl Interpreter {
                 self.cursor = Cursor { place, ..at };
                 return Ok((found, oword));
             }
-            if at.segment != LOOP {
+            if at.segment != LOOP || self.ends_in_loop() {
                 return Err(self.not_found(at, line));
             }
         }
@@ -57,6 +57,12 @@ impl Interpreter {
     fn not_found(&self, at: Cursor, line: u32) -> Error {
         let message = "nothing with this label follows".into();
         self.fault(at.segment, line, FaultKind::UnknownLabel, message, None)
+    }
+
+    /// Whether a percent line in the packed loop is the end of the file: what stands behind is none of it.
+    fn ends_in_loop(&self) -> bool {
+        let last = segment(&self.segments, LOOP).and_then(|code| code.blocks.last());
+        last.is_some_and(|block| matches!(block.kind, Kind::Percent) && block.refused == NONE)
     }
 
     /// Leaves the block that was found behind, whatever stands in it.

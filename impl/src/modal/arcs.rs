@@ -18,9 +18,6 @@ use super::refusal::{Flow, Refusal, refuse};
 use super::units::checked_feed;
 use super::values::integer_in;
 
-/// Points nearer than this are one point, whatever the unit: rounding of offsets is no distance.
-const SAME_POINT: f64 = 1e-9;
-
 /// The letters of an arc besides its axis words.
 pub(super) const ARC_WORDS: u32 = I | J | K | P | R;
 
@@ -74,6 +71,8 @@ struct Tolerances {
     radius: f64,
     /// Whether the larger radius counts instead of that of the start: quirk rs274.arc-radius-tolerance.
     of_larger: bool,
+    /// Below what radius there is none: quirk rs274.arc-least-radius.
+    least: f64,
 }
 
 impl Tolerances {
@@ -83,10 +82,10 @@ impl Tolerances {
     fn of(units: LengthUnit) -> Self {
         match units {
             LengthUnit::Inch => {
-                Self { coarse: 0.05, fine: 0.0005, radius: 0.000_05, of_larger: false }
+                Self { coarse: 0.05, fine: 0.0005, radius: 0.000_05, of_larger: false, least: 0.0 }
             }
             LengthUnit::Millimetre => {
-                Self { coarse: 0.5, fine: 0.005, radius: 0.001_27, of_larger: false }
+                Self { coarse: 0.5, fine: 0.005, radius: 0.001_27, of_larger: false, least: 0.0 }
             }
         }
     }
@@ -155,6 +154,7 @@ impl Modal {
         }
         if self.imitates {
             tolerances.of_larger = true;
+            tolerances.least = quirks::arc_least_radius(self.in_force.now().units);
             (tolerances.fine, tolerances.coarse) =
                 quirks::arc_tolerances(self.in_force.now().units);
         }
@@ -234,12 +234,13 @@ impl Modal {
             }
         };
         let radius = plane.start.minus(centre).length();
-        let agree = tolerances.agree(radius, plane.end.minus(centre).length());
-        if !agree && !planted(Fault::AnyEnd) {
-            return refuse(FaultKind::BadArc, "the radius to the end of the arc is another one");
-        }
-        if radius <= SAME_POINT && !self.choices.arc_zero_radius {
+        let to_end = plane.end.minus(centre).length();
+        let none = radius == 0.0 && !self.choices.arc_zero_radius;
+        if none || radius.min(to_end) < tolerances.least {
             return refuse(FaultKind::BadArc, "an arc without a radius");
+        }
+        if !tolerances.agree(radius, to_end) && !planted(Fault::AnyEnd) {
+            return refuse(FaultKind::BadArc, "the radius to the end of the arc is another one");
         }
         Ok(centre)
     }
@@ -262,7 +263,7 @@ fn radius_centre(
     let radius = signed.abs();
     let chord = plane.end.minus(plane.start);
     let length = chord.length();
-    if length <= SAME_POINT {
+    if length == 0.0 {
         return refuse(FaultKind::BadArc, "an arc with R that ends where it begins");
     }
     let half = length / 2.0;

@@ -290,6 +290,8 @@ impl Control {
     /// Rule control.continue. It goes to the next test of the condition.
     ///
     /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether that is tested again.
+    ///
+    /// Quirk rs274.continue-seeks-end. In a while it looks for the end of the loop before that, so that it is refused where there is none.
     pub(super) fn continue_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         let ended = state.frame().ended_loops.get(label);
         let ended =
@@ -307,6 +309,9 @@ impl Control {
             let line = self.end_of_skipped(label, &[Keyword::While], first, state)?;
             quirks::control::do_continues(self, label, line, state);
             return Ok(Next::At(self.line(line)));
+        }
+        if state.readings.quirk("rs274.continue-seeks-end") {
+            self.end_of_skipped(label, &[Keyword::EndWhile], self.place.line, state)?;
         }
         Ok(Next::At(self.line(first)))
     }

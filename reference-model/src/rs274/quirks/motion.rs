@@ -23,6 +23,15 @@ pub(crate) fn radius_tolerances(state: &State) -> Option<(f64, f64)> {
     })
 }
 
+/// Quirk rs274.arc-least-radius. An arc whose centre is nearer than this to its start or its end has no radius.
+pub(crate) fn least_radius(state: &State) -> f64 {
+    match state.modes.units {
+        _ if !state.readings.quirk("rs274.arc-least-radius") => 0.0,
+        LengthUnit::Inch => 0.000_05,
+        LengthUnit::Millimetre => 0.001_27,
+    }
+}
+
 /// Quirk rs274.machine-without-axes. G53 needs no axis word where G0 or G1 stands in its block.
 pub(crate) fn machine_without_axes(words: &Words, state: &State) -> bool {
     let programmed = words.g.iter().any(|code| [0, 10].contains(code));

@@ -211,6 +211,10 @@ fn same_radius(
         return Err(refuse("arcs.unequal-radii", FaultKind::BadArc, message));
     }
     state.evidence.accepted("arcs.unequal-radii");
+    if to_start.min(to_end) < quirks::least_radius(state) {
+        let message = "an arc whose centre is at its start or its end";
+        return Err(refuse("rs274.arc-least-radius", FaultKind::BadArc, message));
+    }
     if to_start == 0.0 {
         let rule = "arcs.zero-radius";
         if state.readings.is(rule, "refused") {
