@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_trace::{End, Outcome};
+use gaugeblock_trace::{Outcome, Unsaid};
 
 use crate::certify::scenario_of;
 use crate::motion;
@@ -120,17 +120,10 @@ fn judged(
 /// Why the model says nothing of a case: it does not support it, or the documents leave it open.
 pub fn unsaid(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
     let edition = editions_of(suite, rule, case).into_iter().next()?;
-    match model_run(suite, case, edition).0.end {
-        End::Unsupported { what, .. } => Some(what),
-        End::Unspecified { why, .. } => Some(why),
-        End::ProgramEnd
-        | End::PercentEnd
-        | End::Endless
-        | End::Paused
-        | End::Aborted
-        | End::Fault(_)
-        | End::BudgetExhausted { .. } => None,
-    }
+    let end = model_run(suite, case, edition).0.end;
+    end.unsaid().map(|unsaid| match unsaid {
+        Unsaid::Unsupported(why) | Unsaid::LeftOpen(why) => why.to_owned(),
+    })
 }
 
 /// The text that a case's golden must be.

@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{End, Options, Outcome, Scenario};
+use gaugeblock_trace::{End, Options, Outcome, Scenario, Unsaid};
 
 use crate::adapters::Adapter;
 use crate::adapters::exec::now;
@@ -218,17 +218,10 @@ impl Held<'_> {
 
 /// Why the specification says nothing of a case.
 fn left_open(end: &End) -> Option<String> {
-    match end {
-        End::Unsupported { what, .. } => Some(format!("the model does not specify it yet: {what}")),
-        End::Unspecified { why, .. } => Some(format!("the documents leave it open: {why}")),
-        End::ProgramEnd
-        | End::PercentEnd
-        | End::Endless
-        | End::Paused
-        | End::Aborted
-        | End::Fault(_)
-        | End::BudgetExhausted { .. } => None,
-    }
+    end.unsaid().map(|unsaid| match unsaid {
+        Unsaid::Unsupported(what) => format!("the model does not specify it yet: {what}"),
+        Unsaid::LeftOpen(why) => format!("the documents leave it open: {why}"),
+    })
 }
 
 /// The scenario of a case under an edition. The edition's bench answers where the case has none of its own.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use gaugeblock_reference::motion::path::{differ, programmed};
-use gaugeblock_trace::{End, Outcome, Position};
+use gaugeblock_trace::{End, Outcome, Position, Unsaid};
 use serde_json::json;
 
 use super::run::How;
@@ -124,16 +124,10 @@ fn both(
         let name = controller.capabilities().name.clone();
         controller.supports(scenario).map_err(|why| format!("{name} does not run this: {why}"))?;
         let outcome = controller.run(scenario).map_err(|error| format!("{name}: {error}"))?;
-        match &outcome.end {
-            End::Unsupported { what, .. } => Err(format!("{name} does not support this: {what}")),
-            End::Unspecified { why, .. } => Err(format!("{name}: not specified: {why}")),
-            End::ProgramEnd
-            | End::PercentEnd
-            | End::Endless
-            | End::Paused
-            | End::Aborted
-            | End::Fault(_)
-            | End::BudgetExhausted { .. } => Ok(outcome),
+        match outcome.end.unsaid() {
+            Some(Unsaid::Unsupported(what)) => Err(format!("{name} does not support this: {what}")),
+            Some(Unsaid::LeftOpen(why)) => Err(format!("{name}: not specified: {why}")),
+            None => Ok(outcome),
         }
     };
     let (found, expected) = (run(found_by)?, run(expected_by)?);

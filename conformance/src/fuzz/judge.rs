@@ -2,7 +2,7 @@
 
 use gaugeblock_fuzz::generate::nudged;
 use gaugeblock_reference::{Evidence, Rounding};
-use gaugeblock_trace::{End, Language, Outcome, Scenario};
+use gaugeblock_trace::{End, Language, Outcome, Scenario, Unsaid};
 
 use super::signature::Signature;
 use super::statistics::{Statistics, count};
@@ -187,21 +187,14 @@ fn outcome(
 
 /// Whether a run says nothing of the scenario: it is not supported, or the documents leave it open.
 fn open(side: &dyn Adapter, outcome: &Outcome, statistics: &mut Statistics) -> Option<Came> {
-    match &outcome.end {
-        End::Unsupported { what, .. } => {
+    Some(match outcome.end.unsaid()? {
+        Unsaid::Unsupported(what) => {
             count(&mut statistics.unsupported, &format!("{}: {what}", name(side)));
-            Some(Came::Unsupported)
+            Came::Unsupported
         }
-        End::Unspecified { why, .. } => {
+        Unsaid::LeftOpen(why) => {
             count(&mut statistics.unspecified, why);
-            Some(Came::Unspecified)
+            Came::Unspecified
         }
-        End::ProgramEnd
-        | End::PercentEnd
-        | End::Endless
-        | End::Paused
-        | End::Aborted
-        | End::Fault(_)
-        | End::BudgetExhausted { .. } => None,
-    }
+    })
 }

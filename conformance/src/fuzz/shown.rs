@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_reference::{RuleOutcome, run};
-use gaugeblock_trace::{End, Outcome, Scenario};
+use gaugeblock_trace::{Outcome, Scenario, Unsaid};
 
 use super::Plan;
 use super::statistics::name_of;
@@ -52,16 +52,9 @@ impl Plan<'_> {
                 return Some(format!("{}: {why}", side.capabilities().name));
             }
         }
-        match &outcome.end {
-            End::Unsupported { what, .. } => Some(format!("reference: {what}")),
-            End::Unspecified { why, .. } => Some(format!("left open: {why}")),
-            End::ProgramEnd
-            | End::PercentEnd
-            | End::Endless
-            | End::Paused
-            | End::Aborted
-            | End::Fault(_)
-            | End::BudgetExhausted { .. } => None,
-        }
+        outcome.end.unsaid().map(|unsaid| match unsaid {
+            Unsaid::Unsupported(what) => format!("reference: {what}"),
+            Unsaid::LeftOpen(why) => format!("left open: {why}"),
+        })
     }
 }

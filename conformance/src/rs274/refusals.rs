@@ -289,13 +289,15 @@ impl Refused<'_> {
         }
         let radius = |at: [f64; 2]| libm::hypot(at[0] - centre[0], at[1] - centre[1]);
         let (first, second) = (radius(start), radius(end));
+        let (from, about, to) = (point(axes, start), point(axes, centre), point(axes, end));
+        let ends = format!("start={from} center={about} end={to} r1={first:.4} r2={second:.4}");
+        if self.fault.message == "an arc without a radius" {
+            return Some(format!("Zero-radius arc: {ends}"));
+        }
         let error = (first - second).abs();
         let relative = 100.0 * error / first.max(second);
         Some(format!(
-            "Radius to end of arc differs from radius to start: start={} center={} end={} r1={first:.4} r2={second:.4} abs_err={} rel_err={relative:.4}%",
-            point(axes, start),
-            point(axes, centre),
-            point(axes, end),
+            "Radius to end of arc differs from radius to start: {ends} abs_err={} rel_err={relative:.4}%",
             four_digits(error),
         ))
     }

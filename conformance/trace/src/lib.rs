@@ -33,7 +33,7 @@ pub use modes::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
     Retract, SpindleMode, SpindleTurn, Switch,
 };
-pub use outcome::{Bound, End, Event, Outcome, Sample, Step};
+pub use outcome::{Bound, End, Event, Outcome, Sample, Step, Unsaid};
 pub use pin::{Pin, PinChange};
 pub use position::{Axis, Position};
 pub use scenario::{Machine, Options, Program, Scenario, Tool};

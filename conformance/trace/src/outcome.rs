@@ -118,7 +118,31 @@ impl<'de> Deserialize<'de> for End {
     }
 }
 
+/// Why a run says nothing of what comes behind its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unsaid<'a> {
+    /// This interpreter does not do it.
+    Unsupported(&'a str),
+    /// The documents leave it open.
+    LeftOpen(&'a str),
+}
+
 impl End {
+    /// Why nothing can be said of what comes behind; none where the run has an end of its own.
+    pub fn unsaid(&self) -> Option<Unsaid<'_>> {
+        match self {
+            Self::Unsupported { what, .. } => Some(Unsaid::Unsupported(what)),
+            Self::Unspecified { why, .. } => Some(Unsaid::LeftOpen(why)),
+            Self::ProgramEnd
+            | Self::PercentEnd
+            | Self::Endless
+            | Self::Paused
+            | Self::Aborted
+            | Self::Fault(_)
+            | Self::BudgetExhausted { .. } => None,
+        }
+    }
+
     /// The end's name as in JSON and text.
     pub fn name(&self) -> &'static str {
         match self {
