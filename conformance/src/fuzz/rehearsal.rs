@@ -18,7 +18,7 @@ const TRIALS: u64 = 16;
 /// The seed of rehearsals: what is rare is the same for all seeds of a plan.
 const SEED: u64 = 0;
 /// Programs of a plan that are to reach each outcome: more than [`ENOUGH`](super::statistics::ENOUGH), since chance has a part in it.
-const WANTED: u64 = 22;
+const WANTED: u64 = 24;
 /// An outcome has a turn in each round for so many splices that it needs.
 const TURN: u64 = 3;
 /// How many others run before a case at most: where it is refused, where not, and where they would hinder it.

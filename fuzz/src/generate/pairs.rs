@@ -95,10 +95,13 @@ fn is_plain(line: &str) -> bool {
     !line.trim().is_empty() && !line.contains(['(', ';', '%', '\r'])
 }
 
-/// Whether a comment may follow: a word without its value is refused by another rule where a comment stands in the value's place.
+/// Whether a comment may follow: a word without its value, or an expression without its end, is refused by another rule where a comment stands
+/// in the place of what is missing.
 fn ends_whole(line: &str) -> bool {
-    line.starts_with('o')
-        || line.trim_end().ends_with(|c: char| c.is_ascii_digit() || ".]>".contains(c))
+    let count = |bracket| line.matches(bracket).count();
+    count('[') == count(']')
+        && (line.starts_with('o')
+            || line.trim_end().ends_with(|c: char| c.is_ascii_digit() || ".]>".contains(c)))
 }
 
 /// A generated scenario and one with a change that means nothing.

@@ -25,7 +25,7 @@ pub(crate) fn pack(packer: &mut Packer, text: &[u8], into: &mut Segment) -> Opti
         Act::Debug | Act::Print | Act::Log | Act::Abort => expand(packer, rest, into),
         Act::Message => plain_text(rest, first_piece, into),
         Act::LogOpen | Act::LogAppend | Act::ProbeOpen => {
-            plain_text(rest.trim_ascii(), first_piece, into);
+            plain_text(without_blanks(rest), first_piece, into);
         }
         Act::LogClose | Act::ProbeClose => {}
     }
@@ -46,10 +46,10 @@ fn act(text: &[u8], message_free: bool) -> Option<(Act, &[u8])> {
         return Some((Act::Message, rest));
     }
     if let Some(rest) = after(text, b"probeopen") {
-        return (!rest.trim_ascii().is_empty()).then_some((Act::ProbeOpen, rest));
+        return Some((Act::ProbeOpen, rest));
     }
     for (word, act) in [(&b"logclose"[..], Act::LogClose), (b"probeclose", Act::ProbeClose)] {
-        if after(text, word).is_some_and(|rest| rest.trim_ascii().is_empty()) {
+        if after(text, word).is_some_and(|rest| without_blanks(rest).is_empty()) {
             return Some((act, &[]));
         }
     }
@@ -60,7 +60,7 @@ fn act(text: &[u8], message_free: bool) -> Option<(Act, &[u8])> {
 fn after<'a>(text: &'a [u8], word: &[u8]) -> Option<&'a [u8]> {
     let mut rest = text;
     for byte in word {
-        rest = rest.trim_ascii_start();
+        rest = behind_blanks(rest);
         let (first, others) = rest.split_first()?;
         if first.to_ascii_lowercase() != *byte {
             return None;
@@ -68,6 +68,23 @@ fn after<'a>(text: &'a [u8], word: &[u8]) -> Option<&'a [u8]> {
         rest = others;
     }
     Some(rest)
+}
+
+/// What stands behind the blanks at the beginning: spaces and tabs are blanks (11.4.2), other control characters are not.
+fn behind_blanks(mut text: &[u8]) -> &[u8] {
+    while let [b' ' | b'\t', rest @ ..] = text {
+        text = rest;
+    }
+    text
+}
+
+/// A text without the blanks at its ends.
+fn without_blanks(text: &[u8]) -> &[u8] {
+    let mut text = behind_blanks(text);
+    while let [rest @ .., b' ' | b'\t'] = text {
+        text = rest;
+    }
+    text
 }
 
 /// Characters as they are, joined to the piece before them.

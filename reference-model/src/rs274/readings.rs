@@ -256,6 +256,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.surface-speed-restore",
     "rs274.surface-speed-while-stopped",
     "rs274.synchronised-feed-word",
+    "rs274.system-restore",
     "rs274.tap-axes",
     "rs274.tap-dwell-kept",
     "rs274.thread-any-plane",

@@ -41,6 +41,17 @@ pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
+/// Quirk rs274.system-restore. G54 to G59.3 is programmed behind G41 or G42, and refused then.
+pub(crate) fn system(saved: &Modes, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.system-restore";
+    let selected = saved.work_offset != state.modes.work_offset;
+    if selected && saved.compensation != Compensation::Off && state.readings.quirk(rule) {
+        let message = "a restore of the coordinate system beside that of the compensation";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    Ok(())
+}
+
 /// Quirk rs274.retract-under-compensation. G98 or G99 is programmed, behind a G40 where that was in force at the save.
 pub(crate) fn retract(saved: &Modes, state: &State) -> Result<(), Halt> {
     if saved.retract == state.modes.retract || saved.compensation == Compensation::Off {

@@ -29,6 +29,7 @@ pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     use_units(saved.units, state);
     let disabled = quirks::disabled_by_path(saved, &state.modes, state);
     quirks::plane(saved, state)?;
+    quirks::system(saved, state)?;
     coordinates(saved, state)?;
     state.modes.plane = saved.plane;
     state.modes.distance = saved.distance;

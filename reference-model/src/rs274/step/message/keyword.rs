@@ -110,6 +110,7 @@ fn behind<'a>(comment: &'a str, keyword: &str) -> Option<&'a str> {
     Some(rest)
 }
 
-fn is_blank(character: char) -> bool {
+/// Spaces and tabs are blanks; other control characters are not.
+pub(super) fn is_blank(character: char) -> bool {
     matches!(character, ' ' | '\t')
 }

@@ -43,7 +43,10 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
         Active::LogOpen | Active::LogAppend => {
             state.log_open = true;
             let append = active == Active::LogAppend;
-            record.effect(state, Effect::LogOpen { file: text.trim().to_owned(), append });
+            record.effect(
+                state,
+                Effect::LogOpen { file: text.trim_matches(keyword::is_blank).to_owned(), append },
+            );
         }
         Active::LogClose => {
             let open = std::mem::replace(&mut state.log_open, false);
@@ -53,7 +56,10 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
         }
         Active::ProbeOpen => {
             state.probe_log_open = true;
-            record.effect(state, Effect::ProbeLogOpen { file: text.trim().to_owned() });
+            record.effect(
+                state,
+                Effect::ProbeLogOpen { file: text.trim_matches(keyword::is_blank).to_owned() },
+            );
         }
         Active::ProbeClose => {
             if std::mem::replace(&mut state.probe_log_open, false) {
