@@ -369,7 +369,8 @@ impl<'a> Drive<'a> {
             return Err(Stopped::endless("it rests, and nobody lets it go on"));
         }
         let dwells = self.rests <= self.dwells / self.limits.period + 2.0;
-        if phase == Phase::Waiting && turns <= 0.0 && self.follows && !dwells {
+        let stands = turns <= 0.0 && self.events.is_empty();
+        if phase == Phase::Waiting && stands && self.follows && !dwells {
             return Err(Stopped::endless("it follows a spindle that stands"));
         }
         while let Some(switch) = self.planner.switched() {
