@@ -60,10 +60,27 @@ impl Motion {
             most = math::lesser(most, math::greater(high, low));
             return self.go(piece, most, end, left);
         }
-        // More than can be kept up to the end of the piece may be possible within this cycle.
-        let near = math::lesser(self.speed * left, remaining);
-        let now = self.least::<N>(piece, near, limits);
-        self.go(piece, math::greater(most, math::lesser(now, low)), end, left)
+        let least = self.least_now::<N>(piece, (remaining, low), limits, left);
+        self.go(piece, math::greater(most, least), end, left)
+    }
+
+    /// The least acceleration that all axes allow within this cycle. That may be more than can be kept up to the end of the piece, and the more,
+    /// the less far it leads.
+    #[inline(never)]
+    fn least_now<const N: usize>(
+        &self,
+        piece: &Piece,
+        (remaining, mut least): (f64, f64),
+        limits: &Limits,
+        left: f64,
+    ) -> f64 {
+        for _ in 0..2 {
+            let last = math::greater(0.0, self.speed + least * left);
+            let way = 0.5 * (self.speed + math::lesser(self.speed, last)) * left;
+            let now = self.least::<N>(piece, math::lesser(way, remaining), limits);
+            least = math::lesser(now, least);
+        }
+        least
     }
 
     /// The highest speed that the axes allow so far ahead.

@@ -54,7 +54,7 @@ const WORK_QUEUED: u32 = 8;
 const WORK_CYCLE: u32 = 2;
 /// How many pieces may be made when a segment is queued, at most.
 const MADE: u64 = 8;
-/// The slowest override that look-ahead plans for, and turns of a spindle per second; below, it plans for this and eases.
+/// The slowest override, and turns of a spindle per second, that running back is planned for, and that the motion is eased to.
 const SLOWEST: f64 = 0.01;
 /// How much slower or faster than planned a spindle may turn before look-ahead plans anew, and how much faster it plans then.
 const WAVERING: f64 = 0.02;
@@ -135,7 +135,7 @@ impl Planner {
             limits: Limits::new(&dynamics),
             ring: Ring::new(queue.saturating_mul(3).saturating_add(remembered)),
             course: Course::new(position),
-            ahead: Ahead::new(Scale { feed: 1.0, rapid: 1.0, turns: SLOWEST }),
+            ahead: Ahead::new(Scale { feed: 1.0, rapid: 1.0, turns: 0.0 }),
             motion: Motion::default(),
             position,
             switches: Ring::new(queue),
@@ -264,7 +264,7 @@ impl Planner {
         let rapid = math::lesser(1.0, math::greater(0.0, input.rapid_override)) * adaptive;
         let follows = self.motion.at < self.followed;
         let turns = if follows {
-            feed * (input.spindle_turns - self.turns).abs() / self.limits.cycle
+            math::greater(0.0, feed * (input.spindle_turns - self.turns).abs() / self.limits.cycle)
         } else {
             0.0
         };
@@ -272,7 +272,7 @@ impl Planner {
         self.aborting |= input.hold == Hold::Abort;
         self.turn_round(back);
         let planned = self.ahead.planned();
-        // Below the slowest that is planned for, a piece is left no slower: what it is asked to have then brings it to rest.
+        // While it is not planned yet where an override of zero asks for rest, the motion creeps.
         let share = |asked: f64, planned: f64| math::greater(SLOWEST, asked) / planned;
         let mut ease = math::lesser(share(feed, planned.feed), share(rapid, planned.rapid));
         if follows {
@@ -312,8 +312,8 @@ impl Planner {
         } else {
             self.ahead.settled();
             let scale = Scale {
-                feed: math::greater(SLOWEST, wish.feed),
-                rapid: math::greater(SLOWEST, wish.rapid),
+                feed: wish.feed,
+                rapid: wish.rapid,
                 turns: self.turns_to_plan_for(wish.turns),
             };
             if input.adaptive_feed >= 0.0 && scale != self.ahead.scale {
@@ -331,11 +331,7 @@ impl Planner {
     fn turns_to_plan_for(&self, turns: f64) -> f64 {
         let planned = self.ahead.scale.turns;
         let near = turns <= planned && turns >= planned * (1.0 - 2.0 * WAVERING);
-        if near || self.motion.at >= self.followed {
-            planned
-        } else {
-            math::greater(SLOWEST, turns * (1.0 + WAVERING))
-        }
+        if near || self.motion.at >= self.followed { planned } else { turns * (1.0 + WAVERING) }
     }
 
     /// How fast a piece may be entered from its end, running back.
@@ -346,7 +342,10 @@ impl Planner {
             Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
             None => 0.0,
         };
-        let back = backward(piece, exit, caps(piece, self.ahead.scale), &self.limits);
+        // It is planned once, and so for some speed where the motion turned at rest.
+        let slowest = Scale { feed: SLOWEST, rapid: SLOWEST, turns: SLOWEST };
+        let scale = self.ahead.scale.most(slowest);
+        let back = backward(piece, exit, caps(piece, scale), &self.limits);
         if let Some(piece) = self.ring.get_mut(place) {
             piece.back = back;
         }

@@ -13,6 +13,8 @@ use crate::math;
 
 /// The share of an axis in a direction below which it takes no part.
 pub(super) const SMALL: f64 = 1e-9;
+/// By so much what is left of a piece may be too short by rounding for a motion that is to come to rest at its end.
+const ROUNDED: f64 = 1.0 + 1e-6;
 /// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
 const TOUCHED: u32 = 12;
 
@@ -94,7 +96,13 @@ impl Motion {
                 }
                 return;
             }
-            let end = End { exit: self.exit(ring, piece), remaining };
+            let mut end = End { exit: self.exit(ring, piece), remaining };
+            if wish.ease < 1.0 {
+                end.exit = self.eased(ring, piece, end.exit, wish);
+            }
+            if end.exit <= 0.0 && self.goes_on(ring) && self.late(piece, remaining, limits) {
+                end.exit = f64::MIN_POSITIVE;
+            }
             let from = self.x;
             left -= self.within(piece, end, (limits, wish), left);
             if !self.backwards {
@@ -119,6 +127,35 @@ impl Motion {
         match ring.get(self.at.wrapping_sub(1)) {
             Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
             None => 0.0,
+        }
+    }
+
+    /// No more than the next piece is asked to have, where it is planned for more.
+    #[cold]
+    #[inline(never)]
+    fn eased(&self, ring: &Ring<Piece>, piece: &Piece, exit: f64, wish: &Wish) -> f64 {
+        let next = ring.get(self.at.wrapping_add(1)).filter(|_| !self.backwards);
+        let asked = next.map_or(f64::INFINITY, |next| wanted(next, next.fastest, wish));
+        math::lesser(exit, squared(asked / piece.exit) / wish.ease)
+    }
+
+    /// Whether the path goes on without rest behind the piece, so that only an override can ask for one.
+    fn goes_on(&self, ring: &Ring<Piece>) -> bool {
+        let next = ring.get(self.at.wrapping_add(1));
+        !self.backwards && next.is_some_and(|next| next.entry > 0.0)
+    }
+
+    /// Whether the motion is too fast to come to rest at the end of the piece: then it goes on beyond.
+    #[cold]
+    #[inline(never)]
+    fn late(&self, piece: &Piece, remaining: f64, limits: &Limits) -> bool {
+        let y = squared(self.speed);
+        let far = remaining * ROUNDED + 8.0 * f64::EPSILON * piece.length;
+        match piece.law {
+            Law::Bent { .. } => self.least::<9>(piece, remaining, limits) > -y / (2.0 * far),
+            Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
+                y > along(piece.law, &piece.circle, 0.0, far)
+            }
         }
     }
 
