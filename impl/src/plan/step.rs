@@ -97,11 +97,8 @@ impl Motion {
                 return;
             }
             let mut end = End { exit: self.exit(ring, piece), remaining };
-            if wish.ease < 1.0 {
-                end.exit = self.eased(ring, piece, end.exit, wish);
-            }
-            if end.exit <= 0.0 && self.goes_on(ring) && self.late(piece, remaining, limits) {
-                end.exit = f64::MIN_POSITIVE;
+            if wish.ease < 1.0 || end.exit <= 0.0 && self.goes_on(ring) {
+                end.exit = self.overridden(ring, piece, end, (limits, wish));
             }
             let from = self.x;
             left -= self.within(piece, end, (limits, wish), left);
@@ -130,13 +127,25 @@ impl Motion {
         }
     }
 
-    /// No more than the next piece is asked to have, where it is planned for more.
+    /// What overrides make of the exit: no more than the next piece is asked to have, where it is planned for more; and no rest that an override
+    /// asks for when the motion can no more come to it.
     #[cold]
     #[inline(never)]
-    fn eased(&self, ring: &Ring<Piece>, piece: &Piece, exit: f64, wish: &Wish) -> f64 {
-        let next = ring.get(self.at.wrapping_add(1)).filter(|_| !self.backwards);
-        let asked = next.map_or(f64::INFINITY, |next| wanted(next, next.fastest, wish));
-        math::lesser(exit, squared(asked / piece.exit) / wish.ease)
+    fn overridden(
+        &self,
+        ring: &Ring<Piece>,
+        piece: &Piece,
+        end: End,
+        (limits, wish): (&Limits, &Wish),
+    ) -> f64 {
+        let mut exit = end.exit;
+        if wish.ease < 1.0 {
+            let next = ring.get(self.at.wrapping_add(1)).filter(|_| !self.backwards);
+            let asked = next.map_or(f64::INFINITY, |next| wanted(next, next.fastest, wish));
+            exit = math::lesser(exit, squared(asked / piece.exit) / wish.ease);
+        }
+        let late = exit <= 0.0 && self.goes_on(ring) && self.late(piece, end.remaining, limits);
+        if late { f64::MIN_POSITIVE } else { exit }
     }
 
     /// Whether the path goes on without rest behind the piece, so that only an override can ask for one.
@@ -146,8 +155,6 @@ impl Motion {
     }
 
     /// Whether the motion is too fast to come to rest at the end of the piece: then it goes on beyond.
-    #[cold]
-    #[inline(never)]
     fn late(&self, piece: &Piece, remaining: f64, limits: &Limits) -> bool {
         let y = squared(self.speed);
         let far = remaining * ROUNDED + 8.0 * f64::EPSILON * piece.length;

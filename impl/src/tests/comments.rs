@@ -87,7 +87,10 @@ fn logs_are_opened_and_closed() {
             "(probeopen p.txt)\n(probeclose)\nm2\n",
             "at 1 probe_log_open file=\"p.txt\"; at 2 probe_log_close",
         ),
-        ("(probeclose)\n(probeopen)\nm2\n", "count probe_log_close = 0; at 2 probe_log_open file=\"\""),
+        (
+            "(probeclose)\n(probeopen)\nm2\n",
+            "count probe_log_close = 0; at 2 probe_log_open file=\"\"",
+        ),
     ]);
 }
 
