@@ -3,8 +3,9 @@
 //!
 //! `cargo bench -p gaugeblock --bench door`
 //!
-//! Everything is measured case by case, by turns; what counts is the least of all rounds. First a run alone: what it takes until its outcome is
-//! there. Then what it costs a campaign of one job, in which the model works while the controller does.
+//! Everything is measured case by case, by turns; what counts is the least of all rounds. In a campaign of one job is what a case costs whoever
+//! certifies: its model and its verdict are found while the controller works. A run alone is how long somebody waits for one outcome who does
+//! nothing meanwhile.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;
@@ -56,13 +57,24 @@ fn main() -> Result<()> {
         })
         .collect();
     let mut bare = Bare::start()?;
-    let mut total = Total::default();
-    for scenario in &scenarios {
-        let sizes = sizes(scenario, &production, &suite)?;
-        total.add(measured(scenario, &production, &behind, (&mut bare, sizes))?);
+    let (mut alone, mut bytes) = (Least::of(scenarios.len()), Vec::new());
+    for (place, scenario) in scenarios.iter().enumerate() {
+        let size = sizes(scenario, &production, &suite)?;
+        bytes.push(size);
+        for _ in 0..ROUNDS {
+            alone.within(place, time(|| production.run(scenario).map_err(failed))?);
+            alone.behind(place, time(|| behind.run(scenario).map_err(failed))?);
+            alone.bare(place, time(|| bare.round_trip(size))?);
+        }
     }
-    total.print();
-    campaigns(edition, &production, &behind, total.cases)?;
+    let each = bytes.iter().map(|(asked, answered)| asked + answered).sum::<usize>() / bytes.len();
+    println!("{} cases, {each} bytes each, out and back; microseconds a case", bytes.len());
+    let campaign = campaigns(edition, (&production, &behind), (&mut bare, &bytes))?;
+    println!(
+        "                in process  behind it  overhead  bare round trip  overhead / round trip"
+    );
+    campaign.print("in a campaign");
+    alone.print("a run alone");
 
     let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let plan = Plan { suite: &suite, edition, only: &[], jobs };
@@ -77,41 +89,74 @@ fn main() -> Result<()> {
 }
 
 /// What a case costs a campaign of one job in this process, and behind the protocol.
-fn campaigns(edition: &Edition, production: &Production, behind: &Exec, cases: u32) -> Result<()> {
+fn campaigns(
+    edition: &Edition,
+    (production, behind): (&Production, &Exec),
+    (bare, bytes): (&mut Bare, &[(usize, usize)]),
+) -> Result<Least> {
     let suite = Suite::read(&files::built_in());
     let mut suite = suite.map_err(|errors| Error::other(errors.join("\n")))?;
     suite.rules.iter_mut().for_each(|rule| rule.motion.clear());
     let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
-    let mut least = [Vec::new(), Vec::new()];
+    let mut least = Least::of(bytes.len());
     for _ in 0..CAMPAIGNS {
-        let controllers: [&dyn Adapter; 2] = [production, behind];
-        for (least, controller) in least.iter_mut().zip(controllers) {
-            let run = certify(plan, controller, &|| ());
-            let costs = run.cases.iter().map(|case| case.cost);
-            if least.is_empty() {
-                least.extend(costs);
-            } else {
-                least.iter_mut().zip(costs).for_each(|(least, cost)| *least = cost.min(*least));
-            }
+        // A case that is not supported is not run: it costs the same both ways.
+        for (place, case) in certify(plan, production, &|| ()).cases.iter().enumerate() {
+            least.within(place, case.cost);
+        }
+        for (place, case) in certify(plan, behind, &|| ()).cases.iter().enumerate() {
+            least.behind(place, case.cost);
+        }
+        for (place, size) in bytes.iter().enumerate() {
+            least.bare(place, time(|| bare.round_trip(*size))?);
         }
     }
-    let each =
-        |times: &[Duration]| times.iter().sum::<Duration>().as_secs_f64() * 1e6 / f64::from(cases);
-    let [within, outside] = least.each_ref().map(|times| each(times));
-    println!(
-        "in a campaign: {within:.1} us a case in process, {outside:.1} us behind the protocol"
-    );
-    println!("overhead               {:8.1} us a case", outside - within);
-    Ok(())
+    Ok(least)
 }
 
-/// The least times of one case.
-#[derive(Clone, Copy, Debug)]
+/// The least times of each case.
+#[derive(Debug)]
 struct Least {
-    within: Duration,
-    behind: Duration,
-    bare: Duration,
-    bytes: usize,
+    /// In process, behind the protocol, and of a bare round trip.
+    ways: [Vec<Duration>; 3],
+    cases: usize,
+}
+
+impl Least {
+    fn of(cases: usize) -> Self {
+        Self { ways: Default::default(), cases }
+    }
+
+    fn within(&mut self, place: usize, time: Duration) {
+        self.add(0, place, time);
+    }
+
+    fn behind(&mut self, place: usize, time: Duration) {
+        self.add(1, place, time);
+    }
+
+    fn bare(&mut self, place: usize, time: Duration) {
+        self.add(2, place, time);
+    }
+
+    fn add(&mut self, way: usize, place: usize, time: Duration) {
+        let times = &mut self.ways[way];
+        times.resize(times.len().max(place + 1), Duration::MAX);
+        times[place] = times[place].min(time);
+    }
+
+    fn print(&self, what: &str) {
+        let cases = u32::try_from(self.cases).unwrap_or(u32::MAX);
+        let each = |times: &Vec<Duration>| {
+            times.iter().sum::<Duration>().as_secs_f64() * 1e6 / f64::from(cases)
+        };
+        let [within, behind, bare] = self.ways.each_ref().map(each);
+        let overhead = behind - within;
+        println!(
+            "{what:15} {within:10.1} {behind:10.1} {overhead:9.1} {bare:16.1} {:22.2}",
+            overhead / bare
+        );
+    }
 }
 
 /// How many bytes a run sends and gets: its own two lines, and those of the reset before it.
@@ -140,57 +185,6 @@ fn sizes(scenario: &Scenario, production: &Production, suite: &Suite) -> Result<
 
 fn failed(error: HarnessError) -> Error {
     Error::other(error.to_string())
-}
-
-fn measured(
-    scenario: &Scenario,
-    production: &Production,
-    behind: &Exec,
-    (bare, sizes): (&mut Bare, (usize, usize)),
-) -> Result<Least> {
-    let never = Duration::MAX;
-    let mut least = Least { within: never, behind: never, bare: never, bytes: sizes.0 + sizes.1 };
-    for _ in 0..ROUNDS {
-        least.within = least.within.min(time(|| production.run(scenario).map_err(failed))?);
-        least.behind = least.behind.min(time(|| behind.run(scenario).map_err(failed))?);
-        least.bare = least.bare.min(time(|| bare.round_trip(sizes))?);
-    }
-    Ok(least)
-}
-
-/// Sums over all cases.
-#[derive(Debug, Default)]
-struct Total {
-    cases: u32,
-    bytes: usize,
-    within: Duration,
-    behind: Duration,
-    bare: Duration,
-}
-
-impl Total {
-    fn add(&mut self, least: Least) {
-        self.cases += 1;
-        self.bytes += least.bytes;
-        self.within += least.within;
-        self.behind += least.behind;
-        self.bare += least.bare;
-    }
-
-    fn print(&self) {
-        let each = |time: Duration| time.as_secs_f64() * 1e6 / f64::from(self.cases);
-        let overhead = each(self.behind) - each(self.within);
-        println!(
-            "{} cases, {} bytes each, out and back",
-            self.cases,
-            self.bytes / self.cases as usize
-        );
-        println!("in process             {:8.1} us a case", each(self.within));
-        println!("behind the protocol    {:8.1} us a case", each(self.behind));
-        println!("overhead               {overhead:8.1} us a case");
-        println!("a bare round trip      {:8.1} us", each(self.bare));
-        println!("overhead / round trip  {:8.2}", overhead / each(self.bare));
-    }
 }
 
 #[expect(clippy::disallowed_methods, reason = "time is what is measured")]

@@ -231,6 +231,12 @@ pub trait Adapter: fmt::Debug + Send + Sync {
         self.run(scenario)
     }
 
+    /// Told what this thread most likely lets it run next, before that is asked for: a controller in a process of its own can begin with it
+    /// while what it did before is judged. What comes of it is known to whoever runs it then, and to nobody else.
+    fn ahead(&self, scenario: &Scenario) {
+        let _when_it_is_run = scenario;
+    }
+
     /// Options of choices that it declares to read the documents by: they configure the specification that it is held to.
     fn options(&self) -> Options {
         Options::default()

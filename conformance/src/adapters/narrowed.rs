@@ -5,7 +5,7 @@ use std::num::NonZero;
 use gaugeblock_trace::motion::Samples;
 use gaugeblock_trace::{End, Options, Outcome, Scenario, Step};
 
-use super::{Adapter, Capabilities, HarnessError, Motion, NotMoved};
+use super::{Adapter, Capabilities, Expected, HarnessError, Motion, NotMoved};
 
 /// A controller, narrowed to what another one declares.
 #[derive(Debug)]
@@ -67,6 +67,23 @@ impl Adapter for Narrowed {
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         let shows = self.shows(scenario);
         Ok(narrowed(self.controller.run(scenario)?, &shows))
+    }
+
+    fn runs_beside(&self) -> bool {
+        self.controller.runs_beside()
+    }
+
+    fn run_expecting(
+        &self,
+        scenario: &Scenario,
+        expected: &Expected<'_>,
+    ) -> Result<Outcome, HarnessError> {
+        let shows = self.shows(scenario);
+        Ok(narrowed(self.controller.run_expecting(scenario, expected)?, &shows))
+    }
+
+    fn ahead(&self, scenario: &Scenario) {
+        self.controller.ahead(scenario);
     }
 
     fn options(&self) -> Options {

@@ -5,6 +5,7 @@ mod excuse;
 mod moved;
 mod select;
 mod shrunk;
+mod turn;
 mod verdict;
 
 use std::cell::LazyCell;
@@ -105,21 +106,23 @@ pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'
     std::thread::scope(|scope| {
         for _ in 0..plan.jobs.get().min(order.len()) {
             scope.spawn(|| {
-                loop {
-                    let turn = next.fetch_add(1, Ordering::Relaxed);
-                    let Some((_, place)) = order.get(turn) else { break };
+                let held = Held { plan, options: &options, controller, twice, shrink };
+                let take = || {
+                    let (_, place) = order.get(next.fetch_add(1, Ordering::Relaxed))?;
                     let (rule, subject) = cases[*place];
-                    let held = Held { plan, options: &options, controller, twice, shrink };
+                    Some((*place, rule, held.turn(subject)))
+                };
+                let mut following = take();
+                while let Some((place, rule, turn)) = following {
                     let begun = now();
-                    let mut result = match subject {
-                        Subject::Run(case) => held.run_case(rule, case),
-                        Subject::Motion(case) => held.run_motion(rule, case),
-                    };
+                    following = take();
+                    let next = following.as_ref().map(|(_, _, turn)| turn);
+                    let mut result = held.judged(rule, turn, next);
                     result.cost = begun.elapsed();
                     let mut guard = results.lock().unwrap_or_else(PoisonError::into_inner);
                     let (results, each) = &mut *guard;
                     each(&result);
-                    results[*place] = Some(result);
+                    results[place] = Some(result);
                 }
             });
         }
@@ -153,22 +156,20 @@ struct Held<'a> {
 }
 
 impl Held<'_> {
-    fn run_case<'r>(self, rule: &'r Rule, case: &'r Case) -> CaseResult<'r> {
-        let Self { plan, options, controller, twice, shrink } = self;
-        let scenario = scenario_of(case, options, plan.edition);
+    /// Runs a case and judges it. In between, `ahead` tells the controller what is next.
+    fn run_case<'r>(
+        self,
+        (rule, case): (&'r Rule, &'r Case),
+        scenario: &Scenario,
+        ahead: impl FnOnce(),
+    ) -> CaseResult<'r> {
+        let Self { plan, controller, twice, shrink, .. } = self;
         let mut result = CaseResult::begun(rule, &case.name, &case.program);
-        if let Some(why) = controller.awaited(&scenario) {
-            result.verdict = Verdict::NotJudged(Unjudged::new(Cause::NotRun, why));
-            return result;
-        }
-        if let Err(reason) = controller.supports(&scenario) {
-            result.verdict = Verdict::Unsupported(reason);
-            return result;
-        }
-        let expected = LazyCell::new(|| gaugeblock_reference::run(&scenario).0);
-        let runs = Runs { controller, scenario: &scenario };
+        let expected = LazyCell::new(|| gaugeblock_reference::run(scenario).0);
+        let runs = Runs { controller, scenario };
         let ran = || runs.outcome(&expected, twice.chooses(&rule.id, &case.name));
         let begun = controller.runs_beside().then(ran);
+        ahead();
         if let Some(why) = left_open(&expected.end) {
             result.verdict = Verdict::Inconclusive(why);
             return result;
@@ -188,12 +189,8 @@ impl Held<'_> {
             result.verdict = Verdict::Unsupported(what.clone());
             return result;
         }
-        let against = Against {
-            suite: plan.suite,
-            scenario: &scenario,
-            edition: &plan.edition.id,
-            controller,
-        };
+        let against =
+            Against { suite: plan.suite, scenario, edition: &plan.edition.id, controller };
         let shows_nothing = against.shows_nothing_of(case, &found);
         match against.lasting(case, &expected, found, &mut result) {
             Ok(Some((departure, found))) => {
@@ -210,7 +207,7 @@ impl Held<'_> {
         if let (Verdict::Diverges(departure), 1..) = (&mut result.verdict, shrink)
             && departure.explanation.is_empty()
         {
-            departure.shrunk = shrunk::smallest(controller, &scenario, shrink);
+            departure.shrunk = shrunk::smallest(controller, scenario, shrink);
         }
         result
     }

@@ -47,6 +47,7 @@ impl Plan<'_> {
                 return Came::Unsupported;
             }
         }
+        self.iut.ahead(scenario);
         let (expected, mut evidence) = outcome(self.against, scenario, None);
         let expected = match expected {
             Ok(expected) => expected,

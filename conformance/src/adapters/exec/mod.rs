@@ -4,6 +4,7 @@
 //! answers something else than was asked is ended with all that it started, and the next scenario gets a new one. What it declares before it runs
 //! anything bounds what is asked of it and what is judged.
 
+mod ahead;
 mod lines;
 mod peer;
 mod process;
@@ -62,7 +63,7 @@ pub struct Exec {
     assumed: Options,
     declaration: Declaration,
     capabilities: Capabilities,
-    /// Sessions in which nothing runs.
+    /// Sessions in which nothing runs, or a run that nobody waits for yet.
     idle: Mutex<Vec<Session>>,
     /// Sessions that were of no use any more after a program had ended.
     spoilt: AtomicUsize,
@@ -114,9 +115,17 @@ impl Exec {
     /// Lets a session that was reset do something.
     fn within<T>(
         &self,
-        work: impl Fn(&mut Session) -> Result<T, Stopped>,
+        work: impl FnOnce(&mut Session) -> Result<T, Stopped>,
     ) -> Result<T, HarnessError> {
-        let mut session = self.session()?;
+        self.with(self.session()?, work)
+    }
+
+    /// Lets a session do something, and keeps it where it can go on.
+    fn with<T>(
+        &self,
+        mut session: Session,
+        work: impl FnOnce(&mut Session) -> Result<T, Stopped>,
+    ) -> Result<T, HarnessError> {
         let done = work(&mut session);
         if done.as_ref().map_or_else(|stopped| stopped.goes_on, |_| true) {
             session.reset_ahead();
@@ -128,26 +137,31 @@ impl Exec {
 
     /// A session that was reset. Where one that was used cannot be, that is not to be charged to the next scenario.
     fn session(&self) -> Result<Session, HarnessError> {
-        let idle = self.sessions().pop();
-        if let Some(mut session) = idle {
-            if session.reset().is_ok() {
-                return Ok(session);
-            }
-            if session.has_run() {
-                self.spoilt.fetch_add(1, Ordering::Relaxed);
-            }
+        if let Some(session) = self.idle_session() {
+            return Ok(session);
         }
         let mut session = self.new_session()?;
         session.reset()?;
         Ok(session)
     }
 
+    /// A session in which nothing runs, that was used and was reset.
+    fn idle_session(&self) -> Option<Session> {
+        let mut session = self.taken(|session| session.begun.is_none())?;
+        if session.reset().is_ok() {
+            return Some(session);
+        }
+        if session.has_run() {
+            self.spoilt.fetch_add(1, Ordering::Relaxed);
+        }
+        None
+    }
+
     /// A session of its own. One that declares something else than the first is not the same controller.
     fn new_session(&self) -> Result<Session, HarnessError> {
         if self.declaration.sessions.is_some() {
             // There may be no room for one more beside it.
-            let idle = self.sessions().pop();
-            drop(idle);
+            drop(self.dispensable());
         }
         let (mut session, declaration) = Session::begin(&self.door, self.limits)?;
         session.assume(&self.assumed);
@@ -158,6 +172,13 @@ impl Exec {
             });
         }
         Ok(session)
+    }
+
+    /// The session that was used last of those that are kept and are such.
+    fn taken(&self, is_such: impl Fn(&Session) -> bool) -> Option<Session> {
+        let mut sessions = self.sessions();
+        let place = sessions.iter().rposition(is_such)?;
+        Some(sessions.remove(place))
     }
 
     fn sessions(&self) -> std::sync::MutexGuard<'_, Vec<Session>> {
@@ -208,7 +229,11 @@ impl Adapter for Exec {
     }
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
-        self.within(|session| session.run(scenario, None))
+        self.run_in_turn(scenario, None)
+    }
+
+    fn ahead(&self, scenario: &Scenario) {
+        self.begin_ahead(scenario);
     }
 
     fn runs_beside(&self) -> bool {
@@ -220,7 +245,7 @@ impl Adapter for Exec {
         scenario: &Scenario,
         expected: &Expected<'_>,
     ) -> Result<Outcome, HarnessError> {
-        self.within(|session| session.run(scenario, Some(expected)))
+        self.run_in_turn(scenario, Some(expected))
     }
 
     fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {

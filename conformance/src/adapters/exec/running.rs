@@ -27,6 +27,16 @@ impl From<HarnessError> for Stopped {
     }
 }
 
+/// A run that was asked for and not answered yet.
+#[derive(Debug)]
+pub(super) struct Asked {
+    /// What of the request is still to be written.
+    unsent: Vec<u8>,
+    /// Whether a digest will do for an answer.
+    by_digest: bool,
+    before: Before,
+}
+
 /// What came before the answer proper.
 #[derive(Debug, Default)]
 struct Before {
@@ -45,26 +55,54 @@ impl Session {
         scenario: &Scenario,
         expected: Option<&Expected<'_>>,
     ) -> Result<Outcome, Stopped> {
-        self.has_run = true;
-        let digest = expected.is_some() && self.offers(Offer::Digest);
+        let line = self.request_to_run(scenario, expected.is_some())?;
+        let asked = self.ask_to_run(line);
+        self.outcome_of(asked, scenario, expected)
+    }
+
+    /// The next request, to run a scenario; `by_digest` where a digest will do for an answer.
+    pub(super) fn request_to_run(
+        &mut self,
+        scenario: &Scenario,
+        by_digest: bool,
+    ) -> Result<(Vec<u8>, Ways), HarnessError> {
+        let digest = by_digest && self.offers(Offer::Digest);
         let stream = (self.offers(Offer::Stream) && !digest).then_some(Stream { credit: CREDIT });
-        let all = scenario.operator.as_slice();
-        let (live, at_once): (&[_], &[_]) =
-            if self.offers(Offer::LiveOperator) { (all, &[]) } else { (&[], all) };
-        let places = live.iter().map(|event| event.when.clone()).collect();
-        let ways = Ways { stream, digest, live: places };
+        let (live, at_once) = self.told_of(&scenario.operator);
+        let live = live.iter().map(|event| event.when.clone()).collect();
+        let ways = Ways { stream, digest, live };
         let line = self.teller.run(self.last + 1, (scenario, at_once), &ways)?;
-        let before =
-            Before { credit: stream.map_or(0, |stream| stream.credit), ..Before::default() };
-        let line = self.lines.say(&line);
+        Ok((line, ways))
+    }
+
+    /// Asks for a run. Its reset has just found that nothing more is said.
+    pub(super) fn ask_to_run(&mut self, (line, ways): (Vec<u8>, Ways)) -> Asked {
+        self.has_run = true;
+        self.last += 1;
+        let credit = ways.stream.map_or(0, |stream| stream.credit);
+        let before = Before { credit, ..Before::default() };
+        Asked { unsent: self.lines.say(&line), by_digest: ways.digest, before }
+    }
+
+    /// What comes of a run that was asked for. It has its time from now on: whoever asks early may do something else meanwhile.
+    #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
+    pub(super) fn outcome_of(
+        &mut self,
+        Asked { unsent, by_digest, before }: Asked,
+        scenario: &Scenario,
+        expected: Option<&Expected<'_>>,
+    ) -> Result<Outcome, Stopped> {
         if let Some(expected) = expected {
             let _found_out: &Outcome = expected;
         }
-        let (reply, steps) = self.long("run", line, live, before)?;
-        let mut outcome = match (reply, expected.filter(|_| digest)) {
-            (Reply::Unsupported(why), _) => return Ok(unsupported(scenario, why)),
-            (Reply::Digest(told), Some(expected)) => self.by_digest(&told, expected)?,
-            (reply, _) => self.outcome("run", reply)?,
+        let (live, _) = self.told_of(&scenario.operator);
+        let (reply, steps) = self.long("run", unsent, live, before)?;
+        let mut outcome = match reply {
+            Reply::Unsupported(why) => return Ok(unsupported(scenario, why)),
+            Reply::Digest(told) if by_digest => {
+                self.by_digest(&told, expected.map(|expected| &**expected))?
+            }
+            reply => self.outcome("run", reply)?,
         };
         outcome.steps.splice(0..0, steps);
         if outcome.parameters.is_none() && self.can_be_asked_for_parameters() {
@@ -73,13 +111,20 @@ impl Session {
         Ok(outcome)
     }
 
+    /// What of an operator's script is told while the controller runs, and what at once.
+    fn told_of<'a>(
+        &self,
+        script: &'a [OperatorEvent],
+    ) -> (&'a [OperatorEvent], &'a [OperatorEvent]) {
+        if self.offers(Offer::LiveOperator) { (script, &[]) } else { (&[], script) }
+    }
+
     /// Servo samples of a run.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
     pub(super) fn moves(
         &mut self,
         motion: &Motion<'_>,
     ) -> Result<Result<Samples, NotMoved>, Stopped> {
-        self.has_run = true;
         let asked = Operation::Move {
             scenario: Box::new(motion.scenario.clone()),
             limits: motion.limits.clone(),
@@ -87,7 +132,8 @@ impl Session {
             every: motion.every,
         };
         let line = request(self.last + 1, &asked)?;
-        let (reply, _) = self.long(asked.name(), line, &[], Before::default())?;
+        let Asked { unsent, before, .. } = self.ask_to_run((line, Ways::default()));
+        let (reply, _) = self.long(asked.name(), unsent, &[], before)?;
         let samples = match reply {
             Reply::Unsupported(why) => return Ok(Err(NotMoved::Unsupported(shown(&why)))),
             // It is the controller that has none, and not the session that is broken.
@@ -109,8 +155,14 @@ impl Session {
     }
 
     /// The outcome itself, where its digest is not the expected one's.
-    fn by_digest(&mut self, told: &str, expected: &Outcome) -> Result<Outcome, HarnessError> {
-        if told == digest(expected) {
+    fn by_digest(
+        &mut self,
+        told: &str,
+        expected: Option<&Outcome>,
+    ) -> Result<Outcome, HarnessError> {
+        if let Some(expected) = expected
+            && told == digest(expected)
+        {
             return Ok(expected.clone());
         }
         let whole = Operation::Outcome {};
@@ -153,8 +205,6 @@ impl Session {
         mut before: Before,
     ) -> Result<(Reply, Vec<Step>), Stopped> {
         let streams = before.credit > 0;
-        // Its reset has just found that it says nothing more.
-        self.last += 1;
         let deadline = now() + self.limits.time;
         let mut left = self.limits.whole;
         loop {

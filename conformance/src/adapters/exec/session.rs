@@ -6,6 +6,7 @@ use std::time::Instant;
 use gaugeblock_trace::{Options, Outcome, Scenario};
 use serde::Serialize;
 
+use super::ahead::Begun;
 use super::lines::{Lines, NoLine};
 use super::peer::{Door, GRACE, Peer};
 use super::process::now;
@@ -34,6 +35,8 @@ pub(super) struct Session {
     pub(super) has_run: bool,
     /// What is still to be said of a reset that was asked for and not answered yet, if there is one.
     ahead: Option<Vec<u8>>,
+    /// A run that nobody waits for yet, if there is one.
+    pub(super) begun: Option<Begun>,
     /// What was in force after the first reset, where it can tell.
     fresh: Option<Box<Standing>>,
 }
@@ -60,6 +63,7 @@ impl Session {
             last: 0,
             has_run: false,
             ahead: None,
+            begun: None,
             fresh: None,
         };
         let referee = format!("gaugeblock {}", env!("CARGO_PKG_VERSION"));
@@ -220,6 +224,9 @@ impl Session {
 
 impl Drop for Session {
     fn drop(&mut self) {
+        if self.let_run_end().is_err_and(|stopped| !stopped.goes_on) {
+            return;
+        }
         // Whatever it answers, it had its chance to end by itself.
         let ahead = self.ahead.take();
         let Ok(bye) = request(self.last + 1, &Operation::Bye {}) else { return };
