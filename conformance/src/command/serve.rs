@@ -1,7 +1,7 @@
 //! `gaugeblock serve`.
 
 use std::fs::File;
-use std::io::{BufReader, Error};
+use std::io::{BufReader, Error, Read};
 use std::net::{TcpListener, TcpStream};
 use std::os::fd::AsFd as _;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use gaugeblock_trace::{Language, Scenario};
 
 use super::{Refused, controller};
 use crate::adapters::Adapter;
-use crate::protocol::{self, Offer, Served};
+use crate::protocol::{self, Offer, Patience, Served};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock certify \"exec:gaugeblock serve production\"
@@ -53,10 +53,24 @@ pub(super) fn serve(arguments: &Arguments) -> Result<u8, Refused> {
     let unfinished = |error: Error| Refused::unfinished(error.to_string(), "its caller went away");
     // The streams themselves: a request is read at once, and an answer written at once.
     let requests = std::io::stdin().as_fd().try_clone_to_owned().map_err(unfinished)?;
-    let requests = Box::new(BufReader::with_capacity(REQUEST, File::from(requests)));
+    let requests = Requests { stream: File::from(requests), patience: Patience::new() };
+    let requests = Box::new(BufReader::with_capacity(REQUEST, requests));
     let answers = std::io::stdout().as_fd().try_clone_to_owned().map_err(unfinished)?;
     protocol::serve(&served, requests, &mut File::from(answers)).map_err(unfinished)?;
     Ok(0)
+}
+
+/// A stream from which requests are read, one soon after the other.
+struct Requests {
+    stream: File,
+    patience: Patience,
+}
+
+impl Read for Requests {
+    fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+        let _is_there = self.patience.look(&self.stream);
+        self.stream.read(into)
+    }
 }
 
 /// A session for each connection.

@@ -9,6 +9,7 @@ pub mod digest;
 mod features;
 mod form;
 mod offers;
+mod patience;
 mod serve;
 
 use gaugeblock_trace::motion::{MotionLimits, MotionScript};
@@ -20,6 +21,7 @@ use serde::{Deserialize, Serialize};
 pub use declaration::{Clock, Declaration, Observables, vocabulary};
 pub use features::{FEATURES, needed};
 pub use offers::{OFFERS, Offer};
+pub(crate) use patience::Patience;
 pub use serve::{Served, serve};
 
 /// The version that is frozen: what stands in it stays, and what comes is optional.

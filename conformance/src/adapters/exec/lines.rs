@@ -10,6 +10,7 @@ use rustix::io::ioctl_fionbio;
 
 use super::super::HarnessError;
 use super::process::now;
+use crate::protocol::Patience;
 
 /// Most of the error output that is kept: its end.
 const KEPT: usize = 4096;
@@ -59,6 +60,7 @@ pub(super) struct Lines {
     said: Vec<u8>,
     /// Whether the output has ended.
     ended: bool,
+    patience: Patience,
     /// Room for what is read at once.
     part: Box<[u8]>,
 }
@@ -91,6 +93,7 @@ impl Lines {
             taken: 0,
             said: Vec::new(),
             ended: false,
+            patience: Patience::new(),
             part: vec![0; PART].into_boxed_slice(),
         })
     }
@@ -167,6 +170,9 @@ impl Lines {
 
     /// Waits until something comes, or can be written, and hears the error output.
     fn wait(&mut self, left: Duration, has_unsent: bool) -> Came {
+        if !has_unsent && self.patience.look(&self.output) {
+            return Came::Something { output: true };
+        }
         let none = PollFlags::empty();
         let errors = self.errors.as_ref().unwrap_or(&self.output);
         let heard = if self.errors.is_some() { PollFlags::IN } else { none };
