@@ -277,7 +277,7 @@ impl Interpreter {
         if turns == 0 && self.packer.choices.uncalled_free {
             return Ok(Progress::More);
         }
-        let label = self.packer.computed_label(i64::try_from(number).unwrap_or(i64::MAX));
+        let label = self.packer.label_of(format_args!("{number}"));
         let entry = self.find_program(label, (at, block), turns != 0, source)?;
         if turns == 0 {
             return Ok(Progress::More);

@@ -9,7 +9,6 @@ use crate::done::Executed;
 use crate::error::Error;
 use crate::faults::{Fault, planted};
 use crate::interpret::{Interpreter, Progress, segment};
-use crate::math;
 use crate::modal::Refusal;
 use crate::parameters::NameId;
 use crate::source::Source;
@@ -155,10 +154,9 @@ impl Interpreter {
         calculator.clear();
         calculator.run(label_ops(code, block, oword), parameters, modal, packer, words)?;
         let value = calculator.stack.first().copied().unwrap_or(0.0);
-        let Some(number) = math::near_integer(value) else {
-            return Err(Refusal::fault(FaultKind::NotAnInteger, "an o-number is an integer"));
-        };
-        Ok(packer.computed_label(number))
+        packer
+            .computed_label(value)
+            .ok_or_else(|| Refusal::fault(FaultKind::NotAnInteger, "an o-number is an integer"))
     }
 
     /// Evaluates the values behind a keyword; they stand on the stack then.

@@ -7,7 +7,6 @@ use crate::control::{Cursor, Definition, LOOP, STREAM};
 use crate::error::Error;
 use crate::interpret::Interpreter;
 use crate::limits::Limit;
-use crate::math;
 use crate::parameters::NameId;
 use crate::source::Source;
 use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord};
@@ -247,8 +246,7 @@ impl Interpreter {
         let ops = label_ops(code, code.blocks.last()?, oword);
         calculator.clear();
         calculator.run(ops, parameters, modal, packer, words).ok()?;
-        let number = math::near_integer(calculator.stack.first().copied()?)?;
-        Some(packer.computed_label(number))
+        packer.computed_label(calculator.stack.first().copied()?)
     }
 
     /// Refuses more packed blocks than there may be.

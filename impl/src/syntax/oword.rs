@@ -107,16 +107,16 @@ impl Packer {
     ) -> Packed<NameId> {
         let ops = into.ops.get(first..).unwrap_or(&[]);
         let Some(value) = arithmetic::constant(ops, &self.choices) else { return Ok(NONE) };
-        let number = match value {
-            Ok(value) => math::near_integer(value),
+        let value = match value {
+            Ok(value) => value,
             Err((kind, message)) => return cursor.refuse_from(start.at(), *kind, message),
         };
-        let Some(number) = number else {
+        let Some(label) = self.computed_label(value) else {
             let message = "an o-number is an integer";
             return cursor.refuse_from(start.at(), FaultKind::NotAnInteger, message);
         };
         into.ops.truncate(first);
-        Ok(self.computed_label(number))
+        Ok(label)
     }
 
     /// The label that is written as digits; leading zeros mean nothing.
@@ -125,13 +125,25 @@ impl Packer {
         self.labels.intern(if digits.is_empty() { b"0" } else { digits.as_bytes() })
     }
 
-    /// The label that a computed number is.
-    pub(crate) fn computed_label(&mut self, number: i64) -> NameId {
+    /// The label that a computed number is; none where it is not an integer. No document bounds it.
+    pub(crate) fn computed_label(&mut self, value: f64) -> Option<NameId> {
+        match math::near_integer(value) {
+            Some(number) => Some(self.label_of(format_args!("{number}"))),
+            // There are no other numbers so far away; all their digits are written.
+            None if value.is_finite() && value.abs() > 9.0e15 => {
+                Some(self.label_of(format_args!("{value:.0}")))
+            }
+            None => None,
+        }
+    }
+
+    /// The label that an integer is.
+    pub(crate) fn label_of(&mut self, number: core::fmt::Arguments<'_>) -> NameId {
         use core::fmt::Write as _;
         let mut text = core::mem::take(&mut self.scratch);
         text.clear();
         // Writing into a text cannot fail.
-        let label = match write!(text, "{number}") {
+        let label = match text.write_fmt(number) {
             Ok(()) => self.labels.intern(text.as_bytes()),
             Err(core::fmt::Error) => NONE,
         };

@@ -276,7 +276,7 @@ fn o_word(label: &str) -> String {
 fn whole(number: f64) -> Result<String, Halt> {
     match math::near_integer(number) {
         // It may lie beyond what an integer of the machine holds.
-        Some(i64::MIN | i64::MAX) => Ok(number.round().to_string()),
+        Some(i64::MIN | i64::MAX) => Ok(format!("{number:.0}")),
         Some(label) => Ok(label.to_string()),
         None => {
             let message = format!("{number} after O is not an integer");
