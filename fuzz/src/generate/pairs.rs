@@ -41,6 +41,9 @@ const REPEATABLE: &[&str] = &[
     "m8", "m9", "m48", "m49",
 ];
 
+/// The most characters of a line.
+const LONGEST: usize = 255;
+
 const CHANGES: &[Change] = &[
     Change {
         name: "comments",
@@ -129,7 +132,12 @@ fn changed(dice: &mut Dice<'_>) -> Pair {
     let change = dice.pick(CHANGES);
     let mut other = one.clone();
     if !change.moves_lines || !one.program.main.contains("_line") {
-        let lines = one.program.main.lines().map(change.line);
+        // A line that would be too long stays as it is.
+        let lines = one.program.main.lines().map(|line| {
+            let changed = (change.line)(line);
+            let fits = changed.lines().all(|line| line.len() <= LONGEST);
+            if fits { changed } else { line.to_owned() }
+        });
         other.program.main = lines.map(|line| line + "\n").collect();
     }
     Pair { name: change.name, one, other, same: Same::Effects }
