@@ -102,6 +102,15 @@ impl Tally {
         }
     }
 
+    /// How many runs reached an outcome.
+    pub fn runs_with(&self, rule: &str, outcome: RuleOutcome) -> u64 {
+        let runs = self.0.get(rule).copied().unwrap_or_default();
+        match outcome {
+            RuleOutcome::Accepted => runs.accepted,
+            RuleOutcome::Refused => runs.refused,
+        }
+    }
+
     /// Every outcome that was reached, and in how many runs; in no order that means anything.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, RuleOutcome, u64)> {
         let outcomes = self.0.iter().flat_map(|(rule, runs)| {

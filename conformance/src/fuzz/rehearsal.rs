@@ -13,18 +13,20 @@ use super::Plan;
 
 /// Programs of a rehearsal.
 const PROGRAMS: u64 = 8000;
-/// Splices of a rehearsal that try to do the same rare thing.
+/// After so many splices it is judged whether those before a case hinder it.
 const TRIALS: u64 = 16;
+/// So many splices are made for the same rare thing at most.
+const MOST: u64 = 96;
 /// The seed of rehearsals: what is rare is the same for all seeds of a plan.
 const SEED: u64 = 0;
-/// Programs of a plan that are to reach each outcome: more than [`ENOUGH`](super::statistics::ENOUGH), since chance has a part in it.
-const WANTED: u64 = 24;
-/// An outcome has a turn in each round for so many splices that it needs.
-const TURN: u64 = 3;
+/// Programs of a plan that are to reach each outcome: more than [`ENOUGH`](super::statistics::ENOUGH), since a few are not judged in the end.
+const WANTED: f64 = 24.0;
+/// By how many standard deviations chance may be unkind.
+const UNKIND: f64 = 2.0;
 /// How many others run before a case at most: where it is refused, where not, and where they would hinder it.
 const OTHERS: [u32; 3] = [2, 8, 0];
 /// The fewest and the most splices of a hundred programs.
-const SPLICED: (u64, u64) = (10, 26);
+const SPLICED: (u64, u64) = (10, 30);
 /// Plans of up to so many programs, and those without an end, are held for ones of [`SHORT`], all others for ones of [`LONG`], so that a plan
 /// may go on further than it was begun for.
 const SHORT_UP_TO: u64 = 100_000;
@@ -43,60 +45,53 @@ impl Plan<'_> {
     /// Runs some programs on the model, and puts down by which seeds those of some outcomes are reached that a plan of so many programs
     /// would rarely reach. Without it splices take all seeds alike. How many of a hundred programs should be splices.
     ///
-    /// Costs about a second.
+    /// Costs a second or two.
     pub fn rehearse<'r>(
         &mut self,
         outcomes: impl IntoIterator<Item = Reached<'r>>,
         programs: Option<u64>,
     ) -> u32 {
         let programs = if is_long(programs) { LONG } else { SHORT };
-        let reached = self.reached_without_splices();
+        let mut chances = self.chances_without_splices(programs);
         let (by_seed, runs_on) = self.reached_by_seeds();
         let mut missing = Vec::new();
         for outcome in outcomes {
             let Some(does) = by_seed.get(&outcome) else { continue };
-            let seen = reached.get(&outcome).copied().unwrap_or_default();
-            let more = WANTED.saturating_sub(expected(seen, programs));
-            if more > 0 {
+            if chances.get(&outcome).is_none_or(|chance| chance.surely() < WANTED) {
                 let before = does.iter().copied().filter(|place| runs_on[*place]);
                 self.seeds.before.extend(before);
-                missing.push((outcome, does, more));
+                missing.push((outcome, does));
             }
         }
         // What few seeds do comes first: they do of what many do, too.
-        missing.sort_by_key(|(_, does, _)| does.len());
-        let (mut rare, mut done_by_others) = (Vec::new(), BTreeMap::new());
-        let mut trials = PROGRAMS..;
-        for (outcome, does, more) in missing {
-            let done_already: u64 = done_by_others.get(&outcome).copied().unwrap_or_default();
-            // A quarter less: a trial in which others did it may have been lucky.
-            let more = more.saturating_sub(done_already * 3 / 4 / TRIALS);
-            if more == 0 {
+        missing.sort_by_key(|(_, does)| does.len());
+        let mut numbers = PROGRAMS..;
+        let mut splices = Vec::new();
+        for (outcome, does) in missing {
+            let chance = chances.get(&outcome).copied().unwrap_or_default();
+            if chance.surely() >= WANTED {
                 continue;
             }
-            let (found, done) = self.tried(outcome, does, &mut trials);
-            let often = done.get(&outcome).copied().unwrap_or_default();
-            // What does not always succeed may have been lucky; what never did is tried all the same.
-            let surely = if often < TRIALS { often.saturating_sub(1).max(1) } else { often };
-            let splices = (more * TRIALS).div_ceil(surely).min(more * 4);
-            for (other, often) in done {
-                *done_by_others.entry(other).or_default() += often * splices;
+            let (rare, made) = self.made_for(outcome, does, chance, &mut numbers);
+            for (outcome, chance) in made.chances() {
+                let before = chances.entry(outcome).or_default();
+                *before = before.plus(chance);
             }
-            rare.push((found, splices));
+            self.seeds.rare.push(rare);
+            splices.push(made.splices);
         }
-        let rounds = rare.iter().map(|(_, splices)| splices.div_ceil(TURN)).max().unwrap_or(0);
-        for round in 0..rounds {
-            let again = rare.iter().filter(|(_, splices)| splices.div_ceil(TURN) > round);
-            self.seeds.rare.extend(again.map(|(rare, _)| rare.clone()));
+        for turn in 0..splices.iter().copied().max().unwrap_or(0) {
+            let again = splices.iter().enumerate().filter(|(_, splices)| **splices > turn);
+            self.seeds.turns.extend(again.map(|(place, _)| place));
         }
-        let turns = u64::try_from(self.seeds.rare.len()).unwrap_or(u64::MAX);
-        let splices = turns.saturating_mul(TURN * 100 * 100) / splice::rare_among(100);
+        let turns = u64::try_from(self.seeds.turns.len()).unwrap_or(u64::MAX);
+        let splices = turns.saturating_mul(100 * 100) / splice::rare_among(100);
         let share = splices.div_ceil(programs);
         u32::try_from(share.clamp(SPLICED.0, SPLICED.1)).unwrap_or_default()
     }
 
-    /// In how many programs of a rehearsal each outcome was reached.
-    fn reached_without_splices(&self) -> BTreeMap<Reached<'static>, u64> {
+    /// How many of so many programs are likely to reach each outcome, by what those of a rehearsal reach.
+    fn chances_without_splices(&self, programs: u64) -> BTreeMap<Reached<'static>, Chance> {
         let mut reached = Tally::default();
         for number in 0..PROGRAMS {
             let mut scenario = generate::scenario(&mut Dice::of_seed(SEED, number), &self.recipe);
@@ -105,7 +100,13 @@ impl Plan<'_> {
                 reached.add(&run(&scenario).1);
             }
         }
-        reached.iter().map(|(rule, outcome, programs)| ((rule, outcome), programs)).collect()
+        let times = number(programs * (100 - SPLICED.1)) / number(100 * PROGRAMS);
+        let chances = reached.iter().map(|(rule, outcome, programs)| {
+            let mean = number(programs) * times;
+            // Chance had a part in the rehearsal, and has one in the plan.
+            ((rule, outcome), Chance { mean, variance: mean * times + mean })
+        });
+        chances.collect()
     }
 
     /// By which seeds that can be compared each outcome is reached, and which of all seeds may run before others.
@@ -126,39 +127,37 @@ impl Plan<'_> {
         (by_seed, runs_on)
     }
 
-    /// How splices come to an outcome, and how many of some that tried came to each: with others before it, unless fewer than half of them do.
-    fn tried(
+    /// Splices until an outcome is reached often enough: with others before it, unless fewer than half of them reach it.
+    fn made_for(
         &self,
         outcome: Reached<'_>,
         does: &[usize],
-        trials: &mut RangeFrom<u64>,
-    ) -> (Rare, BTreeMap<Reached<'static>, u64>) {
+        chance: Chance,
+        numbers: &mut RangeFrom<u64>,
+    ) -> (Rare, Made) {
         let [if_refused, if_accepted, alone] = OTHERS;
         let refused = outcome.1 == RuleOutcome::Refused;
-        let others = if refused { if_refused } else { if_accepted };
-        let behind = Rare { does: does.to_vec(), others };
-        let done = self.done(&behind, trials);
-        if done.get(&outcome).is_some_and(|often| *often >= TRIALS / 2) {
-            return (behind, done);
-        }
-        let alone = Rare { others: alone, ..behind };
-        let done = self.done(&alone, trials);
-        (alone, done)
-    }
-
-    /// In how many splices each outcome is reached. Each has numbers of its own, or all would have the same programs before them.
-    fn done(&self, rare: &Rare, trials: &mut RangeFrom<u64>) -> BTreeMap<Reached<'static>, u64> {
-        let mut done = Tally::default();
-        for _ in 0..TRIALS {
-            let Some(number) = trials.next() else { break };
-            let mut dice = Dice::of_seed(SEED, number);
-            let scenario = splice::rare(&mut dice, &self.seeds, rare);
-            let (outcome, evidence) = run(&scenario);
-            if self.left_out(&scenario, &outcome).is_none() {
-                done.add(&evidence);
+        let mut rare =
+            Rare { does: does.to_vec(), others: if refused { if_refused } else { if_accepted } };
+        let mut made = Made::default();
+        while made.splices < MOST && chance.plus(made.chance_of(outcome)).surely() < WANTED {
+            // Each has a number of its own, or all would have the same programs before them.
+            let Some(number) = numbers.next() else { break };
+            let scenario = splice::rare(&mut Dice::of_seed(SEED, number), &self.seeds, &rare);
+            let (ended, evidence) = run(&scenario);
+            made.splices += 1;
+            if self.left_out(&scenario, &ended).is_none() {
+                made.reached.add(&evidence);
+            }
+            if made.splices == TRIALS
+                && rare.others != alone
+                && made.programs_with(outcome) < TRIALS / 2
+            {
+                rare.others = alone;
+                made = Made::default();
             }
         }
-        done.iter().map(|(rule, outcome, splices)| ((rule, outcome), splices)).collect()
+        (rare, made)
     }
 
     /// Whether both sides run a scenario.
@@ -167,10 +166,55 @@ impl Plan<'_> {
     }
 }
 
-/// How many programs of a plan reach at least what so many of a rehearsal reached, if chance was kind to those; splices take the place of some.
-fn expected(seen: u64, programs: u64) -> u64 {
-    let sure = seen.saturating_sub(seen.isqrt());
-    sure.saturating_mul(programs) * (100 - SPLICED.1) / 100 / PROGRAMS
+/// How many programs of a plan are likely to reach an outcome.
+#[derive(Clone, Copy, Debug, Default)]
+struct Chance {
+    mean: f64,
+    variance: f64,
+}
+
+impl Chance {
+    /// What it comes to if chance is as unkind as it well may be.
+    fn surely(self) -> f64 {
+        self.mean - UNKIND * self.variance.sqrt()
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self { mean: self.mean + other.mean, variance: self.variance + other.variance }
+    }
+}
+
+/// Splices of a rehearsal for one outcome. A plan has as many again.
+#[derive(Debug, Default)]
+struct Made {
+    splices: u64,
+    reached: Tally,
+}
+
+impl Made {
+    /// How many of as many again are likely to reach each outcome.
+    fn chances(&self) -> impl Iterator<Item = (Reached<'static>, Chance)> {
+        let reached = self.reached.iter();
+        reached.map(|(rule, outcome, programs)| ((rule, outcome), self.chance(programs)))
+    }
+
+    fn chance_of(&self, outcome: Reached<'_>) -> Chance {
+        self.chance(self.programs_with(outcome))
+    }
+
+    fn chance(&self, programs: u64) -> Chance {
+        let (mean, splices) = (number(programs), number(self.splices.max(1)));
+        Chance { mean, variance: mean * (1.0 - mean / splices) }
+    }
+
+    fn programs_with(&self, outcome: Reached<'_>) -> u64 {
+        self.reached.runs_with(outcome.0, outcome.1)
+    }
+}
+
+/// A count of programs.
+fn number(count: u64) -> f64 {
+    f64::from(u32::try_from(count).unwrap_or(u32::MAX))
 }
 
 /// Whether a scenario may run before another one: it needs nothing but its program, in which no O-word and no percent sign stands.

@@ -9,8 +9,10 @@ use super::{BUDGET, Dice};
 pub struct Seeds {
     /// The scenarios.
     pub all: Vec<Scenario>,
-    /// What other programs do too rarely. What is rarer may stand here more often.
+    /// What other programs do too rarely.
     pub rare: Vec<Rare>,
+    /// Whose turn it is, by places in `rare`, over and over. What is rarer has more turns.
+    pub turns: Vec<usize>,
     /// Scenarios that may run before any other: they need nothing but their program, and go to its end.
     pub before: Vec<usize>,
 }
@@ -36,11 +38,13 @@ pub fn rare_among(splices: u64) -> u64 {
 /// are those of the first. What is rare comes in turns: which it is follows from how many splices a plan has had before.
 ///
 /// # Panics
-/// There is no scenario.
+/// There is no scenario, or a turn is that of nothing.
 pub fn spliced(dice: &mut Dice<'_>, seeds: &Seeds, splice: u64) -> Scenario {
     let turn = usize::try_from(rare_among(splice)).unwrap_or_default();
-    match turn.checked_rem(seeds.rare.len()) {
-        Some(turn) if splice % ONE_IN != ONE_IN - 1 => rare(dice, seeds, &seeds.rare[turn]),
+    match turn.checked_rem(seeds.turns.len()) {
+        Some(turn) if splice % ONE_IN != ONE_IN - 1 => {
+            rare(dice, seeds, &seeds.rare[seeds.turns[turn]])
+        }
         _ => {
             let mut scenario = Scenario { budget: BUDGET, ..dice.pick(&seeds.all).clone() };
             change(dice, seeds, &mut scenario);

@@ -105,11 +105,14 @@ pub(in super::super) const ROWS: &[Row] = &[
         },
     ),
     Row::any("crowded.m-words", Kind::Crowded, 2, |w| {
-        let all = ["m5", "m9", "m48", "m70", "m61 q0", "m1"];
-        let most = if w.dice.chance(5) { 5 } else { 4 };
-        w.block(all[..most].join(" "));
-        w.state.saved = true;
-        w.state.turning = false;
+        // Some controllers have saving in the group of the spindle.
+        let saves = w.dice.chance(50);
+        let (first, other) = if saves { ("m70", "m5") } else { ("m5", "m70") };
+        let third = if w.dice.chance(5) { other } else { "m48" };
+        let rest = if w.dice.chance(5) { " m61 q0" } else { "" };
+        w.block(format!("{first} m9 {third} m64 p0{rest}"));
+        w.state.saved |= saves;
+        w.state.turning &= saves;
     }),
     Row::any("crowded.modes", Kind::Crowded, 25, |w| {
         let mut words = Vec::new();

@@ -47,13 +47,13 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.block(code);
     }),
     Row::any("override.both", Kind::Override, 10, |w| {
-        let (code, which) = (*w.dice.pick(&["m48", "m49"]), w.spindle_word(15));
+        let (code, which) = (*w.dice.pick(&["m48", "m49"]), w.spindle_word(4));
         w.block(format!("{code}{which}"));
     }),
     Row::any("override.one", Kind::Override, 18, |w| {
         let code = *w.dice.pick(&["m50", "m51", "m52", "m53"]);
         let state = *w.dice.pick(&["", " p0", " p1"]);
-        let which = if code == "m51" { w.spindle_word(20) } else { String::new() };
+        let which = if code == "m51" { w.spindle_word(8) } else { String::new() };
         w.block(format!("{code}{state}{which}"));
     }),
 ];
