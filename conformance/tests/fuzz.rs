@@ -338,6 +338,43 @@ impl Adapter for WithoutDwell {
     }
 }
 
+/// The model, but what it does with programs that dwell cannot be read.
+#[derive(Debug)]
+struct Unreadable(Capabilities);
+
+impl Adapter for Unreadable {
+    fn capabilities(&self) -> &Capabilities {
+        &self.0
+    }
+
+    fn supports(&self, _scenario: &Scenario) -> Result<(), String> {
+        Ok(())
+    }
+
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        if scenario.program.main.contains("g4") {
+            return Err(HarnessError::NotRun("nobody knows".to_owned()));
+        }
+        Ok(gaugeblock_reference::run(scenario).0)
+    }
+}
+
+#[test]
+fn the_first_programs_that_are_not_judged_are_kept() {
+    let unreadable = Unreadable(Capabilities::everything("unreadable", "1"));
+    let reference = Reference::default();
+    let plan = plan(&unreadable, &reference);
+    let chunks = chunks(&plan, WHOLE, &BTreeSet::new());
+    let count: u64 = chunks.iter().flat_map(|chunk| chunk.statistics.not_judged.values()).sum();
+    let kept: Vec<_> = chunks.into_iter().flat_map(|chunk| chunk.not_judged).collect();
+    assert!(!kept.is_empty() && kept.len() < usize::try_from(count).unwrap(), "{}", kept.len());
+    for kept in kept {
+        assert_eq!(plan.scenario(kept.number), kept.scenario);
+        assert!(kept.scenario.program.main.contains("g4"), "{}", kept.scenario.program.main);
+        assert!(kept.why.contains("nobody knows"), "{}", kept.why);
+    }
+}
+
 #[test]
 fn what_no_case_can_show_is_told_apart_by_what_a_controller_declares() {
     let restless = WithoutDwell(Capabilities::everything("restless", "1"));

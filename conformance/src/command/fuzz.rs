@@ -1,6 +1,6 @@
 //! `gaugeblock fuzz`.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -15,12 +15,15 @@ use super::fuzz_cases::{outcomes, rarely_reached, seeds};
 use super::{Format, Refused, controller, fuzz_report, place, write_error, write_out};
 use crate::adapters::Adapter;
 use crate::fuzz::groups::{Find, Groups, merged, shrunk};
-use crate::fuzz::journal::Header;
+use crate::fuzz::journal::{Header, NotJudged};
 use crate::fuzz::rehearsal::is_long;
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{Extent, Plan, Random, Shard, run};
 use crate::journal::Journal;
 use crate::suite::{Choice, Edition, Suite};
+
+/// How many programs that could not be judged are told of, the first ones.
+const NOT_JUDGED: usize = 10;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock fuzz
@@ -82,7 +85,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "PERCENT", default_value_t = Recipe::default().wrong_programs, value_parser = clap::value_parser!(u32).range(0..=100))]
     wrong: u32,
     /// How many of a hundred programs are put together from the suite's cases [default: so many that each outcome of a rule should be
-    /// reached 20 times, 10 to 25]
+    /// reached 20 times, 10 to 30]
     #[arg(long, value_name = "PERCENT", value_parser = clap::value_parser!(u32).range(0..=100))]
     spliced: Option<u32>,
     /// Write the journal, the report and each smallest program into this folder
@@ -174,6 +177,7 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
         known: &known,
         rare: &rare,
         not_shown: &not_shown,
+        not_judged: &so_far.not_judged,
         seconds,
     };
     if let Some(folder) = &arguments.report {
@@ -192,6 +196,7 @@ struct SoFar {
     done: BTreeSet<u64>,
     statistics: Statistics,
     groups: Groups,
+    not_judged: BTreeMap<u64, NotJudged>,
 }
 
 impl SoFar {
@@ -199,6 +204,10 @@ impl SoFar {
         if self.done.insert(chunk.chunk) {
             self.statistics.add(&chunk.statistics);
             chunk.found.into_iter().for_each(|find| self.groups.add(find));
+            self.not_judged.extend(chunk.not_judged.into_iter().map(|kept| (kept.number, kept)));
+            while self.not_judged.len() > NOT_JUDGED {
+                self.not_judged.pop_last();
+            }
         }
     }
 }

@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
+use gaugeblock_trace::Scenario;
 use serde_json::json;
 
 use super::{Refused, place};
 use crate::fuzz::groups::Find;
-use crate::fuzz::journal::Header;
+use crate::fuzz::journal::{Header, NotJudged};
 use crate::fuzz::shown::NotShown;
 use crate::fuzz::statistics::{Counts, ENOUGH, Statistics};
 
@@ -28,6 +29,8 @@ pub(super) struct Report<'a> {
     pub(super) rare: &'a [(String, u64)],
     /// Those that none reached, and no case does that can be compared here, and why.
     pub(super) not_shown: &'a NotShown,
+    /// The first programs of which nothing can be said.
+    pub(super) not_judged: &'a BTreeMap<u64, NotJudged>,
     pub(super) seconds: f64,
 }
 
@@ -54,6 +57,7 @@ impl Report<'_> {
             "gaugeblock": "fuzz", "version": 0, "run": self.header, "statistics": self.statistics,
             "divergences": finds, "known": self.known.len(), "rarely_reached": self.rare,
             "not_shown": self.not_shown,
+            "not_judged": self.not_judged.values().collect::<Vec<_>>(),
         })
     }
 
@@ -97,6 +101,7 @@ impl Report<'_> {
         ] {
             list(&mut text, what, counts, if verbose { usize::MAX } else { 6 });
         }
+        self.first_not_judged(&mut text);
         self.rarely_reached(&mut text, if verbose { usize::MAX } else { 10 });
         self.not_shown(&mut text, verbose);
         if verbose {
@@ -108,6 +113,15 @@ impl Report<'_> {
         }
         let _infallible = writeln!(text, "{}", self.verdict());
         text
+    }
+
+    /// Which programs to look at.
+    fn first_not_judged(&self, text: &mut String) {
+        if !self.not_judged.is_empty() {
+            let numbers: Vec<_> = self.not_judged.keys().map(u64::to_string).collect();
+            let (numbers, what) = (numbers.join(", "), "`--report DIR` writes each into a folder");
+            let _infallible = writeln!(text, "            of the programs {numbers}; {what}");
+        }
     }
 
     /// What the run says little of.
@@ -186,21 +200,30 @@ impl Report<'_> {
                 .take(60)
                 .collect();
             let folder = folder.join(format!("{:03}-{name}", at + 1));
-            place::folder(&folder)?;
-            place::write_whole(&folder.join("program.ngc"), &find.scenario.program.main)?;
-            for (name, text) in
-                find.scenario.program.files.iter().filter(|(name, _)| !name.contains(['/', '\\']))
-            {
-                place::write_whole(&folder.join(name), text)?;
-            }
-            let scenario = find.scenario.to_text().map_err(|error| {
-                Refused::unfinished(error.message, "this is a fault of gaugeblock")
-            })?;
-            place::write_whole(&folder.join("scenario.toml"), &scenario)?;
+            write_program(&folder, &find.scenario)?;
             place::write_whole(&folder.join("divergence.txt"), describe(at + 1, find))?;
+        }
+        for NotJudged { number, why, scenario } in self.not_judged.values() {
+            let folder = folder.join(format!("not-judged-{number}"));
+            write_program(&folder, scenario)?;
+            place::write_whole(&folder.join("why.txt"), format!("{why}\n"))?;
         }
         Ok(())
     }
+}
+
+/// Writes a program, its files and the scenario into a folder of their own.
+fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), Refused> {
+    place::folder(folder)?;
+    place::write_whole(&folder.join("program.ngc"), &scenario.program.main)?;
+    let files = scenario.program.files.iter();
+    for (name, text) in files.filter(|(name, _)| !name.contains(['/', '\\'])) {
+        place::write_whole(&folder.join(name), text)?;
+    }
+    let text = scenario
+        .to_text()
+        .map_err(|error| Refused::unfinished(error.message, "this is a fault of gaugeblock"))?;
+    place::write_whole(&folder.join("scenario.toml"), &text)
 }
 
 /// The divergences that an earlier report tells.
@@ -241,8 +264,8 @@ pub(super) fn describe(place: usize, find: &Find) -> String {
 
 /// What of machine and bench is not the default.
 fn unusual(find: &Find) -> Vec<String> {
-    let plain = gaugeblock_trace::Scenario::default();
-    let of = |scenario: &gaugeblock_trace::Scenario| {
+    let plain = Scenario::default();
+    let of = |scenario: &Scenario| {
         let mut shown = scenario.clone();
         shown.program = plain.program.clone();
         shown.options = plain.options.clone();

@@ -81,7 +81,7 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
             ));
             return Ok(1);
         }
-        Came::Unsupported | Came::Unspecified | Came::NotJudged => {
+        Came::Unsupported | Came::Unspecified | Came::NotJudged(_) => {
             let counts = [&statistics.unsupported, &statistics.unspecified, &statistics.not_judged];
             let why: Vec<&str> =
                 counts.iter().flat_map(|counts| counts.keys()).map(String::as_str).collect();

@@ -1,5 +1,6 @@
 //! The journal of a run of generated programs: what it is of, and its chunks.
 
+use gaugeblock_trace::Scenario;
 use serde::{Deserialize, Serialize};
 
 use super::groups::Find;
@@ -37,6 +38,21 @@ pub struct Chunk {
     pub statistics: Statistics,
     /// What was found, smallest programs only.
     pub found: Vec<Find>,
+    /// The first of its programs of which nothing can be said.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub not_judged: Vec<NotJudged>,
+}
+
+/// A program of which nothing can be said.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NotJudged {
+    /// The program's number under the seed.
+    pub number: u64,
+    /// What stands in the way.
+    pub why: String,
+    /// The program and what it is run with.
+    pub scenario: Scenario,
 }
 
 #[cfg(test)]
@@ -65,7 +81,12 @@ mod tests {
         std::fs::create_dir_all(&folder).unwrap();
         let path = folder.join(FILE);
         let _absent = std::fs::remove_file(&path);
-        let chunk = |chunk| Chunk { chunk, statistics: Statistics::default(), found: Vec::new() };
+        let chunk = |chunk| Chunk {
+            chunk,
+            statistics: Statistics::default(),
+            found: Vec::new(),
+            not_judged: Vec::new(),
+        };
         let open = |header: &Header, resume| {
             let mut done = Vec::new();
             Journal::open(&folder, header, resume, &mut |chunk: Chunk| done.push(chunk))

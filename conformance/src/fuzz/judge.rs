@@ -33,8 +33,8 @@ pub enum Came {
     Unsupported,
     /// The documents leave it open.
     Unspecified,
-    /// Nothing can be said: not run, not understood.
-    NotJudged,
+    /// Nothing can be said, and why: not run, not understood.
+    NotJudged(String),
 }
 
 impl Plan<'_> {
@@ -65,7 +65,7 @@ impl Plan<'_> {
             {
                 let why = format!("{}: no end, here as there", name(self.iut));
                 count(&mut statistics.not_judged, &why);
-                return Came::NotJudged;
+                return Came::NotJudged(why);
             }
             Err(error) => return self.broken(self.iut, &error, statistics),
         };
@@ -144,7 +144,7 @@ impl Plan<'_> {
                 let short: String =
                     line.lines().next().unwrap_or_default().chars().take(100).collect();
                 count(&mut statistics.not_judged, &format!("{}: {short}", name(side)));
-                return Came::NotJudged;
+                return Came::NotJudged(format!("{}: {error}", name(side)));
             }
         };
         let of = |other: bool| if other { error.to_string() } else { "an end".to_owned() };

@@ -27,12 +27,14 @@ use crate::adapters::Adapter;
 pub use crate::shard::Shard;
 use crate::suite::{Choice, ChoiceKind};
 use groups::{Find, Groups};
-use journal::Chunk;
+use journal::{Chunk, NotJudged};
 pub use judge::{Came, Difference};
 use statistics::Statistics;
 
 /// How many programs are run and journaled together.
 pub const CHUNK: u64 = 64;
+/// How many programs of a chunk that could not be judged are kept.
+const KEPT: usize = 2;
 
 /// What is run on what.
 #[derive(Debug)]
@@ -132,6 +134,7 @@ impl Plan<'_> {
     fn chunk(&self, chunk: u64, programs: u64, stop: &AtomicBool) -> Option<Chunk> {
         let mut statistics = Statistics::default();
         let mut groups = Groups::default();
+        let mut not_judged = Vec::new();
         let first = chunk * CHUNK;
         let mut options = self.options.clone();
         for number in first..(first + CHUNK).min(programs) {
@@ -144,14 +147,18 @@ impl Plan<'_> {
                     groups.add(Find::of(number, scenario, *difference));
                     self.options.clone()
                 }
+                Came::NotJudged(why) if not_judged.len() < KEPT => {
+                    not_judged.push(NotJudged { number, why, scenario });
+                    self.options.clone()
+                }
                 Came::Same
                 | Came::Fragile
                 | Came::Unsupported
                 | Came::Unspecified
-                | Came::NotJudged => self.options_again(scenario.options),
+                | Came::NotJudged(_) => self.options_again(scenario.options),
             };
         }
-        Some(Chunk { chunk, statistics, found: groups.finds() })
+        Some(Chunk { chunk, statistics, found: groups.finds(), not_judged })
     }
 }
 
