@@ -90,6 +90,20 @@ pub(super) fn outcome(
     Ok(outcome)
 }
 
+/// Of a program that does something else under observation, since the number of a line decides what it does.
+pub(super) fn decided_by_line(source: &Source) -> Outcome {
+    let what = "#<_line> decides what is done, and probes are lines, too".to_owned();
+    Outcome {
+        language: Language::Rs274,
+        start: Settings::default(),
+        steps: Vec::new(),
+        end: End::Unsupported { block: source.block(0, 1), what },
+        parameters: None,
+        pins: Vec::new(),
+        samples: Vec::new(),
+    }
+}
+
 /// T0 selects no tool, since tools do not change places here; once a tool was selected, or the table written, it shows as tool 0.
 fn select_none(step: &mut Step) {
     if let Some(State::Rs274(state)) = &mut step.state

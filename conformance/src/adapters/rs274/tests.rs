@@ -265,6 +265,17 @@ fn an_endless_program_exhausts_its_budget() {
 }
 
 #[test]
+fn what_the_number_of_a_line_decides_is_unsupported() {
+    let Some(decided) = run("g4 p1\ng4 p1\no1 if [#<_line> eq 3]\ng0 x1\no1 endif\nm2\n") else {
+        return;
+    };
+    let End::Unsupported { what, .. } = &decided.end else { panic!("{:?}", decided.end) };
+    assert!(what.contains("#<_line>"), "{what}");
+    let Some(only_told) = run("#31 = #<_line>\ng0 x1\nm2\n") else { return };
+    assert_eq!(only_told.end, End::ProgramEnd);
+}
+
+#[test]
 fn what_it_stubs_is_unsupported() {
     let Some(outcome) = run("m99\n") else { return };
     assert!(matches!(outcome.end, End::Unsupported { .. }), "{:?}", outcome.end);
