@@ -176,10 +176,11 @@ fn parameter(packer: &mut Packer, text: &[u8], into: &mut Segment) -> Option<(Pi
         return Some((piece, close.checked_add(2)?));
     }
     let digits = after_sign.iter().take_while(|byte| byte.is_ascii_digit()).count();
-    let number = core::str::from_utf8(after_sign.get(..digits)?).ok()?.parse::<u32>().ok()?;
-    let piece = match parameter_number(f64::from(number)) {
-        Ok(number) => Piece::Numbered(u32::from(number)),
-        Err(_) => Piece::Absent,
-    };
+    if digits == 0 {
+        return None;
+    }
+    let number = core::str::from_utf8(after_sign.get(..digits)?).ok()?.parse::<u32>();
+    let number = number.ok().and_then(|number| parameter_number(f64::from(number)).ok());
+    let piece = number.map_or(Piece::Absent, |number| Piece::Numbered(u32::from(number)));
     Some((piece, digits.checked_add(1)?))
 }
