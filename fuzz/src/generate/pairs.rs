@@ -189,6 +189,8 @@ fn deleted_blocks(dice: &mut Dice<'_>) -> Pair {
     let with: String = body.lines().map(|line| format!("{line}\n/g0 x99\n/ #31 = 5\n")).collect();
     let mut pair =
         both("block delete", &format!("{body}m2\n"), &format!("{with}m2\n"), Same::Effects);
+    // Of both: the blocks may have some to delete, too.
+    pair.one.program.block_delete = true;
     pair.other.program.block_delete = true;
     pair
 }
