@@ -129,6 +129,8 @@ choices! {
     two {
         /// A value in a message has four decimals.
         default_four "active-comments.default-format" ["six-decimals", "four-decimals"],
+        /// Blanks around the name of a log belong to it.
+        log_name_whole "active-comments.file-name-blanks" ["left-out", "part-of-it"],
         /// MSG needs no comma.
         message_free "active-comments.msg-without-comma" ["plain", "message"],
         /// %f gives six decimals.

@@ -24,6 +24,9 @@ pub(crate) fn pack(packer: &mut Packer, text: &[u8], into: &mut Segment) -> Opti
     match act {
         Act::Debug | Act::Print | Act::Log | Act::Abort => expand(packer, rest, into),
         Act::Message => plain_text(rest, first_piece, into),
+        Act::LogOpen | Act::LogAppend if packer.choices.log_name_whole => {
+            plain_text(rest, first_piece, into);
+        }
         Act::LogOpen | Act::LogAppend | Act::ProbeOpen => {
             plain_text(without_blanks(rest), first_piece, into);
         }

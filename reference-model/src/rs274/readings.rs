@@ -16,6 +16,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
     ("abort.spindle-and-coolant", &["switched-off", "left-alone"]),
     ("active-comments.absent-name", &["number-sign", "six-number-signs"]),
     ("active-comments.default-format", &["six-decimals", "four-decimals"]),
+    ("active-comments.file-name-blanks", &["left-out", "part-of-it"]),
     ("active-comments.msg-without-comma", &["plain", "message"]),
     ("active-comments.plain-f-format", &["four-decimals", "six-decimals"]),
     ("active-comments.same-block-setting", &["new", "old"]),

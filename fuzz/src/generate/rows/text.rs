@@ -30,7 +30,7 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.moves(true);
     }),
     Row::any("message.log", Kind::Message, 4, |w| {
-        let open = *w.dice.pick(&["(logopen,a.txt)", "(logappend,a.txt)"]);
+        let open = *w.dice.pick(&["(logopen,a.txt)", "(logappend,a.txt)", "(logopen, a.txt )"]);
         w.block(open);
         w.block("(log,#31)");
         if w.dice.chance(70) {

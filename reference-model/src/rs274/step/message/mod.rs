@@ -43,10 +43,10 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
         Active::LogOpen | Active::LogAppend => {
             state.log_open = true;
             let append = active == Active::LogAppend;
-            record.effect(
-                state,
-                Effect::LogOpen { file: text.trim_matches(keyword::is_blank).to_owned(), append },
-            );
+            // Choice active-comments.file-name-blanks.
+            let whole = state.readings.is("active-comments.file-name-blanks", "part-of-it");
+            let name = if whole { text } else { text.trim_matches(keyword::is_blank) };
+            record.effect(state, Effect::LogOpen { file: name.to_owned(), append });
         }
         Active::LogClose => {
             let open = std::mem::replace(&mut state.log_open, false);
