@@ -56,6 +56,8 @@ pub(crate) struct Packer {
     pub(crate) comments_told: bool,
     /// Whether quirks of `rs274` are imitated.
     pub(crate) imitates: bool,
+    /// Whether the label of an o-word is being read.
+    pub(crate) in_label: bool,
     /// The bound that the line just packed goes beyond.
     pub(crate) beyond: Option<Limit>,
     /// Most named parameters.
@@ -98,6 +100,7 @@ impl Packer {
             block_delete: false,
             comments_told: false,
             imitates: false,
+            in_label: false,
             beyond: None,
             most_names: limits.named_parameters,
             bracket_depth: limits.bracket_depth,

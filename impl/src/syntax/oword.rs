@@ -74,6 +74,7 @@ impl Packer {
         text.clear();
         let first = into.ops.len();
         let start = *cursor;
+        self.in_label = true;
         let result = match cursor.peek() {
             b'0'..=b'9' => {
                 number::digits(cursor, &mut text);
@@ -90,6 +91,7 @@ impl Packer {
             b'#' => self.value(cursor, into, self.bracket_depth).map(|()| NONE),
             _ => cursor.refuse(FaultKind::BadBlock, "a label is missing"),
         };
+        self.in_label = false;
         self.scratch = text;
         match result? {
             NONE => self.constant_label(&start, cursor, first, into),

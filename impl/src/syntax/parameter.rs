@@ -99,6 +99,11 @@ impl Packer {
         into.ops.pop();
         match parameter_number(number) {
             Ok(number) => Ok(Place::Numbered(number)),
+            Err(_) if self.in_label => {
+                // The o-word is there all the same, also where nothing is executed.
+                into.ops.push(Op::Number(number));
+                Ok(Place::Indirect)
+            }
             Err((kind, message)) => cursor.refuse_from(start, *kind, message),
         }
     }
