@@ -187,7 +187,7 @@ impl Run {
             _ => self.texts.last_line(),
         };
         let line = String::from_utf8_lossy(&line);
-        if fault.kind == Some(FaultKind::UnknownSub) && self.texts.has_second_percent() {
+        if refusals::searched(fault) && self.texts.has_second_percent() {
             // The search has come by the second percent line.
             self.printer.out.call("FINISH");
         }

@@ -139,6 +139,15 @@ fn fault_of_compensation(fault: &Fault, words: &Words) -> bool {
     words.g_of(&COMPENSATIONS).is_some() && (of_plane || of_diameter)
 }
 
+/// Whether a label was looked for up to the end of the file.
+pub(super) fn searched(fault: &Fault) -> bool {
+    match fault.kind {
+        Some(FaultKind::UnknownSub | FaultKind::UnknownLabel) => true,
+        Some(FaultKind::MissingEnd) => fault.message == "the sub does not end",
+        _ => false,
+    }
+}
+
 impl Refused<'_> {
     /// What is said of it.
     pub(super) fn sentence(&self) -> String {

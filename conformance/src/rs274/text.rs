@@ -31,7 +31,7 @@ pub(super) fn comment(line: &[u8]) -> Option<&[u8]> {
 
 /// Whether a comment does something, so that it is not printed as a comment.
 pub(super) fn acts(comment: &[u8]) -> bool {
-    let text = comment.iter().filter(|byte| !byte.is_ascii_whitespace());
+    let text = comment.iter().filter(|byte| !matches!(byte, b' ' | b'\t'));
     ACTS.iter().any(|act| {
         let mut text = text.clone();
         act.iter()
@@ -56,5 +56,6 @@ mod tests {
         assert_eq!(comment(b"(a) g0 ; (b)"), Some(&b"a"[..]));
         assert!(acts(b" M S G, hi"));
         assert!(!acts(b"message"));
+        assert!(!acts(b"m\x0csg, a form feed is no blank"));
     }
 }
