@@ -143,8 +143,8 @@ fn plain_text(text: &[u8], first_piece: usize, into: &mut Segment) {
 
 /// `%d`, `%f`, `%.3f` or `%lf`, and its length.
 fn format(packer: &Packer, text: &[u8]) -> Option<(Piece, usize)> {
-    let lower = |place: usize| text.get(place).map(u8::to_ascii_lowercase);
-    match (lower(1)?, lower(2), lower(3)) {
+    let at = |place: usize| text.get(place).copied();
+    match (at(1)?, at(2), at(3)) {
         (b'd', ..) => Some((Piece::Decimals(0), 2)),
         (b'f', ..) => Some((Piece::Decimals(if packer.choices.format_six { 6 } else { 4 }), 2)),
         (b'l', Some(b'f'), _) => {
