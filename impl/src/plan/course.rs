@@ -54,7 +54,7 @@ pub(super) struct Queue<'a> {
     pub(super) ahead: &'a mut Ahead,
     pub(super) motion: &'a Motion,
     pub(super) limits: &'a Limits,
-    /// The first piece that has been changed.
+    /// The first piece that has been changed, or that has been lowered for it.
     pub(super) changed: u64,
 }
 
@@ -176,9 +176,11 @@ fn blended(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
     false
 }
 
+/// What a form of the path has lowered is computed anew for the one that takes its place.
 fn settle(queue: &mut Queue<'_>) -> u64 {
     let at = queue.motion.at;
-    queue.ahead.settle(queue.ring, queue.changed, at, queue.limits)
+    queue.changed = queue.ahead.settle(queue.ring, queue.changed, at, queue.limits);
+    queue.changed
 }
 
 /// Whether the motion can keep to a changed path.
