@@ -27,7 +27,9 @@ use gaugeblock_trace::motion::{Feed, MotionLimits, PathMode, ProgrammedPath};
 use self::relaxation::Gate;
 pub(in crate::motion) use self::smooth::Bounds;
 use self::smooth::Smooth;
-pub(in crate::motion) use self::stopping::{Shortest, Stop, shortest_stopping, stopping};
+pub(in crate::motion) use self::stopping::{
+    Shortest, Stop, shortest_stopping, stopping, stopping_on_blend,
+};
 use super::curve::{Counted, Curve};
 use super::envelope::Envelope;
 use super::route::{Leg, Passing, Route, Task};

@@ -3,7 +3,7 @@
 use crate::motion::curve::Curve;
 use crate::motion::envelope::Envelope;
 use crate::motion::route::{Passing, Route};
-use crate::motion::vector::{Nine, direction, distance, length, minus};
+use crate::motion::vector::{Nine, direction, distance, dot, length, minus};
 
 /// The angle of an arc in one step, radians.
 const STEP: f64 = 0.005;
@@ -17,12 +17,22 @@ pub(in crate::motion) struct Stop {
     pub(in crate::motion) seconds: f64,
 }
 
+impl Stop {
+    /// The longer of both in everything.
+    pub(in crate::motion) fn most(self, other: Self) -> Self {
+        Self {
+            distance: self.distance.max(other.distance),
+            seconds: self.seconds.max(other.seconds),
+        }
+    }
+}
+
 /// A distance in which a motion at a point of a route can stop on it, from a speed, however its corners are rounded.
 ///
 /// The point brakes as hard as the axis that is loaded most allows, with what turning leaves of its acceleration. How long the blend at a
 /// corner is, only who plans it knows. Where turning into the other leg takes all of the acceleration, it is so short that it ends within
-/// [`Blend::inner`]: there the speed is steady. Where a blend is twice as long, half of the acceleration is left: so much brakes as far as the
-/// longest blend reaches. Beyond the end of the route there is nothing to stop on.
+/// [`Blend::inner`]: there the speed is steady, and no higher than the longest blend is passed with. Where a blend is twice as long, half of the
+/// acceleration is left: so much brakes as far as the longest blend reaches. Beyond the end of the route there is nothing to stop on.
 pub(in crate::motion) fn stopping(
     route: &Route<'_>,
     envelope: &Envelope,
@@ -48,6 +58,32 @@ pub(in crate::motion) fn stopping(
         part = 0.0;
     }
     Stop { seconds: stop.seconds.max(seconds), ..stop }
+}
+
+/// What it takes to stop from a velocity on the blend that a motion may be on at a point of a route; nothing where it is on none.
+///
+/// On a blend that takes all of the acceleration the velocity goes evenly from one leg's direction to the other's, so that its shares along
+/// both tell how much is left of the blend. Their sum is the speed at its end: in the middle the path is slower, and nobody can brake before
+/// that. No blend is left faster than the longest one.
+pub(in crate::motion) fn stopping_on_blend(
+    route: &Route<'_>,
+    envelope: &Envelope,
+    (leg, part): (usize, f64),
+    velocity: &Nine,
+) -> Stop {
+    let way = route.legs[leg].curve.length();
+    let corners = [(leg, part * way), (leg + 1, (1.0 - part) * way)];
+    let stops = corners.into_iter().filter_map(|(corner, away)| {
+        let blend = Blend::at(route, envelope, corner).filter(|blend| away <= blend.reach)?;
+        let (before, behind) = blend.shares(velocity)?;
+        let speed = (before + behind).min(blend.fastest());
+        let half = blend.inner(speed);
+        let left = 2.0 * half * before / (before + behind);
+        let end = (corner, half / route.legs[corner].curve.length());
+        let Stop { distance, seconds } = stopping(route, envelope, end, speed);
+        Some(Stop { distance: left + distance, seconds: left / speed + seconds })
+    });
+    stops.fold(Stop::default(), Stop::most)
 }
 
 /// How a motion stops at least, if nothing is known but so many legs.
@@ -106,8 +142,8 @@ enum Brakes {
     Fully,
     /// With half of that, and no more than half of what another leg allows, millimetres per second squared.
     Half(f64),
-    /// Not at all.
-    Not,
+    /// Not at all, on a blend that is passed no faster than so, millimetres per second.
+    Not(f64),
 }
 
 /// A stretch of a leg, by its parameter.
@@ -129,21 +165,23 @@ fn stretches(
     let ends = [Blend::at(route, envelope, number), Blend::at(route, envelope, number + 1)];
     let shares = ends.map(|blend| {
         let blend = blend.unwrap_or_default();
-        (blend.inner(speed) / length, blend.reach / length, blend.rate)
+        (blend.inner(speed) / length, blend.reach / length, blend)
     });
-    let [(steady, bends, rate), (last_steady, last_bends, last_rate)] = shares;
+    let [(steady, bends, blend), (last_steady, last_bends, last)] = shares;
     let mut places = [0.0, steady, bends, 1.0 - last_bends, 1.0 - last_steady, 1.0];
     places.sort_by(f64::total_cmp);
     (1..places.len()).filter_map(move |place| {
         let (from, to) = (places[place - 1].max(0.0), places[place].min(1.0));
         let middle = 0.5 * (from + to);
-        let brakes = if middle < steady || middle > 1.0 - last_steady {
-            Brakes::Not
+        let brakes = if middle < steady {
+            Brakes::Not(blend.fastest())
+        } else if middle > 1.0 - last_steady {
+            Brakes::Not(last.fastest())
         } else {
             match (middle < bends, middle > 1.0 - last_bends) {
-                (true, true) => Brakes::Half(rate.min(last_rate)),
-                (true, false) => Brakes::Half(rate),
-                (false, true) => Brakes::Half(last_rate),
+                (true, true) => Brakes::Half(blend.rate.min(last.rate)),
+                (true, false) => Brakes::Half(blend.rate),
+                (false, true) => Brakes::Half(last.rate),
                 (false, false) => Brakes::Fully,
             }
         };
@@ -167,7 +205,7 @@ impl Stretch {
             let rate = match self.brakes {
                 Brakes::Fully => fully(),
                 Brakes::Half(other) => 0.5 * fully().min(other),
-                Brakes::Not => 0.0,
+                Brakes::Not(_) => 0.0,
             };
             let way = scale * all / steps;
             if 2.0 * rate * way >= speed * speed {
@@ -177,7 +215,10 @@ impl Stretch {
             }
             let after = crate::math::square_root(speed * speed - 2.0 * rate * way);
             stop.distance += way;
-            stop.seconds += 2.0 * way / (speed + after);
+            stop.seconds += match self.brakes {
+                Brakes::Not(fastest) => way / speed.min(fastest),
+                Brakes::Fully | Brakes::Half(_) => 2.0 * way / (speed + after),
+            };
             speed = after;
             done += 1.0;
         }
@@ -203,6 +244,8 @@ struct Blend {
     turn: f64,
     /// How hard the point may brake in either direction.
     rate: f64,
+    /// The directions of the legs.
+    directions: [Nine; 2],
 }
 
 impl Blend {
@@ -224,12 +267,28 @@ impl Blend {
         let turn = (0..9).map(|axis| used[axis].abs() / envelope.acceleration[axis]);
         let rest = [0.0; 9];
         let rate = rate(envelope, (&one, &rest), 0.0).min(rate(envelope, (&other, &rest), 0.0));
-        Some(Self { reach, turn: 0.5 * turn.fold(0.0, f64::max), rate })
+        let turn = 0.5 * turn.fold(0.0, f64::max);
+        Some(Self { reach, turn, rate, directions: [one, other] })
     }
 
     /// How far from the corner a blend may still take more than half of the acceleration at a speed.
     fn inner(&self, speed: f64) -> f64 {
         self.reach.min(2.0 * self.turn * speed * speed)
+    }
+
+    /// The speed with which the longest one takes all of the acceleration.
+    fn fastest(&self) -> f64 {
+        crate::math::square_root(self.reach / self.turn)
+    }
+
+    /// The shares of a velocity along the legs, if it lies between their directions.
+    fn shares(&self, velocity: &Nine) -> Option<(f64, f64)> {
+        let [before, after] = &self.directions;
+        let (one, other, both) = (dot(velocity, before), dot(velocity, after), dot(before, after));
+        let (one, other) = (one - both * other, other - both * one);
+        let rest = 1.0 - both * both;
+        let between = one >= 0.0 && other >= 0.0 && one + other > 0.0 && rest > 0.0;
+        between.then_some((one / rest, other / rest))
     }
 }
 
@@ -243,7 +302,7 @@ mod tests {
 
     use super::*;
 
-    fn stop(mode: PathMode, shapes: Vec<Shape>, speed: f64) -> (Stop, Shortest) {
+    fn path(mode: PathMode, shapes: Vec<Shape>) -> ProgrammedPath {
         let element = |shape| Element {
             block: Block::new("main.ngc", 1),
             shape,
@@ -253,14 +312,21 @@ mod tests {
             switches: Vec::new(),
         };
         let elements = shapes.into_iter().map(element).collect();
-        let path = ProgrammedPath { elements, ..ProgrammedPath::default() };
+        ProgrammedPath { elements, ..ProgrammedPath::default() }
+    }
+
+    fn envelope() -> Envelope {
         let limit = AxisLimits {
             velocity: Some(250.0),
             acceleration: Some(2000.0),
             ..AxisLimits::default()
         };
         let axes = [Axis::X, Axis::Y].map(|axis| (axis, limit)).into();
-        let envelope = Envelope::of(&MotionLimits { period: 0.001, axes });
+        Envelope::of(&MotionLimits { period: 0.001, axes })
+    }
+
+    fn stop(mode: PathMode, shapes: Vec<Shape>, speed: f64) -> (Stop, Shortest) {
+        let (path, envelope) = (path(mode, shapes), envelope());
         let route = Route::of(&path).expect("lines and arcs are known");
         let from = (0, 0.0);
         let all = route.legs.len();
@@ -322,6 +388,26 @@ mod tests {
         let mode = PathMode::Within { tolerance: 0.1, merge: 0.0 };
         let (stop, _) = stop(mode, shapes, 100.0);
         assert!(stop.distance > 4.9 && stop.distance < 5.1, "{stop:?}");
+    }
+
+    #[test]
+    fn a_blend_ends_faster_than_its_middle_is_passed() {
+        let shapes = vec![line(1.0, 0.0), line(1.0, 50.0)];
+        let path = path(PathMode::Within { tolerance: 0.1, merge: 0.0 }, shapes);
+        let route = Route::of(&path).expect("lines and arcs are known");
+        let stop = |part: f64, x: f64, y: f64| {
+            let velocity = Position { x, y, ..Position::default() }.to_array();
+            stopping_on_blend(&route, &envelope(), (0, part), &velocity)
+        };
+        let reach = 0.4 / std::f64::consts::SQRT_2;
+        let square = reach * 2.0 * 2000.0;
+        for speed in [20.0, 100.0] {
+            let middle = stop(0.9, speed, speed);
+            close(middle.distance, reach + square / 2.0 / 2000.0);
+        }
+        close(stop(0.9, 30.0, 10.0).distance, 1.5 * reach + square / 2.0 / 2000.0);
+        assert_eq!(stop(0.5, 10.0, 5.0), Stop::default());
+        assert_eq!(stop(0.9, 10.0, -5.0), Stop::default());
     }
 
     #[test]

@@ -104,6 +104,7 @@ impl Settled {
                 let place = matching.places[sample];
                 let fastest = record.speed(sample).max(record.speed(sample - 1));
                 let stop = stopping(route, &record.envelope, (place.leg, place.part), fastest);
+                let stop = stop.most(record.stopping_on_blend(route, matching, sample));
                 let cycles = (stop.seconds / record.period).ceil() + 2.0;
                 let before = settled[sample - 1];
                 let mut passed = 0.0;

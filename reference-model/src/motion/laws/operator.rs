@@ -99,7 +99,8 @@ fn stops(
     let latest = (from + CYCLES).min(record.points.len() - 1);
     let speed = (from..=latest).map(|sample| record.speed(sample)).fold(0.0, f64::max);
     let place = matching.places[from];
-    let least = stopping(route, &record.envelope, (place.leg, place.part), speed).distance;
+    let stop = stopping(route, &record.envelope, (place.leg, place.part), speed);
+    let least = stop.most(record.stopping_on_blend(route, matching, from)).distance;
     let least = least.max(carried(record, route, (place.leg, place.part), (from, latest)));
     let two_cycles = 2.0 * speed * record.period;
     let allowed = least * (1.0 + 1e-6) + two_cycles + record.bulge + record.slack;

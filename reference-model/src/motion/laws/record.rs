@@ -4,9 +4,10 @@ use gaugeblock_trace::motion::{MotionAction, MotionLimits, MotionScript, Program
 
 use super::matching::{self, Matching, Measure};
 use super::readings::Readings;
+use crate::motion::bound::{Stop, stopping_on_blend};
 use crate::motion::envelope::Envelope;
 use crate::motion::route::Route;
-use crate::motion::vector::{Nine, distance, last_place};
+use crate::motion::vector::{Nine, distance, last_place, minus};
 
 /// How far a position may be off for its size: what positions lose on the way through a controller's arithmetic.
 const RELATIVE: f64 = 1e-9;
@@ -126,6 +127,21 @@ impl<'a> Record<'a> {
             return 0.0;
         }
         distance(&self.points[sample - 1], &self.points[sample]) / self.period
+    }
+
+    /// What it takes to stop at a sample on a blend that the motion may be on.
+    pub(super) fn stopping_on_blend(
+        &self,
+        route: &Route<'_>,
+        matching: &Matching,
+        sample: usize,
+    ) -> Stop {
+        if sample == 0 {
+            return Stop::default();
+        }
+        let step = minus(&self.points[sample], &self.points[sample - 1]);
+        let (place, velocity) = (matching.places[sample], step.map(|step| step / self.period));
+        stopping_on_blend(route, &self.envelope, (place.leg, place.part), &velocity)
     }
 
     /// Whether the motion rests from the sample before to this one.
