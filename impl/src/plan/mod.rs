@@ -224,6 +224,10 @@ impl Planner {
         self.aborting |= output.tripped;
         self.show(output);
         output.phase = self.phase(&wish);
+        if output.phase == Phase::Idle {
+            // Whatever comes next begins at rest here, also if the motion has run back by then.
+            self.course.close();
+        }
         if self.aborting && self.motion.speed <= 0.0 {
             self.forget(&output.position);
         }

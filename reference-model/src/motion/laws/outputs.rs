@@ -123,15 +123,17 @@ fn ask(
             expected.entry(switching.pin).or_default().push(new);
         }
         Task::WithMotion(switches) | Task::InPlace(switches) => {
-            let near = start(record, (route, matching), number, (visit.latest(), span));
             // A motion that leads nowhere may start at any time of the rest.
             let stays = matches!(task, Task::InPlace(_));
-            let (first, until) = near;
-            let near = visit.at.filter(|_| stays).map_or(first, |at| at.0.min(first));
+            let when = visit.times().map(|time| {
+                let (first, until) = start(record, (route, matching), number, (time, span));
+                let near = time.at.filter(|_| stays).map_or(first, |at| at.0.min(first));
+                (near.saturating_sub(1), until + 1)
+            });
+            let when: Vec<_> = when.collect();
             for switching in switches {
-                let when = vec![(near.saturating_sub(1), until + 1)];
-                let certain = certain(until + 1);
-                let new = Expected { value: switching.value, when, certain };
+                let certain = when.last().is_some_and(|when| certain(when.1));
+                let new = Expected { value: switching.value, when: when.clone(), certain };
                 expected.entry(switching.pin).or_default().push(new);
             }
         }

@@ -30,6 +30,8 @@ pub(super) struct Record<'a> {
     pub(super) slack: f64,
     /// How far a motion can be from the chord between two samples: a·h²/8.
     pub(super) bulge: f64,
+    /// Whether the path may be followed backwards at a sample.
+    pub(super) backwards: Vec<bool>,
     /// Legs and corners, and the samples matched to them; or why they are not known.
     pub(super) matched: Result<(Route<'a>, Matching), String>,
 }
@@ -117,6 +119,7 @@ impl<'a> Record<'a> {
             requests,
             slack,
             bulge,
+            backwards,
             matched,
         }
     }

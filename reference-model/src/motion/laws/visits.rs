@@ -19,6 +19,8 @@ pub(super) struct Visit {
     pub(super) passed: bool,
     /// Where the motion has run back from it and come again: the first sample of the last time, and first and last sample at it then.
     again: Option<(usize, Option<(usize, usize)>)>,
+    /// The same where nobody knows which of both movements the motion was on before it ran back.
+    perhaps: Option<(usize, Option<(usize, usize)>)>,
 }
 
 impl Visit {
@@ -31,6 +33,12 @@ impl Visit {
     /// The last time that the motion comes to it, before it goes on.
     pub(super) fn latest(self) -> Self {
         self.again.map_or(self, |(first, at)| Self { first, at, again: None, ..self })
+    }
+
+    /// The times that may be the last one before it goes on.
+    pub(super) fn times(self) -> impl Iterator<Item = Self> {
+        let perhaps = self.perhaps.map(|(first, at)| Self { first, at, ..self });
+        std::iter::once(self.latest()).chain(perhaps)
     }
 
     /// Whether an abort ends the record before any sample stands for points behind it alone: what was asked for there is perhaps not done.
@@ -166,8 +174,12 @@ pub(super) fn visits(
         // Who may have been on the way behind it has perhaps begun that.
         let begun = |back: &usize| (first..*back).any(|s| can_be_behind(s) && !is_at(s));
         let again = back.filter(|back| !begun(back)).map(|back| (back + 1, at_since(back + 1)));
+        let returns = (first..after).rev().find(|sample| record.backwards[*sample]);
+        let returns = returns.filter(|back| again.is_none() && back + 1 < after);
+        let perhaps = returns.map(|back| (back + 1, at_since(back + 1)));
         let last = after.saturating_sub(1);
-        visits.push(Some(Visit { first, last, at, passed: after < end || at.is_some(), again }));
+        let passed = after < end || at.is_some();
+        visits.push(Some(Visit { first, last, at, passed, again, perhaps }));
     }
     visits
 }
