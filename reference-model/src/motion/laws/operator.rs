@@ -189,8 +189,9 @@ pub(super) fn reserve(record: &Record<'_>) -> Verdict {
     let mut findings = Findings::of(Law::Reserve);
     for (sample, queued) in queued.iter().enumerate().skip(1) {
         let (place, behind) = (matching.places[sample - 1], matching.places[sample]);
-        // Who runs back stops on what has been passed.
-        if behind < place {
+        // Who runs back stops on what has been passed; and so does who may do so, where the path comes back along itself.
+        let earlier = matching.legs[sample].0 < place.leg;
+        if behind < place || record.backwards[sample] && earlier {
             continue;
         }
         let legs =
