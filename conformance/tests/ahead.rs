@@ -8,7 +8,7 @@ use std::fs::read_to_string;
 use std::time::Duration;
 
 use adapter::{LOOP, changed, file, limits};
-use gaugeblock::adapters::exec::Exec;
+use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock_trace::{End, Outcome, Scenario};
 
@@ -20,6 +20,10 @@ struct Noting {
 
 impl Noting {
     fn start(name: &str, does: &str, changes: &[(&str, &str)]) -> Self {
+        Self::start_within(name, does, changes, limits())
+    }
+
+    fn start_within(name: &str, does: &str, changes: &[(&str, &str)], limits: Limits) -> Self {
         let notes = file(&format!("{name}.notes"), "");
         let noting = format!(
             "open({notes:?}, 'a').write('start\\n')\n{LOOP}    main = request.get('scenario', {{}}).get('program', {{}}).get('main', '')
@@ -28,7 +32,7 @@ impl Noting {
         );
         let changes = [&[(LOOP, noting.as_str())], changes].concat();
         let command = changed(&format!("{name}.py"), &changes);
-        Self { controller: Exec::start(&command, limits()).expect("it starts"), notes }
+        Self { controller: Exec::start(&command, limits).expect("it starts"), notes }
     }
 
     fn notes(&self) -> Vec<String> {
@@ -117,6 +121,23 @@ fn an_answer_that_nobody_took_is_not_too_late() {
     std::thread::sleep(limits().time * 2);
     let outcome = it.controller.run(&told).expect("an outcome");
     assert!(matches!(outcome.end, End::Fault(_)), "{:?}", outcome.end);
+}
+
+/// It is set back while its answer is read: where that is none, nobody waits for what comes of the reset, however long an answer may take.
+#[test]
+fn who_has_failed_is_not_waited_for() {
+    let rave = "import time; print('{\"id\": 0}', flush=True); time.sleep(4000)";
+    let limits = Limits { time: Duration::from_secs(3600), ..limits() };
+    let it = Noting::start_within("not-waited-for", rave, &[], limits);
+    for is_ahead in [false, true] {
+        let told = scenario("g0 x99");
+        if is_ahead {
+            it.controller.ahead(&told);
+        }
+        let said = place(it.controller.run(&told)).expect_err("no outcome");
+        assert!(said.starts_with("unreadable output (answer to `run`"), "{said}");
+        assert_eq!(place(it.controller.run(&scenario("g0 x1"))), Ok(1.0));
+    }
 }
 
 /// A machine of which there is one: whatever was begun, there is never a second session beside it.

@@ -126,10 +126,13 @@ impl Exec {
         mut session: Session,
         work: impl FnOnce(&mut Session) -> Result<T, Stopped>,
     ) -> Result<T, HarnessError> {
+        session.has_a_next = true;
         let done = work(&mut session);
         if done.as_ref().map_or_else(|stopped| stopped.goes_on, |_| true) {
             session.reset_ahead();
             self.sessions().push(session);
+        } else {
+            session.has_failed = true;
         }
         // Another session that failed is gone, with all that it started.
         done.map_err(|stopped| stopped.error)

@@ -7,7 +7,7 @@ use gaugeblock_trace::{Outcome, Scenario, Step};
 use super::super::{Expected, HarnessError, Motion, NotMoved};
 use super::peer::GRACE;
 use super::process::now;
-use super::session::{NoReply, Session, request, shown, unreadable, unsupported};
+use super::session::{NoReply, RUN, Session, request, shown, unreadable, unsupported};
 use crate::protocol::digest::digest;
 use crate::protocol::{Answer, Offer, Operation, Reply, Stream, Ways};
 
@@ -96,13 +96,13 @@ impl Session {
             let _found_out: &Outcome = expected;
         }
         let (live, _) = self.told_of(&scenario.operator);
-        let (reply, steps) = self.long("run", unsent, live, before)?;
+        let (reply, steps) = self.long(RUN, unsent, live, before)?;
         let mut outcome = match reply {
             Reply::Unsupported(why) => return Ok(unsupported(scenario, why)),
             Reply::Digest(told) if by_digest => {
                 self.by_digest(&told, expected.map(|expected| &**expected))?
             }
-            reply => self.outcome("run", reply)?,
+            reply => self.outcome(RUN, reply)?,
         };
         outcome.steps.splice(0..0, steps);
         if outcome.parameters.is_none() && self.can_be_asked_for_parameters() {

@@ -35,6 +35,10 @@ pub(super) struct Session {
     pub(super) has_run: bool,
     /// What is still to be said of a reset that was asked for and not answered yet, if there is one.
     ahead: Option<Vec<u8>>,
+    /// Whether the next run most likely follows, so that it may be set back as soon as it has answered.
+    pub(super) has_a_next: bool,
+    /// Whether it has failed: it is not waited for any more.
+    pub(super) has_failed: bool,
     /// A run that nobody waits for yet, if there is one.
     pub(super) begun: Option<Begun>,
     /// What was in force after the first reset, where it can tell.
@@ -63,6 +67,8 @@ impl Session {
             last: 0,
             has_run: false,
             ahead: None,
+            has_a_next: false,
+            has_failed: false,
             begun: None,
             fresh: None,
         };
@@ -195,14 +201,25 @@ impl Session {
                 return Err(NoReply::Other(HarnessError::Flooded { bytes: self.limits.bytes }));
             }
         };
+        let asked = self.last;
+        if name == RUN && self.is_answered_at_once() {
+            // It is set back while its answer is read here.
+            self.reset_ahead();
+        }
         let answer: Answer = serde_json::from_slice(&answer).map_err(|error| {
             NoReply::Other(unreadable(&format!("answer to `{name}`: {error}"), &answer))
         })?;
-        if answer.id != self.last {
-            let what = format!("answer to request {}, not to {}", answer.id, self.last);
+        if answer.id != asked {
+            let what = format!("answer to request {}, not to {asked}", answer.id);
             return Err(NoReply::Other(unreadable(&what, answer.reply.name().as_bytes())));
         }
         Ok(answer.reply)
+    }
+
+    /// Whether nothing but a reset comes behind the first answer to a run.
+    fn is_answered_at_once(&self) -> bool {
+        let has_no_more = |offer: &Offer| matches!(offer, Offer::Cancel | Offer::Motion);
+        self.has_a_next && self.offers.iter().all(has_no_more)
     }
 
     /// Its output ended before it answered.
@@ -236,8 +253,8 @@ impl Drop for Session {
         let (line, peer) = ([ahead.clone().unwrap_or_default(), bye].concat(), &mut self.peer);
         let mut answered = true;
         if ahead.is_some() {
-            let deadline = now() + self.limits.time;
-            answered = self.lines.ask(&line, SHOWN, deadline, || peer.is_gone()).is_ok();
+            let time = if self.has_failed { GRACE } else { self.limits.time };
+            answered = self.lines.ask(&line, SHOWN, now() + time, || peer.is_gone()).is_ok();
         }
         let line = if ahead.is_some() { &[] } else { line.as_slice() };
         if answered && self.lines.ask(line, SHOWN, now() + GRACE, || false).is_ok() {
@@ -263,6 +280,9 @@ impl NoReply {
         }
     }
 }
+
+/// Name of the operation.
+pub(super) const RUN: &str = "run";
 
 /// Name of the operation.
 const RESET: &str = "reset";
