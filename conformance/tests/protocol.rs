@@ -202,6 +202,47 @@ fn a_controller_that_cannot_be_asked_is_told_before_anything_runs() {
     }
 }
 
+/// Whatever it is: a name, an alarm, a reason, what it wrote before it died.
+#[test]
+fn nothing_that_a_controller_says_moves_a_cursor() {
+    const EVIL: &str = "a\\rb\\x1b[2J\\x9b2Jc";
+    let program = file("evil.ngc", "g999\nm2\n");
+    let dies =
+        format!("import json\nsys = __import__('sys')\nsys.stderr.write('{EVIL}')\nsys.exit(3)\n");
+    let mut shown = 0;
+    for (name, old, new) in [
+        ("evil-version.py", "\"version\": \"0.1\"", format!("\"version\": \"{EVIL}\"")),
+        ("evil-alarm.py", "no such code: ", EVIL.to_owned()),
+        (
+            "evil-reason.py",
+            "if letter == \"g\" and number > 99.9:",
+            format!("if number > 99: raise Unsupported('{EVIL}')\n            if False:"),
+        ),
+        ("evil-end.py", "import json\n", dies),
+    ] {
+        let command = changed(name, &[(old, new.as_str())]);
+        let controller = format!("exec:{command}");
+        let only = "modal-groups.g-code-out-of-range";
+        for call in [
+            vec!["adapter", "check", &command],
+            vec!["certify", &controller, "-v", "--only", only],
+            vec!["run", &program, "--iut", &controller],
+            vec!["compare", &program, "--iut", &controller],
+        ] {
+            let output = gaugeblock(&call);
+            for said in [text(&output.stdout), text(&output.stderr)] {
+                let plain = anstream::adapter::strip_str(&said).to_string();
+                assert!(
+                    !said.contains("\u{1b}[2J") && !plain.contains(['\r', '\u{1b}', '\u{9b}']),
+                    "{name}, {call:?}: {said:?}"
+                );
+                shown += usize::from(plain.contains("\\u000d"));
+            }
+        }
+    }
+    assert!(shown > 3, "it is written out");
+}
+
 #[test]
 fn a_check_tells_what_is_wrong_with_an_adapter() {
     const ALARM: &str = "\"end\": {\"end\": \"fault\", \"block\": block, \"message\": f\"no such code: G{number:g}\"}";

@@ -107,7 +107,7 @@ fn what_a_controller_says_is_text_in_every_report() {
     });
     let (text, xml, page) = texts;
     let plain = anstream::adapter::strip_str(&text).to_string();
-    assert!(plain.contains("\\u{1b}]0;owned\\u{7}"), "it is written out");
+    assert!(plain.contains("\\u001b]0;owned\\u0007"), "it is written out");
     // What is left of orders to a terminal are the colours of the report itself.
     assert!(!text.contains("\u{1b}]") && !text.contains("\u{1b}[2J") && !text.contains('\u{7}'));
     for (name, report) in [("text", &plain), ("XML", &xml), ("page", &page)] {

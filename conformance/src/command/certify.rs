@@ -7,7 +7,7 @@ use std::time::Duration;
 use clap::{Args, ValueEnum};
 
 use super::against::Against;
-use super::{Format, Refused, controller, place, write_out};
+use super::{Format, Refused, controller, place, write_out, write_out_in_colours};
 use crate::adapters::exec::Limits;
 use crate::adapters::{Adapter, Capabilities};
 use crate::certify::{CaseResult, Course, Plan, Run, Twice, cases, certify_in, options_of};
@@ -199,7 +199,7 @@ pub(super) fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), R
 
 pub(super) fn print(report: &Report<'_>, format: Format, verbose: bool) {
     match format {
-        Format::Text => write_out(&terminal::terminal(report, verbose)),
+        Format::Text => write_out_in_colours(&terminal::terminal(report, verbose)),
         Format::Json => write_out(&format!("{:#}\n", json::json(report))),
     }
 }

@@ -13,6 +13,7 @@ use crate::fuzz::groups::Find;
 use crate::fuzz::journal::{Header, NotJudged};
 use crate::fuzz::shown::NotShown;
 use crate::fuzz::statistics::{Counts, ENOUGH, Statistics};
+use crate::report::inert;
 
 /// How many divergences are shown with their programs.
 const SHOWN: usize = 40;
@@ -190,7 +191,7 @@ impl Report<'_> {
     /// Writes report.json, report.txt and a folder for each divergence.
     pub(super) fn write(&self, folder: &Path) -> Result<(), Refused> {
         place::write_whole(&folder.join("report.json"), format!("{:#}\n", self.json()))?;
-        place::write_whole(&folder.join("report.txt"), self.text(true))?;
+        place::write_whole(&folder.join("report.txt"), inert(&self.text(true)).as_bytes())?;
         for (at, find) in self.finds.iter().enumerate() {
             let name: String = find
                 .signature
@@ -201,12 +202,14 @@ impl Report<'_> {
                 .collect();
             let folder = folder.join(format!("{:03}-{name}", at + 1));
             write_program(&folder, &find.scenario)?;
-            place::write_whole(&folder.join("divergence.txt"), describe(at + 1, find))?;
+            let told = describe(at + 1, find);
+            place::write_whole(&folder.join("divergence.txt"), inert(&told).as_bytes())?;
         }
         for NotJudged { number, why, scenario } in self.not_judged.values() {
             let folder = folder.join(format!("not-judged-{number}"));
             write_program(&folder, scenario)?;
-            place::write_whole(&folder.join("why.txt"), format!("{why}\n"))?;
+            let told = inert(why) + "\n";
+            place::write_whole(&folder.join("why.txt"), told.as_bytes())?;
         }
         Ok(())
     }

@@ -32,6 +32,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use crate::report::inert;
 use crate::suite::{Edition, Suite, files};
 
 /// Why a command does not go on, in one message.
@@ -180,7 +181,7 @@ pub fn main() -> ExitCode {
         Ok(status) => ExitCode::from(status),
         Err(refused) => {
             let bold = anstyle::AnsiColor::Red.on_default().bold();
-            write_error(&format!("{bold}error{bold:#}: {}", refused.message));
+            write_error_in_colours(&format!("{bold}error{bold:#}: {}", inert(&refused.message)));
             if let Some(hint) = refused.hint {
                 write_error(&format!("hint: {hint}"));
             }
@@ -258,13 +259,22 @@ fn options_with(
     Ok(options)
 }
 
-/// Writes to standard output; a reader that went away is no error.
+/// Writes to standard output; a reader that went away is no error. Whoever it is of, a terminal obeys nothing of it.
 fn write_out(text: &str) {
+    write_out_in_colours(&inert(text));
+}
+
+/// Writes a text whose orders to a terminal are our own.
+fn write_out_in_colours(text: &str) {
     use std::io::Write as _;
     let _closed_pipe = anstream::stdout().write_all(text.as_bytes());
 }
 
 fn write_error(text: &str) {
+    write_error_in_colours(&inert(text));
+}
+
+fn write_error_in_colours(text: &str) {
     use std::io::Write as _;
     let _closed_pipe = anstream::stderr().write_all(format!("{text}\n").as_bytes());
 }

@@ -9,7 +9,7 @@ use gaugeblock_trace::{End, Outcome, Position, Scenario};
 
 use super::controller::linuxcnc;
 use super::pictures::Drawing;
-use super::{Refused, place, run, write_error, write_out};
+use super::{Refused, place, run, write_error_in_colours, write_out};
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::{Adapter, NotMoved};
@@ -205,7 +205,7 @@ fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<O
         | End::Unsupported { .. }
         | End::Unspecified { .. }) => {
             if let Some(pointer) = run::point_at(&outcome, scenario, file) {
-                write_error(&pointer);
+                write_error_in_colours(&pointer);
             }
             Err(Refused::wrong(
                 format!("{} does not come to its end: {}", file.display(), end.name()),

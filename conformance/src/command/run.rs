@@ -8,7 +8,8 @@ use clap::Args;
 use gaugeblock_trace::scenario::Bench;
 use gaugeblock_trace::{End, Language, Outcome, Program, Scenario};
 
-use super::{Format, Refused, controller, place, write_error, write_out};
+use super::{Format, Refused, controller, place, write_error, write_error_in_colours, write_out};
+use crate::report::inert_line;
 use crate::suite::Suite;
 
 /// What drives a post-processor program, and how its file's name ends.
@@ -159,7 +160,7 @@ pub(super) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
         }
     }
     if let Some(pointer) = point_at(&outcome, &scenario, &arguments.file) {
-        write_error(&pointer);
+        write_error_in_colours(&pointer);
     }
     Ok(0)
 }
@@ -180,7 +181,7 @@ pub(super) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> O
     let (name, text) = if block.file == Program::MAIN {
         (file.display().to_string(), scenario.program.main.as_str())
     } else {
-        (block.file.clone(), scenario.program.files.get(&block.file)?.as_str())
+        (inert_line(&block.file), scenario.program.files.get(&block.file)?.as_str())
     };
     let line = usize::try_from(block.line).ok()?;
     let source = text.lines().nth(line.checked_sub(1)?)?;
@@ -194,6 +195,6 @@ pub(super) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> O
         .line_start(line)
         .path(name)
         .annotation(AnnotationKind::Primary.span(range));
-    let group = Level::ERROR.primary_title(&*message).element(snippet);
+    let group = Level::ERROR.primary_title(inert_line(&message)).element(snippet);
     Some(Renderer::styled().render(&[group]))
 }

@@ -2,12 +2,13 @@
 
 use std::borrow::Cow;
 
-/// The text with everything that is no letter, but an order to whoever shows it, written out; lines stay lines.
+/// The text with everything that is no letter, but an order to whoever shows it, written out as JSON does; lines stay lines.
 pub fn inert(text: &str) -> Cow<'_, str> {
     if !text.contains(is_an_order) {
         return Cow::Borrowed(text);
     }
-    let written = |c: char| if is_an_order(c) { c.escape_unicode().to_string() } else { c.into() };
+    let written =
+        |c: char| if is_an_order(c) { format!("\\u{:04x}", u32::from(c)) } else { c.into() };
     Cow::Owned(text.chars().map(written).collect())
 }
 
@@ -29,8 +30,8 @@ mod tests {
     #[test]
     fn what_a_terminal_would_obey_is_written_out() {
         assert_eq!(inert("plain\n\ttext – ü"), "plain\n\ttext – ü");
-        assert_eq!(inert("a\x1b]0;owned\x07b\r"), "a\\u{1b}]0;owned\\u{7}b\\u{d}");
-        assert_eq!(inert("\u{202e}txt\u{9b}2J"), "\\u{202e}txt\\u{9b}2J");
+        assert_eq!(inert("a\x1b]0;owned\x07b\r"), "a\\u001b]0;owned\\u0007b\\u000d");
+        assert_eq!(inert("\u{202e}txt\u{9b}2J"), "\\u202etxt\\u009b2J");
         assert_eq!(inert_line("a\nb"), "a\\nb");
     }
 }

@@ -118,7 +118,7 @@ fn divergence(text: &mut String, result: &CaseResult<'_>) {
     }
     if let Some(shrunk) = &departure.shrunk {
         line!(text, "  the smallest program that does so");
-        shrunk.lines().for_each(|line| line!(text, "         {line}"));
+        shrunk.lines().for_each(|line| line!(text, "         {}", inert_line(line)));
     }
     if !departure.explanation.is_empty() {
         let explanation = departure.explanation.join(" and ");
@@ -137,7 +137,7 @@ fn program(text: &mut String, program: &str) {
     let lines: Vec<&str> = program.lines().collect();
     const SHOWN: usize = 24;
     for (place, line) in lines.iter().take(SHOWN).enumerate() {
-        let line: String = line.chars().take(100).collect();
+        let line: String = inert_line(line).chars().take(100).collect();
         line!(text, "  {} {line}", styled(DIM, &format!("{:>4} |", place + 1)));
     }
     if lines.len() > SHOWN {
