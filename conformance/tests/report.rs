@@ -10,9 +10,10 @@ use common::gaugeblock;
 use gaugeblock::adapters::reference::Reference;
 use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
 use gaugeblock::certify::{CaseResult, Course, Plan, Run, Twice, certify, certify_in};
+use gaugeblock::report::causes::groups;
 use gaugeblock::report::merge::Stored;
 use gaugeblock::report::stored::StoredCase;
-use gaugeblock::report::{Header, Report, html, json, junit, terminal};
+use gaugeblock::report::{Header, Report, html, json, junit, markdown, terminal};
 use gaugeblock::shard::Shard;
 use gaugeblock::suite::{Suite, files};
 use gaugeblock_trace::{Channel, Effect, End, Event, Outcome, Scenario};
@@ -118,6 +119,40 @@ fn what_a_controller_says_is_text_in_every_report() {
     assert_eq!(page.matches("<script").count(), 1, "the page's own");
     let read = quick_junit::Report::deserialize_from_str(&xml).expect("it is XML");
     assert!(read.test_suites.iter().any(|suite| suite.errors > 3 && suite.failures > 3));
+}
+
+/// A controller that refuses nothing makes one mistake, of many rules.
+#[test]
+fn what_differs_alike_stands_together_in_every_report() {
+    fn accepts(mut outcome: Outcome) -> Result<Outcome, HarnessError> {
+        if matches!(outcome.end, End::Fault(_)) {
+            outcome.end = End::ProgramEnd;
+        }
+        Ok(outcome)
+    }
+    let shows = Capabilities::everything("accepts", "1");
+    let controller = Meddled { model: Reference::default(), shows, of: &[("", accepts)] };
+    let only = ["modal-groups".to_owned(), "feed".to_owned()];
+    reported(&controller, &only, |report| {
+        let groups = groups(report);
+        let cases: usize = groups.iter().map(|group| group.cases.len()).sum();
+        assert_eq!(cases, report.divergences().len(), "each is somewhere");
+        assert!(groups.len() < cases / 2, "{} of {cases}", groups.len());
+        let first = groups.first().expect("it departs");
+        assert!(first.rules > 1 && groups.iter().all(|group| group.rules <= first.rules));
+        for group in &groups {
+            let sizes = group.cases.iter().map(|(case, _)| case.program.len());
+            assert!(sizes.is_sorted(), "the smallest program first");
+        }
+        let page = html::html(report).expect("a page");
+        assert_eq!(page.matches("<section class=\"kind\"").count(), groups.len());
+        assert_eq!(page.matches("<article").count(), cases, "every one has its card");
+        let text = terminal::terminal(report, false);
+        let summary = markdown::markdown(report);
+        for told in [&page, &text, &summary] {
+            assert!(told.contains(&first.size()), "{}: {told}", first.size());
+        }
+    });
 }
 
 #[test]

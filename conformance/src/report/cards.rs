@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::Report;
+use super::causes::{explained, groups};
 use super::terminal::without_guard;
 use crate::certify::{CaseResult, Departure, Traces};
 use crate::compare::StateDifference;
@@ -23,7 +24,7 @@ pub(super) struct Card<'a> {
     sources: String,
     assertion: Option<(&'a str, &'a str)>,
     divergence: Option<&'a str>,
-    explanation: String,
+    explanation: Option<String>,
     repeated: bool,
     program: &'a str,
     shrunk: Option<&'a str>,
@@ -52,16 +53,21 @@ pub(super) fn class(word: &str) -> String {
     word.replace(' ', "-")
 }
 
-/// The worst first: what nobody knows of, of that what nothing explains.
-pub(super) fn cards<'a>(report: &'a Report<'_>) -> Vec<Card<'a>> {
-    let departed = |result: &'a CaseResult<'_>| Some((result, result.verdict.own_departure()?));
-    let mut all: Vec<_> = report.run.cases.iter().filter_map(departed).collect();
-    all.sort_by_key(|(result, departure)| {
-        (result.verdict.excuse().is_some(), !departure.explanation.is_empty())
-    });
+/// Cards of what differs alike.
+#[derive(Debug, Serialize)]
+pub(super) struct Kind<'a> {
+    what: String,
+    size: String,
+    class: String,
+    /// The one with the smallest program first.
+    cases: Vec<Card<'a>>,
+}
+
+/// What differs, alike departures together, the worst first.
+pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
     let mut left = MOST;
-    let card = |(result, departure)| {
-        let mut card = card(result, departure);
+    let mut card = |(result, departure): (&'a CaseResult<'_>, &'a Departure)| {
+        let mut card = card(&report.header.controller, result, departure);
         let traces = departure.traces.as_ref();
         let size = traces.map_or(0, |traces| traces.expected.len() + traces.found.len());
         match left.checked_sub(size + result.program.len()) {
@@ -73,10 +79,16 @@ pub(super) fn cards<'a>(report: &'a Report<'_>) -> Vec<Card<'a>> {
         }
         card
     };
-    all.into_iter().map(card).collect()
+    let groups = groups(report).into_iter().map(|group| {
+        let size = group.size();
+        let cases: Vec<_> = group.cases.into_iter().map(&mut card).collect();
+        let class = cases.first().map(|card| card.class.clone()).unwrap_or_default();
+        Kind { what: group.what, size, class, cases }
+    });
+    groups.collect()
 }
 
-fn card<'a>(result: &'a CaseResult<'_>, departure: &'a Departure) -> Card<'a> {
+fn card<'a>(controller: &str, result: &'a CaseResult<'_>, departure: &'a Departure) -> Card<'a> {
     let sources = result.rule.sources.iter().map(ToString::to_string);
     let assertion = departure.assertion.as_ref();
     let word = result.verdict.word();
@@ -90,7 +102,7 @@ fn card<'a>(result: &'a CaseResult<'_>, departure: &'a Departure) -> Card<'a> {
         sources: sources.collect::<Vec<_>>().join("; "),
         assertion: assertion.map(|(said, found)| (without_guard(said), found.as_str())),
         divergence: departure.divergence.as_deref(),
-        explanation: departure.explanation.join(" and "),
+        explanation: explained(controller, departure).map(|explained| explained.says),
         repeated: result.repeated,
         program: result.program,
         shrunk: departure.shrunk.as_deref(),

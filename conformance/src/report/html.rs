@@ -2,15 +2,16 @@
 //!
 //! What a controller says stands in it as text, whatever it is: the template escapes everything but pictures, which are made of numbers.
 
+use std::cmp::Reverse;
 use std::time::Duration;
 
 use minijinja::Environment;
 use minijinja::value::Serde;
 use serde::Serialize;
 
-use super::cards::{Card, cards, class};
+use super::cards::{Kind, class, kinds};
 use super::json::{self, JudgedProfile};
-use super::{Report, RuleVerdict, inert};
+use super::{Counts, Report, RuleVerdict, inert};
 use crate::certify::CaseResult;
 
 const PAGE: &str = include_str!("page.html");
@@ -48,7 +49,7 @@ struct Page<'a> {
     profiles: Vec<JudgedProfile>,
     fingerprint: Option<Fingerprint<'a>>,
     words: Vec<Word>,
-    divergences: Vec<Card<'a>>,
+    kinds: Vec<Kind<'a>>,
     rules: Vec<Row<'a>>,
     motions: Vec<Moved<'a>>,
     not_judged: Vec<Open<'a>>,
@@ -86,7 +87,7 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
         profiles: json::profiles(report),
         fingerprint: fingerprint(report),
         words: words(report),
-        divergences: cards(report),
+        kinds: kinds(report),
         rules: rules(report),
         motions: motions(report),
         not_judged: not_judged(report),
@@ -136,7 +137,7 @@ struct Row<'a> {
     class: String,
     sentence: &'a str,
     sources: String,
-    cases: usize,
+    cases: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -232,22 +233,31 @@ fn words(report: &Report<'_>) -> Vec<Word> {
     words.into_iter().map(|word| Word { word, class: class(word) }).collect()
 }
 
-/// The worst first.
+/// The worst first: of what diverges, that of which nobody knows, in most cases.
 fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
     let mut rules = report.rules();
-    rules.sort_by_key(|result| match result.verdict {
-        RuleVerdict::Diverges => 0,
-        RuleVerdict::NotJudged => 1,
-        RuleVerdict::Unsupported => 2,
-        RuleVerdict::Pass => 3,
+    rules.sort_by_key(|result| {
+        let Counts { diverges, known, waived, .. } = result.counts;
+        let kind = match result.verdict {
+            RuleVerdict::Diverges => 0,
+            RuleVerdict::NotJudged => 1,
+            RuleVerdict::Unsupported => 2,
+            RuleVerdict::Pass => 3,
+        };
+        (kind, Reverse(diverges), Reverse(known + waived), Reverse(result.counts.not_judged()))
     });
+    let cases = |counts: Counts| {
+        let departing = counts.diverges + counts.known + counts.waived;
+        let bad = if departing > 0 { departing } else { counts.not_judged() };
+        if bad > 0 { format!("{bad} of {}", counts.all()) } else { counts.all().to_string() }
+    };
     let row = |result: super::RuleResult<'a>| Row {
         rule: &result.rule.id,
         verdict: result.verdict.word(),
         class: class(result.verdict.word()),
         sentence: &result.rule.sentence,
         sources: result.rule.sources.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
-        cases: result.counts.all(),
+        cases: cases(result.counts),
     };
     rules.into_iter().map(row).collect()
 }
@@ -304,7 +314,7 @@ fn cost<'a>(report: &'a Report<'_>) -> Option<Cost<'a>> {
         return None;
     }
     let mut slowest: Vec<_> = cases.iter().collect();
-    slowest.sort_by_key(|result| std::cmp::Reverse(result.cost));
+    slowest.sort_by_key(|result| Reverse(result.cost));
     let slow = |result: &&'a CaseResult<'_>| Slow {
         rule: &result.rule.id,
         case: result.name,

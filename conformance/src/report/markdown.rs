@@ -3,8 +3,7 @@
 //! Whatever a controller says stands in code, in a run of backticks that it cannot close: no heading, no link, no mention, no HTML
 //! of its making. The page has a limit, and says what it leaves out.
 
-use std::collections::BTreeSet;
-
+use super::causes::{self, Group, explained};
 use super::terminal::without_guard;
 use super::{Report, RuleResult, html};
 use crate::certify::CaseResult;
@@ -126,31 +125,26 @@ fn rules(report: &Report<'_>) -> String {
     )
 }
 
-/// One divergence of each rule, that with the smallest program, in at most so many bytes: those that nothing explains first.
+/// What differs, alike departures together, each with its smallest program, in at most so many bytes: what nothing explains first.
 fn divergences(report: &Report<'_>, room: usize) -> String {
     let troubles = report.troubles.as_ref();
     let is_known = |result: &CaseResult<'_>| {
         let place = (result.rule.id.as_str(), result.name);
         troubles.is_some_and(|all| !all.iter().any(|trouble| trouble.place() == place))
     };
-    let mut all: Vec<_> = report.divergences();
-    all.retain(|result| !is_known(result));
-    all.sort_by_key(|result| result.program.len());
-    let mut rules = BTreeSet::new();
-    all.retain(|result| rules.insert(&result.rule.id));
-    let is_explained =
-        |result: &&CaseResult<'_>| result.verdict.own_departure().map(|it| it.explanation.len());
-    all.sort_by_key(|result| (is_explained(result).is_none_or(|parts| parts > 0), &result.rule.id));
+    let mut all = causes::groups(report);
+    all.iter_mut().for_each(|group| group.cases.retain(|(result, _)| !is_known(result)));
+    all.retain(|group| !group.cases.is_empty());
     if all.is_empty() {
         return String::new();
     }
     let title = match troubles {
-        None => "The smallest program of each",
-        Some(_) => "The smallest program of each that is new or has changed",
+        None => "What differs, and the smallest program of each",
+        Some(_) => "What differs and is new or has changed, and the smallest program of each",
     };
-    let mut text = format!("\n### {title}\n");
-    for (shown, result) in all.iter().enumerate() {
-        let card = card(result);
+    let mut text = format!("\n### {title}\n\nWhat differs alike may be one mistake.\n");
+    for (shown, group) in all.iter().enumerate() {
+        let card = card(report, group);
         // Room for the sentence that tells of the rest.
         if text.len() + card.len() + 100 > room {
             text.push_str(&format!("\n… and {} more: see report.html\n", all.len() - shown));
@@ -161,16 +155,20 @@ fn divergences(report: &Report<'_>, room: usize) -> String {
     text
 }
 
-/// A divergence, folded.
-fn card(result: &CaseResult<'_>) -> String {
-    let Some(departure) = result.verdict.own_departure() else { return String::new() };
+/// The smallest of what differs alike, folded.
+fn card(report: &Report<'_>, group: &Group<'_, '_>) -> String {
+    let Some((result, departure)) = group.cases.first() else { return String::new() };
     let CaseResult { rule, name, .. } = result;
     let summary = escaped(&format!("{} / {name}", rule.id));
-    let mut text = format!("\n<details><summary><code>{summary}</code></summary>\n\n");
+    let size = group.size();
+    let mut text = format!("\n<details><summary>{size}: <code>{summary}</code></summary>\n\n");
+    if group.cases.len() > 1 {
+        text.push_str(&format!("{size}: {}. The smallest:\n\n", code(&group.what)));
+    }
     let sources = rule.sources.iter().map(|source| plain(&source.to_string()));
     let sources: Vec<_> = sources.collect();
     text.push_str(&format!("{} ({})\n\n", plain(&rule.sentence), sources.join("; ")));
-    text.push_str(&program(departure.shrunk.as_deref().unwrap_or(result.program)));
+    text.push_str(&program(causes::program(result, departure)));
     text.push('\n');
     if let Some((said, found)) = &departure.assertion {
         let said = without_guard(said);
@@ -179,8 +177,8 @@ fn card(result: &CaseResult<'_>) -> String {
     if let Some(divergence) = &departure.divergence {
         text.push_str(&format!("- first difference {}\n", code(divergence)));
     }
-    if !departure.explanation.is_empty() {
-        text.push_str(&format!("- explained by {}\n", code(&departure.explanation.join(" and "))));
+    if let Some(explained) = explained(&report.header.controller, departure) {
+        text.push_str(&format!("- {}\n", code(&explained.says)));
     }
     text.push_str("\n</details>\n");
     text

@@ -2,6 +2,7 @@
 
 pub mod baseline;
 mod cards;
+pub mod causes;
 pub mod cost;
 pub mod html;
 mod inert;

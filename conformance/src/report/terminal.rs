@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
 
+use super::causes::{explained, groups};
 use super::{Report, RuleVerdict, inert, inert_line};
 use crate::certify::{CaseResult, Verdict};
 
@@ -33,9 +34,10 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
     for result in report.divergences() {
         let is_new = matches!(result.verdict, Verdict::Diverges(_));
         if verbose || is_new && !known {
-            divergence(&mut text, result);
+            divergence(&mut text, report, result);
         }
     }
+    causes(&mut text, report, verbose);
     not_judged(&mut text, report);
     waived(&mut text, report);
     troubles(&mut text, report);
@@ -100,7 +102,7 @@ fn chapters(text: &mut String, report: &Report<'_>) {
 }
 
 /// A divergence: the rule, where it stands, the program, what was expected and found.
-fn divergence(text: &mut String, result: &CaseResult<'_>) {
+fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
     let Some(departure) = result.verdict.departure() else { return };
     let word = result.verdict.word();
     line!(text, "{} {} / {}", styled(RED, word), styled(BOLD, &result.rule.id), result.name);
@@ -120,9 +122,30 @@ fn divergence(text: &mut String, result: &CaseResult<'_>) {
         line!(text, "  the smallest program that does so");
         shrunk.lines().for_each(|line| line!(text, "         {}", inert_line(line)));
     }
-    if !departure.explanation.is_empty() {
-        let explanation = departure.explanation.join(" and ");
-        line!(text, "  explained by {}", styled(YELLOW, &explanation));
+    if let Some(explained) = explained(&report.header.controller, departure) {
+        let style = if explained.is_its_own { YELLOW } else { DIM };
+        line!(text, "  {}", styled(style, &explained.says));
+    }
+    line!(text);
+}
+
+/// What nobody knows of, alike departures together.
+fn causes(text: &mut String, report: &Report<'_>, verbose: bool) {
+    const SHOWN: usize = 12;
+    let groups: Vec<_> = groups(report).into_iter().filter(|group| !group.is_known).collect();
+    if groups.is_empty() {
+        return;
+    }
+    line!(text, "what differs, most rules first; what differs alike may be one mistake:");
+    let most = if verbose { usize::MAX } else { SHOWN };
+    for group in groups.iter().take(most) {
+        line!(text, "  {}: {}", group.size(), styled(BOLD, &inert_line(&group.what)));
+        if let Some((smallest, _)) = group.cases.first() {
+            line!(text, "      smallest: {} / {}", smallest.rule.id, smallest.name);
+        }
+    }
+    if groups.len() > most {
+        line!(text, "  … and {} more kinds (-v tells them)", groups.len() - most);
     }
     line!(text);
 }
@@ -185,7 +208,11 @@ fn profiles(text: &mut String, report: &Report<'_>) {
         line!(text, "passes the claimed profiles: {}", styled(GREEN, &claimed.join(", ")));
     }
     if !besides.is_empty() {
-        line!(text, "passes these profiles, not claimed: {}", besides.join(", "));
+        line!(
+            text,
+            "passes these profiles, too, which the call did not claim (--profile), so that nothing rests on them: {}",
+            besides.join(", ")
+        );
     }
     for failed in report.profiles.iter().filter(|p| p.claimed && !p.passes()) {
         line!(
@@ -215,13 +242,17 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
     let masked = report.masked();
     if !masked.is_empty() {
         if verbose {
-            line!(text, "not shown by this controller, by number of cases:");
+            line!(text, "not shown by this controller, or not everywhere, by number of cases:");
             for (field, cases) in masked {
                 line!(text, "  {cases:>5}  {field}");
             }
         } else {
             let names: Vec<_> = masked.keys().copied().collect();
-            line!(text, "not shown by this controller: {} (-v counts them)", names.join(", "));
+            line!(
+                text,
+                "not shown by this controller, or not everywhere: {} (-v counts them)",
+                names.join(", ")
+            );
         }
     }
     let repeated = report.run.cases.iter().filter(|result| result.repeated);
