@@ -175,7 +175,11 @@ fn a_controller_that_cannot_be_asked_is_told_before_anything_runs() {
         ),
         ("old.py", vec![("\"protocol\": 1,", "\"protocol\": 2,")], "version 2"),
         ("lacking.py", vec![("\"resolution\": 0.0, ", "")], "resolution"),
-        ("slip.py", vec![("\"motion\", \"position\"", "\"motion\", \"positon\"")], "\"positon\""),
+        (
+            "slip.py",
+            vec![("\"motion\", \"position\"", "\"motion\", \"positon\"")],
+            "\"positon\", which is no word of the vocabulary: did you mean \"position\"?",
+        ),
         (
             "options.py",
             vec![(
@@ -270,6 +274,16 @@ fn a_check_tells_what_is_wrong_with_an_adapter() {
             "unknown.py",
             vec![("{\"refused\": \"unknown operation\"}", "{\"done\": {}}")],
             "must be answered with `refused`",
+        ),
+        (
+            "slip-in-effect.py",
+            vec![("(\"feed\", \"straight_feed\")", "(\"feed\", \"straight_fed\")")],
+            "`straight_fed` (did you mean `straight_feed`?)",
+        ),
+        (
+            "never-told.py",
+            vec![("\"fields\": [", "\"fields\": [\"feed_rate\", ")],
+            "`feed_rate` is declared",
         ),
         (
             "leaks.py",

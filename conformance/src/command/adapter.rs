@@ -6,6 +6,7 @@ use clap::{Args, Subcommand, ValueEnum};
 
 use super::{Refused, check, place, write_out};
 use crate::protocol;
+use crate::suite::Suite;
 
 const TEMPLATE_PYTHON: &str = include_str!("../../adapters/template.py");
 const TEMPLATE_C: &str = include_str!("../../adapters/template.c");
@@ -70,10 +71,13 @@ enum What {
     Answer,
 }
 
-pub(super) fn adapter(command: &Adapter) -> Result<u8, Refused> {
+pub(super) fn adapter(
+    command: &Adapter,
+    suite: impl FnOnce() -> Result<Suite, Refused>,
+) -> Result<u8, Refused> {
     match command {
         Adapter::New(arguments) => new(arguments),
-        Adapter::Check(arguments) => check::check(arguments),
+        Adapter::Check(arguments) => check::check(arguments, &suite()?),
         Adapter::Protocol => {
             write_out(PROTOCOL);
             Ok(0)

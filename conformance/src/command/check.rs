@@ -5,6 +5,7 @@ use clap::Args;
 use super::{Refused, controller, write_out};
 use crate::adapters::exec::Limits;
 use crate::protocol::check::{Came, checks};
+use crate::suite::Suite;
 
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
@@ -19,7 +20,7 @@ pub(super) struct Arguments {
     command: String,
 }
 
-pub(super) fn check(arguments: &Arguments) -> Result<u8, Refused> {
+pub(super) fn check(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     let named = &arguments.command;
     let named = match named.split_once(':') {
         Some(("exec" | "tcp", _)) => named.clone(),
@@ -28,7 +29,7 @@ pub(super) fn check(arguments: &Arguments) -> Result<u8, Refused> {
     let adapter = controller::behind(&named, Limits::default())
         .unwrap_or_else(|| controller::exec(&named, Limits::default()))?;
     let begun = crate::adapters::exec::now();
-    let found = checks(&adapter, &|| begun.elapsed().as_secs_f64());
+    let found = checks(&adapter, suite, &|| begun.elapsed().as_secs_f64());
     let mut wrong = 0;
     let mut text = String::new();
     for check in &found {
@@ -40,7 +41,10 @@ pub(super) fn check(arguments: &Arguments) -> Result<u8, Refused> {
             }
             Came::LeftOut(says) => ("left out", says),
         };
-        text.push_str(&format!("{mark:8}  {:19}  {says}\n", check.what));
+        let mut lines = says.lines();
+        let first = lines.next().unwrap_or_default();
+        text.push_str(&format!("{mark:8}  {:19}  {first}\n", check.what));
+        lines.for_each(|line| text.push_str(&format!("{:31}{line}\n", "")));
     }
     text.push_str(&match wrong {
         0 => format!("\nnothing is wrong with it: gaugeblock certify {named:?}\n"),

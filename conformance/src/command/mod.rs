@@ -173,7 +173,7 @@ pub fn main() -> ExitCode {
         Command::Report(command) => suite(&call).and_then(|suite| report::report(command, &suite)),
         Command::Rules(arguments) => rules::rules(arguments, call.suite.as_deref()),
         Command::Suite(command) => suite(&call).and_then(|suite| suite::offline(command, &suite)),
-        Command::Adapter(arguments) => adapter::adapter(arguments),
+        Command::Adapter(arguments) => adapter::adapter(arguments, || suite(&call)),
         Command::Serve(arguments) => serve::serve(arguments),
         Command::Schema(arguments) => schema::schema(arguments),
     };

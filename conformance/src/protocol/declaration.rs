@@ -8,6 +8,7 @@ use gaugeblock_trace::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::meant::meant;
 use super::{FEATURES, OFFERS, Offer, VERSION};
 use crate::adapters::Capabilities;
 
@@ -206,7 +207,11 @@ pub fn vocabulary() -> Vec<(&'static str, Vec<&'static str>)> {
 
 fn words(place: &str, said: &BTreeSet<String>, known: &BTreeSet<String>) -> Result<(), String> {
     match said.iter().find(|word| !known.contains(*word)) {
-        Some(word) => Err(format!("`{place}` has {word:?}, which is no word of the vocabulary")),
+        Some(word) => {
+            let meant = meant(word, known.iter().map(String::as_str));
+            let meant = meant.map(|meant| format!(": did you mean {meant:?}?")).unwrap_or_default();
+            Err(format!("`{place}` has {word:?}, which is no word of the vocabulary{meant}"))
+        }
         None => Ok(()),
     }
 }

@@ -8,6 +8,7 @@ mod declaration;
 pub mod digest;
 mod features;
 mod form;
+mod meant;
 mod offers;
 mod patience;
 mod serve;
@@ -20,6 +21,7 @@ use serde::{Deserialize, Serialize};
 
 pub use declaration::{Clock, Declaration, Observables, vocabulary};
 pub use features::{FEATURES, needed};
+pub(crate) use meant::with_meant;
 pub use offers::{OFFERS, Offer};
 pub(crate) use patience::Patience;
 pub use serve::{Served, serve};

@@ -13,7 +13,9 @@ use super::process::now;
 use super::side::Folder;
 use super::told::Teller;
 use super::{HarnessError, Limits};
-use crate::protocol::{Answer, Declaration, Offer, Operation, Reply, Standing, VERSION};
+use crate::protocol::{
+    Answer, Declaration, Offer, Operation, Reply, Standing, VERSION, with_meant,
+};
 
 /// Most of a line that is shown to a person.
 pub(super) const SHOWN: usize = 200;
@@ -207,6 +209,7 @@ impl Session {
             self.reset_ahead();
         }
         let answer: Answer = serde_json::from_slice(&answer).map_err(|error| {
+            let error = with_meant(&error.to_string());
             NoReply::Other(unreadable(&format!("answer to `{name}`: {error}"), &answer))
         })?;
         if answer.id != asked {

@@ -1,5 +1,6 @@
 //! What is wrong with an adapter, before anything is certified: each check is one scenario or two, and says in a sentence what came of it.
 
+mod declared;
 mod offered;
 
 use std::collections::BTreeSet;
@@ -8,6 +9,7 @@ use gaugeblock_trace::{End, Language, Outcome, Scenario};
 
 use crate::adapters::exec::Exec;
 use crate::adapters::{Adapter, HarnessError};
+use crate::suite::Suite;
 
 /// What a check came to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,8 +43,8 @@ const CHANGES: &str = "g20 g91 g18 f77 s500 m3 m8\n#31=5\n#<_kept>=6\ng92 x3\ng0
 /// Runs in a row whose time is taken.
 const RUNS: u32 = 50;
 
-/// Looks at an adapter. `clock` tells seconds.
-pub fn checks(adapter: &Exec, clock: &dyn Fn() -> f64) -> Vec<Check> {
+/// Looks at an adapter, with programs of the suite for what it declares to show. `clock` tells seconds.
+pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Check> {
     let declared = adapter.declaration();
     let told = format!("{} {}, protocol {}", declared.name, declared.version, declared.protocol);
     let mut found = vec![Check { what: "declaration", came: Came::Fine(told) }];
@@ -78,6 +80,7 @@ pub fn checks(adapter: &Exec, clock: &dyn Fn() -> f64) -> Vec<Check> {
         },
     );
     add("speed", speed(adapter, &plain, clock));
+    found.extend(declared::checks(adapter, suite));
     found.extend(offered::checks(adapter, &plain, &first));
     found
 }

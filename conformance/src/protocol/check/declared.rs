@@ -1,0 +1,161 @@
+//! What an adapter declares to show, each looked for once: a member that is misspelt or has another form is found here, and not in the middle of a night.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock_trace::{End, Entry, Event, Outcome, Scenario, Settings, State};
+
+use super::{Came, Check};
+use crate::adapters::Adapter;
+use crate::adapters::exec::Exec;
+use crate::certify::{options_of, scenario_of};
+use crate::suite::{DEFAULT_EDITION, Edition, Suite};
+
+/// Programs that are run for one word, at most, until one of them shows it.
+const TRIES: usize = 6;
+
+/// Programs that are asked for, at most: what is not supported is not run.
+const ASKED: usize = 300;
+
+/// Mistakes that are told.
+const TOLD: usize = 4;
+
+/// A kind of what can be declared, and the words of it that an outcome tells.
+type Kind = (&'static str, fn(&Outcome) -> BTreeSet<&'static str>);
+
+const KINDS: [Kind; 3] = [("effects", effects), ("fields", fields), ("pins", pins)];
+
+/// Looks for each effect, field and pin that is declared, in what comes of programs of the suite.
+pub(super) fn checks(adapter: &Exec, suite: &Suite) -> Vec<Check> {
+    let shows = &adapter.declaration().observables;
+    let mut looked = Looked { adapter, programs: programs(adapter, suite), came: BTreeMap::new() };
+    let declared = [&shows.effects, &shows.fields, &shows.pins];
+    let checks = KINDS.into_iter().zip(declared).filter(|(_, words)| !words.is_empty());
+    checks.map(|((what, told), words)| Check { what, came: looked.all(told, words) }).collect()
+}
+
+/// The programs that it can run and the documents say something of, the smallest first, with what happens by them.
+fn programs(adapter: &Exec, suite: &Suite) -> Vec<(Scenario, Outcome)> {
+    let languages = &adapter.declaration().languages;
+    let own = adapter.own_edition().and_then(|id| suite.edition(id));
+    let usual = [DEFAULT_EDITION, "gpp2", "nct-99m"].map(|id| suite.edition(id));
+    let editions = languages.iter().filter_map(|language| {
+        let mut editions = own.into_iter().chain(usual.into_iter().flatten());
+        editions.find(|edition| edition.language == *language)
+    });
+    let mut programs: Vec<_> =
+        editions.flat_map(|edition| of_edition(adapter, suite, edition)).collect();
+    programs.sort_by_key(|(scenario, _)| scenario.program.main.len());
+    programs
+}
+
+fn of_edition(adapter: &Exec, suite: &Suite, edition: &Edition) -> Vec<(Scenario, Outcome)> {
+    let options = options_of(suite, edition, adapter);
+    let rules = suite.rules.iter().filter(|rule| rule.language == edition.language);
+    let cases = rules.flat_map(|rule| &rule.cases);
+    let cases =
+        cases.filter(|case| case.editions.is_empty() || case.editions.contains(&edition.id));
+    let scenarios = cases.map(|case| scenario_of(case, &options, edition));
+    let scenarios = scenarios.filter(|scenario| adapter.supports(scenario).is_ok());
+    let with_outcome = scenarios.map(|scenario| {
+        let mut outcome = gaugeblock_reference::run(&scenario).0;
+        // What is in force anyway is no reason to run it.
+        outcome.start = Settings::default();
+        (scenario, outcome)
+    });
+    with_outcome.filter(|(_, outcome)| outcome.end.unsaid().is_none()).collect()
+}
+
+/// What was looked at.
+struct Looked<'a> {
+    adapter: &'a Exec,
+    programs: Vec<(Scenario, Outcome)>,
+    /// What came of programs, by their places: an outcome, or what is wrong with the answer.
+    came: BTreeMap<usize, Result<Outcome, String>>,
+}
+
+impl Looked<'_> {
+    fn all(
+        &mut self,
+        told: fn(&Outcome) -> BTreeSet<&'static str>,
+        words: &BTreeSet<String>,
+    ) -> Came {
+        let (mut wrong, mut not_seen) = (BTreeSet::new(), Vec::new());
+        for word in words {
+            match self.word(told, word) {
+                Came::Fine(_) => {}
+                Came::Wrong(why) => {
+                    wrong.insert(why);
+                }
+                Came::LeftOut(word) => not_seen.push(word),
+            }
+            if wrong.len() >= TOLD {
+                break;
+            }
+        }
+        if !wrong.is_empty() {
+            return Came::Wrong(wrong.into_iter().collect::<Vec<_>>().join("\n"));
+        }
+        let (seen, all) = (words.len() - not_seen.len(), words.len());
+        let but = match not_seen.as_slice() {
+            [] => String::new(),
+            words => format!("; no program that it runs shows {}", words.join(", ")),
+        };
+        let says = format!("{seen} of {all} that it declares were told{but}");
+        if seen == 0 { Came::LeftOut(says) } else { Came::Fine(says) }
+    }
+
+    fn word(&mut self, told: fn(&Outcome) -> BTreeSet<&'static str>, word: &str) -> Came {
+        let Self { adapter, programs, came } = self;
+        let (mut lacking, mut tries) = (None, 0);
+        let shows = |outcome: &Outcome| told(outcome).contains(word);
+        let programs = programs.iter().enumerate().filter(|(_, (_, outcome))| shows(outcome));
+        for (place, (scenario, expected)) in programs.take(ASKED) {
+            if tries == TRIES {
+                break;
+            }
+            let program = &scenario.program.main;
+            let run = || adapter.run(scenario).map_err(|error| error.to_string());
+            match came.entry(place).or_insert_with(run) {
+                Ok(Outcome { end: End::Unsupported { .. }, .. }) => continue,
+                Ok(found) if told(found).contains(word) => return Came::Fine(String::new()),
+                // What it does not do, or refuses, says nothing of what it tells.
+                Ok(Outcome { end, .. }) if end.name() != expected.end.name() => {}
+                Ok(Outcome { end: End::Fault(_), .. }) => {}
+                Ok(_) => lacking = lacking.or_else(|| Some(program.to_string())),
+                Err(why) => return Came::Wrong(format!("{program:?}: {why}")),
+            }
+            tries += 1;
+        }
+        match lacking {
+            None => Came::LeftOut(word.to_owned()),
+            Some(program) => Came::Wrong(format!(
+                "`{word}` is declared, and {program:?}, which shows it by the documents, is answered without it"
+            )),
+        }
+    }
+}
+
+fn effects(outcome: &Outcome) -> BTreeSet<&'static str> {
+    let events = outcome.steps.iter().flat_map(|step| &step.events);
+    let effects = events.filter_map(|event| match event {
+        Event::Do(effect) => Some(effect.name()),
+        Event::Set(_) => None,
+    });
+    effects.collect()
+}
+
+/// Settings that were set, and what was told of the state.
+fn fields(outcome: &Outcome) -> BTreeSet<&'static str> {
+    let events = outcome.steps.iter().flat_map(|step| &step.events);
+    let set = events.filter_map(|event| match event {
+        Event::Set(settings) => Some(settings.entries()),
+        Event::Do(_) => None,
+    });
+    let states = outcome.steps.iter().filter_map(|step| step.state.as_ref()).map(State::entries);
+    let all = set.chain(states).chain([Settings::entries(&outcome.start)]).flatten();
+    all.map(|Entry { field, .. }| field).collect()
+}
+
+fn pins(outcome: &Outcome) -> BTreeSet<&'static str> {
+    outcome.pins.iter().map(|change| change.pin.name()).collect()
+}
