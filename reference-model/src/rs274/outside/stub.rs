@@ -17,6 +17,8 @@ pub(super) struct Stub {
     stands: Stands,
     /// Whether a spline of three points has led it where X and Y have no numbers.
     lost: bool,
+    /// Whether another spline has led it to X0 Y0: to numbers that are as small as what memory happens to hold.
+    led: bool,
     /// Whether the block that is executed asks for it.
     asked: bool,
 }
@@ -36,7 +38,7 @@ impl Default for Stub {
     fn default() -> Self {
         let zero = Position::default();
         let stands = Stands { point: zero, offset: zero, units: LengthUnit::Millimetre };
-        Self { stands, lost: false, asked: false }
+        Self { stands, lost: false, led: false, asked: false }
     }
 }
 
@@ -95,6 +97,7 @@ pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), Halt> {
     };
     state.outside.stub.stands = stands_at(point, state);
     state.outside.stub.lost = lost;
+    state.outside.stub.led = told == Told::Spline;
     Ok(())
 }
 
@@ -105,6 +108,11 @@ fn stands_at(point: Position, state: &State) -> Stands {
 /// Where the stub stands, active length unit, unless that has no numbers.
 pub(crate) fn position(state: &State) -> Option<Position> {
     (!state.outside.stub.lost).then(|| coordinates(state))
+}
+
+/// Whether that is X0 Y0 but for numbers that nobody knows.
+pub(crate) fn is_led_by_spline(state: &State) -> bool {
+    state.outside.stub.led
 }
 
 /// The same; X and Y are as they were before they were lost.
@@ -127,6 +135,8 @@ fn offset(state: &State) -> Position {
 
 #[cfg(test)]
 mod tests {
+    use gaugeblock_trace::{End, Options, Scenario};
+
     use super::*;
 
     #[test]
@@ -140,5 +150,19 @@ mod tests {
         ] {
             assert!((answer(input, read) - expected).abs() < 1e-12, "{input:?} after {read}");
         }
+    }
+
+    #[test]
+    fn nobody_knows_which_way_it_backs_off_that_stands_where_a_spline_has_led_it() {
+        let end = |probe: &str| {
+            let text = format!("f1\ng5 i0 j0 p0 q0 y0\n{probe}\nm2\n");
+            let name = Some("stand-alone rs274".to_owned());
+            let bench = gaugeblock_trace::scenario::Bench { name, ..Default::default() };
+            let moves_nowhere = ("rs274.probe-same-point".into(), "observed".into());
+            let options = Options([moves_nowhere].into());
+            crate::run(&Scenario { bench, options, ..Scenario::of(text) }).0.end
+        };
+        assert!(matches!(end("g38.3 x0"), End::Unspecified { .. }));
+        assert_eq!(end("g38.3 z-1"), End::ProgramEnd);
     }
 }

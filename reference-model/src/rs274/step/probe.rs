@@ -75,7 +75,7 @@ pub(super) fn perform(
     let stand_alone = state.outside.is_stand_alone();
     let succeeded = contact.is_some() && !stand_alone;
     state.parameters.store(SUCCEEDED, if succeeded { 1.0 } else { 0.0 });
-    state.position = if stand_alone { backed_off(end, state) } else { stops_at };
+    state.position = if stand_alone { backed_off(end, state)? } else { stops_at };
     state.outside.synchronise();
     tell(motion, contact.is_some(), state)
 }
@@ -148,9 +148,12 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
 
 /// Where the stand-alone interpreter's stub stands after probing: a hundredth of an inch back on its way, as far as linear axes
 /// have moved. That way begins where the stub stands.
-fn backed_off(end: Position, state: &State) -> Position {
+///
+/// # Errors
+/// That way has no length, unless a spline has led the stub where memory that nobody has written says: then the way may have one.
+fn backed_off(end: Position, state: &State) -> Result<Position, Halt> {
     let linear = [Axis::X, Axis::Y, Axis::Z];
-    let Some(from) = stub::position(state) else { return end };
+    let Some(from) = stub::position(state) else { return Ok(end) };
     let back = match state.modes.units {
         LengthUnit::Inch => 0.01,
         LengthUnit::Millimetre => 0.254,
@@ -158,10 +161,14 @@ fn backed_off(end: Position, state: &State) -> Position {
     let way = linear.map(|axis| end.get(axis) - from.get(axis));
     let length = math::hypotenuse(math::hypotenuse(way[0], way[1]), way[2]);
     let mut stops_at = end;
+    if length == 0.0 && stub::is_led_by_spline(state) {
+        let why = "which way the stub of a machine backs off that stands where a spline has led it";
+        return Err(Halt::Unspecified(why.to_owned()));
+    }
     if length > 0.0 {
         for (axis, way) in linear.into_iter().zip(way) {
             *stops_at.get_mut(axis) -= back * way / length;
         }
     }
-    stops_at
+    Ok(stops_at)
 }
