@@ -338,38 +338,6 @@ impl Adapter for WithoutDwell {
     }
 }
 
-/// The model with a fault, but only where it is run in a hurry.
-#[derive(Debug)]
-struct Hasty(SlowDwell);
-
-impl Adapter for Hasty {
-    fn capabilities(&self) -> &Capabilities {
-        self.0.capabilities()
-    }
-
-    fn supports(&self, _scenario: &Scenario) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
-        self.0.run(scenario)
-    }
-
-    fn run_plainly(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
-        Some(Ok(gaugeblock_reference::run(scenario).0))
-    }
-}
-
-#[test]
-fn what_only_shows_where_a_controller_is_run_in_a_hurry_is_no_difference() {
-    let hasty = Hasty(SlowDwell(Capabilities::everything("hasty", "1")));
-    let reference = Reference::default();
-    let mut unused = Statistics::default();
-    let scenario = Scenario::of("g4 p1\nm2\n");
-    assert!(matches!(plan(&hasty.0, &reference).judge(&scenario, &mut unused), Came::Differs(_)));
-    assert_eq!(plan(&hasty, &reference).judge(&scenario, &mut unused), Came::Same);
-}
-
 /// The model, but what it does with programs that dwell cannot be read.
 #[derive(Debug)]
 struct Unreadable(Capabilities);

@@ -266,14 +266,6 @@ pub trait Adapter: fmt::Debug + Send + Sync {
         Err(NotMoved::Unsupported("it shows no servo samples".to_owned()))
     }
 
-    /// Runs the scenario as someone would who knows of no way to do it faster. None where there is no faster one.
-    ///
-    /// What only shows on the faster way is no property of the controller.
-    fn run_plainly(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
-        let _always_so = scenario;
-        None
-    }
-
     /// Runs the scenario on a controller that nothing ran on before. None where each run is such a one anyway.
     fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
         let _always_anew = scenario;

@@ -112,11 +112,6 @@ impl Adapter for Narrowed {
         self.controller.moves(motion)
     }
 
-    fn run_plainly(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
-        let outcome = self.controller.run_plainly(scenario)?;
-        Some(outcome.map(|outcome| narrowed(outcome, &self.shows(scenario))))
-    }
-
     fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
         let outcome = self.controller.run_anew(scenario)?;
         Some(outcome.map(|outcome| narrowed(outcome, &self.shows(scenario))))

@@ -83,18 +83,8 @@ impl Plan<'_> {
                 statistics.fragile += 1;
                 Came::Fragile
             }
-            Some(divergence) => match self.confirmed(scenario, divergence) {
-                Some(divergence) => differs(divergence, statistics),
-                None => Came::Same,
-            },
+            Some(divergence) => differs(divergence, statistics),
         }
-    }
-
-    /// A difference that is there, too, where the controller takes no faster way.
-    fn confirmed(&self, scenario: &Scenario, divergence: Divergence) -> Option<Divergence> {
-        let Some(Ok(found)) = self.iut.run_plainly(scenario) else { return Some(divergence) };
-        let Ok(expected) = outcome(self.against, scenario, None).0 else { return Some(divergence) };
-        self.divergence(scenario, expected, found)
     }
 
     fn divergence(

@@ -151,21 +151,6 @@ impl Adapter for Rs274 {
     }
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
-        self.run_with(Some(&self.servers), scenario)
-    }
-
-    /// Forks share what a start has anew, memory that nobody has written to among it.
-    fn run_plainly(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
-        Some(self.run_with(None, scenario))
-    }
-}
-
-impl Rs274 {
-    fn run_with(
-        &self,
-        servers: Option<&Servers>,
-        scenario: &Scenario,
-    ) -> Result<Outcome, HarnessError> {
         // What is refused here could reach the host: it must not run even if nobody asked before.
         self.supports(scenario).map_err(HarnessError::NotRun)?;
         let source = Source::new(&scenario.program);
@@ -173,7 +158,7 @@ impl Rs274 {
         let machine = hal.machine(&scenario.machine);
         let session = Session {
             program: self.program(),
-            servers,
+            servers: &self.servers,
             limits: self.limits,
             unprobed: self.unprobed,
             scenario,

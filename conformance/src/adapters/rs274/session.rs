@@ -29,8 +29,8 @@ const SAMPLE: u64 = 32;
 pub(super) struct Session<'a> {
     /// The binary, and how it is started.
     pub(super) program: Started<'a>,
-    /// Those that have started already; none where each run has a start of its own.
-    pub(super) servers: Option<&'a Servers>,
+    /// Those that have started already.
+    pub(super) servers: &'a Servers,
     /// What each run may cost.
     pub(super) limits: Limits,
     /// Which programs are also run without probes.
@@ -199,9 +199,7 @@ impl Session<'_> {
         }
         let start = self.start(how);
         let forked = match from {
-            From::Fork => {
-                self.servers.and_then(|servers| servers.run(self.program, &start, workspace.path()))
-            }
+            From::Fork => self.servers.run(self.program, &start, workspace.path()),
             From::Start => None,
         };
         let is_forked = forked.is_some();

@@ -150,7 +150,7 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
 /// have moved. That way begins where the stub stands.
 ///
 /// # Errors
-/// That way has no length, unless a spline has led the stub where memory that nobody has written says: then the way may have one.
+/// The way has no length, and a spline has led the stub where memory says that nobody has written: then the way may have one all the same.
 fn backed_off(end: Position, state: &State) -> Result<Position, Halt> {
     let linear = [Axis::X, Axis::Y, Axis::Z];
     let Some(from) = stub::position(state) else { return Ok(end) };

@@ -127,7 +127,7 @@ fn a_fork_does_what_a_start_does() {
         let source = Source::new(&scenario.program);
         let session = Session {
             program: controller.program(),
-            servers: Some(&controller.servers),
+            servers: &controller.servers,
             limits: LIMITS,
             unprobed: Unprobed::Sample,
             scenario,
