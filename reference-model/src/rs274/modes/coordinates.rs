@@ -43,6 +43,15 @@ impl Rounding {
         })
     }
 
+    /// A coordinate that is 0, or as small a number as nobody knows.
+    pub(crate) fn of_nothing(self) -> f64 {
+        match self {
+            Self::AsComputed | Self::ToDecimals => 0.0,
+            Self::Up => 1e-300,
+            Self::Down => -1e-300,
+        }
+    }
+
     fn coordinate(self, computed: f64, from: f64) -> f64 {
         let last_bit = computed.abs().max(from.abs()) * f64::EPSILON;
         match self {

@@ -82,7 +82,10 @@ pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), Halt> {
     let here = coordinates(state);
     let (point, lost) = match told {
         Told::Moves => (state.position, false),
-        Told::Spline => (Position { x: 0.0, y: 0.0, ..here }, false),
+        Told::Spline => {
+            let unknown = state.modes.rounding.of_nothing();
+            (Position { x: unknown, y: unknown, ..here }, false)
+        }
         Told::Nowhere => (here, true),
         Told::Nothing => {
             if asked && state.outside.stub.lost {
@@ -138,6 +141,7 @@ mod tests {
     use gaugeblock_trace::{End, Options, Scenario};
 
     use super::*;
+    use crate::rs274::modes::Rounding;
 
     #[test]
     fn an_input_is_what_was_read_before() {
@@ -154,15 +158,26 @@ mod tests {
 
     #[test]
     fn nobody_knows_which_way_it_backs_off_that_stands_where_a_spline_has_led_it() {
-        let end = |probe: &str| {
-            let text = format!("f1\ng5 i0 j0 p0 q0 y0\n{probe}\nm2\n");
-            let name = Some("stand-alone rs274".to_owned());
-            let bench = gaugeblock_trace::scenario::Bench { name, ..Default::default() };
-            let moves_nowhere = ("rs274.probe-same-point".into(), "observed".into());
-            let options = Options([moves_nowhere].into());
-            crate::run(&Scenario { bench, options, ..Scenario::of(text) }).0.end
-        };
+        let end = |probe| end_behind_spline(probe, Rounding::AsComputed);
         assert!(matches!(end("g38.3 x0"), End::Unspecified { .. }));
         assert_eq!(end("g38.3 z-1"), End::ProgramEnd);
+    }
+
+    #[test]
+    fn an_arc_without_radius_hangs_on_numbers_that_nobody_knows_behind_a_spline() {
+        let end = |rounding| end_behind_spline("g38.3 z1\ng2 x0 r0", rounding);
+        assert!(matches!(end(Rounding::AsComputed), End::Fault(_)));
+        assert_eq!(end(Rounding::Up), End::ProgramEnd);
+        assert_eq!(end(Rounding::Down), End::ProgramEnd);
+    }
+
+    fn end_behind_spline(then: &str, rounding: Rounding) -> End {
+        let text = format!("f1\ng5 i0 j0 p0 q0 y0\n{then}\nm2\n");
+        let name = Some("stand-alone rs274".to_owned());
+        let bench = gaugeblock_trace::scenario::Bench { name, ..Default::default() };
+        let moves_nowhere = ("rs274.probe-same-point".into(), "observed".into());
+        let small_radius = ("arcs.radius-just-too-small".into(), "half-circle".into());
+        let options = Options([moves_nowhere, small_radius].into());
+        crate::run_rounded(&Scenario { bench, options, ..Scenario::of(text) }, rounding).0.end
     }
 }
