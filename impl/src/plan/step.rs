@@ -355,16 +355,21 @@ impl Motion {
             return left;
         }
         let y = squared(self.speed);
-        let mut last = y + 2.0 * acceleration * remaining;
+        let (mut last, mut brakes) = (y + 2.0 * acceleration * remaining, 0.0);
         if exit <= 0.0 && last >= -1e-6 * y {
             // The square of the last speed is the difference of two numbers that should be equal. Less is left of it by braking a little harder
             // than by resting all of a sudden.
             last = 0.0;
+            // What is left of a long piece is rounded, and so how long that takes; how long the brakes take is not.
+            if acceleration < 0.0 {
+                brakes = -self.speed / acceleration;
+            }
         }
         if last >= 0.0 {
             let end = math::sqrt(last);
             let both = self.speed + end;
             let time = if remaining > 0.0 { 2.0 * remaining / both } else { 0.0 };
+            let time = math::greater(time, brakes);
             if time <= left {
                 self.x = if self.backwards { 0.0 } else { piece.length };
                 self.speed = if exit > 0.0 { end } else { 0.0 };
