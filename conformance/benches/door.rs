@@ -6,21 +6,25 @@
 //! Everything is measured case by case, by turns; what counts is the least of all rounds. In a campaign of one job is what a case costs whoever
 //! certifies: its model and its verdict are found while the controller works. A run alone is how long somebody waits for one outcome who does
 //! nothing meanwhile.
+//!
+//! A bare round trip is measured as the cases are: in a campaign it is made beside each case, and what it costs is what the campaign costs
+//! more than without. Trips that follow at once on one another, with nothing between them, are told below: then neither side falls asleep.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;
 use std::io::{BufRead, BufReader, Error, Read, Result, Write};
 use std::num::NonZero;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::Mutex;
 use std::time::Duration;
 
 use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::adapters::production::Production;
-use gaugeblock::adapters::{Adapter, HarnessError};
+use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
 use gaugeblock::certify::{Plan, certify, scenario_of};
 use gaugeblock::protocol::{Answer, Operation, Reply, Request, Ways};
 use gaugeblock::suite::{Edition, Suite, files};
-use gaugeblock_trace::{Language, Scenario};
+use gaugeblock_trace::{Language, Outcome, Scenario};
 use mimalloc::MiMalloc;
 use serde_json::Value;
 
@@ -69,12 +73,15 @@ fn main() -> Result<()> {
     }
     let each = bytes.iter().map(|(asked, answered)| asked + answered).sum::<usize>() / bytes.len();
     println!("{} cases, {each} bytes each, out and back; microseconds a case", bytes.len());
-    let campaign = campaigns(edition, (&production, &behind), (&mut bare, &bytes))?;
+    let beside = Beside { production: Production::default(), bare: Mutex::new((bare, 0)), bytes };
+    let campaign = campaigns(edition, (&production, &behind), &beside)?;
     println!(
         "                in process  behind it  overhead  bare round trip  overhead / round trip"
     );
-    campaign.print("in a campaign");
-    alone.print("a run alone");
+    let [alone_within, through, with_trip] = campaign.means();
+    print("in a campaign", [alone_within, through, with_trip - alone_within]);
+    print("a run alone", alone.means());
+    println!("a bare round trip at once behind another: {:.1}", beside.trips()?);
 
     let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let plan = Plan { suite: &suite, edition, only: &[], jobs };
@@ -92,13 +99,13 @@ fn main() -> Result<()> {
 fn campaigns(
     edition: &Edition,
     (production, behind): (&Production, &Exec),
-    (bare, bytes): (&mut Bare, &[(usize, usize)]),
+    beside: &Beside,
 ) -> Result<Least> {
     let suite = Suite::read(&files::built_in());
     let mut suite = suite.map_err(|errors| Error::other(errors.join("\n")))?;
     suite.rules.iter_mut().for_each(|rule| rule.motion.clear());
     let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
-    let mut least = Least::of(bytes.len());
+    let mut least = Least::of(beside.bytes.len());
     for _ in 0..CAMPAIGNS {
         // A case that is not supported is not run: it costs the same both ways.
         for (place, case) in certify(plan, production, &|| ()).cases.iter().enumerate() {
@@ -107,11 +114,57 @@ fn campaigns(
         for (place, case) in certify(plan, behind, &|| ()).cases.iter().enumerate() {
             least.behind(place, case.cost);
         }
-        for (place, size) in bytes.iter().enumerate() {
-            least.bare(place, time(|| bare.round_trip(*size))?);
+        for (place, case) in certify(plan, beside, &|| ()).cases.iter().enumerate() {
+            least.bare(place, case.cost);
         }
     }
     Ok(least)
+}
+
+/// Production in this process, which makes a bare round trip beside each run, of the size of some case or other.
+#[derive(Debug)]
+struct Beside {
+    production: Production,
+    /// The trips, and how many were made.
+    bare: Mutex<(Bare, usize)>,
+    /// Sizes of all cases.
+    bytes: Vec<(usize, usize)>,
+}
+
+impl Beside {
+    fn trip(&self) -> Result<()> {
+        let mut bare = self.bare.lock().map_err(|error| Error::other(error.to_string()))?;
+        let size = self.bytes[bare.1 % self.bytes.len()];
+        bare.1 += 1;
+        bare.0.round_trip(size)
+    }
+
+    /// What a trip takes where nothing lies between them, microseconds.
+    fn trips(&self) -> Result<f64> {
+        let mut least = Least::of(self.bytes.len());
+        for _ in 0..CAMPAIGNS {
+            for place in 0..self.bytes.len() {
+                least.bare(place, time(|| self.trip())?);
+            }
+        }
+        Ok(least.means()[2])
+    }
+}
+
+impl Adapter for Beside {
+    fn capabilities(&self) -> &Capabilities {
+        self.production.capabilities()
+    }
+
+    fn supports(&self, scenario: &Scenario) -> std::result::Result<(), String> {
+        self.production.supports(scenario)
+    }
+
+    fn run(&self, scenario: &Scenario) -> std::result::Result<Outcome, HarnessError> {
+        let outcome = self.production.run(scenario)?;
+        self.trip().map_err(|error| HarnessError::NotRun(error.to_string()))?;
+        Ok(outcome)
+    }
 }
 
 /// The least times of each case.
@@ -145,18 +198,22 @@ impl Least {
         times[place] = times[place].min(time);
     }
 
-    fn print(&self, what: &str) {
+    /// Microseconds a case.
+    fn means(&self) -> [f64; 3] {
         let cases = u32::try_from(self.cases).unwrap_or(u32::MAX);
-        let each = |times: &Vec<Duration>| {
-            times.iter().sum::<Duration>().as_secs_f64() * 1e6 / f64::from(cases)
-        };
-        let [within, behind, bare] = self.ways.each_ref().map(each);
-        let overhead = behind - within;
-        println!(
-            "{what:15} {within:10.1} {behind:10.1} {overhead:9.1} {bare:16.1} {:22.2}",
-            overhead / bare
-        );
+        self.ways
+            .each_ref()
+            .map(|times| times.iter().sum::<Duration>().as_secs_f64() * 1e6 / f64::from(cases))
     }
+}
+
+/// A line of the table.
+fn print(what: &str, [within, behind, bare]: [f64; 3]) {
+    let overhead = behind - within;
+    println!(
+        "{what:15} {within:10.1} {behind:10.1} {overhead:9.1} {bare:16.1} {:22.2}",
+        overhead / bare
+    );
 }
 
 /// How many bytes a run sends and gets: its own two lines, and those of the reset before it.

@@ -3,6 +3,7 @@
 //! `conformance/adapters/PROTOCOL.md` tells it to whoever writes an adapter; a test holds that page's examples to these types. The referee's side is
 //! [`crate::adapters::exec`], and [`serve`] speaks the controller's side for a controller of this project.
 
+mod alike;
 pub mod check;
 mod declaration;
 pub mod digest;
@@ -19,6 +20,7 @@ use gaugeblock_trace::{Indexed, Outcome, Scenario, Settings, State, Step};
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::{Deserialize, Serialize};
 
+pub(crate) use alike::Alike;
 pub use declaration::{Clock, Declaration, Observables, vocabulary};
 pub use features::{FEATURES, needed};
 pub(crate) use meant::with_meant;

@@ -14,7 +14,7 @@ use super::side::Folder;
 use super::told::Teller;
 use super::{HarnessError, Limits};
 use crate::protocol::{
-    Answer, Declaration, Offer, Operation, Reply, Standing, VERSION, with_meant,
+    Alike, Answer, Declaration, Offer, Operation, Reply, Standing, VERSION, with_meant,
 };
 
 /// Most of a line that is shown to a person.
@@ -45,6 +45,7 @@ pub(super) struct Session {
     pub(super) begun: Option<Begun>,
     /// What was in force after the first reset, where it can tell.
     fresh: Option<Box<Standing>>,
+    alike: Alike,
 }
 
 impl Session {
@@ -73,6 +74,7 @@ impl Session {
             has_failed: false,
             begun: None,
             fresh: None,
+            alike: Alike::default(),
         };
         let referee = format!("gaugeblock {}", env!("CARGO_PKG_VERSION"));
         let folder = session.folder.as_ref();
@@ -208,7 +210,12 @@ impl Session {
             // It is set back while its answer is read here.
             self.reset_ahead();
         }
-        let answer: Answer = serde_json::from_slice(&answer).map_err(|error| {
+        let read = if name == RUN {
+            self.alike.read(&answer)
+        } else {
+            serde_json::from_slice::<Answer>(&answer)
+        };
+        let answer = read.map_err(|error| {
             let error = with_meant(&error.to_string());
             NoReply::Other(unreadable(&format!("answer to `{name}`: {error}"), &answer))
         })?;
