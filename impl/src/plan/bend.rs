@@ -48,7 +48,7 @@ impl Motion {
             }
             if let Some(mut even) = even {
                 let lasts = LASTING * self.speed * limits.cycle < remaining;
-                if lasts && even < asked {
+                if lasts && even < asked && self.is_slow(piece) {
                     even = self.quicker::<N>(piece, eased, even, (limits, wish), left);
                 }
                 return self.go(piece, even, end, left);
@@ -101,6 +101,13 @@ impl Motion {
         math::lesser(self.fastest(piece, 0.0), self.fastest(piece, near))
     }
 
+    /// Whether the motion is so much slower than a bend may be passed evenly that it is worth to be faster: mostly it is not.
+    #[inline]
+    fn is_slow(&self, piece: &Piece) -> bool {
+        let Law::Bent { even: most } = piece.law else { return false };
+        most - squared(self.speed) > WORTH * most
+    }
+
     /// On a bend that lasts for some cycles, more than the acceleration that can be kept up to its end: as much as is asked for, if another one can
     /// be kept up then.
     #[inline(never)]
@@ -113,9 +120,6 @@ impl Motion {
         left: f64,
     ) -> f64 {
         let Law::Bent { even: most } = piece.law else { return even };
-        if most - squared(self.speed) <= WORTH * most {
-            return even;
-        }
         let travel = |acceleration: f64| (self.speed + 0.5 * acceleration * left) * left;
         let leads = |tried: f64| {
             let way = travel(tried);

@@ -106,10 +106,8 @@ impl Limits {
 
     fn rule_bent_arc(&self, piece: &mut Piece, circle: &Circle) {
         let axes = piece.axes;
-        let (mut place, mut along, mut across) = (piece.end, Axes::default(), Axes::default());
-        piece.motion(0.0, &mut place, &mut along, &mut across);
-        let (mut last, mut last_across) = (Axes::default(), Axes::default());
-        piece.motion(piece.length, &mut place, &mut last, &mut last_across);
+        let [_, mut along, mut across] = piece.motion::<9>(0.0);
+        let [_, last, last_across] = piece.motion::<9>(piece.length);
         for ((one, other), (across, then)) in
             along.iter_mut().zip(&last).zip(across.iter_mut().zip(&last_across))
         {

@@ -33,6 +33,7 @@ mod ring;
 mod segment;
 mod step;
 
+use parameters::lead;
 pub use parameters::{Axes, Hold, InputParameter, OutputParameter, Phase};
 pub use segment::{Blend, Feed, OutputSwitch, Path, Segment};
 
@@ -363,33 +364,41 @@ impl Planner {
     }
 
     fn show(&self, output: &mut OutputParameter) {
-        let motion = &self.motion;
-        output.segment = motion.number;
-        (output.velocity, output.acceleration) = (Axes::default(), Axes::default());
-        output.speed = 0.0;
-        let Some(piece) = self.ring.get(motion.at) else {
-            output.position = self.position;
-            return;
-        };
-        // Axes that take no part lie where the piece ends.
-        output.position = piece.end;
-        piece.motion(
-            motion.x,
-            &mut output.position,
-            &mut output.velocity,
-            &mut output.acceleration,
-        );
-        if motion.x.to_bits() == piece.length.to_bits() {
-            output.position = piece.end;
+        output.segment = self.motion.number;
+        match self.ring.get(self.motion.at) {
+            Some(piece) if piece.axes <= 3 => self.show_on::<3>(piece, output),
+            Some(piece) => self.show_on::<9>(piece, output),
+            None => {
+                output.position = self.position;
+                (output.velocity, output.acceleration) = (Axes::default(), Axes::default());
+                output.speed = 0.0;
+            }
         }
+    }
+
+    /// Where the motion is on a piece on which so many leading axes may move.
+    #[inline]
+    fn show_on<const N: usize>(&self, piece: &Piece, output: &mut OutputParameter) {
+        let motion = &self.motion;
         let sense = if motion.backwards { -1.0 } else { 1.0 };
         let (speed, change) = (sense * motion.speed, sense * motion.acceleration);
-        let sum = if piece.axes <= 3 {
-            timed::<3>(output, speed, change)
-        } else {
-            timed::<9>(output, speed, change)
-        };
+        let square = squared(speed);
+        let mut sum = 0.0;
+        let [place, mut first, mut second] = piece.motion::<N>(motion.x);
+        for (first, second) in first.iter_mut().zip(&mut second) {
+            *second = *first * change + *second * square;
+            *first *= speed;
+            sum += *first * *first;
+        }
         output.speed = math::sqrt(sum);
+        (output.velocity, output.acceleration) = (Axes::default(), Axes::default());
+        lead(&mut output.velocity, &first);
+        lead(&mut output.acceleration, &second);
+        // Axes that take no part lie where the piece ends.
+        output.position = piece.end;
+        if motion.x.to_bits() != piece.length.to_bits() {
+            lead(&mut output.position, &place);
+        }
     }
 
     fn phase(&self, wish: &Wish) -> Phase {
@@ -440,17 +449,4 @@ impl Planner {
         self.aborting = false;
         self.retraced = None;
     }
-}
-
-/// Makes p' and p'' a velocity and an acceleration; the square of the speed.
-#[inline]
-fn timed<const N: usize>(output: &mut OutputParameter, speed: f64, change: f64) -> f64 {
-    let square = squared(speed);
-    let mut sum = 0.0;
-    for (first, second) in output.velocity.iter_mut().zip(&mut output.acceleration).take(N) {
-        *second = *first * change + *second * square;
-        *first *= speed;
-        sum += *first * *first;
-    }
-    sum
 }

@@ -3,6 +3,14 @@
 /// A value per axis, in the order X Y Z A B C U V W; millimetres for linear axes, degrees for rotary ones.
 pub type Axes = [f64; 9];
 
+/// Sets the leading axes.
+#[inline]
+pub(super) fn lead<const N: usize>(axes: &mut Axes, leading: &[f64; N]) {
+    for (axis, leading) in axes.iter_mut().zip(leading) {
+        *axis = *leading;
+    }
+}
+
 /// Whether the machine shall come to rest on its path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Hold {

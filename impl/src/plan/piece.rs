@@ -4,7 +4,7 @@
 //! |p'| is 1 at its start: so the speed of x is the path's speed wherever pieces meet. Lines have no bend, blends of two
 //! lines are bends alone, and a blend with an arc is that arc with a bend added, which takes the break out of its direction.
 
-use super::parameters::Axes;
+use super::parameters::{Axes, lead};
 use crate::math;
 
 /// The part of a position that turns: (cosine·cos(turn·x) + sine·sin(turn·x))·(1 + growth·x) on X, Y and Z.
@@ -25,6 +25,25 @@ impl Circle {
     /// The radius after so much, over that at the start.
     pub(super) fn grown(&self, x: f64) -> f64 {
         1.0 + self.growth * x
+    }
+
+    /// What turns of p, p' and p'' at x.
+    #[inline(never)]
+    fn motion(&self, x: f64) -> [[f64; 3]; 3] {
+        let [mut position, mut first, mut second] = [[0.0; 3]; 3];
+        let (sine, cosine) = math::turned(self.turn * x);
+        let grown = self.grown(x);
+        let square = self.turn * self.turn * grown;
+        let vectors = self.cosine.iter().zip(&self.sine);
+        let places = position.iter_mut().zip(&mut first).zip(&mut second);
+        for (((place, first), second), (start, quarter)) in places.zip(vectors) {
+            let along = start * cosine + quarter * sine;
+            let across = self.turn * (quarter * cosine - start * sine);
+            *place = grown * along;
+            *first = grown * across + self.growth * along;
+            *second = 2.0 * self.growth * across - square * along;
+        }
+        [position, first, second]
     }
 
     /// Lets it begin further on.
@@ -129,60 +148,39 @@ pub(super) struct Piece {
 }
 
 impl Piece {
-    /// p, p' and p'' at x, of the axes that take part.
-    pub(super) fn motion(&self, x: f64, position: &mut Axes, first: &mut Axes, second: &mut Axes) {
-        if self.axes <= 3 {
-            self.motion_of::<3>(x, position, first, second);
-        } else {
-            self.motion_of::<9>(x, position, first, second);
-        }
-        if let Some(circle) = &self.circle {
-            let (sine, cosine) = math::turned(circle.turn * x);
-            let grown = circle.grown(x);
-            let square = circle.turn * circle.turn * grown;
-            let vectors = circle.cosine.iter().zip(&circle.sine);
-            let places = position.iter_mut().zip(first).zip(second);
-            for (((place, first), second), (start, quarter)) in places.zip(vectors) {
-                let along = start * cosine + quarter * sine;
-                let across = circle.turn * (quarter * cosine - start * sine);
-                *place += grown * along;
-                *first += grown * across + circle.growth * along;
-                *second += 2.0 * circle.growth * across - square * along;
-            }
-        }
-    }
-
-    /// The part of it that does not turn.
+    /// p, p' and p'' at x, of so many leading axes.
     #[inline]
-    fn motion_of<const N: usize>(
-        &self,
-        x: f64,
-        position: &mut Axes,
-        first: &mut Axes,
-        second: &mut Axes,
-    ) {
+    pub(super) fn motion<const N: usize>(&self, x: f64) -> [[f64; N]; 3] {
+        let [mut position, mut first, mut second] = [[0.0; N]; 3];
         let half = 0.5 * x;
-        let terms = self.origin.iter().zip(&self.rate).zip(&self.bend).take(N);
-        let places = position.iter_mut().zip(first.iter_mut()).zip(second.iter_mut());
+        let places = position.iter_mut().zip(&mut first).zip(&mut second);
+        let terms = self.origin.iter().zip(&self.rate).zip(&self.bend);
         for (((place, first), second), ((origin, rate), bend)) in places.zip(terms) {
             *place = origin + x * (rate + half * bend);
             *first = rate + x * bend;
             *second = *bend;
         }
-    }
-
-    /// p(x).
-    pub(super) fn position(&self, x: f64) -> Axes {
-        let (mut position, mut first, mut second) = (self.end, Axes::default(), Axes::default());
-        self.motion(x, &mut position, &mut first, &mut second);
-        position
+        if let Some(circle) = &self.circle {
+            let turned = circle.motion(x);
+            for (sum, turned) in [&mut position, &mut first, &mut second].into_iter().zip(&turned) {
+                for (sum, turned) in sum.iter_mut().zip(turned) {
+                    *sum += turned;
+                }
+            }
+        }
+        [position, first, second]
     }
 
     /// p'(x).
     pub(super) fn tangent(&self, x: f64) -> Axes {
-        let (mut position, mut first, mut second) = (self.end, Axes::default(), Axes::default());
-        self.motion(x, &mut position, &mut first, &mut second);
-        first
+        let mut tangent = Axes::default();
+        if self.axes <= 3 {
+            let [_, first, _] = self.motion::<3>(x);
+            lead(&mut tangent, &first);
+        } else {
+            [_, tangent, _] = self.motion(x);
+        }
+        tangent
     }
 
     /// The part of it from one place to another, as if nothing began there.
@@ -196,24 +194,25 @@ impl Piece {
     pub(super) fn cut(&mut self, from: f64, to: f64) {
         self.entry = f64::INFINITY;
         self.begins = None;
-        if to < self.length {
-            self.end = self.position(to);
-            self.exit = 1.0;
-        }
-        self.length = to - from;
         if self.axes <= 3 {
-            self.begin_at::<3>(from);
+            self.cut_axes::<3>(from, to);
         } else {
-            self.begin_at::<9>(from);
+            self.cut_axes::<9>(from, to);
         }
         if let Some(circle) = &mut self.circle {
             circle.begin_at(from);
         }
     }
 
-    /// Lets the part of it that does not turn begin further on.
+    /// The same for what does not turn, and the end.
     #[inline]
-    fn begin_at<const N: usize>(&mut self, from: f64) {
+    fn cut_axes<const N: usize>(&mut self, from: f64, to: f64) {
+        if to < self.length {
+            let [end, _, _] = self.motion::<N>(to);
+            lead(&mut self.end, &end);
+            self.exit = 1.0;
+        }
+        self.length = to - from;
         let motion = self.origin.iter_mut().zip(&mut self.rate).zip(&self.bend).take(N);
         for ((origin, rate), bend) in motion {
             *origin += from * (*rate + 0.5 * from * bend);

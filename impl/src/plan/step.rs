@@ -5,7 +5,6 @@
 
 use super::ahead::exit;
 use super::limits::{Limits, PLANNED, squared};
-use super::parameters::Axes;
 use super::piece::{Law, Pace, Piece};
 use super::reach::along;
 use super::ring::Ring;
@@ -283,8 +282,7 @@ impl Motion {
 
     /// The least acceleration that all axes allow at a point of an arc, at the square of a speed.
     fn least_at(&self, piece: &Piece, x: f64, y: f64, (limits, kept): (&Limits, f64)) -> f64 {
-        let (mut place, mut first, mut second) = (piece.end, Axes::default(), Axes::default());
-        piece.motion(x, &mut place, &mut first, &mut second);
+        let [_, first, second] = piece.motion::<9>(x);
         let sense = if self.backwards { -1.0 } else { 1.0 };
         let mut low = f64::NEG_INFINITY;
         let axes = first.iter().zip(&second).zip(&limits.acceleration).take(piece.axes);
