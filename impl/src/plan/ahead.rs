@@ -42,12 +42,22 @@ pub(super) struct Ahead {
     span: u64,
     /// How many pieces the last wave changed, which the next one has to be worth.
     touched: u64,
+    /// While the motion is before this piece, nothing is pressing and nothing to be taken up; 0 where it is not known.
+    quiet: u64,
 }
 
 impl Ahead {
     pub(super) fn new(scale: Scale) -> Self {
-        let stale = u64::MAX;
-        Self { scale, before: None, wave: None, pending: None, stale, span: WHOLE, touched: 0 }
+        Self {
+            scale,
+            before: None,
+            wave: None,
+            pending: None,
+            stale: u64::MAX,
+            span: WHOLE,
+            touched: 0,
+            quiet: 0,
+        }
     }
 
     /// Computes the pieces from `changed` on, and lowers those before them that relied on more. Gives back the first piece
@@ -76,6 +86,7 @@ impl Ahead {
         let below = changed.saturating_sub(1);
         let low = self.pending.map_or(below, |(low, _)| low.min(below));
         self.pending = Some((low, below));
+        self.quiet = self.quiet.min(self.before_soon(low));
         first
     }
 
@@ -91,7 +102,7 @@ impl Ahead {
             let Some(mut wave) = self.wave.take().or_else(|| self.begin(at, eager)) else { return };
             wave.next = wave.next.min(ring.end().saturating_sub(1));
             if wave.next < at.max(ring.first()) {
-                self.touched = wave.from.saturating_sub(wave.next);
+                self.over(wave);
                 continue;
             }
             let new = computed(ring, wave.next, self.scale, limits);
@@ -99,12 +110,18 @@ impl Ahead {
             let same = new.to_bits() == piece.reach.to_bits();
             piece.reach = new;
             if same && wave.next < wave.floor || wave.next == 0 {
-                self.touched = wave.from.saturating_sub(wave.next);
+                self.over(wave);
                 continue;
             }
             wave.next = wave.next.wrapping_sub(1);
             self.wave = Some(wave);
         }
+    }
+
+    /// A wave has come to its end.
+    fn over(&mut self, wave: Wave) {
+        self.touched = wave.from.saturating_sub(wave.next);
+        self.quiet = 0;
     }
 
     /// Whether there is something to raise that the motion will soon come to.
@@ -117,6 +134,11 @@ impl Ahead {
     /// Up to where the motion may soon be: what the last wave changed is what it takes to stop.
     fn soon(&self, at: u64) -> u64 {
         at.saturating_add(self.touched).saturating_add(MARGIN)
+    }
+
+    /// While the motion is before this piece, it will not come soon to that one.
+    fn before_soon(&self, place: u64) -> u64 {
+        place.saturating_sub(self.touched).saturating_sub(MARGIN)
     }
 
     fn begin(&mut self, at: u64, eager: bool) -> Option<Wave> {
@@ -133,14 +155,32 @@ impl Ahead {
         self.before.map_or(self.scale, |before| before.most(self.scale))
     }
 
-    /// All that lies next is planned for the scale by now.
+    /// Whether all pieces next to the motion are planned for these shares.
+    #[inline]
+    pub(super) fn plans_for(&self, feed: f64, rapid: f64) -> bool {
+        self.before.is_none()
+            && self.scale.feed.to_bits() == feed.to_bits()
+            && self.scale.rapid.to_bits() == rapid.to_bits()
+    }
+
+    /// Whether there is nothing to do in a cycle, as is known since the last one.
+    #[inline]
+    pub(super) fn is_quiet(&self, at: u64) -> bool {
+        at < self.quiet
+    }
+
+    /// Nothing is pressing: all that lies next is planned for the scale by now.
     pub(super) fn settled(&mut self) {
         self.before = None;
+        let floor = self.wave.map_or(u64::MAX, |wave| wave.floor);
+        let low = self.pending.map_or(u64::MAX, |(low, _)| low);
+        self.quiet = self.before_soon(floor.min(low)).min(self.stale.saturating_sub(HORIZON));
     }
 
     /// Plans for other overrides from now on: what lies next is planned anew, the rest when the motion comes near.
     pub(super) fn rescale(&mut self, scale: Scale, ring: &Ring<Piece>, at: u64) {
         self.before = Some(self.planned());
+        self.quiet = 0;
         self.scale = scale;
         (self.stale, self.span) = (at, 1);
         self.refresh(ring, at);
@@ -151,6 +191,7 @@ impl Ahead {
         if self.stale > at.saturating_add(HORIZON) || self.span < WHOLE && self.pressing(at) {
             return;
         }
+        self.quiet = 0;
         let newest = ring.end().saturating_sub(1);
         self.span = self.span.saturating_mul(GROWS).min(WHOLE);
         let high = at.saturating_add(self.span).min(newest);

@@ -276,18 +276,26 @@ impl Planner {
         self.turns = input.spindle_turns;
         self.aborting |= input.hold == Hold::Abort;
         self.turn_round(back);
+        let turning = self.motion.backwards != back;
+        let rest =
+            self.aborting || input.hold != Hold::Run || turning || feed <= 0.0 && rapid <= 0.0;
+        let planned = !follows && self.ahead.plans_for(feed, rapid);
+        let ease = if planned { 1.0 } else { self.ease(feed, rapid, follows.then_some(turns)) };
+        Wish { feed, rapid, turns, rest, planned, ease }
+    }
+
+    /// What speeds of look-ahead are multiplied by, squared.
+    #[cold]
+    #[inline(never)]
+    fn ease(&self, feed: f64, rapid: f64, turns: Option<f64>) -> f64 {
         let planned = self.ahead.planned();
         // While it is not planned yet where an override of zero asks for rest, the motion creeps.
         let share = |asked: f64, planned: f64| math::greater(SLOWEST, asked) / planned;
         let mut ease = math::lesser(share(feed, planned.feed), share(rapid, planned.rapid));
-        if follows {
+        if let Some(turns) = turns {
             ease = math::lesser(ease, share(turns, planned.turns));
         }
-        let ease = squared(math::lesser(1.0, ease));
-        let turning = self.motion.backwards != back;
-        let rest =
-            self.aborting || input.hold != Hold::Run || turning || feed <= 0.0 && rapid <= 0.0;
-        Wish { feed, rapid, turns, rest, ease }
+        squared(math::lesser(1.0, ease))
     }
 
     /// Turns the motion round when it is at rest and knows how fast it may go.
@@ -303,8 +311,19 @@ impl Planner {
         }
     }
 
-    /// Look-ahead, and look-back while the motion is to run back: less where the motion itself has had more to do.
+    /// Look-ahead, and look-back while the motion is to run back: mostly there is nothing to do.
+    #[inline]
     fn look(&mut self, wish: &Wish, input: &InputParameter, passed: u64) {
+        let at = self.motion.at;
+        let planned = wish.planned && at >= self.followed;
+        if !(planned && self.ahead.is_quiet(at) && self.retraced.is_none()) {
+            self.look_on(wish, input, passed);
+        }
+    }
+
+    /// Does less where the motion itself has had more to do.
+    #[inline(never)]
+    fn look_on(&mut self, wish: &Wish, input: &InputParameter, passed: u64) {
         let steps = match passed {
             0 => WORK_CYCLE,
             1 => 1,

@@ -28,6 +28,8 @@ pub(super) struct Wish {
     pub(super) turns: f64,
     /// Whether to come to rest.
     pub(super) rest: bool,
+    /// Whether look-ahead has planned for just these shares.
+    pub(super) planned: bool,
     /// What speeds of look-ahead are multiplied by, squared, where it has planned for more than is asked for.
     pub(super) ease: f64,
 }
