@@ -10,6 +10,8 @@ use crate::math;
 
 /// Half of what lies between a limit and what is planned with.
 const HARDLY: f64 = 1.0 + 0.5 * (1.0 - PLANNED);
+/// And a little less, which is surely below that whatever was rounded.
+const SURELY: f64 = 1.0 + 0.4 * (1.0 - PLANNED);
 /// How often an acceleration is halved in that leaves another one to be kept up.
 const TRIALS: u32 = 5;
 /// The share of the square of a speed by which it is worth to be faster, and the same over what is left of a bend.
@@ -28,6 +30,7 @@ impl Motion {
     ) -> f64 {
         let End { exit, remaining } = end;
         let mut most = f64::NEG_INFINITY;
+        let mut bounded = false;
         if !wish.rest {
             let ceiling = if self.backwards { piece.ceiling } else { piece.last_ceiling };
             let eased = End { exit: math::lesser(wish.ease * exit, ceiling), remaining };
@@ -40,9 +43,9 @@ impl Motion {
             most = math::lesser(asked, met);
             let mut even = None;
             if most > 0.0 {
-                let (high, calm) = self.greatest::<N>(piece, remaining, limits);
-                most = math::lesser(most, high);
-                even = calm.then(|| math::greater(most, 0.0));
+                most = math::lesser(most, self.greatest::<N>(piece, remaining, limits));
+                bounded = true;
+                even = self.may_coast::<N>(piece, limits).then(|| math::greater(most, 0.0));
             } else if self.allows::<N>(piece, remaining, most, limits) {
                 even = Some(most);
             }
@@ -56,8 +59,10 @@ impl Motion {
         }
         let low = self.least::<N>(piece, remaining, limits);
         if most >= low {
-            let (high, _) = self.greatest::<N>(piece, remaining, limits);
-            most = math::lesser(most, math::greater(high, low));
+            if !bounded {
+                let high = self.greatest::<N>(piece, remaining, limits);
+                most = math::lesser(most, math::greater(high, low));
+            }
             return self.go(piece, most, end, left);
         }
         let least = self.least_now::<N>(piece, (remaining, low), limits, left);
@@ -77,7 +82,10 @@ impl Motion {
         for _ in 0..2 {
             let last = math::greater(0.0, self.speed + least * left);
             let way = 0.5 * (self.speed + math::lesser(self.speed, last)) * left;
-            let now = self.least::<N>(piece, math::lesser(way, remaining), limits);
+            if way >= remaining {
+                break;
+            }
+            let now = self.least::<N>(piece, way, limits);
             least = math::lesser(now, least);
         }
         least
@@ -137,7 +145,7 @@ impl Motion {
             return even;
         }
         let near = math::lesser(1.5 * near, end.remaining);
-        let mut high = math::lesser(asked, self.greatest::<N>(piece, near, limits).0);
+        let mut high = math::lesser(asked, self.greatest::<N>(piece, near, limits));
         let mut low = even;
         let mut tried = high;
         for _ in 0..TRIALS {
@@ -177,17 +185,17 @@ impl Motion {
         let x = self.x + sense * way;
         let along = if y > exit { sense * (exit - y) / (2.0 * (remaining - way)) } else { 0.0 };
         let exit = math::lesser(exit, y);
-        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
-        let mut leads = true;
-        for ((rate, bend), limit) in axes {
+        let mut used = [0.0; N];
+        for (used, (rate, bend)) in used.iter_mut().zip(piece.rate.iter().zip(&piece.bend)) {
             let next = along * (rate + x * bend) + bend * y;
             let then = along * (rate + last * bend) + bend * exit;
-            leads &= math::greater(next.abs(), then.abs()) <= *limit;
+            *used = math::greater(next.abs(), then.abs());
         }
-        leads
+        used.iter().zip(&limits.planned).all(|(used, limit)| used <= limit)
     }
 
     /// Whether all axes allow an acceleration up to the end of a bend: what is asked for mostly is.
+    #[inline]
     fn allows<const N: usize>(
         &self,
         piece: &Piece,
@@ -198,54 +206,69 @@ impl Motion {
         let y = squared(self.speed);
         let later = 3.0 * remaining * acceleration;
         let along = if self.backwards { -acceleration } else { acceleration };
-        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
-        let mut allows = true;
-        for ((rate, bend), limit) in axes {
+        let mut used = [0.0; N];
+        for (used, (rate, bend)) in used.iter_mut().zip(piece.rate.iter().zip(&piece.bend)) {
             let here = along * (rate + self.x * bend) + bend * y;
-            allows &= here.abs() <= *limit && (here + later * bend).abs() <= *limit;
+            *used = math::greater(here.abs(), (here + later * bend).abs());
         }
-        allows
+        used.iter().zip(&limits.planned).all(|(used, limit)| used <= limit)
     }
 
-    /// The greatest acceleration that is planned with up to the end of a bend; and whether none is allowed too.
+    /// Whether all axes allow the motion to go on without acceleration. Mostly its speed alone tells.
+    #[inline]
+    fn may_coast<const N: usize>(&self, piece: &Piece, limits: &Limits) -> bool {
+        let Law::Bent { even } = piece.law else { return false };
+        squared(self.speed) <= SURELY * even || self.coasts::<N>(piece, limits)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn coasts<const N: usize>(&self, piece: &Piece, limits: &Limits) -> bool {
+        let y = squared(self.speed);
+        let mut axes = piece.bend.iter().zip(&limits.planned).take(N);
+        axes.all(|(bend, limit)| (bend * y).abs() <= HARDLY * limit)
+    }
+
+    /// The greatest acceleration that is planned with up to the end of a bend.
     pub(super) fn greatest<const N: usize>(
         &self,
         piece: &Piece,
         remaining: f64,
         limits: &Limits,
-    ) -> (f64, bool) {
-        let (mut high, mut calm) = (f64::INFINITY, true);
+    ) -> f64 {
         let (y, thrice) = (squared(self.speed), 3.0 * remaining);
         let sense = if self.backwards { -1.0 } else { 1.0 };
-        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned).take(N);
-        for ((rate, bend), limit) in axes {
+        let mut greatest = [0.0; N];
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned);
+        for (greatest, ((rate, bend), limit)) in greatest.iter_mut().zip(axes) {
             let across = bend * y;
-            calm &= across.abs() <= HARDLY * limit;
             let here = sense * (rate + self.x * bend);
-            for share in [here, here + thrice * bend] {
+            let most = |share: f64| {
                 // Towards the greater acceleration an axis has what p''·y leaves it.
                 let used = across.copysign(across * share);
-                high = math::lesser(high, (limit - used) / math::greater(share.abs(), SMALL));
-            }
+                (limit - used) / math::greater(share.abs(), SMALL)
+            };
+            *greatest = math::lesser(most(here), most(here + thrice * bend));
         }
-        (high, calm)
+        greatest.into_iter().fold(f64::INFINITY, math::lesser)
     }
 
     /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is planned
     /// with, so that a speed that rounding has made too high comes down again.
     pub(super) fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
-        let mut low = f64::NEG_INFINITY;
         let (y, thrice) = (squared(self.speed), 3.0 * ahead);
         let sense = if self.backwards { -1.0 } else { 1.0 };
-        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.acceleration).take(N);
-        for ((rate, bend), limit) in axes {
+        let mut least = [0.0; N];
+        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.acceleration);
+        for (least, ((rate, bend), limit)) in least.iter_mut().zip(axes) {
             let across = bend * y;
             let here = sense * (rate + self.x * bend);
-            for share in [here, here + thrice * bend] {
+            let low = |share: f64| {
                 let used = across.copysign(across * share);
-                low = math::greater(low, (-limit - used) / math::greater(share.abs(), SMALL));
-            }
+                (-limit - used) / math::greater(share.abs(), SMALL)
+            };
+            *least = math::greater(low(here), low(here + thrice * bend));
         }
-        low
+        least.into_iter().fold(f64::NEG_INFINITY, math::greater)
     }
 }

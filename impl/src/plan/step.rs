@@ -404,10 +404,8 @@ impl Motion {
         match piece.law {
             Law::Bent { .. } => {
                 let low = self.least::<9>(piece, remaining, limits);
-                let high = self
-                    .greatest::<9>(piece, remaining, limits)
-                    .0
-                    .min((ahead - y) / (2.0 * remaining));
+                let high = self.greatest::<9>(piece, remaining, limits);
+                let high = high.min((ahead - y) / (2.0 * remaining));
                 low <= high + 1e-9 * (1.0 - low)
             }
             Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
