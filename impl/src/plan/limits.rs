@@ -54,7 +54,11 @@ impl Limits {
                 piece.ceiling = squared(least(&self.velocity, &piece.rate, axes));
             }
             None => {
-                self.rule_bent(piece);
+                if axes <= 3 {
+                    self.rule_bent::<3>(piece);
+                } else {
+                    self.rule_bent::<9>(piece);
+                }
                 return;
             }
             Some(circle) if !bends => self.rule_round(piece, &circle),
@@ -67,29 +71,24 @@ impl Limits {
     /// An axis that has a share p' of the speed at one end of a bend and q at the other, and more there, is within its limit v at that end with v²/q²,
     /// and everywhere if the square of the speed changes evenly from there to v²/q²·(3 - 2p/q) at most: its own is (p'·speed)², whose
     /// logarithm bends downwards along the bend, so that it is greatest at that end if it does not fall towards it.
-    fn rule_bent(&self, piece: &mut Piece) {
-        let (mut start, mut end) = (f64::INFINITY, f64::INFINITY);
-        let axes = self.velocity.iter().zip(&piece.rate).zip(&piece.bend).take(piece.axes);
-        for ((limit, first), bend) in axes {
+    fn rule_bent<const N: usize>(&self, piece: &mut Piece) {
+        let [mut starts, mut ends] = [[0.0; N]; 2];
+        let axes = self.velocity.iter().zip(&piece.rate).zip(&piece.bend);
+        for ((start, end), ((limit, first), bend)) in starts.iter_mut().zip(&mut ends).zip(axes) {
             let last = first + piece.length * bend;
             let falls = first.abs() > last.abs();
             let (most, other) = if falls { (*first, last) } else { (last, *first) };
-            if most.abs() <= 0.0 {
-                continue;
-            }
+            // Where an axis does not move, these are no numbers, which are nobody's least.
             let (here, share) = (squared(limit / most), other / most);
             // Where it turns round, the other end has a limit that may be lower.
             let there = if share < -0.5 { here } else { here * (3.0 - 2.0 * share) };
-            if falls {
-                (start, end) = (math::lesser(start, here), math::lesser(end, there));
-            } else {
-                (start, end) = (math::lesser(start, there), math::lesser(end, here));
-            }
+            (*start, *end) = if falls { (here, there) } else { (there, here) };
         }
-        let even = least(&self.planned, &piece.bend, piece.axes);
+        let even = least(&self.planned, &piece.bend, N);
         piece.law = Law::Bent { even };
-        (piece.ceiling, piece.last_ceiling) = (start, end);
-        piece.fastest = math::sqrt(math::greater(start, end));
+        piece.ceiling = starts.into_iter().fold(f64::INFINITY, math::lesser);
+        piece.last_ceiling = ends.into_iter().fold(f64::INFINITY, math::lesser);
+        piece.fastest = math::sqrt(math::greater(piece.ceiling, piece.last_ceiling));
     }
 
     /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may need.

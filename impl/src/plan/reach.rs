@@ -15,6 +15,9 @@ const MOST_FAR: f64 = 3.464;
 /// The most corners of the set that are looked at before a simpler answer is taken.
 const CORNERS: u32 = 8;
 
+/// What an axis takes no part with at an end of a bend.
+const FLAT: f64 = 1e-12;
+
 /// Overrides that look-ahead plans for, and turns of the spindle per second times that of the feed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
@@ -61,7 +64,7 @@ pub(super) fn forward(
 ) -> f64 {
     let exit = math::lesser(exit, last_cap);
     let entry = match piece.law {
-        Law::Bent { .. } => bent(piece, (&piece.rate, &last(piece)), (exit, cap), limits),
+        Law::Bent { .. } => bent(piece, true, (exit, cap), limits),
         Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
             along(piece.law, &piece.circle, exit, piece.length)
         }
@@ -78,10 +81,7 @@ pub(super) fn backward(
 ) -> f64 {
     let exit = math::lesser(exit, first_cap);
     let entry = match piece.law {
-        Law::Bent { .. } => {
-            let (first, last) = (last(piece).map(|rate| -rate), piece.rate.map(|rate| -rate));
-            bent(piece, (&first, &last), (exit, cap), limits)
-        }
+        Law::Bent { .. } => bent(piece, false, (exit, cap), limits),
         Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
             along(piece.law, &piece.circle, exit, piece.length)
         }
@@ -121,160 +121,206 @@ pub(super) fn along(law: Law, circle: &Option<Circle>, exit: f64, distance: f64)
     }
 }
 
-fn last(piece: &Piece) -> Axes {
-    let mut last = piece.rate;
-    for (rate, bend) in last.iter_mut().zip(&piece.bend).take(piece.axes) {
-        *rate += piece.length * bend;
-    }
-    last
-}
-
-/// A bound of the entry y: a line over the exit y.
+/// What the axes allow at both ends of a bend: |entering·entry + leaving·exit| ≤ limit.
 #[derive(Clone, Copy, Debug)]
-struct Edge {
-    value: f64,
-    slope: f64,
+struct Ends<const N: usize> {
+    entering: [[f64; N]; 2],
+    leaving: [[f64; N]; 2],
+    limit: [f64; N],
 }
 
-/// What an axis allows at one end of a bend: |entry + slope·exit| ≤ limit; or |exit| ≤ limit, where `slope` is infinite.
+/// The same as |entry + slope·exit| ≤ limit, which is infinite where an axis does not limit the entry.
 #[derive(Clone, Copy, Debug)]
-struct Strip {
-    slope: f64,
-    limit: f64,
-}
-
-const NONE: Strip = Strip { slope: 0.0, limit: f64::INFINITY };
-
-impl Strip {
-    /// |entering·entry + leaving·exit| ≤ limit.
-    fn new(entering: f64, leaving: f64, limit: f64) -> Self {
-        if entering.abs() < 1e-12 {
-            let limit = limit / math::greater(leaving.abs(), 1e-12);
-            return Self { slope: f64::INFINITY, limit };
-        }
-        let inverse = 1.0 / entering;
-        Self { slope: leaving * inverse, limit: (limit * inverse).abs() }
-    }
-
-    fn high(&self, exit: f64) -> Edge {
-        Edge { value: self.limit - self.slope * exit, slope: -self.slope }
-    }
-
-    fn low(&self, exit: f64) -> Edge {
-        Edge { value: -self.limit - self.slope * exit, slope: -self.slope }
-    }
-}
-
-/// Whether an axis allows an entry and an exit.
-fn allows((first, last): (f64, f64), (entry, exit): (f64, f64), limit: f64) -> bool {
-    let start = (2.0 * last - 3.0 * first) * entry + first * exit;
-    let end = (3.0 * last - 2.0 * first) * exit - last * entry;
-    start.abs() <= limit && end.abs() <= limit
+struct Strips<const N: usize> {
+    slopes: [[f64; N]; 2],
+    limits: [[f64; N]; 2],
 }
 
 /// The highest entry on a bend: a linear programme in two variables, walked from the highest exit down.
-fn bent(piece: &Piece, ends: (&Axes, &Axes), most: (f64, f64), limits: &Limits) -> f64 {
+fn bent(piece: &Piece, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
     if piece.axes <= 3 {
-        bent_over::<3>(piece, ends, most, limits)
+        bent_over::<3>(piece, forward, most, limits)
     } else {
-        bent_over::<9>(piece, ends, most, limits)
+        bent_over::<9>(piece, forward, most, limits)
     }
 }
 
+#[inline]
 fn bent_over<const N: usize>(
     piece: &Piece,
-    (first, last): (&Axes, &Axes),
-    (mut exit, cap): (f64, f64),
+    forward: bool,
+    (exit, cap): (f64, f64),
     limits: &Limits,
 ) -> f64 {
-    let mut strips = [[NONE; 2]; N];
-    let double = 2.0 * piece.length;
-    let ends = first.iter().zip(last).zip(&limits.planned);
-    if ends
-        .clone()
-        .take(N)
-        .all(|((first, last), limit)| allows((*first, *last), (cap, exit), double * limit))
-    {
+    let ends = Ends::<N>::new(piece, forward, limits);
+    if ends.allow(cap, exit) {
         return cap;
     }
-    let mut free = strips.as_flattened_mut().iter_mut();
-    for ((first, last), limit) in ends.take(N) {
-        let limit = double * limit;
-        for strip in [
-            Strip::new(2.0 * last - 3.0 * first, *first, limit),
-            Strip::new(-last, 3.0 * last - 2.0 * first, limit),
-        ] {
-            if strip.slope.is_infinite() {
-                exit = math::lesser(exit, strip.limit);
-            } else if let Some(place) = free.next() {
-                *place = strip;
-            }
-        }
-    }
-    let unused = free.len();
-    let strips = strips.as_flattened();
-    let strips = strips.get(..strips.len().saturating_sub(unused)).unwrap_or_default();
-    walk(strips, exit).unwrap_or_else(|| {
+    let mut strips = ends.strips();
+    let exit = if ends.any_flat() { ends.take_out_flat(&mut strips, exit) } else { exit };
+    walk(&strips, exit).unwrap_or_else(|| {
         // As fast at the end as at the start is possible, if that is slow enough.
         let balanced = limits.planned.iter().zip(&piece.bend).take(N);
         balanced.fold(exit, |least, (limit, bend)| math::lesser(least, limit / bend.abs()))
     })
 }
 
-fn walk(strips: &[Strip], mut exit: f64) -> Option<f64> {
+fn walk<const N: usize>(strips: &Strips<N>, mut exit: f64) -> Option<f64> {
     for _ in 0..CORNERS {
-        let (high, low) = tightest(strips, exit);
-        if low.value > high.value * (1.0 + 1e-13) {
-            let step = (low.value - high.value) / (high.slope - low.slope);
+        // The entry is at most limit - slope·exit, and no less than -(limit + slope·exit) and 0.
+        let highs = strips.bounds(|limit, slope| limit - slope * exit);
+        let lows = strips.bounds(|limit, slope| limit + slope * exit);
+        let (high, slope) = strips.tightest(&highs);
+        let low = lows.as_flattened().iter().copied().fold(f64::INFINITY, math::lesser);
+        let low = math::greater(0.0, -low);
+        if low > high * (1.0 + 1e-13) {
+            let lower = if low > 0.0 { strips.tightest(&lows).1 } else { 0.0 };
+            let step = (low - high) / (lower - slope);
             exit += step;
             if !(step < 0.0 && exit >= 0.0) {
                 return None;
             }
             continue;
         }
-        if high.slope >= 0.0 || exit <= 0.0 {
-            return Some(math::greater(high.value, 0.0));
+        if slope <= 0.0 || exit <= 0.0 {
+            return Some(math::greater(high, 0.0));
         }
         // A lower exit allows a higher entry, down to where the next bound crosses.
-        let (step, slope) = next_crossing(strips, exit, high);
+        let (step, next) = strips.next_crossing(&highs, (high, slope));
         if exit + step <= 0.0 {
-            return Some(math::greater(high.value - high.slope * exit, 0.0));
+            return Some(math::greater(high + slope * exit, 0.0));
         }
         exit += step;
-        if slope >= 0.0 {
-            return Some(math::greater(high.value + high.slope * step, 0.0));
+        if next <= 0.0 {
+            return Some(math::greater(high - slope * step, 0.0));
         }
     }
     None
 }
 
-/// The lowest upper and the highest lower bound of the entry at an exit.
-fn tightest(strips: &[Strip], exit: f64) -> (Edge, Edge) {
-    let mut high = Edge { value: f64::INFINITY, slope: 0.0 };
-    let mut low = Edge { value: 0.0, slope: 0.0 };
-    for strip in strips {
-        let (upper, lower) = (strip.high(exit), strip.low(exit));
-        if upper.value < high.value {
-            high = upper;
-        }
-        if lower.value > low.value {
-            low = lower;
+impl<const N: usize> Ends<N> {
+    #[inline]
+    fn new(piece: &Piece, forward: bool, limits: &Limits) -> Self {
+        let (rate, bend) = (leading(&piece.rate), leading(&piece.bend));
+        let last = each(&rate, &bend, |rate, bend| rate + piece.length * bend);
+        let (first, last) =
+            if forward { (rate, last) } else { (last.map(|rate| -rate), rate.map(|rate| -rate)) };
+        let double = 2.0 * piece.length;
+        Self {
+            entering: [each(&first, &last, |f, l| 2.0 * l - 3.0 * f), last.map(|l| -l)],
+            leaving: [first, each(&first, &last, |f, l| 3.0 * l - 2.0 * f)],
+            limit: leading(&limits.planned).map(|limit| double * limit),
         }
     }
-    (high, low)
-}
 
-/// How far below an exit another upper bound becomes the lowest, and its slope.
-fn next_crossing(strips: &[Strip], exit: f64, active: Edge) -> (f64, f64) {
-    let (mut step, mut slope) = (f64::NEG_INFINITY, 0.0);
-    for upper in strips.iter().map(|strip| strip.high(exit)) {
-        if upper.slope > active.slope {
-            let crossing = (upper.value - active.value) / (active.slope - upper.slope);
-            if crossing > step {
-                step = math::lesser(crossing, 0.0);
-                slope = upper.slope;
+    /// Whether they allow an entry and an exit.
+    #[inline]
+    fn allow(&self, entry: f64, exit: f64) -> bool {
+        self.entering.iter().zip(&self.leaving).all(|(entering, leaving)| {
+            let used =
+                each(entering, leaving, |entering, leaving| entering * entry + leaving * exit);
+            used.iter().zip(&self.limit).all(|(used, limit)| used.abs() <= *limit)
+        })
+    }
+
+    #[inline]
+    fn strips(&self) -> Strips<N> {
+        let mut strips = Strips { slopes: self.leaving, limits: [self.limit; 2] };
+        let all = self.entering.iter().zip(strips.slopes.iter_mut().zip(&mut strips.limits));
+        for (entering, (slopes, limits)) in all {
+            let inverse = entering.map(|entering| 1.0 / entering);
+            *slopes = each(slopes, &inverse, |leaving, inverse| leaving * inverse);
+            *limits = each(limits, &inverse, |limit, inverse| (limit * inverse).abs());
+        }
+        strips
+    }
+
+    /// Whether an axis limits the exit alone.
+    #[inline]
+    fn any_flat(&self) -> bool {
+        self.entering.as_flattened().iter().any(|entering| entering.abs() < FLAT)
+    }
+
+    /// Takes out what limits no entry; the exit that it allows.
+    #[inline(never)]
+    fn take_out_flat(self, strips: &mut Strips<N>, mut exit: f64) -> f64 {
+        let slopes = strips.slopes.as_flattened_mut().iter_mut();
+        let strips = slopes.zip(strips.limits.as_flattened_mut());
+        let ends = self.entering.as_flattened().iter().zip(self.leaving.as_flattened());
+        for ((strip, (entering, leaving)), limit) in strips.zip(ends).zip(self.limit.iter().cycle())
+        {
+            if entering.abs() < FLAT {
+                exit = math::lesser(exit, limit / math::greater(leaving.abs(), FLAT));
+                (*strip.0, *strip.1) = (0.0, f64::INFINITY);
             }
         }
+        exit
     }
-    (step, slope)
+}
+
+impl<const N: usize> Strips<N> {
+    #[inline]
+    fn bounds(&self, bound: impl Fn(f64, f64) -> f64) -> [[f64; N]; 2] {
+        let mut bounds = [[0.0; N]; 2];
+        for ((bounds, limits), slopes) in bounds.iter_mut().zip(&self.limits).zip(&self.slopes) {
+            *bounds = each(limits, slopes, &bound);
+        }
+        bounds
+    }
+
+    /// The least of some bounds, and the slope of the first strip, axis by axis, that has it.
+    #[inline]
+    fn tightest(&self, bounds: &[[f64; N]; 2]) -> (f64, f64) {
+        let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, math::lesser);
+        let ([here, there], [slopes, slopes_there]) = (bounds, &self.slopes);
+        for (here, there) in here.iter().zip(slopes).zip(there.iter().zip(slopes_there)) {
+            for (bound, slope) in [here, there] {
+                if *bound <= least {
+                    return (least, *slope);
+                }
+            }
+        }
+        (least, 0.0)
+    }
+
+    /// How far below an exit another upper bound becomes the lowest, and its slope.
+    fn next_crossing(&self, highs: &[[f64; N]; 2], (high, slope): (f64, f64)) -> (f64, f64) {
+        let (mut step, mut next) = (f64::NEG_INFINITY, 0.0);
+        let ([here, there], [slopes, slopes_there]) = (highs, &self.slopes);
+        for (here, there) in here.iter().zip(slopes).zip(there.iter().zip(slopes_there)) {
+            for (bound, other) in [here, there] {
+                if *other < slope {
+                    let crossing = (bound - high) / (other - slope);
+                    if crossing > step {
+                        (step, next) = (math::lesser(crossing, 0.0), *other);
+                    }
+                }
+            }
+        }
+        (step, next)
+    }
+}
+
+/// The leading axes.
+#[inline]
+fn leading<const N: usize>(axes: &Axes) -> [f64; N] {
+    let mut leading = [0.0; N];
+    for (leading, axis) in leading.iter_mut().zip(axes) {
+        *leading = *axis;
+    }
+    leading
+}
+
+/// Combines two numbers of each axis.
+#[inline]
+fn each<const N: usize>(
+    one: &[f64; N],
+    other: &[f64; N],
+    combined: impl Fn(f64, f64) -> f64,
+) -> [f64; N] {
+    let mut result = [0.0; N];
+    for ((result, one), other) in result.iter_mut().zip(one).zip(other) {
+        *result = combined(*one, *other);
+    }
+    result
 }
