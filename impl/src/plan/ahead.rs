@@ -3,7 +3,7 @@
 //! What is stored may be lower than it could be, never higher. So a lower value must reach all pieces that rely on it at
 //! once ([`Ahead::settle`]), and a higher one may run back through the queue a few pieces at a time ([`Ahead::work`]).
 
-use super::limits::Limits;
+use super::limits::{Limits, squared};
 use super::piece::Piece;
 use super::reach::{Scale, caps, forward};
 use super::ring::Ring;
@@ -71,10 +71,12 @@ impl Ahead {
     ) -> u64 {
         let mut place = ring.end();
         let mut first = changed;
+        // How fast the piece after it may be entered.
+        let mut next = 0.0;
         while place > at.max(ring.first()) {
             place = place.wrapping_sub(1);
-            let new = computed(ring, place, self.scale, limits);
             let Some(piece) = ring.get_mut(place) else { break };
+            let new = computed(piece, next, self.scale, limits);
             if place < changed {
                 if new >= piece.reach {
                     break;
@@ -82,6 +84,7 @@ impl Ahead {
                 first = place;
             }
             piece.reach = new;
+            next = new;
         }
         let below = changed.saturating_sub(1);
         let low = self.pending.map_or(below, |(low, _)| low.min(below));
@@ -105,8 +108,9 @@ impl Ahead {
                 self.over(wave);
                 continue;
             }
-            let new = computed(ring, wave.next, self.scale, limits);
+            let next = ring.get(wave.next.wrapping_add(1)).map_or(0.0, |next| next.reach);
             let Some(piece) = ring.get_mut(wave.next) else { continue };
+            let new = computed(piece, next, self.scale, limits);
             let same = new.to_bits() == piece.reach.to_bits();
             piece.reach = new;
             if same && wave.next < wave.floor || wave.next == 0 {
@@ -204,14 +208,11 @@ impl Ahead {
 
 /// The square of the speed at which a piece may be left, by its own parameter.
 pub(super) fn exit(ring: &Ring<Piece>, piece: &Piece, place: u64) -> f64 {
-    match ring.get(place.wrapping_add(1)) {
-        Some(next) => next.reach / (piece.exit * piece.exit),
-        None => 0.0,
-    }
+    ring.get(place.wrapping_add(1)).map_or(0.0, |next| next.reach / squared(piece.exit))
 }
 
+/// The square of the speed at which a piece may be entered, by that of the next one.
 #[inline]
-fn computed(ring: &Ring<Piece>, place: u64, scale: Scale, limits: &Limits) -> f64 {
-    let Some(piece) = ring.get(place) else { return 0.0 };
-    forward(piece, exit(ring, piece, place), caps(piece, scale), limits)
+fn computed(piece: &Piece, next: f64, scale: Scale, limits: &Limits) -> f64 {
+    forward(piece, next / squared(piece.exit), caps(piece, scale), limits)
 }

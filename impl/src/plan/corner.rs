@@ -98,7 +98,8 @@ impl Corner {
             }
             _ => fastest,
         };
-        let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, turn.len()));
+        let axes = before.whole.axes.max(after.whole.axes);
+        let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, axes));
         // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them and other corners.
         let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
         let enough = if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough };
@@ -250,23 +251,34 @@ pub(super) fn parabola(
     limits: &Limits,
     blend: &mut Piece,
 ) {
-    *blend = after.whole;
-    blend.length = 2.0 * d;
-    blend.exit = e / d;
-    blend.axes = before.whole.axes.max(after.whole.axes);
-    blend.origin = before.whole.end;
-    blend.rate = before.last;
-    let ends = blend.end.iter_mut().zip(&before.whole.end).zip(&after.first);
-    for ((end, corner), direction) in ends {
-        *end = corner + e * direction;
+    let exit = e / d;
+    let (mut origin, mut end, mut bend) = (before.whole.end, before.whole.end, Axes::default());
+    for (end, direction) in end.iter_mut().zip(&after.first) {
+        *end += e * direction;
     }
-    for ((origin, bend), (from, to)) in
-        blend.origin.iter_mut().zip(&mut blend.bend).zip(before.last.iter().zip(&after.first))
-    {
+    let directions = before.last.iter().zip(&after.first);
+    for ((origin, bend), (from, to)) in origin.iter_mut().zip(&mut bend).zip(directions) {
         *origin -= d * from;
-        *bend = (blend.exit * to - from) / blend.length;
+        *bend = (exit * to - from) / (2.0 * d);
     }
-    blend.begins = Some(d);
+    let Piece { feed, pace, number, index, probing, .. } = after.whole;
+    *blend = Piece {
+        origin,
+        rate: before.last,
+        bend,
+        end,
+        length: 2.0 * d,
+        exit,
+        axes: before.whole.axes.max(after.whole.axes),
+        feed,
+        pace,
+        entry: f64::INFINITY,
+        begins: Some(d),
+        number,
+        index,
+        probing,
+        ..Piece::default()
+    };
     limits.rule(blend);
     // On its way from one direction to the other a blend has more of what a feed is measured along than one of its legs, and no more than the
     // other.

@@ -313,14 +313,14 @@ fn spread(queue: &mut Queue<'_>) {
         // Without so many before it there is no crowd.
         length += queue.ring.get(place).map_or(f64::INFINITY, |piece| piece.length);
     }
-    let most = squared(length / queue.limits.cycle);
+    let fastest = length / queue.limits.cycle;
     for place in first.max(queue.motion.at.saturating_add(1))..end {
         if let Some(piece) = queue.ring.get_mut(place)
-            && piece.fastest > length / queue.limits.cycle
+            && piece.fastest > fastest
         {
-            piece.ceiling = math::lesser(piece.ceiling, most);
-            piece.last_ceiling = math::lesser(piece.last_ceiling, most);
-            piece.fastest = length / queue.limits.cycle;
+            piece.ceiling = math::lesser(piece.ceiling, squared(fastest));
+            piece.last_ceiling = math::lesser(piece.last_ceiling, squared(fastest));
+            piece.fastest = fastest;
             queue.changed = queue.changed.min(place);
         }
     }

@@ -54,8 +54,9 @@ pub(super) fn resolve(
         Blend::Within(tolerance) => tolerance >= 0.0,
         Blend::ExactStop | Blend::ExactPath | Blend::BetweenMidpoints => true,
     };
-    leg.felt = felt(whole).1;
-    if !tolerated || !pace(whole, segment.feed) {
+    let felt = felt(whole);
+    leg.felt = felt.1;
+    if !tolerated || !pace(whole, segment.feed, felt) {
         return Err(NotQueued::Malformed);
     }
     if whole.length <= 0.0 {
@@ -64,13 +65,16 @@ pub(super) fn resolve(
     whole.number = segment.number;
     whole.probing = segment.probing;
     limits.rule(whole);
-    if whole.ceiling <= 0.0 || !whole.ceiling.is_finite() {
+    let may_move = whole.ceiling > 0.0 && whole.ceiling < f64::INFINITY;
+    if !may_move {
         return Err(NotQueued::Malformed);
     }
-    (leg.first, leg.last) = match whole.circle {
-        Some(_) => (whole.tangent(0.0), whole.tangent(whole.length).map(|rate| rate / whole.exit)),
-        None => (whole.rate, whole.rate),
-    };
+    leg.first = whole.rate;
+    leg.last = whole.rate;
+    if whole.circle.is_some() {
+        leg.first = whole.tangent(0.0);
+        leg.last = whole.tangent(whole.length).map(|rate| rate / whole.exit);
+    }
     leg.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
     leg.taken = 0.0;
     Ok(Resolved::Leg)
@@ -152,16 +156,13 @@ fn arc(
     Ok(())
 }
 
-/// The speed of the parameter that a feed asks for; whether it is one.
-fn pace(whole: &mut Piece, feed: Feed) -> bool {
+/// The speed of the parameter that a feed asks for, given what it is measured along; whether it is one.
+fn pace(whole: &mut Piece, feed: Feed, (least, most): (f64, f64)) -> bool {
     let (pace, speed) = match feed {
         Feed::Rapid => (Pace::Rapid, f64::INFINITY),
-        Feed::PerSecond(feed) => (Pace::Second, feed / felt(whole).1),
-        Feed::InTime(seconds) => {
-            let (least, most) = felt(whole);
-            (Pace::Second, whole.length / seconds * least / most)
-        }
-        Feed::PerTurn(feed) => (Pace::Turn, feed / felt(whole).1),
+        Feed::PerSecond(feed) => (Pace::Second, feed / most),
+        Feed::InTime(seconds) => (Pace::Second, whole.length / seconds * least / most),
+        Feed::PerTurn(feed) => (Pace::Turn, feed / most),
     };
     whole.pace = pace;
     whole.feed = speed;
