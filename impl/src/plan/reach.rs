@@ -7,7 +7,7 @@
 
 use super::limits::Limits;
 use super::parameters::Axes;
-use super::piece::{Circle, Law, Piece};
+use super::piece::{Circle, Law, Pace, Piece};
 use crate::math;
 
 /// Where z / (1 + z/2 + z²/12) is greatest: the root of 12, or a little less.
@@ -15,7 +15,7 @@ const MOST_FAR: f64 = 3.464;
 /// The most corners of the set that are looked at before a simpler answer is taken.
 const CORNERS: u32 = 8;
 
-/// What an axis takes no part with at an end of a bend.
+/// An axis with less of the entry than this at an end of a bend limits the exit alone.
 const FLAT: f64 = 1e-12;
 
 /// Overrides that look-ahead plans for, and turns of the spindle per second times that of the feed.
@@ -40,12 +40,11 @@ impl Scale {
 /// The squares of the speeds that a piece is never run beyond where it begins and where it ends.
 #[inline]
 pub(super) fn caps(piece: &Piece, scale: Scale) -> (f64, f64) {
-    use super::piece::Pace;
-    let (mut start, mut end) = (piece.ceiling, piece.last_ceiling);
-    if piece.rapid || piece.pace == Pace::Rapid {
-        let share = scale.rapid * scale.rapid;
-        (start, end) = (start * share, end * share);
-    }
+    let (start, end) = if piece.rapid || piece.pace == Pace::Rapid {
+        rapid_caps(piece, scale)
+    } else {
+        (piece.ceiling, piece.last_ceiling)
+    };
     let feed = match piece.pace {
         Pace::Rapid => return (start, end),
         Pace::Second => piece.feed * scale.feed,
@@ -53,6 +52,13 @@ pub(super) fn caps(piece: &Piece, scale: Scale) -> (f64, f64) {
     };
     let feed = feed * feed;
     (math::lesser(start, feed), math::lesser(end, feed))
+}
+
+#[cold]
+#[inline(never)]
+fn rapid_caps(piece: &Piece, scale: Scale) -> (f64, f64) {
+    let share = scale.rapid * scale.rapid;
+    (piece.ceiling * share, piece.last_ceiling * share)
 }
 
 /// The highest y at a piece's start from which y at its end is at most `exit`.
@@ -273,11 +279,13 @@ impl<const N: usize> Strips<N> {
     fn tightest(&self, bounds: &[[f64; N]; 2]) -> (f64, f64) {
         let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, math::lesser);
         let ([here, there], [slopes, slopes_there]) = (bounds, &self.slopes);
-        for (here, there) in here.iter().zip(slopes).zip(there.iter().zip(slopes_there)) {
-            for (bound, slope) in [here, there] {
-                if *bound <= least {
-                    return (least, *slope);
-                }
+        let axes = here.iter().zip(there).zip(slopes.iter().zip(slopes_there));
+        for ((here, there), (slope, slope_there)) in axes {
+            if *here <= least {
+                return (least, *slope);
+            }
+            if *there <= least {
+                return (least, *slope_there);
             }
         }
         (least, 0.0)
@@ -286,16 +294,19 @@ impl<const N: usize> Strips<N> {
     /// How far below an exit another upper bound becomes the lowest, and its slope.
     fn next_crossing(&self, highs: &[[f64; N]; 2], (high, slope): (f64, f64)) -> (f64, f64) {
         let (mut step, mut next) = (f64::NEG_INFINITY, 0.0);
-        let ([here, there], [slopes, slopes_there]) = (highs, &self.slopes);
-        for (here, there) in here.iter().zip(slopes).zip(there.iter().zip(slopes_there)) {
-            for (bound, other) in [here, there] {
-                if *other < slope {
-                    let crossing = (bound - high) / (other - slope);
-                    if crossing > step {
-                        (step, next) = (math::lesser(crossing, 0.0), *other);
-                    }
+        let mut look_at = |bound: f64, other: f64| {
+            if other < slope {
+                let crossing = (bound - high) / (other - slope);
+                if crossing > step {
+                    (step, next) = (math::lesser(crossing, 0.0), other);
                 }
             }
+        };
+        let ([here, there], [slopes, slopes_there]) = (highs, &self.slopes);
+        let axes = here.iter().zip(there).zip(slopes.iter().zip(slopes_there));
+        for ((here, there), (slope, slope_there)) in axes {
+            look_at(*here, *slope);
+            look_at(*there, *slope_there);
         }
         (step, next)
     }
