@@ -144,7 +144,7 @@ impl Values<'_> {
             while highest >= lowest {
                 count = count.wrapping_sub(1);
                 let (left, last, before) = *waiting.get(count)?;
-                value = arithmetic::binary(last, left, value, &self.packer.choices).ok()?;
+                value = arithmetic::binary_inline(last, left, value, &self.packer.choices).ok()?;
                 highest = before;
             }
             let Some(operator) = operator else { return Some((value, behind)) };

@@ -54,8 +54,20 @@ fn holds(value: f64) -> bool {
 }
 
 /// The result of an operator.
-#[inline]
+#[inline(never)]
 pub(crate) fn binary(
+    operator: Binary,
+    left: f64,
+    right: f64,
+    choices: &Choices,
+) -> Result<f64, Wrong> {
+    binary_inline(operator, left, right, choices)
+}
+
+/// The same where most expressions are evaluated: a call would cost more than most operators.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "the compiler decides by what else there is in the crate")]
+pub(crate) fn binary_inline(
     operator: Binary,
     left: f64,
     right: f64,
