@@ -7,8 +7,8 @@
 //! certifies: its model and its verdict are found while the controller works. A run alone is how long somebody waits for one outcome who does
 //! nothing meanwhile.
 //!
-//! A bare round trip is measured as the cases are: in a campaign it is made beside each case, and what it costs is what the campaign costs
-//! more than without. Trips that follow at once on one another, with nothing between them, are told below: then neither side falls asleep.
+//! What a case of a campaign is held against are bare round trips that follow at once on one another, so that neither side falls asleep. What one
+//! costs a campaign in this process that makes one beside each case, where both sides may sleep in between, is told below.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;
@@ -79,9 +79,9 @@ fn main() -> Result<()> {
         "                in process  behind it  overhead  bare round trip  overhead / round trip"
     );
     let [alone_within, through, with_trip] = campaign.means();
-    print("in a campaign", [alone_within, through, with_trip - alone_within]);
+    print("in a campaign", [alone_within, through, beside.trips()?]);
     print("a run alone", alone.means());
-    println!("a bare round trip at once behind another: {:.1}", beside.trips()?);
+    println!("a bare round trip beside each case of a campaign: {:.1}", with_trip - alone_within);
 
     let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let plan = Plan { suite: &suite, edition, only: &[], jobs };
