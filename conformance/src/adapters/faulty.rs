@@ -57,6 +57,10 @@ impl Adapter for Faulty {
         self.production.supports(scenario)
     }
 
+    fn is_within(&self) -> bool {
+        true
+    }
+
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         self.production.run(scenario)
     }

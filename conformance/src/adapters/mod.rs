@@ -213,6 +213,11 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// There is no outcome to judge: the controller crashed, hung, flooded, or was not understood.
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError>;
 
+    /// Whether it runs within this process, so that to ask it costs no more than what it does.
+    fn is_within(&self) -> bool {
+        false
+    }
+
     /// Whether it runs in a process of its own, so that what is expected of it is best found out while it does.
     fn runs_beside(&self) -> bool {
         false

@@ -69,6 +69,10 @@ impl Adapter for Narrowed {
         Ok(narrowed(self.controller.run(scenario)?, &shows))
     }
 
+    fn is_within(&self) -> bool {
+        self.controller.is_within()
+    }
+
     fn runs_beside(&self) -> bool {
         self.controller.runs_beside()
     }

@@ -29,6 +29,10 @@ impl Adapter for Reference {
         Ok(gaugeblock_reference::run(scenario).0)
     }
 
+    fn is_within(&self) -> bool {
+        true
+    }
+
     fn has_laws_of_motion(&self) -> bool {
         true
     }

@@ -37,26 +37,51 @@ pub enum Came {
     NotJudged(String),
 }
 
+/// What a side showed, and of the model its evidence too.
+pub(super) type Shown = (Outcome, Option<Evidence>);
+
 impl Plan<'_> {
     /// Runs a scenario on both and compares.
     pub fn judge(&self, scenario: &Scenario, statistics: &mut Statistics) -> Came {
+        match self.expected(scenario, statistics) {
+            Ok(expected) => self.judge_by(scenario, expected, statistics),
+            Err(came) => came,
+        }
+    }
+
+    /// Runs a scenario on the side that is compared with: what is expected of the other one, or what came of it already.
+    pub(super) fn expected(
+        &self,
+        scenario: &Scenario,
+        statistics: &mut Statistics,
+    ) -> Result<Shown, Came> {
         statistics.programs += 1;
         for side in [self.iut, self.against] {
             if let Err(why) = side.supports(scenario) {
                 count(&mut statistics.unsupported, &format!("{}: {why}", name(side)));
-                return Came::Unsupported;
+                return Err(Came::Unsupported);
             }
         }
         self.iut.ahead(scenario);
-        let (expected, mut evidence) = outcome(self.against, scenario, None);
+        let (expected, evidence) = outcome(self.against, scenario, None);
         let expected = match expected {
             Ok(expected) => expected,
-            Err(error) => return self.broken(self.against, &error, statistics),
+            Err(error) => return Err(self.broken(self.against, &error, statistics)),
         };
         statistics.blocks += u64::try_from(expected.steps.len()).unwrap_or_default();
         if let Some(came) = open(self.against, &expected, statistics) {
-            return came;
+            return Err(came);
         }
+        Ok((expected, evidence))
+    }
+
+    /// Runs a scenario on the side under test and compares with what is expected of it.
+    pub(super) fn judge_by(
+        &self,
+        scenario: &Scenario,
+        (expected, mut evidence): Shown,
+        statistics: &mut Statistics,
+    ) -> Came {
         let (found, other) = outcome(self.iut, scenario, Some(&expected));
         let found = match found {
             Ok(found) => found,

@@ -131,32 +131,51 @@ impl Plan<'_> {
         used
     }
 
-    fn chunk(&self, chunk: u64, programs: u64, stop: &AtomicBool) -> Option<Chunk> {
+    /// Runs a chunk of so many programs. Options of programs that are over serve others: the caller keeps them from chunk to chunk.
+    fn chunk(
+        &self,
+        chunk: u64,
+        programs: u64,
+        spare: &mut Vec<Options>,
+        stop: &AtomicBool,
+    ) -> Option<Chunk> {
         let mut statistics = Statistics::default();
         let mut groups = Groups::default();
         let mut not_judged = Vec::new();
         let first = chunk * CHUNK;
-        let mut options = self.options.clone();
-        for number in first..(first + CHUNK).min(programs) {
+        let numbers: Vec<_> = (first..(first + CHUNK).min(programs)).collect();
+        // A side that does many programs on end has its own code at hand: that is a tenth faster than by turns.
+        let both_within = self.iut.is_within() && self.against.is_within();
+        let together = if both_within { numbers.len().max(1) } else { 1 };
+        for numbers in numbers.chunks(together) {
             if stop.load(Ordering::Relaxed) {
                 return None;
             }
-            let scenario = self.scenario_under(number, options);
-            options = match self.judge(&scenario, &mut statistics) {
-                Came::Differs(difference) => {
-                    groups.add(Find::of(number, scenario, *difference));
-                    self.options.clone()
+            let scenarios = numbers.iter().map(|number| {
+                let options = spare.pop().unwrap_or_else(|| self.options.clone());
+                (*number, self.scenario_under(*number, options))
+            });
+            let scenarios: Vec<_> = scenarios.collect();
+            let expected =
+                scenarios.iter().map(|(_, scenario)| self.expected(scenario, &mut statistics));
+            let expected: Vec<_> = expected.collect();
+            for ((number, scenario), expected) in scenarios.into_iter().zip(expected) {
+                let came =
+                    expected.map(|expected| self.judge_by(&scenario, expected, &mut statistics));
+                match came.unwrap_or_else(|came| came) {
+                    Came::Differs(difference) => {
+                        groups.add(Find::of(number, scenario, *difference));
+                    }
+                    Came::NotJudged(why) if not_judged.len() < KEPT => {
+                        not_judged.push(NotJudged { number, why, scenario });
+                    }
+                    Came::Same
+                    | Came::Fragile
+                    | Came::Unsupported
+                    | Came::Unspecified
+                    | Came::NotJudged(_) => spare.push(self.options_again(scenario.options)),
                 }
-                Came::NotJudged(why) if not_judged.len() < KEPT => {
-                    not_judged.push(NotJudged { number, why, scenario });
-                    self.options.clone()
-                }
-                Came::Same
-                | Came::Fragile
-                | Came::Unsupported
-                | Came::Unspecified
-                | Came::NotJudged(_) => self.options_again(scenario.options),
-            };
+            }
         }
         Some(Chunk { chunk, statistics, found: groups.finds(), not_judged })
     }
@@ -185,6 +204,7 @@ pub fn run(plan: &Plan<'_>, extent: &Extent<'_>, each: &mut dyn FnMut(Chunk) -> 
         for _ in 0..extent.jobs.get() {
             let (sender, next) = (sender.clone(), &next);
             scope.spawn(move || {
+                let mut spare = Vec::new();
                 loop {
                     let chunk = extent.shard.nth(next.fetch_add(1, Ordering::Relaxed));
                     if chunk.saturating_mul(CHUNK) >= extent.programs {
@@ -193,7 +213,8 @@ pub fn run(plan: &Plan<'_>, extent: &Extent<'_>, each: &mut dyn FnMut(Chunk) -> 
                     if extent.done.contains(&chunk) {
                         continue;
                     }
-                    let Some(done) = plan.chunk(chunk, extent.programs, extent.stop) else { break };
+                    let done = plan.chunk(chunk, extent.programs, &mut spare, extent.stop);
+                    let Some(done) = done else { break };
                     if sender.send(done).is_err() {
                         break;
                     }

@@ -62,6 +62,10 @@ impl Adapter for Production {
         })
     }
 
+    fn is_within(&self) -> bool {
+        true
+    }
+
     fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
         let outcome = self.run(motion.scenario);
         let outcome = outcome.map_err(NotMoved::Failed)?;
