@@ -310,7 +310,7 @@ fn outcome(sheet: &Sheet, blocks: Option<&Blocks>) -> Result<Outcome, HarnessErr
     }
     let mut events = Vec::new();
     if sheet.settings != Settings::default() {
-        events.push(Event::Set(sheet.settings.clone()));
+        events.push(Event::Set(sheet.settings.clone().into()));
     }
     for (channel, text) in sheet.messages.iter().flatten() {
         events.push(Event::Do(Effect::Message { channel: *channel, text: text.clone() }));

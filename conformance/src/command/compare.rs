@@ -74,7 +74,7 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
                     let text = if block.file == gaugeblock_trace::Program::MAIN {
                         &scenario.program.main
                     } else {
-                        scenario.program.files.get(&block.file)?
+                        scenario.program.files.get(&*block.file)?
                     };
                     text.lines().nth(line)
                 });

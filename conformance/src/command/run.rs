@@ -181,7 +181,7 @@ pub(super) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> O
     let (name, text) = if block.file == Program::MAIN {
         (file.display().to_string(), scenario.program.main.as_str())
     } else {
-        (inert_line(&block.file), scenario.program.files.get(&block.file)?.as_str())
+        (inert_line(&block.file), scenario.program.files.get(&*block.file)?.as_str())
     };
     let line = usize::try_from(block.line).ok()?;
     let source = text.lines().nth(line.checked_sub(1)?)?;

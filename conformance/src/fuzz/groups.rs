@@ -75,7 +75,7 @@ pub fn source<'a>(scenario: &'a Scenario, divergence: &Divergence) -> Option<&'a
     let text = if block.file == Program::MAIN {
         &scenario.program.main
     } else {
-        scenario.program.files.get(&block.file)?
+        scenario.program.files.get(&*block.file)?
     };
     text.lines().nth(line)
 }

@@ -133,7 +133,7 @@ pub(super) fn text(asked: &Asked, values: &Values) -> String {
     );
     put("# The file is main.ngc where you write none.");
     put(&format!("[alarm]\ntext = {}", quoted(&values.alarm)));
-    let file = values.block.as_ref().map_or("", |block| block.file.as_str());
+    let file = values.block.as_ref().map_or("", |block| block.file.as_ref());
     put(&format!("file = {}", quoted(file)));
     let line = values.block.as_ref().map_or_else(|| quoted(""), |block| block.line.to_string());
     put(&format!("line = {line}\n"));

@@ -174,7 +174,7 @@ impl Run {
 
     /// Prints what a refused block did, and says why it is refused.
     fn refused(&mut self, fault: &Fault) {
-        let place = fault.block.as_ref().map(|block| (block.file.as_str(), block.line));
+        let place = fault.block.as_ref().map(|block| (block.file.as_ref(), block.line));
         let reached = refusals::reached(fault, self.printer.words(), self.printer.motion());
         let words = self.printer.words().clone();
         let (position, plane) = self.printer.place();

@@ -230,7 +230,7 @@ impl Printer {
 
 impl Sink for Printer {
     fn set(&mut self, _line: u32, changed: &Settings) {
-        self.events.push(Event::Set(changed.clone()));
+        self.events.push(Event::Set(changed.clone().into()));
     }
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {

@@ -1,11 +1,13 @@
 //! Faults: why a controller refuses a block. Kinds are compared; messages are for people.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::field::words;
+use crate::scenario::Program;
 
 words! {
     /// The kind of a fault.
@@ -136,15 +138,19 @@ words! {
 #[serde(deny_unknown_fields)]
 pub struct Block {
     /// File name; the main program is `main.ngc`.
-    pub file: String,
+    pub file: Cow<'static, str>,
     /// Line, from 1.
     pub line: u32,
 }
 
 impl Block {
-    /// A block by file and line.
-    pub fn new(file: impl Into<String>, line: u32) -> Self {
-        Self { file: file.into(), line }
+    /// A block by file and line. Most blocks are of the main program, whose name costs no text of its own.
+    pub fn new(file: impl AsRef<str>, line: u32) -> Self {
+        let file = match file.as_ref() {
+            Program::MAIN => Cow::Borrowed(Program::MAIN),
+            other => Cow::Owned(other.to_owned()),
+        };
+        Self { file, line }
     }
 }
 

@@ -12,15 +12,11 @@ use crate::position::Position;
 use crate::settings::{Language, Settings, State};
 
 /// What happened within a block, in order.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "a box would stand in every pattern that reads a trace"
-)]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Event {
     /// Settings that changed here.
-    Set(Settings),
+    Set(Box<Settings>),
     /// An effect, under the settings in force here.
     Do(Effect),
 }

@@ -73,7 +73,7 @@ impl Record {
         let now = modes.settings();
         let change = now.since(&self.settings);
         if !change.is_empty() {
-            self.events.push(Event::Set(change));
+            self.events.push(Event::Set(change.into()));
             self.settings = now;
         }
     }

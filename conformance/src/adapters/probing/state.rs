@@ -19,7 +19,7 @@ pub(in crate::adapters) fn set(now: &mut Settings, events: &mut Vec<Event>, chan
     }
     match events.last_mut() {
         Some(Event::Set(last)) => last.overlay(&change),
-        Some(Event::Do(_)) | None => events.push(Event::Set(change)),
+        Some(Event::Do(_)) | None => events.push(Event::Set(change.into())),
     }
 }
 

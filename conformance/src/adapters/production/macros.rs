@@ -22,7 +22,7 @@ struct Recorder {
 
 impl Sink for Recorder {
     fn set(&mut self, _line: u32, changed: &Settings) {
-        self.events.push(Event::Set(changed.clone()));
+        self.events.push(Event::Set(changed.clone().into()));
     }
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {

@@ -189,7 +189,7 @@ impl<'a> Recorder<'a> {
 
 impl Sink for Recorder<'_> {
     fn set(&mut self, _line: u32, changed: &Settings) {
-        self.happened(Event::Set(changed.clone()));
+        self.happened(Event::Set(changed.clone().into()));
     }
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
@@ -302,7 +302,7 @@ impl Machine for Recorder<'_> {
         }
         if settings != Settings::default() {
             // They are in force, and the block that set them is not recorded.
-            self.happened(Event::Set(settings));
+            self.happened(Event::Set(settings.into()));
         }
         self.elsewhere |= self.state.call_level != Some(0);
     }

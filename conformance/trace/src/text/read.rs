@@ -53,7 +53,7 @@ impl Reader {
                 }
                 self.steps.push(Step { block: block(rest)?, events: Vec::new(), state: None });
             }
-            "set" => self.event(Event::Set(settings(rest)?))?,
+            "set" => self.event(Event::Set(settings(rest)?.into()))?,
             "do" => {
                 let (name, rest) = rest.split_once(' ').unwrap_or((rest, ""));
                 self.event(Event::Do(Effect::read(name, Arguments::parse(rest)?)?))?;
@@ -152,16 +152,18 @@ fn end(text: &str) -> Result<End, TextError> {
 }
 
 fn block_of(arguments: &mut Arguments) -> Result<Block, TextError> {
-    Ok(Block { file: arguments.take("file")?, line: arguments.take("line")? })
+    let file: String = arguments.take("file")?;
+    Ok(Block::new(file, arguments.take("line")?))
 }
 
 fn fault(arguments: &mut Arguments) -> Result<Fault, TextError> {
     let kind = arguments.take("kind")?;
-    let block = both(arguments.take("file")?, arguments.take("line")?, "file and line")?;
+    let file: Option<String> = arguments.take("file")?;
+    let block = both(file, arguments.take("line")?, "file and line")?;
     let span = both(arguments.take("from")?, arguments.take("to")?, "from and to")?;
     Ok(Fault {
         kind,
-        block: block.map(|(file, line)| Block { file, line }),
+        block: block.map(|(file, line)| Block::new(file, line)),
         span: span.map(|(start, end)| Span { start, end }),
         message: arguments.take("message")?,
     })

@@ -9,7 +9,7 @@ use gaugeblock_trace::{Axis, Block, Pin, Position};
 use proptest::prelude::*;
 
 fn element(shape: Shape, feed: Feed, mode: PathMode) -> Element {
-    let block = Block { file: "main.ngc".to_owned(), line: 3 };
+    let block = Block::new("main.ngc", 3);
     Element { block, shape, feed, mode, controls: Controls::default(), switches: Vec::new() }
 }
 

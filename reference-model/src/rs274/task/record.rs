@@ -246,7 +246,7 @@ impl Record {
             Event::Do(effect) => matches!(effect, Effect::RequestRefused { .. }),
         });
         if set != Settings::default() {
-            self.events.push(Event::Set(set));
+            self.events.push(Event::Set(set.into()));
         }
         if self.steps.is_empty() {
             self.step_without_state(block, state);
@@ -264,7 +264,7 @@ impl Record {
         let changed = state.modes.settings_since(&self.modes);
         self.modes.clone_from(&state.modes);
         if changed != Settings::default() {
-            self.push(Event::Set(changed));
+            self.push(Event::Set(changed.into()));
         }
     }
 

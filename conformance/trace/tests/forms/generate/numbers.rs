@@ -49,7 +49,7 @@ pub(crate) fn position() -> BoxedStrategy<Position> {
 
 pub(crate) fn block() -> BoxedStrategy<Block> {
     let file = prop_oneof![Just("main.ngc".to_owned()), text()];
-    whole!(Block { file: file, line: any::<u32>() })
+    whole!(Block { file: file.prop_map(Into::into), line: any::<u32>() })
 }
 
 pub(crate) fn span() -> BoxedStrategy<Span> {

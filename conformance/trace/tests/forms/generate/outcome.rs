@@ -34,7 +34,8 @@ fn outcome_in(language: Language) -> BoxedStrategy<Outcome> {
 }
 
 fn step(language: Language) -> BoxedStrategy<Step> {
-    let event = prop_oneof![settings().prop_map(Event::Set), effect().prop_map(Event::Do)];
+    let set = settings().prop_map(|changed| Event::Set(changed.into()));
+    let event = prop_oneof![set, effect().prop_map(Event::Do)];
     whole!(Step { block: block(), events: vec(event, 0..4), state: option::of(state(language)) })
 }
 
