@@ -16,7 +16,7 @@ use crate::done::Executed;
 use crate::error::Error;
 use crate::limits::Limits;
 use crate::modal::Modal;
-use crate::parameters::{NameId, Named, Numbered};
+use crate::parameters::{ItemName, NameId, Named, Numbered};
 use crate::source::Source;
 use crate::syntax::packed::{Block, Kind};
 use crate::syntax::{Choices, Packer, Segment};
@@ -379,9 +379,9 @@ impl Interpreter {
         segment(&self.segments, at.segment).and_then(|code| code.block(at.place))
     }
 
-    /// Says which HAL items programs can read by `#<_hal[…]>`, in lower case, before anything is read; there are none otherwise, nor where the INI
+    /// Says which HAL items programs can read by `#<_hal[…]>`, before anything is read; there are none otherwise, nor where the INI
     /// file disables them. Their values are zero until they are set.
-    pub fn declare_items(&mut self, names: impl IntoIterator<Item = String>) {
+    pub fn declare_items(&mut self, names: impl IntoIterator<Item = ItemName>) {
         if !self.packer.items_enabled {
             return;
         }

@@ -101,6 +101,7 @@ pub use done::{BlockDone, Executed};
 pub use error::Error;
 pub use interpret::{Interpreter, Progress, Room};
 pub use limits::{Limit, Limits};
+pub use parameters::ItemName;
 pub use plan::Planner;
 pub use probing::Probing;
 pub use source::{Memory, Source, Unreadable};

@@ -1,9 +1,11 @@
 //! Parameters: numbered, named, and those that tell the state of the interpreter (11.4.3, 11.4.4).
 
+mod item;
 mod named;
 mod names;
 mod numbered;
 
+pub use item::ItemName;
 pub(crate) use named::{Named, Own, ScopeMark, Slot};
 pub(crate) use names::{NameId, Names};
 pub(crate) use numbered::{LAST, Numbered};

@@ -9,7 +9,7 @@ use gaugeblock_trace::{FaultKind, Machine};
 use crate::faults::{Fault, planted};
 use crate::limits::{Limit, Limits};
 use crate::math;
-use crate::parameters::Names;
+use crate::parameters::{ItemName, Names};
 use crate::syntax::cursor::Cursor;
 use crate::syntax::packed::{Block, Kind, NONE, Op, Segment};
 use crate::syntax::parameter::{Place, is_told};
@@ -45,7 +45,7 @@ pub(crate) struct Packer {
     /// Entries of the INI file that can be read.
     pub(crate) ini: BTreeMap<String, f64>,
     /// HAL items that can be read, in the order of their values. A program reads few of them, and looks each up once.
-    pub(crate) items: Vec<String>,
+    pub(crate) items: Vec<ItemName>,
     /// Whether HAL items can be read.
     pub(crate) items_enabled: bool,
     /// Readings of the documents.

@@ -216,7 +216,7 @@ impl Packer {
 
     /// The place of a HAL item that has been declared.
     fn place_of_item(&self, name: &str) -> Option<u16> {
-        let place = self.items.iter().position(|item| item == name)?;
+        let place = self.items.iter().position(|item| item.is(name))?;
         u16::try_from(place).ok()
     }
 }

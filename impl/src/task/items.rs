@@ -1,13 +1,12 @@
 //! HAL items that a program can read (11.4.3.7): the inputs and pins of the machine, under the manual's names (5.6.1.2, 5.6.2.1, 5.6.4.1).
 
-use alloc::string::{String, ToString};
-
 use gaugeblock_trace::{Machine, Pin};
 
 use super::machine::Input;
+use crate::parameters::ItemName;
 
 /// The names of all items: inputs, then pins in the order of [`pins`].
-pub(super) fn names(machine: &Machine) -> impl Iterator<Item = String> + use<> {
+pub(super) fn names(machine: &Machine) -> impl Iterator<Item = ItemName> + use<> {
     let inputs = inputs(machine.digital_io, machine.analog_io).map(input_name);
     inputs.chain(pins(machine).map(pin_name))
 }
@@ -39,19 +38,20 @@ pub(super) fn pins(machine: &Machine) -> impl Iterator<Item = Pin> + use<> {
     digital.chain(analog).chain(spindles).chain([Pin::CoolantMist, Pin::CoolantFlood])
 }
 
-fn input_name(input: Input) -> String {
+fn input_name(input: Input) -> ItemName {
     match input {
-        Input::Digital(number) => with_number("motion.digital-in-", number),
-        Input::Analog(number) => with_number("motion.analog-in-", number),
-        Input::AdaptiveFeed => "motion.adaptive-feed".into(),
-        Input::FeedHold => "motion.feed-hold".into(),
+        Input::Digital(number) => ItemName::numbered("motion.digital-in-", number, 2, ""),
+        Input::Analog(number) => ItemName::numbered("motion.analog-in-", number, 2, ""),
+        Input::AdaptiveFeed => ItemName::plain("motion.adaptive-feed"),
+        Input::FeedHold => ItemName::plain("motion.feed-hold"),
     }
 }
 
-fn pin_name(pin: Pin) -> String {
+fn pin_name(pin: Pin) -> ItemName {
+    let of_spindle = |spindle, pin| ItemName::numbered("spindle.", spindle, 1, pin);
     match pin {
-        Pin::DigitalOut(number) => with_number("motion.digital-out-", number),
-        Pin::AnalogOut(number) => with_number("motion.analog-out-", number),
+        Pin::DigitalOut(number) => ItemName::numbered("motion.digital-out-", number, 2, ""),
+        Pin::AnalogOut(number) => ItemName::numbered("motion.analog-out-", number, 2, ""),
         Pin::SpindleOn(spindle) => of_spindle(spindle, ".on"),
         Pin::SpindleForward(spindle) => of_spindle(spindle, ".forward"),
         Pin::SpindleReverse(spindle) => of_spindle(spindle, ".reverse"),
@@ -61,39 +61,7 @@ fn pin_name(pin: Pin) -> String {
         Pin::SpindleOrient(spindle) => of_spindle(spindle, ".orient"),
         Pin::SpindleOrientAngle(spindle) => of_spindle(spindle, ".orient-angle"),
         Pin::SpindleOrientMode(spindle) => of_spindle(spindle, ".orient-mode"),
-        Pin::CoolantMist => "iocontrol.0.coolant-mist".into(),
-        Pin::CoolantFlood => "iocontrol.0.coolant-flood".into(),
-    }
-}
-
-/// A name that ends in a number of two digits at least.
-fn with_number(name: &str, number: u16) -> String {
-    let mut text = room(name);
-    if number < 10 {
-        text.push('0');
-    }
-    push_number(&mut text, number);
-    text
-}
-
-fn of_spindle(spindle: u16, pin: &str) -> String {
-    let mut text = room("spindle.");
-    push_number(&mut text, spindle);
-    text.push_str(pin);
-    text
-}
-
-/// A text that has room for what stands behind its beginning.
-fn room(beginning: &str) -> String {
-    let mut text = String::with_capacity(32);
-    text.push_str(beginning);
-    text
-}
-
-/// Most numbers have one digit.
-fn push_number(text: &mut String, number: u16) {
-    match u8::try_from(number) {
-        Ok(digit @ 0..=9) => text.push(char::from(b'0'.wrapping_add(digit))),
-        _ => text.push_str(&number.to_string()),
+        Pin::CoolantMist => ItemName::plain("iocontrol.0.coolant-mist"),
+        Pin::CoolantFlood => ItemName::plain("iocontrol.0.coolant-flood"),
     }
 }

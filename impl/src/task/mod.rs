@@ -33,6 +33,8 @@ mod requests;
 mod tests;
 mod waits;
 
+use alloc::boxed::Box;
+
 use gaugeblock_trace::{ControllerMode, End, FaultKind};
 
 use crate::error::Error;
@@ -120,7 +122,8 @@ pub enum Idle {
 /// ```
 #[derive(Debug)]
 pub struct Task<M> {
-    interpreter: Interpreter,
+    /// It is large, and would be carried from place to place.
+    interpreter: Box<Interpreter>,
     desk: Desk<M>,
 }
 
@@ -129,7 +132,8 @@ impl<M: Machine> Task<M> {
     ///
     /// # Errors
     /// [`Error::Configuration`]: an option that its choice does not have.
-    pub fn new(mut interpreter: Interpreter, machine: M) -> Result<Self, Error> {
+    pub fn new(interpreter: impl Into<Box<Interpreter>>, machine: M) -> Result<Self, Error> {
+        let mut interpreter = interpreter.into();
         let desk = Desk::new(&interpreter, machine)?;
         let names = items::names(interpreter.machine());
         interpreter.declare_items(names);
@@ -157,7 +161,7 @@ impl<M: Machine> Task<M> {
     }
 
     /// Both parts, once the task is over.
-    pub fn into_parts(self) -> (Interpreter, M) {
+    pub fn into_parts(self) -> (Box<Interpreter>, M) {
         (self.interpreter, self.desk.machine)
     }
 

@@ -13,8 +13,8 @@ use gaugeblock_trace::{
 use super::outside::Outside;
 use crate::observe::is_local_name;
 
-/// As many steps as a program of a case or of a campaign has.
-const MANY_STEPS: usize = 32;
+/// As many steps as most programs of cases and campaigns have.
+const MANY_STEPS: usize = 64;
 
 /// As many events as most blocks have that have any.
 const MANY_EVENTS: usize = 2;

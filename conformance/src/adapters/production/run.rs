@@ -31,7 +31,7 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     let not_run = |error: Error| HarnessError::NotRun(error.to_string());
     let (limits, room) = (Limits::default(), ROOM.take());
     let mut interpreter =
-        Interpreter::with_room(machine, options, limits, room).map_err(not_run)?;
+        Box::new(Interpreter::with_room(machine, options, limits, room).map_err(not_run)?);
     interpreter.set_block_delete(scenario.program.block_delete);
     // Somebody may act at a line that holds a comment only.
     interpreter.set_comments_told(!scenario.operator.is_empty());

@@ -15,8 +15,8 @@ use crate::rs274::parameters::{self, Name};
 use crate::rs274::step::feed::Speed;
 use crate::rs274::step::{outputs, pass};
 
-/// As many steps as a program of a case or of a campaign has.
-const MANY_STEPS: usize = 32;
+/// As many steps as most programs of cases and campaigns have.
+const MANY_STEPS: usize = 64;
 
 /// As many events as most blocks have that have any.
 const MANY_EVENTS: usize = 2;
