@@ -11,6 +11,7 @@ use super::parameters::Parameters;
 use super::readings::Readings;
 use super::step::cycles::Series;
 use super::step::splines::Curve;
+use super::syntax::Room;
 use super::task::Shown;
 use crate::Evidence;
 
@@ -64,6 +65,8 @@ pub struct State {
     pub outside: Outside,
     /// What the pins were brought up to date for; none where they have to be looked at.
     pub shown: Option<Shown>,
+    /// Room for what the parser makes of a line; nothing of it counts from one line to the next.
+    pub room: Room,
     /// The rules reached so far.
     pub evidence: Evidence,
 }
@@ -194,6 +197,7 @@ impl State {
             panel: Panel::new(&Machine::default()),
             outside: Outside::new(&gaugeblock_trace::scenario::Bench::default(), 1, &readings),
             shown: None,
+            room: Room::default(),
             evidence: Evidence::default(),
             readings: readings.into(),
         }

@@ -18,21 +18,24 @@ use super::refusal::{Halt, Refusal};
 use super::text::condense;
 use crate::Evidence;
 use parser::Parser;
+pub use parser::Room;
 
 /// Parses a line.
 ///
 /// # Errors
 /// The line has not the form of a block.
 pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
-    let (glyphs, comments) = condense(line, state)?;
-    let mut parser = Parser::new(&glyphs, &state.readings);
+    let mut room = std::mem::take(&mut state.room);
+    let comments = condense(line, &mut room.glyphs, state)?;
+    let mut parser = Parser::new(room, &state.readings);
     let parsed = parser.block(comments);
-    let (reached, failed) = parser.into_rules();
+    let (room, failed) = parser.into_rules();
     if parsed.is_ok() {
-        reached.into_iter().for_each(|rule| state.evidence.accepted(rule));
+        room.reached.iter().for_each(|rule| state.evidence.accepted(rule));
     } else {
         failed.into_iter().for_each(|rule| state.evidence.refused(rule));
     }
+    state.room = room;
     parsed
 }
 
@@ -42,10 +45,11 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
 /// The line is too long, a comment is not closed, or a line number, label or keyword is none.
 pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, Halt> {
     let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
-    let condensed = condense(line, state);
+    let mut room = std::mem::take(&mut state.room);
+    let condensed = condense(line, &mut room.glyphs, state);
     state.evidence = before;
-    let (glyphs, _) = condensed?;
-    Parser::new(&glyphs, &state.readings).passed_over()
+    condensed?;
+    Parser::new(room, &state.readings).passed_over()
 }
 
 /// The O-word of a line that begins with one, as far as it can be read: for skipping and for finding labels.
@@ -56,14 +60,18 @@ pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
         return None;
     }
     let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
-    let mut condensed = condense(line, state);
+    let mut room = std::mem::take(&mut state.room);
+    let mut condensed = condense(line, &mut room.glyphs, state);
     if let Err(Halt::Refused(Refusal { span: Some(span), .. })) = &condensed {
         // What stands before a comment that is not closed can be read.
-        condensed = condense(&line[..span.start as usize], state);
+        condensed = condense(&line[..span.start as usize], &mut room.glyphs, state);
     }
     state.evidence = before;
-    let (glyphs, _) = condensed.ok()?;
-    Parser::new(&glyphs, &state.readings).leading_o_word()
+    condensed.ok()?;
+    let mut parser = Parser::new(room, &state.readings);
+    let word = parser.leading_o_word();
+    (state.room, _) = parser.into_rules();
+    word
 }
 
 /// Whether an O-word, or a comment that may stand before one, follows what can be a slash and a line number.

@@ -69,7 +69,7 @@ impl Parser<'_> {
     }
 
     /// The O-word with which a line begins, as far as it can be read.
-    pub(super) fn leading_o_word(mut self) -> Option<OWord> {
+    pub(super) fn leading_o_word(&mut self) -> Option<OWord> {
         self.block_delete();
         self.line_number().ok()?;
         if self.is_led_by_comment() {

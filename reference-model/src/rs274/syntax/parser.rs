@@ -6,41 +6,40 @@ use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse_at};
 use crate::rs274::text::Glyph;
 
-/// Room for the digits of most numbers.
-const MOST_DIGITS: usize = 16;
+/// What the parser of a line needs room for; the parser of the next line takes it over.
+#[derive(Clone, Debug, Default)]
+pub struct Room {
+    /// The characters of the line that count.
+    pub(super) glyphs: Vec<Glyph>,
+    /// The digits of a number.
+    pub(super) digits: String,
+    /// Rules that decided something; they count when the whole line is accepted.
+    pub(super) reached: Vec<&'static str>,
+}
 
 /// A place in the characters of a line that count.
 ///
 /// Recursion goes no deeper than the line is long, and lines are at most 256 characters long.
 #[derive(Debug)]
 pub(super) struct Parser<'a> {
-    glyphs: &'a [Glyph],
+    pub(super) room: Room,
     /// Index of the next character.
     at: usize,
     pub(super) readings: &'a Readings,
-    /// Room for the digits of a number.
-    pub(super) digits: String,
-    /// Rules that decided something; they count when the whole line is accepted.
-    reached: Vec<&'static str>,
     /// Rules that refuse the line besides the one that the refusal names.
     failed: Vec<&'static str>,
 }
 
 impl<'a> Parser<'a> {
-    pub(super) fn new(glyphs: &'a [Glyph], readings: &'a Readings) -> Self {
-        Self {
-            glyphs,
-            at: 0,
-            readings,
-            digits: String::with_capacity(MOST_DIGITS),
-            reached: Vec::with_capacity(16),
-            failed: Vec::new(),
-        }
+    /// A parser of the characters in the room.
+    pub(super) fn new(mut room: Room, readings: &'a Readings) -> Self {
+        room.reached.clear();
+        Self { room, at: 0, readings, failed: Vec::new() }
     }
 
     /// A rule decided something.
     pub(super) fn reach(&mut self, rule: &'static str) {
-        self.reached.push(rule);
+        self.room.reached.push(rule);
     }
 
     /// A rule refuses the line besides the one that the refusal names.
@@ -48,9 +47,9 @@ impl<'a> Parser<'a> {
         self.failed.push(rule);
     }
 
-    /// The rules that decided something, for a line that is accepted and for one that is refused.
-    pub(super) fn into_rules(self) -> (Vec<&'static str>, Vec<&'static str>) {
-        (self.reached, self.failed)
+    /// The room, with the rules that decided something for a line that is accepted, and those for one that is refused.
+    pub(super) fn into_rules(self) -> (Room, Vec<&'static str>) {
+        (self.room, self.failed)
     }
 
     /// The next character, which stays where it is.
@@ -60,12 +59,12 @@ impl<'a> Parser<'a> {
 
     /// The character behind some others.
     pub(super) fn peek_behind(&self, others: usize) -> Option<char> {
-        self.glyphs.get(self.at + others).map(|glyph| glyph.character)
+        self.room.glyphs.get(self.at + others).map(|glyph| glyph.character)
     }
 
     /// The character before the next one.
     pub(super) fn last(&self) -> Option<char> {
-        Some(self.glyphs.get(self.at.checked_sub(1)?)?.character)
+        Some(self.room.glyphs.get(self.at.checked_sub(1)?)?.character)
     }
 
     /// Whether the next characters are these.
@@ -131,8 +130,8 @@ impl<'a> Parser<'a> {
 
     /// The part of the line from one character to another; the end of the line where there are none.
     fn span(&self, first: usize, last: usize) -> Span {
-        let end = self.glyphs.last().map_or(0, |glyph| glyph.end);
-        let start = self.glyphs.get(first).map_or(end, |glyph| glyph.start);
-        Span { start, end: self.glyphs.get(last.max(first)).map_or(end, |glyph| glyph.end) }
+        let end = self.room.glyphs.last().map_or(0, |glyph| glyph.end);
+        let start = self.room.glyphs.get(first).map_or(end, |glyph| glyph.start);
+        Span { start, end: self.room.glyphs.get(last.max(first)).map_or(end, |glyph| glyph.end) }
     }
 }

@@ -122,7 +122,7 @@ impl Parser<'_> {
     /// Rule numbers.zeros. Leading and trailing zeros change no number.
     /// Rule numbers.many-digits. A number may have any number of digits; about seventeen significant ones count.
     fn number(&mut self) -> Result<f64, Halt> {
-        let mut text = std::mem::take(&mut self.digits);
+        let mut text = std::mem::take(&mut self.room.digits);
         text.clear();
         self.take_into(&mut text, |character| character.is_ascii_digit());
         let whole = text.len();
@@ -153,7 +153,7 @@ impl Parser<'_> {
         if text.len() > 15 {
             self.reach("numbers.many-digits");
         }
-        self.digits = text;
+        self.room.digits = text;
         Ok(number)
     }
 

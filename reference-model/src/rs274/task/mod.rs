@@ -42,6 +42,7 @@ use super::quirks::settings;
 use super::readings::Readings;
 use super::refusal::{Halt, Refusal};
 use super::step;
+use super::syntax::Room;
 use crate::Evidence;
 
 /// Runs a scenario as the documents say; how positions are rounded they leave open.
@@ -98,6 +99,7 @@ fn start(scenario: &Scenario, readings: Readings, rounding: Rounding) -> State {
         series: None,
         curve: step::splines::Curve::default(),
         shown: None,
+        room: Room::default(),
         evidence: Evidence::default(),
     }
 }

@@ -25,7 +25,7 @@ impl Glyph {
     pub const COMMENT: char = '(';
 }
 
-/// The characters of a line that count, and its comments.
+/// The comments of a line; the characters that count are put down as `glyphs`.
 ///
 /// Rule text.blanks. Spaces and tabs are allowed anywhere, within words and numbers too, and change nothing.
 /// Rule text.case. A letter outside a comment means the same in upper and in lower case.
@@ -34,10 +34,15 @@ impl Glyph {
 ///
 /// # Errors
 /// The line is too long, or a comment is not closed.
-pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Comment>), Halt> {
+pub fn condense(
+    line: &str,
+    glyphs: &mut Vec<Glyph>,
+    state: &mut State,
+) -> Result<Vec<Comment>, Halt> {
     line_length(line, &state.readings)?;
     let bytes = line.as_bytes();
-    let mut glyphs = Vec::with_capacity(bytes.len());
+    glyphs.clear();
+    glyphs.reserve(bytes.len());
     let mut comments: Vec<Comment> = Vec::new();
     let (mut blanks, mut upper_case) = (false, false);
     let mut at = 0;
@@ -87,7 +92,7 @@ pub fn condense(line: &str, state: &mut State) -> Result<(Vec<Glyph>, Vec<Commen
     if comments.len() > 1 {
         state.evidence.accepted("text.comment-format-checked");
     }
-    Ok((glyphs, comments))
+    Ok(comments)
 }
 
 /// Rule text.line-length. A line has at most 256 characters; a longer one is refused.
