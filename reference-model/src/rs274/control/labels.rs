@@ -64,7 +64,7 @@ impl Mark {
 impl Labels {
     /// Takes the O-word of a line, if it has one.
     pub(super) fn read_line(&mut self, line: u32, text: &str, state: &mut State) {
-        if let Some(word) = syntax::o_word_of(text, state) {
+        if let Some(word) = syntax::mark_of(text, state) {
             let Some(label) = written_label(&word.label, state) else { return };
             let (written, keyword) = (word.label, word.keyword);
             self.marks.push(Mark { line, label, written, keyword, scope: 0 });

@@ -52,10 +52,19 @@ pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, Halt> {
     Parser::new(room, &state.readings).passed_over()
 }
 
-/// The O-word of a line that begins with one, as far as it can be read: for skipping and for finding labels.
+/// The O-word of a line that begins with one, as far as it can be read.
 ///
 /// Anything else is `None`; nothing is refused, and no rule is reached.
 pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
+    leading_o_word(line, true, state)
+}
+
+/// The same without its arguments, for finding labels.
+pub fn mark_of(line: &str, state: &mut State) -> Option<OWord> {
+    leading_o_word(line, false, state)
+}
+
+fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option<OWord> {
     if !may_begin_with_o_word(line) {
         return None;
     }
@@ -69,7 +78,7 @@ pub fn o_word_of(line: &str, state: &mut State) -> Option<OWord> {
     state.evidence = before;
     condensed.ok()?;
     let mut parser = Parser::new(room, &state.readings);
-    let word = parser.leading_o_word();
+    let word = parser.leading_o_word(with_arguments);
     (state.room, _) = parser.into_rules();
     word
 }

@@ -68,8 +68,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The O-word with which a line begins, as far as it can be read.
-    pub(super) fn leading_o_word(&mut self) -> Option<OWord> {
+    /// The O-word with which a line begins, as far as it can be read; what stands behind its keyword only where it matters or is asked for.
+    pub(super) fn leading_o_word(&mut self, with_arguments: bool) -> Option<OWord> {
         self.block_delete();
         self.line_number().ok()?;
         if self.is_led_by_comment() {
@@ -81,6 +81,9 @@ impl Parser<'_> {
         }
         let start = self.place();
         let mut o_word = self.label_and_keyword().ok()?;
+        if o_word.keyword != Keyword::ProgramNumber && !with_arguments {
+            return Some(o_word);
+        }
         let alone = self.peek().is_none();
         while self.peek() == Some('[') {
             let Ok(argument) = self.bracketed() else { break };
