@@ -7,8 +7,16 @@ use crate::words::Words;
 use super::letters::{A, AXES, B, C, U, V, W, X, Y, Z};
 
 /// X Y Z A B C U V W.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Coordinates(pub(crate) [f64; 9]);
+
+impl PartialEq for Coordinates {
+    /// Field by field: whether arrays are compared in a loop the compiler decides anew with every change elsewhere.
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.position() == other.position()
+    }
+}
 
 /// How a length is told in another unit: a product and a quotient, so that 25.4 mm are 1 inch and not nearly so.
 #[derive(Clone, Copy, Debug, PartialEq)]
