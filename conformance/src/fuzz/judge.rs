@@ -40,11 +40,22 @@ pub enum Came {
 /// What a side showed, and of the model its evidence too.
 pub(super) type Shown = (Outcome, Option<Evidence>);
 
+/// What both sides showed of a scenario, and the evidence of the model where it is one of them.
+#[derive(Debug)]
+pub(super) struct Both {
+    expected: Outcome,
+    found: Outcome,
+    evidence: Option<Evidence>,
+}
+
 impl Plan<'_> {
     /// Runs a scenario on both and compares.
     pub fn judge(&self, scenario: &Scenario, statistics: &mut Statistics) -> Came {
         match self.expected(scenario, statistics) {
-            Ok(expected) => self.judge_by(scenario, expected, statistics),
+            Ok(expected) => match self.found(scenario, expected, statistics) {
+                Ok(both) => self.compared(scenario, both, statistics),
+                Err(came) => came,
+            },
             Err(came) => came,
         }
     }
@@ -75,13 +86,13 @@ impl Plan<'_> {
         Ok((expected, evidence))
     }
 
-    /// Runs a scenario on the side under test and compares with what is expected of it.
-    pub(super) fn judge_by(
+    /// Runs a scenario on the side under test: what is to be compared, or what came of it already.
+    pub(super) fn found(
         &self,
         scenario: &Scenario,
-        (expected, mut evidence): Shown,
+        (expected, evidence): Shown,
         statistics: &mut Statistics,
-    ) -> Came {
+    ) -> Result<Both, Came> {
         let (found, other) = outcome(self.iut, scenario, Some(&expected));
         let found = match found {
             Ok(found) => found,
@@ -90,14 +101,24 @@ impl Plan<'_> {
             {
                 let why = format!("{}: no end, here as there", name(self.iut));
                 count(&mut statistics.not_judged, &why);
-                return Came::NotJudged(why);
+                return Err(Came::NotJudged(why));
             }
-            Err(error) => return self.broken(self.iut, &error, statistics),
+            Err(error) => return Err(self.broken(self.iut, &error, statistics)),
         };
         if let Some(came) = open(self.iut, &found, statistics) {
-            return came;
+            return Err(came);
         }
-        evidence = evidence.or(other);
+        Ok(Both { expected, found, evidence: evidence.or(other) })
+    }
+
+    /// Compares what both sides showed of a scenario.
+    pub(super) fn compared(
+        &self,
+        scenario: &Scenario,
+        both: Both,
+        statistics: &mut Statistics,
+    ) -> Came {
+        let Both { expected, found, evidence } = both;
         statistics.count(scenario, &expected);
         if let Some(evidence) = &evidence {
             statistics.reached(evidence);

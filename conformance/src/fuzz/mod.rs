@@ -159,9 +159,12 @@ impl Plan<'_> {
             let expected =
                 scenarios.iter().map(|(_, scenario)| self.expected(scenario, &mut statistics));
             let expected: Vec<_> = expected.collect();
-            for ((number, scenario), expected) in scenarios.into_iter().zip(expected) {
-                let came =
-                    expected.map(|expected| self.judge_by(&scenario, expected, &mut statistics));
+            let both = scenarios.iter().zip(expected).map(|((_, scenario), expected)| {
+                expected.and_then(|expected| self.found(scenario, expected, &mut statistics))
+            });
+            let both: Vec<_> = both.collect();
+            for ((number, scenario), both) in scenarios.into_iter().zip(both) {
+                let came = both.map(|both| self.compared(&scenario, both, &mut statistics));
                 match came.unwrap_or_else(|came| came) {
                     Came::Differs(difference) => {
                         groups.add(Find::of(number, scenario, *difference));

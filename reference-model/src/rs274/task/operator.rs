@@ -71,6 +71,11 @@ impl<'a> Operator<'a> {
         self.events.iter().any(|event| event.due.is_some())
     }
 
+    /// Whether the operator may still abort a program.
+    pub(super) fn may_abort(&self) -> bool {
+        self.events.iter().any(|event| event.event.action == Action::Abort)
+    }
+
     /// Whether the operator does nothing more.
     pub(super) fn is_done(&self) -> bool {
         self.events.is_empty()

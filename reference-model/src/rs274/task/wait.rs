@@ -25,7 +25,7 @@ impl Run<'_> {
     /// Between two blocks, and where the text ends: what the operator has done by now, and the pause that was asked for.
     pub(super) fn between(&mut self) -> Result<(), Halt> {
         // Only what is read ahead begins again where the block did, or where a block of it is refused.
-        let may_be_broken_off = self.ahead || !self.operator.is_done();
+        let may_be_broken_off = self.ahead || self.operator.may_abort();
         if may_be_broken_off && self.state.readings.is("abort.read-ahead", "read-on") {
             self.at_block = Some(Box::new(self.state.clone()));
         }
