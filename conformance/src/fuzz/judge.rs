@@ -51,11 +51,10 @@ pub(super) struct Both {
 impl Plan<'_> {
     /// Runs a scenario on both and compares.
     pub fn judge(&self, scenario: &Scenario, statistics: &mut Statistics) -> Came {
-        match self.expected(scenario, statistics) {
-            Ok(expected) => match self.found(scenario, expected, statistics) {
-                Ok(both) => self.compared(scenario, both, statistics),
-                Err(came) => came,
-            },
+        let expected = self.expected(scenario, statistics);
+        let both = expected.and_then(|expected| self.found(scenario, expected, statistics));
+        match both {
+            Ok(both) => self.compared(scenario, both, statistics),
             Err(came) => came,
         }
     }
