@@ -69,15 +69,8 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
             }
             Ok((Comparison { divergence: Some(divergence), .. }, same_path)) => {
                 status = status.max(1);
-                let source = divergence.block.as_ref().and_then(|block| {
-                    let line = usize::try_from(block.line).ok()?.checked_sub(1)?;
-                    let text = if block.file == gaugeblock_trace::Program::MAIN {
-                        &scenario.program.main
-                    } else {
-                        scenario.program.files.get(&*block.file)?
-                    };
-                    text.lines().nth(line)
-                });
+                let source =
+                    divergence.block.as_ref().and_then(|block| scenario.program.line(block));
                 results.push(json!({
                     "file": name, "equal": false, "block": divergence.block, "source": source,
                     "field": divergence.field, "expected": divergence.expected, "found": divergence.found,

@@ -249,12 +249,12 @@ pub(super) fn describe(place: usize, find: &Find) -> String {
         let _infallible = writeln!(text, "  rules: {}", find.rules.join(", "));
     }
     let program = &find.scenario.program;
-    for (at, line) in program.main.lines().enumerate() {
+    for (at, line) in program.language.lines(&program.main).enumerate() {
         let _infallible = writeln!(text, "  {:>4} | {line}", at + 1);
     }
     for (name, file) in &program.files {
         let _infallible = writeln!(text, "  {name}");
-        for (at, line) in file.lines().enumerate() {
+        for (at, line) in program.language.lines(file).enumerate() {
             let _infallible = writeln!(text, "  {:>4} | {line}", at + 1);
         }
     }

@@ -178,13 +178,13 @@ pub(super) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> O
         | End::Aborted
         | End::BudgetExhausted { .. } => return None,
     };
-    let (name, text) = if block.file == Program::MAIN {
-        (file.display().to_string(), scenario.program.main.as_str())
+    let name = if block.file == Program::MAIN {
+        file.display().to_string()
     } else {
-        (inert_line(&block.file), scenario.program.files.get(&*block.file)?.as_str())
+        inert_line(&block.file)
     };
     let line = usize::try_from(block.line).ok()?;
-    let source = text.lines().nth(line.checked_sub(1)?)?;
+    let source = scenario.program.line(block)?;
     let whole = 0..source.len();
     let range = span.map_or(whole.clone(), |span| {
         let place = |at: u32| usize::try_from(at).unwrap_or(usize::MAX).min(source.len());

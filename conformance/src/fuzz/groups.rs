@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_fuzz::shrink::{shape, shrink};
-use gaugeblock_trace::{Program, Scenario};
+use gaugeblock_trace::Scenario;
 use serde::{Deserialize, Serialize};
 
 use super::signature::{Signature, rules};
@@ -70,14 +70,7 @@ impl Find {
 
 /// The line of the program at which two runs differ.
 pub fn source<'a>(scenario: &'a Scenario, divergence: &Divergence) -> Option<&'a str> {
-    let block = divergence.block.as_ref()?;
-    let line = usize::try_from(block.line).ok()?.checked_sub(1)?;
-    let text = if block.file == Program::MAIN {
-        &scenario.program.main
-    } else {
-        scenario.program.files.get(&*block.file)?
-    };
-    text.lines().nth(line)
+    scenario.program.line(divergence.block.as_ref()?)
 }
 
 type Key = (Signature, String);

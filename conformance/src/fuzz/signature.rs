@@ -84,7 +84,7 @@ pub fn rules(scenario: &Scenario, divergence: &Divergence) -> Vec<String> {
     let block = divergence.block.as_ref().filter(|block| block.file == Program::MAIN);
     let line = block.and_then(|block| usize::try_from(block.line).ok());
     let without = line.map(|line| {
-        let lines = scenario.program.main.lines().enumerate();
+        let lines = scenario.program.language.lines(&scenario.program.main).enumerate();
         let kept = lines.map(|(at, text)| if at + 1 == line { "" } else { text });
         let main = kept.flat_map(|text| [text, "\n"]).collect();
         let program = Program { main, ..scenario.program.clone() };

@@ -61,8 +61,8 @@ impl Default for Recipe {
         Self {
             language: Language::Rs274,
             old_words: false,
-            blocks: (4, 58),
-            wrong_programs: 12,
+            blocks: (4, 62),
+            wrong_programs: 10,
             wrong_blocks: 5,
             single_kind_programs: 12,
             later_programs: 8,

@@ -40,25 +40,27 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
 /// What it does not tell of blocks by hand.
 fn by_hand(scenario: &Scenario) -> Result<(), String> {
     let program = &scenario.program;
-    let lines = program.main.lines().filter(|_| program.start == Start::Mdi);
-    let entered = lines.chain(scenario.operator.iter().filter_map(|event| match &event.action {
-        Action::Mdi(text) => Some(text.as_str()),
-        Action::CycleStart
-        | Action::Pause
-        | Action::Resume
-        | Action::Abort
-        | Action::Mode(_)
-        | Action::OptionalStop(_)
-        | Action::FeedHold(_)
-        | Action::FeedOverride(_)
-        | Action::RapidOverride(_)
-        | Action::SpindleOverride { .. } => None,
-    }));
+    let lines = program.language.lines(&program.main).filter(|_| program.start == Start::Mdi);
+    let entered: Vec<&str> = lines
+        .chain(scenario.operator.iter().filter_map(|event| match &event.action {
+            Action::Mdi(text) => Some(text.as_str()),
+            Action::CycleStart
+            | Action::Pause
+            | Action::Resume
+            | Action::Abort
+            | Action::Mode(_)
+            | Action::OptionalStop(_)
+            | Action::FeedHold(_)
+            | Action::FeedOverride(_)
+            | Action::RapidOverride(_)
+            | Action::SpindleOverride { .. } => None,
+        }))
+        .collect();
     let calls = |text: &str| text.trim_start().starts_with(['o', 'O']) && text.contains("call");
-    if !program.files.is_empty() && entered.clone().any(calls) {
+    if !program.files.is_empty() && entered.iter().copied().any(calls) {
         return Err("it does not tell what a file does that is called by hand".to_owned());
     }
-    let mut from_end = entered.skip_while(|text| !matches!(text.trim(), "m2" | "m30"));
+    let mut from_end = entered.iter().skip_while(|text| !matches!(text.trim(), "m2" | "m30"));
     if program.start == Start::Mdi && from_end.next().is_some() && from_end.next().is_some() {
         return Err("it enters nothing after a block by hand that ends a program".to_owned());
     }
@@ -70,8 +72,7 @@ fn by_hand(scenario: &Scenario) -> Result<(), String> {
 fn at_one_time(scenario: &Scenario) -> Result<(), String> {
     let events = &scenario.operator;
     let text = |event: &OperatorEvent| {
-        let line = usize::try_from(event.when.block.line).unwrap_or(usize::MAX);
-        let text = scenario.program.main.lines().nth(line.saturating_sub(1));
+        let text = scenario.program.line(&event.when.block);
         text.filter(|_| event.when.block.file == Program::MAIN).unwrap_or_default()
     };
     let does_nothing = |event: &OperatorEvent| {

@@ -87,11 +87,12 @@ impl Run<'_> {
         self.task.set_mode(ControllerMode::Mdi);
         // Where the last block ends no program the next one is waited for.
         let mut end = End::Paused;
-        for (line, text) in (1..).zip(self.scenario.program.main.lines()) {
+        let program = &self.scenario.program;
+        for (line, text) in (1..).zip(program.language.lines(&program.main)) {
             if let Some(bound) = self.exhausted() {
                 return Ok(End::BudgetExhausted { bound });
             }
-            let deleted = self.scenario.program.block_delete && text.trim().starts_with('/');
+            let deleted = program.block_delete && text.trim().starts_with('/');
             if text.trim().is_empty() || deleted {
                 continue;
             }

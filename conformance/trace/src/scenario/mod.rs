@@ -13,6 +13,7 @@ pub use bench::{Bench, Folder, InputChange, OrientAnswer, ProbeContact, UserProg
 pub use machine::{AxisLimits, Machine, Tool, ToolChange};
 pub use operator::{Action, OperatorEvent, When};
 
+use crate::fault::Block;
 use crate::settings::Language;
 use crate::shared::Shared;
 use crate::text::TextError;
@@ -89,6 +90,33 @@ pub struct Program {
 impl Program {
     /// File name of the main program.
     pub const MAIN: &'static str = "main.ngc";
+
+    /// The line at which a block stands, without its end; none where the program has no such file or line.
+    pub fn line(&self, block: &Block) -> Option<&str> {
+        let text =
+            if block.file == Self::MAIN { &self.main } else { self.files.get(&*block.file)? };
+        self.language.lines(text).nth(usize::try_from(block.line).ok()?.checked_sub(1)?)
+    }
+}
+
+impl Language {
+    /// The lines of a program's text, as blocks are numbered, without their ends: a line feed, a carriage return before it too, and in
+    /// RS-274 also a carriage return alone.
+    pub fn lines(self, text: &str) -> impl Iterator<Item = &str> {
+        let ends: &[char] = match self {
+            Self::Rs274 => &['\r', '\n'],
+            Self::Gpp | Self::Nct => &['\n'],
+        };
+        let mut rest = text;
+        std::iter::from_fn(move || {
+            if rest.is_empty() {
+                return None;
+            }
+            let (line, end) = rest.split_at(rest.find(ends).unwrap_or(rest.len()));
+            rest = end.strip_prefix("\r\n").or_else(|| end.get(1..)).unwrap_or_default();
+            Some(line.strip_suffix('\r').unwrap_or(line))
+        })
+    }
 }
 
 impl Default for Program {
@@ -138,5 +166,28 @@ pub struct Budget {
 impl Default for Budget {
     fn default() -> Self {
         Self { steps: 100_000, effects: 100_000, time: 86_400.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_end_as_those_of_their_language() {
+        let lines = |language: Language| language.lines("a\rb\r\n\nc\r").collect::<Vec<_>>();
+        assert_eq!(lines(Language::Rs274), ["a", "b", "", "c"]);
+        assert_eq!(lines(Language::Nct), ["a\rb", "", "c"]);
+        assert_eq!(Language::Rs274.lines("").next(), None);
+    }
+
+    #[test]
+    fn the_line_of_a_block_stands_in_its_file() {
+        let files = BTreeMap::from([("cave.ngc".to_owned(), "g1\ng2".to_owned())]);
+        let program = Program { main: "g0\rm2".to_owned(), files, ..Program::default() };
+        let line = |file, line| program.line(&Block::new(file, line));
+        assert_eq!(line(Program::MAIN, 2), Some("m2"));
+        assert_eq!(line("cave.ngc", 1), Some("g1"));
+        assert_eq!([line(Program::MAIN, 3), line(Program::MAIN, 0), line("absent", 1)], [None; 3]);
     }
 }
