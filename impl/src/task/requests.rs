@@ -2,11 +2,11 @@
 //!
 //! | asked for | a program runs | it pauses | a block by hand runs | idle |
 //! | --- | --- | --- | --- | --- |
-//! | cycle start | open | goes on after M60, after M0 and M1 by option | open | starts |
+//! | cycle start | open | goes on after M60, after M0 and M1 by option; open after a pause that was asked for | open | starts |
 //! | pause | pauses | nothing more | open | nothing |
 //! | resume | nothing | goes on | open | nothing |
 //! | abort | ends | ends | ends | as an abort leaves spindles and coolant |
-//! | another mode | refused | refused | open | changes |
+//! | a mode | refused where it is another one | refused where it is another one | open | changes |
 //! | a block by hand | refused | refused | open | executed in MDI mode, by option in manual mode |
 
 use gaugeblock_trace::scenario::Action;

@@ -245,7 +245,14 @@ fn blocks_are_entered_by_hand() {
 
 #[test]
 fn what_documents_leave_open_is_said_so() {
-    let mut task = task(Script::asks(&[(0.5, Action::CycleStart)]), &[]);
-    let over = run(&mut task, "g4 p1\nm2\n");
-    assert!(matches!(over, Activity::Ended(End::Unspecified { .. })), "{over:?}");
+    for pauses in [false, true] {
+        let asks = [(0.2, Action::Pause), (0.5, Action::CycleStart)];
+        let mut task = task(Script::asks(&asks[usize::from(!pauses)..]), &[]);
+        let over = run(&mut task, "g4 p1\nm2\n");
+        assert!(matches!(over, Activity::Ended(End::Unspecified { .. })), "{over:?}");
+    }
+    let mut task = task(Script::asks(&[(0.5, Action::Mode(ControllerMode::Mdi))]), &[]);
+    task.set_mode(ControllerMode::Mdi);
+    let over = task.enter("g4 p1", 1, &mut Memory::new(""));
+    assert!(matches!(over, Ok(Activity::Ended(End::Unspecified { .. }))), "{over:?}");
 }

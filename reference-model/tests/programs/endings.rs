@@ -1,7 +1,8 @@
 //! How runs end.
 
 use gaugeblock_reference::run;
-use gaugeblock_trace::Scenario;
+use gaugeblock_trace::scenario::{Action, OperatorEvent, Start, When};
+use gaugeblock_trace::{Block, ControllerMode, Program, Scenario};
 
 use super::{ending, gives, outcome, outcome_under, refuses};
 
@@ -76,4 +77,26 @@ fn a_spindle_that_comes_to_its_angle_in_the_last_moment_is_in_time() {
     let mut scenario = Scenario::of("g4 p2\nm19 r0 q0.2\nm2\n");
     scenario.bench.orient = vec![gaugeblock_trace::scenario::OrientAnswer::After(0.2)];
     assert_eq!(ending(&run(&scenario).0), "program_end");
+}
+
+#[test]
+fn what_the_operator_may_not_ask_for_now_is_left_open() {
+    let ending = |start, asked: &[(f64, Action)]| {
+        let event = |(offset, action): &(f64, Action)| OperatorEvent {
+            when: When { block: Block::new(Program::MAIN, 1), execution: 1, offset: *offset },
+            action: action.clone(),
+        };
+        let mut scenario = Scenario::of("g4 p1\nm2\n");
+        scenario.program.start = start;
+        scenario.operator = asked.iter().map(event).collect();
+        ending(&run(&scenario).0)
+    };
+    let open = "unspecified at main.ngc:1";
+    let paused = [(0.2, Action::Pause), (0.4, Action::CycleStart)];
+    assert_eq!(ending(Start::Program, &paused), open);
+    assert_eq!(ending(Start::Program, &paused[1..]), open);
+    for mode in [ControllerMode::Mdi, ControllerMode::Manual] {
+        assert_eq!(ending(Start::Mdi, &[(0.5, Action::Mode(mode))]), open);
+    }
+    assert_eq!(ending(Start::Program, &[(0.5, Action::Mode(ControllerMode::Auto))]), "program_end");
 }

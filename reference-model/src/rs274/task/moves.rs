@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use gaugeblock_trace::{Effect, End, Position};
 
 use super::Run;
-use super::request::{Activity, Answer};
+use super::request::{Activity, Answer, By};
 use crate::rs274::machine::{Panel, State};
 use crate::rs274::order::{self, Phase, Rest};
 use crate::rs274::outside::Outside;
@@ -206,7 +206,7 @@ impl Run<'_> {
     /// A move begins only once nothing holds it, and the program is not paused.
     fn may_move(&mut self, speed: Speed) -> Result<(), Halt> {
         if self.pause_asked {
-            self.stand_paused(Activity::Paused { after_pallets: false })?;
+            self.stand_paused(Activity::Paused(By::Operator))?;
         }
         while step::feed::is_held(speed, &mut self.state) {
             let change = self.state.outside.next_change_of_feed();
@@ -214,7 +214,7 @@ impl Run<'_> {
             if let Some(happening) = self.operator.next(change.unwrap_or(f64::INFINITY)) {
                 self.state.outside.within_wait(happening.time.max(now));
                 if self.request(happening, Activity::Running)? == Answer::Pauses {
-                    self.stand_paused(Activity::Paused { after_pallets: false })?;
+                    self.stand_paused(Activity::Paused(By::Operator))?;
                 }
             } else if let Some(change) = change {
                 self.state.outside.within_wait(change);

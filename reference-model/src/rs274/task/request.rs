@@ -14,12 +14,20 @@ pub(super) enum Activity {
     /// It executes a block.
     Running,
     /// Its program pauses.
-    Paused {
-        /// By M60.
-        after_pallets: bool,
-    },
+    Paused(By),
     /// Nothing.
     Idle,
+}
+
+/// By what a program pauses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum By {
+    /// By M0 or M1.
+    Stop,
+    /// By M60.
+    Pallets,
+    /// By the operator.
+    Operator,
 }
 
 /// What follows from a request.
@@ -93,7 +101,7 @@ impl Run<'_> {
     /// Rule pause.resume. After a pause the program goes on at the following block.
     fn resume(&mut self, activity: Activity) -> Answer {
         self.pause_asked = false;
-        if !matches!(activity, Activity::Paused { .. }) {
+        if !matches!(activity, Activity::Paused(_)) {
             return Answer::Nothing;
         }
         self.state.evidence.accepted("pause.resume");
@@ -107,15 +115,17 @@ impl Run<'_> {
     /// Rule program-end.restart. While nothing runs it starts the program at its first block.
     fn cycle_start(&mut self, activity: Activity) -> Result<Answer, Halt> {
         match activity {
-            Activity::Running => return Err(self.open("cycle start")),
+            Activity::Running | Activity::Paused(By::Operator) => {
+                return Err(self.open("cycle start"));
+            }
             Activity::Idle => return Ok(Answer::Begins),
-            Activity::Paused { after_pallets: true } => {
+            Activity::Paused(By::Pallets) => {
                 if !self.state.readings.quirk("linuxcnc.cycle-start-while-paused") {
                     self.state.evidence.accepted("pause.pallet-restart");
                     return Ok(Answer::GoesOn);
                 }
             }
-            Activity::Paused { after_pallets: false } => {
+            Activity::Paused(By::Stop) => {
                 let rule = "pause.cycle-start";
                 if self.state.readings.is(rule, "goes-on") {
                     self.state.evidence.accepted(rule);
@@ -129,6 +139,9 @@ impl Run<'_> {
 
     /// Rules task.mode-kept and pause.mode-kept. While a program runs or pauses the controller remains in auto mode.
     fn change_mode(&mut self, mode: ControllerMode, activity: Activity) -> Result<(), Halt> {
+        if self.by_hand && activity != Activity::Idle {
+            return Err(self.open("a mode"));
+        }
         if mode == self.state.modes.controller_mode {
             let drops = activity == Activity::Running && quirks::drops_program(mode, &self.state);
             return if drops { Err(Halt::Ended(End::Aborted)) } else { Ok(()) };
@@ -138,10 +151,7 @@ impl Run<'_> {
             self.change_mode_to(mode);
             return Ok(());
         }
-        if self.by_hand {
-            return Err(self.open("another mode"));
-        }
-        let paused = matches!(activity, Activity::Paused { .. });
+        let paused = matches!(activity, Activity::Paused(_));
         self.state.evidence.refused(if paused { "pause.mode-kept" } else { "task.mode-kept" });
         self.refuse(Request::Mode);
         Ok(())
@@ -178,7 +188,7 @@ impl Run<'_> {
             return Ok(Answer::Executes(place));
         }
         self.state.evidence.refused(rule);
-        if matches!(activity, Activity::Paused { .. }) {
+        if matches!(activity, Activity::Paused(_)) {
             self.state.evidence.refused("pause.mdi-refused");
         }
         Ok(self.refuse(Request::Mdi))

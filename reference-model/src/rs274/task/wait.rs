@@ -3,7 +3,7 @@
 use gaugeblock_trace::{Block, End};
 
 use super::Run;
-use super::request::{Activity, Answer};
+use super::request::{Activity, Answer, By};
 use crate::rs274::order::Phase;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::Halt;
@@ -34,7 +34,7 @@ impl Run<'_> {
             if !self.pause_asked {
                 return Ok(());
             }
-            self.stand_paused(Activity::Paused { after_pallets: false })?;
+            self.stand_paused(Activity::Paused(By::Operator))?;
         }
     }
 
@@ -80,7 +80,7 @@ impl Run<'_> {
         if self.state.readings.is(rule, "goes-on") {
             return Ok(0.0);
         }
-        self.stand_paused(Activity::Paused { after_pallets: false })
+        self.stand_paused(Activity::Paused(By::Operator))
     }
 
     /// Rules pause.always, pause.optional, pause.pallet. The program pauses at the end of a block, which
@@ -99,8 +99,9 @@ impl Run<'_> {
             let why = "a pause in a sub that was called by hand";
             return Err(Halt::Unspecified(why.to_owned()));
         }
-        let after_pallets = words.m.iter().any(|code| matches!(code, 30 | 60));
-        self.stand_paused(Activity::Paused { after_pallets }).map(|_| ())
+        let pallets = words.m.iter().any(|code| matches!(code, 30 | 60));
+        let by = if pallets { By::Pallets } else { By::Stop };
+        self.stand_paused(Activity::Paused(by)).map(|_| ())
     }
 
     /// Stands until the operator lets the program go on; the seconds that it took.
