@@ -17,7 +17,7 @@ use gaugeblock::suite::{Suite, files};
 use gaugeblock_trace::Scenario;
 use gaugeblock_trace::motion::{MotionLimits, MotionScript};
 
-const ALL: &str = "cancel,digest,files,live-operator,motion,state,stream";
+const ALL: &str = "cancel,digest,files,fresh,live-operator,motion,state,stream";
 
 /// An adapter in Python that offers something, and does this on one program.
 fn offering(name: &str, offers: &str, does: &str) -> String {
@@ -60,7 +60,8 @@ fn whatever_is_offered_the_other_verdicts_stand() {
                 .push(format!("{name}: {verdict:?}, the others are the same: {}", others == usual));
         }
         let is_spoilt = !controller.notes().is_empty();
-        if is_spoilt != (offers == "state") {
+        // Without a reset in between it may be the next run that meets what comes behind an answer.
+        if is_spoilt != (offers == "state") && offers != "fresh" {
             wrong.push(format!("{name}: {:?}", controller.notes()));
         }
     }

@@ -34,7 +34,7 @@ pub(super) struct Arguments {
     #[arg(value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
     /// What is declared beyond the operations that each adapter has to know
-    #[arg(long, value_enum, value_name = "OFFER", value_delimiter = ',', default_values_t = [Offer::Files, Offer::Motion])]
+    #[arg(long, value_enum, value_name = "OFFER", value_delimiter = ',', default_values_t = [Offer::Files, Offer::Fresh, Offer::Motion])]
     offer: Vec<Offer>,
     /// Listen at this address instead of standard input, and print it; a port alone is that of the loopback address, port 0 any that is free. Whoever reaches it
     /// can have programs run: nobody is asked who they are

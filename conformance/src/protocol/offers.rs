@@ -26,6 +26,8 @@ pub enum Offer {
     Digest,
     /// answers can lie in files of a folder that `hello` names
     Files,
+    /// each run begins as after power-on by itself: no `reset` comes between runs
+    Fresh,
     /// the operator's events come one by one, when the controller is where they belong
     LiveOperator,
     /// `move` tells servo samples
@@ -41,6 +43,11 @@ pub const OFFERS: &[(Offer, &str, &str)] = &[
     (Offer::Cancel, "cancel", "`cancel` ends a run that takes too long, and the session goes on"),
     (Offer::Digest, "digest", "a run can be answered with a digest of its outcome"),
     (Offer::Files, "files", "answers can lie in files of a folder that `hello` names"),
+    (
+        Offer::Fresh,
+        "fresh",
+        "each run begins as after power-on by itself: no `reset` comes between runs",
+    ),
     (
         Offer::LiveOperator,
         "live-operator",

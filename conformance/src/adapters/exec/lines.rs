@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::fs::File;
-use std::io::{ErrorKind, Read, Write};
+use std::io::{BufRead, ErrorKind, Read, Write};
 use std::time::{Duration, Instant};
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
@@ -265,8 +265,10 @@ impl Lines {
 
     /// The first whole line, without its end.
     fn take_line(&mut self) -> Option<Vec<u8>> {
-        let end = self.read[self.seen..].iter().position(|byte| *byte == b'\n');
-        let Some(end) = end.map(|end| end + self.seen) else {
+        // To step over bytes in memory never fails.
+        let stepped = (&self.read[self.seen..]).skip_until(b'\n').unwrap_or_default();
+        let end = (self.seen + stepped).checked_sub(1).filter(|end| self.read[*end] == b'\n');
+        let Some(end) = end else {
             self.seen = self.read.len();
             return None;
         };

@@ -92,16 +92,13 @@ impl Session {
         scenario: &Scenario,
         expected: Option<&Expected<'_>>,
     ) -> Result<Outcome, Stopped> {
-        if let Some(expected) = expected {
-            let _found_out: &Outcome = expected;
-        }
+        // It is found out while the controller runs.
+        let expected: Option<&Outcome> = expected.map(|expected| &**expected);
         let (live, _) = self.told_of(&scenario.operator);
-        let (reply, steps) = self.long(RUN, unsent, live, before)?;
+        let (reply, steps) = self.long((RUN, expected), unsent, live, before)?;
         let mut outcome = match reply {
             Reply::Unsupported(why) => return Ok(unsupported(scenario, why)),
-            Reply::Digest(told) if by_digest => {
-                self.by_digest(&told, expected.map(|expected| &**expected))?
-            }
+            Reply::Digest(told) if by_digest => self.by_digest(&told, expected)?,
             reply => self.outcome(RUN, reply)?,
         };
         outcome.steps.splice(0..0, steps);
@@ -133,7 +130,7 @@ impl Session {
         };
         let line = request(self.last + 1, &asked)?;
         let Asked { unsent, before, .. } = self.ask_to_run((line, Ways::default()));
-        let (reply, _) = self.long(asked.name(), unsent, &[], before)?;
+        let (reply, _) = self.long((asked.name(), None), unsent, &[], before)?;
         let samples = match reply {
             Reply::Unsupported(why) => return Ok(Err(NotMoved::Unsupported(shown(&why)))),
             // It is the controller that has none, and not the session that is broken.
@@ -199,7 +196,7 @@ impl Session {
     #[expect(clippy::wildcard_enum_match_arm, reason = "any other answer is the answer proper")]
     fn long(
         &mut self,
-        name: &str,
+        (name, expected): (&str, Option<&Outcome>),
         mut line: Vec<u8>,
         events: &[OperatorEvent],
         mut before: Before,
@@ -208,7 +205,7 @@ impl Session {
         let deadline = now() + self.limits.time;
         let mut left = self.limits.whole;
         loop {
-            let reply = match self.exchange(&line, name, deadline) {
+            let reply = match self.exchange(&line, name, deadline, expected) {
                 Ok(reply) => reply,
                 Err(NoReply::Late { all_said: true }) => return Err(self.late()),
                 Err(no_reply) => return Err(no_reply.into_error(self.limits).into()),

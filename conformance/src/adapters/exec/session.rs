@@ -115,8 +115,16 @@ impl Session {
         self.tells_parameters && self.offers(Offer::State)
     }
 
+    /// Whether the next run sets the controller back by itself, and nobody asks what is in force before.
+    fn is_set_back_by_running(&self) -> bool {
+        self.has_run && self.offers(Offer::Fresh) && !self.offers(Offer::State)
+    }
+
     /// Asks for a reset whose answer [`Session::reset`] takes: the controller is set back while something else is done here.
     pub(super) fn reset_ahead(&mut self) {
+        if self.is_set_back_by_running() {
+            return;
+        }
         // Whoever has said more than it was asked for is found out by the reset itself.
         if self.ahead.is_none() && self.lines.left().is_none() {
             self.last += 1;
@@ -126,6 +134,9 @@ impl Session {
 
     /// Sets the controller back. What it tells to be in force then has to be what was in force after the first reset.
     pub(super) fn reset(&mut self) -> Result<(), HarnessError> {
+        if self.is_set_back_by_running() {
+            return self.is_there_and_silent();
+        }
         let unsent = match self.ahead.take() {
             Some(unsent) => unsent,
             None => {
@@ -134,16 +145,13 @@ impl Session {
             }
         };
         let deadline = now() + self.limits.time;
-        let reply = self.exchange(&unsent, RESET, deadline);
+        let reply = self.exchange(&unsent, RESET, deadline, None);
         let reply = reply.map_err(|late| late.into_error(self.limits))?;
         if reply != (Reply::Done {}) {
             return Err(self.amiss(RESET, &reply));
         }
         // It may be long ago that it answered.
-        self.is_silent()?;
-        if self.lines.has_ended() {
-            return Err(self.ended(RESET));
-        }
+        self.is_there_and_silent()?;
         if self.offers(Offer::State) {
             let standing = self.state()?;
             let fresh = self.fresh.get_or_insert_with(|| standing.clone());
@@ -173,7 +181,7 @@ impl Session {
     pub(super) fn ask_line(&mut self, line: &[u8], name: &str) -> Result<Reply, HarnessError> {
         self.begin_to_ask()?;
         let deadline = now() + self.limits.time;
-        self.exchange(line, name, deadline).map_err(|late| late.into_error(self.limits))
+        self.exchange(line, name, deadline, None).map_err(|late| late.into_error(self.limits))
     }
 
     /// A new request is about to be made: its id is the next one.
@@ -183,18 +191,25 @@ impl Session {
         Ok(())
     }
 
+    /// It has neither ended nor said anything that it was not asked for.
+    fn is_there_and_silent(&mut self) -> Result<(), HarnessError> {
+        self.is_silent()?;
+        if self.lines.has_ended() { Err(self.ended(RESET)) } else { Ok(()) }
+    }
+
     /// It has said nothing that it was not asked for.
     fn is_silent(&mut self) -> Result<(), HarnessError> {
         let unasked = self.lines.unasked();
         unasked.map_or(Ok(()), |line| Err(unreadable("it speaks without being asked", line)))
     }
 
-    /// Writes what is to be said, if anything, and reads an answer to the last request.
+    /// Writes what is to be said, if anything, and reads an answer to the last request; of a run, perhaps this outcome is expected.
     pub(super) fn exchange(
         &mut self,
         line: &[u8],
         name: &str,
         deadline: Instant,
+        expected: Option<&Outcome>,
     ) -> Result<Reply, NoReply> {
         let peer = &mut self.peer;
         let answer = match self.lines.ask(line, self.limits.bytes, deadline, || peer.is_gone()) {
@@ -211,7 +226,7 @@ impl Session {
             self.reset_ahead();
         }
         let read = if name == RUN {
-            self.alike.read(&answer)
+            self.alike.read(&answer, expected.map(|outcome| (asked, outcome)))
         } else {
             serde_json::from_slice::<Answer>(&answer)
         };
@@ -228,7 +243,8 @@ impl Session {
 
     /// Whether nothing but a reset comes behind the first answer to a run.
     fn is_answered_at_once(&self) -> bool {
-        let has_no_more = |offer: &Offer| matches!(offer, Offer::Cancel | Offer::Motion);
+        let has_no_more =
+            |offer: &Offer| matches!(offer, Offer::Cancel | Offer::Fresh | Offer::Motion);
         self.has_a_next && self.offers.iter().all(has_no_more)
     }
 

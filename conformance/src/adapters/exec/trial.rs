@@ -64,6 +64,22 @@ impl Exec {
         session.run(then, None).map(Some).map_err(|stopped| stopped.error)
     }
 
+    /// Runs a scenario behind another one in the same session, without a reset in between.
+    ///
+    /// # Errors
+    /// One of them has no outcome.
+    pub fn run_behind(
+        &self,
+        before: &Scenario,
+        scenario: &Scenario,
+    ) -> Result<Outcome, HarnessError> {
+        let mut session = self.new_session()?;
+        session.keep_to(&[Offer::Fresh]);
+        session.reset()?;
+        session.run(before, None).map_err(|stopped| stopped.error)?;
+        session.run(scenario, None).map_err(|stopped| stopped.error)
+    }
+
     /// Runs a scenario and resets the same session, which has to tell then what it told before.
     ///
     /// # Errors

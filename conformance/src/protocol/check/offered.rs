@@ -21,6 +21,7 @@ pub(super) fn checks(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Vec<C
             Offer::Cancel => ("offer cancel", cancel(adapter, plain, first)),
             Offer::Digest => ("offer digest", digests(adapter, plain, first)),
             Offer::Files => ("offer files", told_by(adapter, Offer::Files, plain)),
+            Offer::Fresh => ("offer fresh", fresh(adapter, plain, first)),
             Offer::LiveOperator => ("offer live-operator", live(adapter, plain)),
             Offer::Motion => ("offer motion", motion(adapter, plain)),
             Offer::State => ("offer state", state(adapter, plain)),
@@ -72,6 +73,20 @@ fn digests(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Came {
     }
 }
 
+fn fresh(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Came {
+    let leaks = "behind another run, without a `reset`, there is another outcome";
+    same(first, &adapter.run_behind(&changing(plain), plain), leaks)
+}
+
+/// What changes modes and parameters.
+fn changing(plain: &Scenario) -> Scenario {
+    let mut changes = plain.clone();
+    if plain.program.language == Language::Rs274 {
+        changes.program.main = CHANGES.into();
+    }
+    changes
+}
+
 fn live(adapter: &Exec, plain: &Scenario) -> Came {
     if !adapter.declaration().features.contains("operator") {
         return Came::Wrong("it declares no feature `operator`".to_owned());
@@ -101,11 +116,7 @@ fn motion(adapter: &Exec, plain: &Scenario) -> Came {
 }
 
 fn state(adapter: &Exec, plain: &Scenario) -> Came {
-    let mut changes = plain.clone();
-    if plain.program.language == Language::Rs274 {
-        changes.program.main = CHANGES.into();
-    }
-    match adapter.reset_after(&changes) {
+    match adapter.reset_after(&changing(plain)) {
         Ok(()) => Came::Fine("is the same after `reset` as at first".to_owned()),
         Err(error) => wrong(&error),
     }

@@ -144,6 +144,7 @@ impl Serving<'_> {
 
     /// Runs a scenario and tells its outcome in the way that is asked for; whether the session goes on.
     fn run(&mut self, id: u64, mut scenario: Scenario, ways: Ways) -> Result<bool> {
+        self.last = None;
         // The whole script has to be known before the run: it asks for all of it at the beginning.
         for place in 0..u32::try_from(ways.live.len()).unwrap_or(u32::MAX) {
             self.say(id, Reply::At(place))?;
