@@ -26,8 +26,9 @@ impl Interpreter {
         source: &mut S,
     ) -> Result<Option<u32>, Halt> {
         let name = self.packer.labels.name(label);
-        let plain = |byte: u8| matches!(byte, b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_');
-        if name.is_empty() || !name.bytes().all(plain) {
+        // The name of a file, and never a way to another folder.
+        let leads_away = |byte: u8| matches!(byte, b'/' | b'\\');
+        if name.is_empty() || name.starts_with('.') || name.bytes().any(leads_away) {
             return Ok(None);
         }
         let mut name = String::from(name);

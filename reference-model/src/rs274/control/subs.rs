@@ -217,6 +217,10 @@ impl Control {
     /// Rule subroutines.file-one-sub. That file defines this sub and no other. Whether it has an endsub shows when its
     /// body is executed.
     fn in_file(&mut self, label: &str, state: &mut State) -> Result<Option<Place>, Halt> {
+        if label.starts_with('.') || label.contains(['/', '\\']) {
+            let why = "a sub without a definition whose name would lead to another folder";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
         let name = format!("{label}.ngc");
         let Some(first) = self.files.open(&name, state) else { return Ok(None) };
         let subs: Vec<_> = self.files.labels(first.file).all_subs().collect();
