@@ -5,7 +5,7 @@
 
 use super::limits::{Limits, PLANNED, squared};
 use super::piece::{Law, Piece};
-use super::step::{End, Motion, SMALL, Wish, wanted};
+use super::step::{End, LASTING, Motion, SMALL, Wish, wanted};
 use crate::math;
 
 /// Half of what lies between a limit and what is planned with.
@@ -17,8 +17,6 @@ const TRIALS: u32 = 5;
 /// The share of the square of a speed by which it is worth to be faster, and the same over what is left of a bend.
 const WORTH: f64 = 1e-3;
 const SHARE: f64 = 0.03;
-/// For how many cycles a bend must still last at the present speed.
-const LASTING: f64 = 2.0;
 
 impl Motion {
     pub(super) fn bend<const N: usize>(
@@ -30,7 +28,6 @@ impl Motion {
     ) -> f64 {
         let End { exit, remaining } = end;
         let mut most = f64::NEG_INFINITY;
-        let mut bounded = false;
         if !wish.rest {
             let ceiling = if self.backwards { piece.ceiling } else { piece.last_ceiling };
             let eased = End { exit: math::lesser(wish.ease * exit, ceiling), remaining };
@@ -41,32 +38,57 @@ impl Motion {
                 if eases { self.fastest_within(piece, remaining, left) } else { piece.fastest };
             let asked = (wanted(piece, fastest, wish) - self.speed) / left;
             most = math::lesser(asked, met);
-            let mut even = None;
-            if most > 0.0 {
-                most = math::lesser(most, self.greatest::<N>(piece, remaining, limits));
-                bounded = true;
-                even = self.may_coast::<N>(piece, limits).then(|| math::greater(most, 0.0));
-            } else if self.allows::<N>(piece, remaining, most, limits) {
-                even = Some(most);
-            }
-            if let Some(mut even) = even {
-                let lasts = LASTING * self.speed * limits.cycle < remaining;
-                if lasts && even < asked && self.is_slow(piece) {
-                    even = self.quicker::<N>(piece, eased, even, (limits, wish), left);
-                }
+            let both = (most, asked);
+            if let Some(even) = self.kept_or_quicker::<N>(piece, eased, both, (limits, wish), left)
+            {
                 return self.go(piece, even, end, left);
             }
         }
         let low = self.least::<N>(piece, remaining, limits);
         if most >= low {
-            if !bounded {
-                let high = self.greatest::<N>(piece, remaining, limits);
-                most = math::lesser(most, math::greater(high, low));
-            }
+            let high = self.greatest::<N>(piece, remaining, limits);
+            most = math::lesser(most, math::greater(high, low));
             return self.go(piece, most, end, left);
         }
         let least = self.least_now::<N>(piece, (remaining, low), limits, left);
         self.go(piece, math::greater(most, least), end, left)
+    }
+
+    /// What is easily told of an acceleration: that it can be kept up to the end of a bend, or that more leads to one that can.
+    #[inline]
+    pub(super) fn kept_or_quicker<const N: usize>(
+        &self,
+        piece: &Piece,
+        end: End,
+        (most, asked): (f64, f64),
+        (limits, wish): (&Limits, &Wish),
+        left: f64,
+    ) -> Option<f64> {
+        let even = self.kept_up::<N>(piece, end.remaining, most, limits)?;
+        let lasts = LASTING * self.speed * limits.cycle < end.remaining;
+        if lasts && even < asked && self.is_slow(piece) {
+            return Some(self.quicker::<N>(piece, end, even, (limits, wish), left));
+        }
+        Some(even)
+    }
+
+    /// An acceleration that can be kept up to the end of a bend, where it is easily told: what is asked for, or less of it.
+    #[inline]
+    pub(super) fn kept_up<const N: usize>(
+        &self,
+        piece: &Piece,
+        remaining: f64,
+        asked: f64,
+        limits: &Limits,
+    ) -> Option<f64> {
+        if asked > 0.0 {
+            if !self.may_coast::<N>(piece, limits) {
+                return None;
+            }
+            let most = self.greatest::<N>(piece, remaining, limits);
+            return Some(math::greater(math::lesser(asked, most), 0.0));
+        }
+        self.allows::<N>(piece, remaining, asked, limits).then_some(asked)
     }
 
     /// The least acceleration that all axes allow within this cycle. That may be more than can be kept up to the end of the piece, and the more,
@@ -245,8 +267,7 @@ impl Motion {
             let here = sense * (rate + self.x * bend);
             let most = |share: f64| {
                 // Towards the greater acceleration an axis has what p''·y leaves it.
-                let used = across.copysign(across * share);
-                (limit - used) / math::greater(share.abs(), SMALL)
+                (limit - signed(across, share)) / math::greater(share.abs(), SMALL)
             };
             *greatest = math::lesser(most(here), most(here + thrice * bend));
         }
@@ -263,12 +284,16 @@ impl Motion {
         for (least, ((rate, bend), limit)) in least.iter_mut().zip(axes) {
             let across = bend * y;
             let here = sense * (rate + self.x * bend);
-            let low = |share: f64| {
-                let used = across.copysign(across * share);
-                (-limit - used) / math::greater(share.abs(), SMALL)
-            };
+            let low =
+                |share: f64| (-limit - signed(across, share)) / math::greater(share.abs(), SMALL);
             *least = math::greater(low(here), low(here + thrice * bend));
         }
         least.into_iter().fold(f64::NEG_INFINITY, math::greater)
     }
+}
+
+/// A number, with the other sign where a second one is negative.
+#[inline]
+fn signed(number: f64, sign: f64) -> f64 {
+    f64::from_bits(number.to_bits() ^ (sign.to_bits() & (-0.0_f64).to_bits()))
 }

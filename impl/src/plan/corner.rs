@@ -56,6 +56,7 @@ pub(super) fn turn(before: &Leg, after: &Leg) -> Axes {
 
 impl Corner {
     /// A parabola that takes d of both legs misses the corner by d·|turn|/4, and so does an arc that is bent.
+    #[inline]
     pub(super) fn between(before: &Leg, after: &Leg, limits: &Limits) -> Self {
         let blend = stricter(before.blend, after.blend);
         // Most often, and known without a root.
@@ -245,6 +246,7 @@ pub(super) fn share(most: f64, (before, after): (f64, f64), lines: bool, exit: f
 }
 
 /// The parabola between two lines that takes d of the first and e of the second.
+#[inline]
 pub(super) fn parabola(
     (before, after): (&Leg, &Leg),
     (d, e): (f64, f64),
@@ -291,6 +293,7 @@ pub(super) fn parabola(
 /// Leaves of a parabola its first half and gives back its second, each with a law of its own: a long flat blend between two slow corners can speed
 /// up and slow down in it, and where speed is limited by another axis at its end than at its start both have what they allow. `None` where
 /// nothing is won, or where pieces would be so short that their number limits the speed.
+#[inline]
 pub(super) fn halve(blend: &mut Piece, limits: &Limits) -> Option<Piece> {
     let Law::Bent { even } = blend.law else { return None };
     let axes = squared(blend.fastest);

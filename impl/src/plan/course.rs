@@ -95,6 +95,7 @@ impl Course {
     }
 
     /// Adds the leg that was written.
+    #[inline]
     pub(super) fn add(&mut self, queue: &mut Queue<'_>) {
         queue.changed = u64::MAX;
         let (before, last, next) = turned(&mut self.legs, self.turn);
@@ -133,6 +134,7 @@ fn turned(legs: &mut [Open; 3], turn: u8) -> (&mut Open, &mut Open, &mut Open) {
 }
 
 /// Makes the corner before the last leg anew where it may have more, and then the one before the next.
+#[inline]
 fn revised(before: &mut Open, last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
     let Corner::Blend { most, half: false } = last.corner else { return false };
     let length = last.leg.whole.length;

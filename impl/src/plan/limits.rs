@@ -29,6 +29,8 @@ pub(super) struct Limits {
     pub(super) acceleration: Axes,
     /// What may be used of it where all goes to plan.
     pub(super) planned: Axes,
+    /// The least of that.
+    pub(super) softest: f64,
     /// Seconds.
     pub(super) cycle: f64,
 }
@@ -36,10 +38,12 @@ pub(super) struct Limits {
 impl Limits {
     pub(super) fn new(dynamics: &Dynamics) -> Self {
         let acceleration = dynamics.acceleration.map(|limit| limit * ACCELERATION_KEPT);
+        let planned = acceleration.map(|limit| limit * PLANNED);
         Self {
             velocity: dynamics.velocity.map(|limit| limit * VELOCITY_KEPT),
             acceleration,
-            planned: acceleration.map(|limit| limit * PLANNED),
+            planned,
+            softest: planned.into_iter().fold(f64::INFINITY, math::lesser),
             cycle: dynamics.cycle,
         }
     }

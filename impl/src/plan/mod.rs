@@ -9,7 +9,7 @@
 //!   course      the end of the path: legs are cut, corners put between them        course, corner
 //! Piece         a part of the path with one law for speed and acceleration         piece, limits
 //!   ahead       how fast each piece may be entered, from the end of the queue back ahead, reach
-//!   step        a cycle of motion along the pieces                                 step, bend
+//!   step        a cycle of motion along the pieces                                 step, cruise, bend
 //! OutputParameter
 //! ```
 //!
@@ -24,6 +24,7 @@ mod ahead;
 mod bend;
 mod corner;
 mod course;
+mod cruise;
 mod leg;
 mod limits;
 mod parameters;
@@ -219,8 +220,9 @@ impl Planner {
     /// Moves on by one servo cycle.
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
         let wish = self.wish(input);
-        let passed = self.motion.cycle(&self.ring, &self.limits, &wish);
-        self.look(&wish, input, passed);
+        let first = self.motion.at;
+        self.motion.cycle(&self.ring, &self.limits, &wish);
+        self.look(&wish, input, first);
         output.tripped = self.probed(input.probe);
         self.aborting |= output.tripped;
         self.show(output);
@@ -313,18 +315,18 @@ impl Planner {
 
     /// Look-ahead, and look-back while the motion is to run back: mostly there is nothing to do.
     #[inline]
-    fn look(&mut self, wish: &Wish, input: &InputParameter, passed: u64) {
+    fn look(&mut self, wish: &Wish, input: &InputParameter, first: u64) {
         let at = self.motion.at;
         let planned = wish.planned && at >= self.followed;
         if !(planned && self.ahead.is_quiet(at) && self.retraced.is_none()) {
-            self.look_on(wish, input, passed);
+            self.look_on(wish, input, first);
         }
     }
 
     /// Does less where the motion itself has had more to do.
     #[inline(never)]
-    fn look_on(&mut self, wish: &Wish, input: &InputParameter, passed: u64) {
-        let steps = match passed {
+    fn look_on(&mut self, wish: &Wish, input: &InputParameter, first: u64) {
+        let steps = match self.motion.at.abs_diff(first) {
             0 => WORK_CYCLE,
             1 => 1,
             _ => 0,

@@ -27,6 +27,11 @@ impl Circle {
         1.0 + self.growth * x
     }
 
+    /// Whether what lies so far ahead limits no speed here: whatever the speed there, it is planned to fall within half of that angle.
+    pub(super) fn is_far(&self, distance: f64) -> bool {
+        2.0 * self.turn * distance >= core::f64::consts::FRAC_PI_2
+    }
+
     /// What turns of p, p' and p'' at x.
     #[inline(never)]
     fn motion(&self, x: f64) -> [[f64; 3]; 3] {

@@ -15,7 +15,9 @@ pub(super) const SMALL: f64 = 1e-9;
 /// By so much what is left of a piece may be too short by rounding for a motion that is to come to rest at its end.
 const ROUNDED: f64 = 1.0 + 1e-6;
 /// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
-const TOUCHED: u32 = 12;
+pub(super) const TOUCHED: u32 = 12;
+/// For how many cycles a bend must still last at the present speed where another acceleration is looked for than one that can be kept up to its end.
+pub(super) const LASTING: f64 = 2.0;
 
 /// What is asked for in a cycle.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +58,7 @@ pub(super) struct Motion {
 
 /// Least and greatest acceleration, and the square of the speed that look-ahead allows: `bound`, and `slope` more per unit.
 #[derive(Clone, Copy, Debug)]
-struct Ramp {
+pub(super) struct Ramp {
     low: f64,
     high: f64,
     bound: f64,
@@ -73,16 +75,19 @@ pub(super) struct End {
 }
 
 impl Motion {
-    /// Moves on by a cycle; over how many ends of pieces.
-    pub(super) fn cycle(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) -> u64 {
-        let first = self.at;
-        self.run(ring, limits, wish);
-        self.at.abs_diff(first)
+    /// Moves on by a cycle.
+    #[inline]
+    pub(super) fn cycle(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) {
+        self.acceleration = 0.0;
+        let easy = wish.planned && wish.rapid >= 1.0 && !wish.rest && !self.backwards;
+        let left = if easy { self.cruise(ring, limits, wish) } else { limits.cycle };
+        if left > 0.0 {
+            self.run(ring, limits, wish, left);
+        }
     }
 
-    fn run(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) {
-        let mut left = limits.cycle;
-        self.acceleration = 0.0;
+    #[inline(never)]
+    fn run(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish, mut left: f64) {
         let Some(mut piece) = ring.get(self.at) else { return };
         for _ in 0..TOUCHED {
             let mut remaining = self.remaining(piece);
@@ -198,16 +203,30 @@ impl Motion {
             self.speed = 0.0;
             return None;
         };
-        self.at = after;
-        self.speed *= piece.exit;
-        self.x = 0.0;
-        self.dwelt = 0.0;
+        self.enter(piece);
         Some(later)
     }
 
-    /// A segment has begun if its start was passed; who is held there has not begun it.
+    /// Goes over to the piece after this one.
+    #[inline]
+    pub(super) fn enter(&mut self, before: &Piece) {
+        self.at = self.at.wrapping_add(1);
+        self.speed *= before.exit;
+        self.x = 0.0;
+        self.dwelt = 0.0;
+    }
+
+    /// Who is held at the start of a segment has not begun it.
     fn note(&mut self, piece: &Piece, from: f64) {
-        if self.x > from && piece.begins.is_some_and(|begins| from <= begins && begins <= self.x) {
+        if self.x > from {
+            self.begin(piece, from);
+        }
+    }
+
+    /// A segment has begun if its start was passed.
+    #[inline]
+    pub(super) fn begin(&mut self, piece: &Piece, from: f64) {
+        if piece.begins.is_some_and(|begins| from <= begins && begins <= self.x) {
             self.begun = self.begun.max(piece.index);
             self.number = piece.number;
         }
@@ -233,7 +252,6 @@ impl Motion {
         (limits, wish): (&Limits, &Wish),
         left: f64,
     ) -> f64 {
-        let End { exit, remaining } = end;
         let mut ramp = self.ramp(piece, end, wish.ease, (left, limits.cycle));
         if wish.rest {
             let low = math::lesser(ramp.low, self.hardest(piece, limits, left));
@@ -244,24 +262,37 @@ impl Motion {
             // Whoever lowers an override wants all of the brakes, too.
             ramp.low = math::lesser(ramp.low, self.hardest(piece, limits, left));
         }
+        let kept = self.kept(&ramp, wanted, end, (wish.ease, left));
+        self.go(piece, kept, end, left)
+    }
+
+    /// The acceleration towards a speed that a ramp allows.
+    #[inline]
+    pub(super) fn kept(
+        &self,
+        ramp: &Ramp,
+        wanted: f64,
+        End { exit, remaining }: End,
+        (ease, left): (f64, f64),
+    ) -> f64 {
         // The speed at the end of the cycle at which look-ahead's bound is just met.
         let half = 0.5 * ramp.slope * left;
         let met = half * half + 4.0 * (ramp.bound + half * self.speed);
         let met = if met > 0.0 { 0.5 * (half + math::sqrt(met)) } else { 0.0 };
-        let acceleration = within_bounds((math::lesser(wanted, met) - self.speed) / left, &ramp);
+        let acceleration = within_bounds((math::lesser(wanted, met) - self.speed) / left, ramp);
         let travel = (self.speed + 0.5 * acceleration * left) * left;
         if met > 0.0 && travel < remaining {
-            return self.go(piece, acceleration, end, left);
+            return acceleration;
         }
         // The end comes first.
         let y = squared(self.speed);
-        let mut most = (wish.ease * exit - y) / (2.0 * remaining);
+        let mut most = (ease * exit - y) / (2.0 * remaining);
         if self.speed > wanted {
             most = math::lesser(most, (wanted - self.speed) / left);
         } else {
             most = math::lesser(most, (squared(wanted) - y) / (2.0 * remaining));
         }
-        self.go(piece, within_bounds(most, &ramp), end, left)
+        within_bounds(most, ramp)
     }
 
     /// The least acceleration that all axes allow on an arc in this cycle. Its law has one limit for all directions, which is less than the
@@ -308,11 +339,7 @@ impl Motion {
                 let rest = |y: f64| math::greater(0.0, most - less * y) * all;
                 self.curved(piece, end, (ease, left), rest)
             }
-            (Law::Even { acceleration }, _) => {
-                let slope = -2.0 * acceleration * ease;
-                let bound = ease * end.exit - slope * end.remaining;
-                Ramp { low: -acceleration / PLANNED, high: acceleration, bound, slope }
-            }
+            (Law::Even { acceleration }, _) => even_ramp(acceleration, end, ease),
             (Law::Round { .. } | Law::Bent { .. } | Law::Dwell(_), _) => {
                 Ramp { low: 0.0, high: 0.0, bound: 0.0, slope: 0.0 }
             }
@@ -413,6 +440,14 @@ impl Motion {
             }
         }
     }
+}
+
+/// The ramp where the acceleration is the same everywhere.
+#[inline]
+pub(super) fn even_ramp(acceleration: f64, end: End, ease: f64) -> Ramp {
+    let slope = -2.0 * acceleration * ease;
+    let bound = ease * end.exit - slope * end.remaining;
+    Ramp { low: -acceleration / PLANNED, high: acceleration, bound, slope }
 }
 
 fn within_bounds(acceleration: f64, ramp: &Ramp) -> f64 {

@@ -1,0 +1,159 @@
+//! A cycle of motion where look-ahead and axes leave more than is asked for, which is most of them.
+//!
+//! It runs forward at the overrides that look-ahead has planned for, up to a piece where that is not known to be easy, and leaves the rest of the
+//! cycle to `step`. What it does, that would do too, but for rounding.
+
+use super::limits::{Limits, squared};
+use super::piece::{Law, Pace, Piece};
+use super::ring::Ring;
+use super::step::{End, LASTING, Motion, TOUCHED, Wish, even_ramp};
+use crate::math;
+
+/// How much of what the axes can do is easily used on a bend: its p' may be a little longer than 1 (`corner::UNEQUAL`).
+const USED: f64 = 0.99;
+/// By so much the square of a speed may be above another one by rounding.
+const SAME: f64 = 1.0 + 1e-12;
+
+/// An acceleration that is easily kept, and what it leads to.
+#[derive(Clone, Copy, Debug)]
+struct Easy {
+    acceleration: f64,
+    /// The square of the speed at which it comes to the end of the piece.
+    last: f64,
+}
+
+impl Motion {
+    /// Moves on over pieces that are easy; how much of the cycle is left for those that are not.
+    #[inline]
+    pub(super) fn cruise(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) -> f64 {
+        let mut left = limits.cycle;
+        let Some(mut piece) = ring.get(self.at) else { return left };
+        for _ in 0..TOUCHED {
+            let Some(next) = ring.get(self.at.wrapping_add(1)) else { return left };
+            let remaining = piece.length - self.x;
+            if remaining > 0.0 {
+                let exit = next.reach / squared(piece.exit);
+                if exit <= 0.0 && next.entry > 0.0 {
+                    return left;
+                }
+                let Some(easy) = self.easy(piece, (exit, remaining), (limits, wish), left) else {
+                    return left;
+                };
+                let end = self.speed + easy.acceleration * left;
+                let travel = 0.5 * (self.speed + end) * left;
+                let from = self.x;
+                if end > 0.0 && travel < remaining {
+                    self.acceleration = easy.acceleration;
+                    self.x = from + travel;
+                    self.speed = end;
+                    self.begin(piece, from);
+                    return 0.0;
+                }
+                if easy.last <= 0.0 || exit <= 0.0 {
+                    return left;
+                }
+                let end = math::sqrt(easy.last);
+                let time = 2.0 * remaining / (self.speed + end);
+                if time >= left {
+                    return left;
+                }
+                left -= time;
+                self.acceleration = easy.acceleration;
+                self.x = piece.length;
+                self.speed = end;
+                self.begin(piece, from);
+            } else if let Law::Dwell(_) = piece.law {
+                return left;
+            }
+            self.enter(piece);
+            piece = next;
+        }
+        left
+    }
+
+    /// The acceleration that is asked for, if that is easily kept.
+    #[inline]
+    fn easy(
+        &self,
+        piece: &Piece,
+        (exit, remaining): (f64, f64),
+        (limits, wish): (&Limits, &Wish),
+        left: f64,
+    ) -> Option<Easy> {
+        let y = squared(self.speed);
+        // Rapid moves are not overridden here.
+        let wanted = match piece.pace {
+            Pace::Second => math::lesser(piece.fastest, piece.feed * wish.feed),
+            Pace::Rapid => piece.fastest,
+            Pace::Turn => return None,
+        };
+        let asked = (wanted - self.speed) / left;
+        match (piece.law, &piece.circle) {
+            (Law::Bent { even }, _) => {
+                let exit = math::lesser(exit, piece.last_ceiling);
+                let most = math::lesser(asked, (exit - y) / (2.0 * remaining));
+                // An axis uses no more than |p'|·|u| + |p''|·y.
+                let last = y + 2.0 * most * remaining;
+                let used = math::greater(y, last) / even + most.abs() / limits.softest;
+                // On a bend that lasts there may be more than can be kept up to its end.
+                let lasts = || LASTING * self.speed * limits.cycle < remaining;
+                if used <= USED && (most >= asked || !lasts()) {
+                    return Some(Easy { acceleration: most, last });
+                }
+                let acceleration = if lasts() {
+                    let end = End { exit, remaining };
+                    self.lasting(piece, end, (most, asked), (limits, wish), left)?
+                } else {
+                    self.hardly(piece, remaining, most, limits)?
+                };
+                Some(Easy { acceleration, last: y + 2.0 * acceleration * remaining })
+            }
+            (Law::Even { acceleration }, _) => {
+                let ramp = even_ramp(acceleration, End { exit, remaining }, 1.0);
+                let acceleration = self.kept(&ramp, wanted, End { exit, remaining }, (1.0, left));
+                let last = y + 2.0 * acceleration * remaining;
+                Some(Easy { acceleration, last })
+            }
+            (Law::Round { acceleration: most, .. }, Some(circle)) => {
+                let end = self.speed + asked * left;
+                let high = math::greater(y, squared(end));
+                let after = remaining - 0.5 * (self.speed + end) * left;
+                let used = squared(asked) + squared(circle.turn * high);
+                let easy = used <= squared(most)
+                    && (high <= exit * SAME || circle.is_far(after))
+                    && after > 0.0;
+                easy.then_some(Easy { acceleration: asked, last: 0.0 })
+            }
+            _ => None,
+        }
+    }
+
+    /// The acceleration on a bend whose axes have little more than is asked of them.
+    #[cold]
+    #[inline(never)]
+    fn hardly(&self, piece: &Piece, remaining: f64, most: f64, limits: &Limits) -> Option<f64> {
+        if piece.axes <= 3 {
+            self.kept_up::<3>(piece, remaining, most, limits)
+        } else {
+            self.kept_up::<9>(piece, remaining, most, limits)
+        }
+    }
+
+    /// The acceleration on a bend that lasts.
+    #[cold]
+    #[inline(never)]
+    fn lasting(
+        &self,
+        piece: &Piece,
+        end: End,
+        asked: (f64, f64),
+        with: (&Limits, &Wish),
+        left: f64,
+    ) -> Option<f64> {
+        if piece.axes <= 3 {
+            self.kept_or_quicker::<3>(piece, end, asked, with, left)
+        } else {
+            self.kept_or_quicker::<9>(piece, end, asked, with, left)
+        }
+    }
+}
