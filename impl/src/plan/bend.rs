@@ -44,12 +44,10 @@ impl Motion {
                 return self.go(piece, even, end, left);
             }
         }
-        let low = self.least::<N>(piece, remaining, limits);
-        if most >= low {
-            let high = self.greatest::<N>(piece, remaining, limits);
-            most = math::lesser(most, math::greater(high, low));
-            return self.go(piece, most, end, left);
-        }
+        let low = match self.barely::<N>(piece, remaining, most, limits) {
+            Ok(kept) => return self.go(piece, kept, end, left),
+            Err(low) => low,
+        };
         let least = self.least_now::<N>(piece, (remaining, low), limits, left);
         self.go(piece, math::greater(most, least), end, left)
     }
@@ -89,6 +87,23 @@ impl Motion {
             return Some(math::greater(math::lesser(asked, most), 0.0));
         }
         self.allows::<N>(piece, remaining, asked, limits).then_some(asked)
+    }
+
+    /// An acceleration that can be kept up to the end of a bend, where what is asked for is little; the least that could be where it is too little.
+    #[inline]
+    pub(super) fn barely<const N: usize>(
+        &self,
+        piece: &Piece,
+        remaining: f64,
+        asked: f64,
+        limits: &Limits,
+    ) -> Result<f64, f64> {
+        let low = self.least::<N>(piece, remaining, limits);
+        if asked < low {
+            return Err(low);
+        }
+        let high = self.greatest::<N>(piece, remaining, limits);
+        Ok(math::lesser(asked, math::greater(high, low)))
     }
 
     /// The least acceleration that all axes allow within this cycle. That may be more than can be kept up to the end of the piece, and the more,

@@ -133,9 +133,11 @@ impl Motion {
     #[inline(never)]
     fn hardly(&self, piece: &Piece, remaining: f64, most: f64, limits: &Limits) -> Option<f64> {
         if piece.axes <= 3 {
-            self.kept_up::<3>(piece, remaining, most, limits)
+            let kept = self.kept_up::<3>(piece, remaining, most, limits);
+            kept.or_else(|| self.barely::<3>(piece, remaining, most, limits).ok())
         } else {
-            self.kept_up::<9>(piece, remaining, most, limits)
+            let kept = self.kept_up::<9>(piece, remaining, most, limits);
+            kept.or_else(|| self.barely::<9>(piece, remaining, most, limits).ok())
         }
     }
 
