@@ -98,11 +98,12 @@ fn is_plain(line: &str) -> bool {
     !line.trim().is_empty() && !line.contains(['(', ';', '%', '\r'])
 }
 
-/// Whether a comment may follow: a word without its value, or an expression without its end, is refused by another rule where a comment stands
-/// in the place of what is missing.
+/// Whether a comment may follow: a word without its value, or an expression or a name without its end, is refused by another rule where a comment
+/// stands in the place of what is missing.
 fn ends_whole(line: &str) -> bool {
     let count = |bracket| line.matches(bracket).count();
     count('[') == count(']')
+        && count('<') == count('>')
         && (line.starts_with('o')
             || line.trim_end().ends_with(|c: char| c.is_ascii_digit() || ".]>".contains(c)))
 }
