@@ -35,17 +35,12 @@ struct Told<'a> {
     samples: Vec<Sample>,
 }
 
-/// What stands behind the steps.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Behind {
-    end: End,
-    #[serde(default)]
-    parameters: Option<Indexed<u32, f64>>,
-    #[serde(default)]
-    pins: Vec<PinChange>,
-    #[serde(default)]
-    samples: Vec<Sample>,
+impl Told<'_> {
+    /// The outcome, with a start that was read before, and with these steps.
+    fn with(self, start: &Settings, steps: Vec<Step>) -> Outcome {
+        let Self { language, start: _, steps: _, end, parameters, pins, samples } = self;
+        Outcome { language, start: start.clone(), steps, end, parameters, pins, samples }
+    }
 }
 
 /// Reads answers of one session.
@@ -84,21 +79,22 @@ impl Alike {
         let text = text.strip_prefix(start)?.strip_prefix(b",\"steps\":")?;
         let mut rest = Rest(text);
         serde_json::to_writer(&mut rest, &expected.steps).ok()?;
-        let behind = [b"{", rest.0.strip_prefix(b",")?].concat();
-        let Behind { end, parameters, pins, samples } = serde_json::from_slice(&behind).ok()?;
-        let (start, steps) = (self.start.1.clone(), expected.steps.clone());
-        let outcome = Outcome { language, start, steps, end, parameters, pins, samples };
+        // What has been looked at is left out of what is read.
+        let before = format!("{{\"language\":\"{language}\",\"start\":{{}},\"steps\":[]");
+        let short = [before.as_bytes(), rest.0].concat();
+        let told: Told<'_> = serde_json::from_slice(&short).ok()?;
+        let outcome = told.with(&self.start.1, expected.steps.clone());
         Some(Answer { id, reply: Reply::Outcome(Box::new(outcome)) })
     }
 
     fn outcome(&mut self, line: &[u8]) -> serde_json::Result<Answer> {
-        let Form { id, outcome } = serde_json::from_slice(line)?;
-        let Told { language, start, steps, end, parameters, pins, samples } = outcome;
-        if *self.start.0 != *start.get() {
-            self.start = (start.get().into(), serde_json::from_str(start.get())?);
+        let Form { id, outcome: mut told } = serde_json::from_slice(line)?;
+        let start = told.start.get();
+        if *self.start.0 != *start {
+            self.start = (start.into(), serde_json::from_str(start)?);
         }
-        let start = self.start.1.clone();
-        let outcome = Outcome { language, start, steps, end, parameters, pins, samples };
+        let steps = std::mem::take(&mut told.steps);
+        let outcome = told.with(&self.start.1, steps);
         Ok(Answer { id, reply: Reply::Outcome(Box::new(outcome)) })
     }
 }
