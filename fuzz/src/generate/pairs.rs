@@ -9,6 +9,8 @@ use super::{Dice, Recipe, Setups};
 pub enum Same {
     /// Effects and end; the lines at which they are do not count.
     Effects,
+    /// The same, up to the rounding of coordinates.
+    Rounded,
     /// The path in machine coordinates: where each straight move ends, moves along one line taken together.
     Path,
 }
@@ -33,6 +35,9 @@ struct Change {
     moves_lines: bool,
     line: fn(&str) -> String,
 }
+
+/// The change that writes modal codes twice.
+const REPEATED: &str = "repeated modal words";
 
 /// Modal codes that change nothing when they are repeated in the next block.
 const REPEATABLE: &[&str] = &[
@@ -85,7 +90,7 @@ const CHANGES: &[Change] = &[
         line: |line| if is_plain(line) { format!("\n{line}\n") } else { line.to_owned() },
     },
     Change {
-        name: "repeated modal words",
+        name: REPEATED,
         moves_lines: true,
         line: |line| {
             if REPEATABLE.contains(&line) { format!("{line}\n{line}") } else { line.to_owned() }
@@ -141,7 +146,9 @@ fn changed(dice: &mut Dice<'_>) -> Pair {
         });
         other.program.main = lines.map(|line| line + "\n").collect();
     }
-    Pair { name: change.name, one, other, same: Same::Effects }
+    // Who selects a coordinate system that is turned comes back to the point by its sine and cosine.
+    let same = if change.name == REPEATED { Same::Rounded } else { Same::Effects };
+    Pair { name: change.name, one, other, same }
 }
 
 /// Simple blocks that do the same at every call level and on every line.

@@ -1,8 +1,11 @@
 //! Whether a pair of scenarios does the same.
 
-use gaugeblock_trace::{Effect, End, Event, LengthUnit, Outcome, Position, Settings};
+use gaugeblock_trace::{Effect, End, Event, LengthUnit, Outcome, Position, Settings, Value};
 
 use crate::generate::pairs::{Pair, Same};
+
+/// Part of a coordinate by which it may differ where it is rounded otherwise; of one unit, where it is less.
+const ROUNDING: f64 = 1e-9;
 
 /// Millimetres by which points may differ.
 const TOLERANCE: f64 = 1e-6;
@@ -28,6 +31,13 @@ pub fn same(
     }
     let equal = match pair.same {
         Same::Effects => effects(&one) == effects(&other) && settings(&one) == settings(&other),
+        Same::Rounded => {
+            let (effects, others) = (effects(&one), effects(&other));
+            let alike = |(one, other): (&&Effect, &&Effect)| one == other || rounded(one, other);
+            effects.len() == others.len()
+                && effects.iter().zip(&others).all(alike)
+                && settings(&one) == settings(&other)
+        }
         Same::Path => close(&path(&one), &path(&other)),
     };
     if equal && one.end.name() == other.end.name() && kind(&one) == kind(&other) {
@@ -58,6 +68,22 @@ fn effects(outcome: &Outcome) -> Vec<&Effect> {
     events
         .filter_map(|event| if let Event::Do(effect) = event { Some(effect) } else { None })
         .collect()
+}
+
+/// Whether two effects are the same up to the rounding of their numbers.
+fn rounded(one: &Effect, other: &Effect) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs()).max(1.0);
+    let (arguments, others) = (one.arguments(), other.arguments());
+    let alike = |(one, other): (&(&str, Value), &(&str, Value))| match (&one.1, &other.1) {
+        (Value::Number(a), Value::Number(b)) => near(*a, *b),
+        (Value::Position(a), Value::Position(b)) => {
+            a.to_array().into_iter().zip(b.to_array()).all(|(a, b)| near(a, b))
+        }
+        (a, b) => a == b,
+    };
+    one.name() == other.name()
+        && arguments.len() == others.len()
+        && arguments.iter().zip(&others).all(alike)
 }
 
 /// Settings at the end of a run that was not refused.
