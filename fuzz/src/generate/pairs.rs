@@ -106,9 +106,19 @@ fn is_plain(line: &str) -> bool {
 /// Whether a comment may follow: a word without its value, or an expression or a name without its end, is refused by another rule where a comment
 /// stands in the place of what is missing.
 fn ends_whole(line: &str) -> bool {
-    let count = |bracket| line.matches(bracket).count();
-    count('[') == count(']')
-        && count('<') == count('>')
+    let (mut depth, mut in_name) = (0_i32, false);
+    for c in line.chars() {
+        match c {
+            '<' => in_name = true,
+            '>' => in_name = false,
+            // In a name a bracket is a letter like any other.
+            '[' if !in_name => depth += 1,
+            ']' if !in_name => depth -= 1,
+            _ => {}
+        }
+    }
+    depth == 0
+        && !in_name
         && (line.starts_with('o')
             || line.trim_end().ends_with(|c: char| c.is_ascii_digit() || ".]>".contains(c)))
 }
