@@ -5,6 +5,9 @@ It shows what the program prints, and looks no further: canonical calls and mess
 ended, the numbered parameters at the end. It shows no blocks, so that `blocks` is false, and no place of a fault. What rs274 only pretends to do
 (pauses, inputs, user-defined codes) is unsupported. `certify rs274 --as "exec:python3 rs274.py"` holds the adapter that is built in to the same.
 """
+import contextlib
+import fcntl
+import functools
 import json
 import os
 import re
@@ -27,7 +30,7 @@ DECLARATION = {
         "fields": SETTINGS, "fields_at_effects": SETTINGS, "effects": EFFECTS, "moves_in_place": True, "fault_kinds": False,
         "final_parameters": True, "hidden_parameters": [[5061, 5070], [5161, 5219], [5221, 5390], [5400, 5428]], "pins": [],
         "blocks": False, "fault_blocks": False},
-    "resolution": 0.0001, "clock": "virtual", "edition": "linuxcnc-2.9"}
+    "resolution": 0.0001, "clock": "virtual", "edition": "linuxcnc-2.9", "observed": "rs274-2.9-observed"}
 
 LAST_PARAMETER = 5601
 SECONDS, BYTES = 5, 16 << 20
@@ -183,8 +186,6 @@ def check(scenario):
     stores = []
     for line in lines:
         text = compact(line)
-        if "_hal[" in text or "hal_pin_vars" in text:
-            raise Unsupported("HAL is asked for, which is shared by the whole machine")
         if "(py" in text or ";py" in text or re.search(r"o<[^>]*[/\\]", text):
             raise Unsupported("it would reach beyond the program's files")
         shown = re.search(r"\(\s*(debug|print|log|abort)\s*,([^()]*)\)[^()]*$", line, re.I)
@@ -202,7 +203,7 @@ def check(scenario):
         raise Unsupported("it keeps stored lengths in inches")
     if [number for number in stored_numbers if not 1 <= number <= LAST_PARAMETER]:
         raise Unsupported("a parameter that cannot be stored")
-    if ends_endlessly(program["main"]):
+    if ends_endlessly(program["main"], program.get("block_delete", False)):
         raise Unsupported("M99 in the main program ends it")
     name = scenario.get("bench", {}).get("name")
     if name not in (None, "stand-alone rs274"):
@@ -210,14 +211,19 @@ def check(scenario):
     return lines
 
 
-def ends_endlessly(text):
-    """Whether M99 stands in the main program: not in a sub, nor in a numbered program below, which begins with nothing but its number."""
+def ends_endlessly(text, block_delete):
+    """Whether M99 may end the main program: it stands not in a sub, nor behind the program's end, nor in a numbered program below, which begins
+    with nothing but its number."""
     blocks = [code(line) for line in text.split("\n") if code(line)]
-    in_sub = False
+    in_sub = branches = False
     for place, block in enumerate(blocks):
         if place and re.fullmatch(r"o\d+", block):
             return False
         in_sub = (in_sub or re.fullmatch(r"o(\d+|<[^>]*>)sub", block) is not None) and "endsub" not in block
+        branches = branches or re.match(r"o(\d+|<[^>]*>)(if|while|do|repeat)", block) is not None
+        is_deleted = block_delete and block.startswith("/")
+        if not in_sub and not branches and not is_deleted and {2, 30} & set(m_codes(block)):
+            return False
         if 99 in m_codes(block) and not in_sub:
             return True
     return False
@@ -227,17 +233,28 @@ def stored(lines):
     return any(re.search(r"g(10|28\.1|30\.1|52|92)(?![\d.])", code(line)) for line in lines)
 
 
+@contextlib.contextmanager
+def hal(lines):
+    """Whether the program names HAL, whose memory is one for the whole machine: it has it to itself. Others do without."""
+    names = any("_hal[" in text or "hal_pin_vars" in text for text in map(compact, lines))
+    with contextlib.ExitStack() as held:
+        if names:
+            file = held.enter_context(open(os.path.join(tempfile.gettempdir(), "gaugeblock-hal.lock"), "a"))
+            fcntl.flock(file, fcntl.LOCK_EX)
+        yield names
+
+
 def number(value):
     return int(value) if float(value).is_integer() and abs(value) < 1e15 else value
 
 
-def write(folder, scenario, lines):
+def write(folder, scenario, lines, has_hal):
     machine, program = scenario.get("machine", {}), scenario["program"]
     change = machine.get("tool_change", {})
     flag = lambda on: "1" if on else "0"
     ini = {"RS274NGC": [
         "SUBROUTINE_PATH=.", f"DISABLE_FANUC_STYLE_SUB={flag(not machine.get('fanuc_subs', True))}",
-        f"ORIENT_OFFSET={number(machine.get('orient_offset', 0))}", "HAL_PIN_VARS=0"],
+        f"ORIENT_OFFSET={number(machine.get('orient_offset', 0))}"] + ([] if has_hal else ["HAL_PIN_VARS=0"]),
         "TRAJ": [f"SPINDLES={machine.get('spindles', 1)}"],
         "EMCIO": [f"TOOL_CHANGE_{name.upper()}={flag(change.get(name))}" for name in ("at_g30", "quill_up", "with_spindle_on")]}
     for name, value in machine.get("ini", {}).items():
@@ -261,12 +278,27 @@ def write(folder, scenario, lines):
         put(name, "".join(f"{line.rstrip(chr(13))}\n" for line in content.split("\n")[:-1 if content.endswith("\n") else None]))
 
 
+@functools.cache
+def at_start():
+    """The settings that are in force before anything switches them, by the parameters that tell them."""
+    switches = ["mist", "flood", "feed_override", "speed_override", "adaptive_feed", "feed_stop"]
+    asked = " ".join("#<_feed_hold>" if name == "feed_stop" else f"#<_{name}>" for name in switches)
+    events = outcome({"program": {"main": f"(print,{asked})\nm2\n"}}, {})["steps"][0]["events"]
+    told = next(event["do"]["text"] for event in events if event.get("do", {}).get("channel") == "print")
+    start = {name: "on" if float(value) else "off" for name, value in zip(switches, told.split())}
+    return {**start, "speed_override": {"0": start["speed_override"]}}
+
+
 def run(scenario):
+    return outcome(scenario, at_start())
+
+
+def outcome(scenario, start):
     """What rs274 did. Each run is a process of its own, so that `reset` has nothing to do."""
     lines = check(scenario)
     memory = "/dev/shm" if os.path.isdir("/dev/shm") and "TMPDIR" not in os.environ else None
-    with tempfile.TemporaryDirectory(prefix="gaugeblock-rs274-", dir=memory) as folder:
-        write(folder, scenario, lines)
+    with hal(lines) as has_hal, tempfile.TemporaryDirectory(prefix="gaugeblock-rs274-", dir=memory) as folder:
+        write(folder, scenario, lines, has_hal)
         command = ["rs274", "-g", "-i", "machine.ini", "-t", "tools.tbl", "-v", "parameters.var"]
         command += ["-b"] if scenario["program"].get("block_delete") else []
         clean = {"HOME": folder, "LC_ALL": "C", "PATH": os.environ["PATH"]}
@@ -301,14 +333,16 @@ def run(scenario):
                   if float(value) and not any(first <= int(number) <= last for first, last in hidden)}
     end = {"end": canon.end}
     if canon.end is None and done.returncode == 1:
-        said = [line for line in done.stderr.decode(errors="replace").split("\n") if line.strip() and line != "executing"]
+        # Others leave entries in the memory of HAL, of which it complains.
+        others = re.compile(r"executing|HAL: ERROR: .* component.*|\s*")
+        said = [line for line in done.stderr.decode(errors="replace").split("\n") if not others.fullmatch(line)]
         end = {"end": "fault", "message": said[0] if said else ""}
     elif canon.end is None:
         sys.exit("a run without an end")
     if len(canon.events) > scenario.get("budget", {}).get("effects", 100000):
         raise Unsupported("a program that does not end")
     step = {"block": {"file": "main.ngc", "line": 1}, "events": canon.events}
-    return {"language": "rs274", "start": {}, "steps": [step], "end": end, "parameters": parameters}
+    return {"language": "rs274", "start": start, "steps": [step], "end": end, "parameters": parameters}
 
 
 for request in map(json.loads, sys.stdin):

@@ -70,6 +70,9 @@ for request in iter(lines.get, None):
             tell(request, run(request["scenario"]))
         except Unsupported as why:
             say(id, unsupported=str(why))
+    elif op == "shows":
+        if not ("g101" in request["scenario"]["program"]["main"] and meddle(request)):
+            say(id, shows=DECLARATION["observables"])
     elif op == "state":
         say(id, state={"settings": {"units": "mm"}})
     elif op == "outcome":

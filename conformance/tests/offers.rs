@@ -17,7 +17,7 @@ use gaugeblock::suite::{Suite, files};
 use gaugeblock_trace::Scenario;
 use gaugeblock_trace::motion::{MotionLimits, MotionScript};
 
-const ALL: &str = "cancel,digest,files,fresh,live-operator,motion,state,stream";
+const ALL: &str = "cancel,digest,files,fresh,live-operator,motion,shows,state,stream";
 
 /// An adapter in Python that offers something, and does this on one program.
 fn offering(name: &str, offers: &str, does: &str) -> String {

@@ -25,7 +25,7 @@ use gaugeblock_trace::{
 };
 
 /// What a controller shows; declared before the run.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Capabilities {
     /// Name of the controller.
     pub name: String,
@@ -161,6 +161,11 @@ pub trait Adapter: fmt::Debug + Send + Sync {
         self.capabilities().clone()
     }
 
+    /// Whether it shows less of some scenarios than of others.
+    fn shows_less_of_some(&self) -> bool {
+        false
+    }
+
     /// Whether it can be held to documents that are read with these options at all.
     ///
     /// # Errors
@@ -253,7 +258,7 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     }
 
     /// The edition that says what it really does, if there is one.
-    fn observed_edition(&self) -> Option<&'static str> {
+    fn observed_edition(&self) -> Option<&str> {
         None
     }
 

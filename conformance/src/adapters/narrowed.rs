@@ -32,6 +32,10 @@ impl Adapter for Narrowed {
         self.controller.shows(scenario).and(&self.like.shows(scenario))
     }
 
+    fn shows_less_of_some(&self) -> bool {
+        self.controller.shows_less_of_some() || self.like.shows_less_of_some()
+    }
+
     fn honours(&self, options: &Options) -> Result<(), String> {
         self.controller.honours(options)
     }
@@ -99,7 +103,7 @@ impl Adapter for Narrowed {
     }
 
     /// What is known of the controller explains nothing that the other one does not know of itself.
-    fn observed_edition(&self) -> Option<&'static str> {
+    fn observed_edition(&self) -> Option<&str> {
         self.like.observed_edition()
     }
 

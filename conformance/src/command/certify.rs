@@ -127,8 +127,9 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     if let Some(like) = &arguments.like {
         controller = controller::narrowed(controller, like)?;
     }
-    let own = controller.own_edition().unwrap_or(controller::own_edition(&arguments.controller));
+    let own = controller::own_edition(controller.as_ref());
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    controller::observed(controller.as_ref(), suite)?;
     controller::belongs(controller.as_ref(), suite, edition)?;
     controller::declared_options(controller.as_ref(), suite)?;
     controller::honours(controller.as_ref(), &suite.options(edition))?;

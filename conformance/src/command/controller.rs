@@ -242,11 +242,12 @@ pub(super) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), 
     })
 }
 
-/// The edition that a controller is held to where none is named, and where it names none itself.
-pub(super) fn own_edition(name: &str) -> &'static str {
-    if name.starts_with("rs274") || name == "linuxcnc" {
-        "linuxcnc-2.9"
-    } else {
-        crate::suite::DEFAULT_EDITION
-    }
+/// The edition that a controller is held to where none is named.
+pub(super) fn own_edition(controller: &dyn Adapter) -> &str {
+    controller.own_edition().unwrap_or(crate::suite::DEFAULT_EDITION)
+}
+
+/// Refuses a controller whose departures are said to be those of an edition that the suite does not have.
+pub(super) fn observed(controller: &dyn Adapter, suite: &Suite) -> Result<(), Refused> {
+    controller.observed_edition().map_or(Ok(()), |id| super::edition(suite, id).map(|_| ()))
 }

@@ -29,9 +29,10 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
-    let own = controller::own_edition(&arguments.controller);
-    let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
     let controller = controller::controller(&arguments.controller)?;
+    let own = controller::own_edition(controller.as_ref());
+    let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    controller::observed(controller.as_ref(), suite)?;
     let options = suite.options(edition);
     controller::honours(controller.as_ref(), &options)?;
     controller::speaks(controller.as_ref(), edition)?;

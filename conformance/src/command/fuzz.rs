@@ -109,14 +109,14 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
-    let own = controller::own_edition(&arguments.iut);
+    let iut = controller::controller(&arguments.iut)?;
+    let own = controller::own_edition(iut.as_ref());
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
     let (options, random) = options(arguments, suite, edition)?;
     let known = arguments.known.as_deref().map(fuzz_report::read).transpose()?.unwrap_or_default();
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
     }
-    let iut = controller::controller(&arguments.iut)?;
     let against = controller::controller(&arguments.against)?;
     for controller in [&iut, &against] {
         controller::speaks(controller.as_ref(), edition)?;

@@ -34,8 +34,9 @@ pub(super) struct Arguments {
     #[arg(value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
     /// What is declared beyond the operations that each adapter has to know
-    #[arg(long, value_enum, value_name = "OFFER", value_delimiter = ',', default_values_t = [Offer::Files, Offer::Fresh, Offer::Motion])]
-    offer: Vec<Offer>,
+    /// [default: files,fresh,motion, and shows where less is observed of some scenarios than of others]
+    #[arg(long, value_enum, value_name = "OFFER", value_delimiter = ',')]
+    offer: Option<Vec<Offer>>,
     /// Listen at this address instead of standard input, and print it; a port alone is that of the loopback address, port 0 any that is free. Whoever reaches it
     /// can have programs run: nobody is asked who they are
     #[arg(long, value_name = "[HOST:]PORT")]
@@ -45,7 +46,11 @@ pub(super) struct Arguments {
 pub(super) fn serve(arguments: &Arguments) -> Result<u8, Refused> {
     let controller: Arc<dyn Adapter> = Arc::from(controller::controller(&arguments.controller)?);
     let languages = languages(controller.as_ref());
-    let offers = arguments.offer.iter().copied().collect();
+    let usual = || {
+        let shows = controller.shows_less_of_some().then_some(Offer::Shows);
+        [Offer::Files, Offer::Fresh, Offer::Motion].into_iter().chain(shows).collect()
+    };
+    let offers = arguments.offer.clone().unwrap_or_else(usual).into_iter().collect();
     let served = Served { controller, languages, offers };
     if let Some(address) = &arguments.tcp {
         return listen(&served, address);

@@ -1,6 +1,7 @@
 //! What a controller declares before it runs anything: the claim is bounded by it, and a word that is not of the vocabulary is an error.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
 
 use gaugeblock_trace::{
     Effect, GppState, Language, LengthUnit, NctState, Options, Pin, Rs274State, Settings,
@@ -36,6 +37,9 @@ pub struct Declaration {
     /// Optional: the edition that it is held to where the caller names none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edition: Option<String>,
+    /// Optional: the edition of the suite that says what this controller really does, where there is one: what differs is explained by its quirks.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub observed: Option<String>,
     /// Optional: options of choices as this controller reads the documents. They configure the specification, and the report names them.
     #[serde(default)]
     pub options: Options,
@@ -71,6 +75,10 @@ pub struct Observables {
     /// state at the end.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub blocks: bool,
+    /// Optional: fields whose number is told when it is set and not again when the length unit changes, with the largest error, in millimetres, of
+    /// one that was set in inches.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub carried: BTreeMap<String, f64>,
     /// Optional: whether its faults may name their block; true where nothing is said.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub fault_blocks: bool,
@@ -105,22 +113,7 @@ impl Declaration {
             languages,
             units: vec![LengthUnit::Millimetre, LengthUnit::Inch],
             features: FEATURES.iter().map(|(name, _)| (*name).to_owned()).collect(),
-            observables: Observables {
-                fields: shows.fields.clone(),
-                fields_at_effects: shows.fields_at_effects.clone(),
-                effects: shows.effects.clone(),
-                moves_in_place: shows.moves_in_place,
-                fault_kinds: shows.faults_have_kinds,
-                final_parameters: shows.final_parameters,
-                hidden_parameters: shows
-                    .hidden_parameters
-                    .iter()
-                    .map(|range| (*range.start(), *range.end()))
-                    .collect(),
-                pins: shows.pins.clone(),
-                blocks: shows.blocks,
-                fault_blocks: shows.faults_have_blocks,
-            },
+            observables: Observables::of(shows),
             resolution: shows.resolution,
             clock: if shows.pin_period > 0.0 {
                 Clock::Wall(shows.pin_period)
@@ -128,6 +121,7 @@ impl Declaration {
                 Clock::Virtual
             },
             edition: None,
+            observed: None,
             options: Options::default(),
             sessions: None,
             offers: BTreeSet::new(),
@@ -151,15 +145,8 @@ impl Declaration {
         if self.languages.is_empty() || self.units.is_empty() {
             return Err("it declares no language, or no length unit".to_owned());
         }
-        let shows = &self.observables;
-        let known = Capabilities::everything("", "");
         let features = FEATURES.iter().map(|(name, _)| (*name).to_owned()).collect();
         words("features", &self.features, &features)?;
-        words("observables.fields", &shows.fields, &known.fields)?;
-        words("observables.fields_at_effects", &shows.fields_at_effects, &shows.fields)
-            .map_err(|error| format!("{error} (only what stands in `fields` can)"))?;
-        words("observables.effects", &shows.effects, &known.effects)?;
-        words("observables.pins", &shows.pins, &known.pins)?;
         let pin_period = match self.clock {
             Clock::Virtual => 0.0,
             Clock::Wall(resolution) => resolution,
@@ -167,11 +154,52 @@ impl Declaration {
         if !(self.resolution >= 0.0 && pin_period >= 0.0) {
             return Err("a resolution is below zero".to_owned());
         }
+        let (name, version, resolution) =
+            (self.name.clone(), self.version.clone(), self.resolution);
+        let bare =
+            Capabilities { name, version, resolution, pin_period, ..Capabilities::default() };
+        self.observables.capabilities(bare)
+    }
+}
+
+impl Observables {
+    /// What a controller of this project shows.
+    pub fn of(shows: &Capabilities) -> Self {
+        let range = |range: &RangeInclusive<u32>| (*range.start(), *range.end());
+        Self {
+            fields: shows.fields.clone(),
+            fields_at_effects: shows.fields_at_effects.clone(),
+            effects: shows.effects.clone(),
+            moves_in_place: shows.moves_in_place,
+            fault_kinds: shows.faults_have_kinds,
+            final_parameters: shows.final_parameters,
+            hidden_parameters: shows.hidden_parameters.iter().map(range).collect(),
+            pins: shows.pins.clone(),
+            blocks: shows.blocks,
+            carried: shows.carried.clone(),
+            fault_blocks: shows.faults_have_blocks,
+        }
+    }
+
+    /// What can be judged of a controller that shows this; its names and numbers are those of `of`.
+    ///
+    /// # Errors
+    /// A word that is not of the vocabulary, or a number that cannot be.
+    pub fn capabilities(&self, of: Capabilities) -> Result<Capabilities, String> {
+        let shows = self;
+        let known = Capabilities::everything("", "");
+        words("observables.fields", &shows.fields, &known.fields)?;
+        words("observables.fields_at_effects", &shows.fields_at_effects, &shows.fields)
+            .map_err(|error| format!("{error} (only what stands in `fields` can)"))?;
+        words("observables.effects", &shows.effects, &known.effects)?;
+        words("observables.pins", &shows.pins, &known.pins)?;
+        let carried = shows.carried.keys().cloned().collect();
+        words("observables.carried", &carried, &known.fields)?;
+        if !shows.carried.values().all(|error| *error >= 0.0) {
+            return Err("a resolution is below zero".to_owned());
+        }
         Ok(Capabilities {
-            name: self.name.clone(),
-            version: self.version.clone(),
-            resolution: self.resolution,
-            carried: BTreeMap::new(),
+            carried: shows.carried.clone(),
             fields: shows.fields.clone(),
             fields_at_effects: shows.fields_at_effects.clone(),
             effects: shows.effects.clone(),
@@ -186,7 +214,7 @@ impl Declaration {
                 .map(|(first, last)| *first..=*last)
                 .collect(),
             pins: shows.pins.clone(),
-            pin_period,
+            ..of
         })
     }
 }

@@ -5,7 +5,7 @@ use gaugeblock_trace::scenario::{OperatorEvent, When};
 use gaugeblock_trace::{Outcome, Scenario, Step};
 use serde::Deserialize;
 
-use super::{Declaration, Operation, Reply, Standing, Stream, Ways};
+use super::{Declaration, Observables, Operation, Reply, Standing, Stream, Ways};
 
 /// A request, whatever it asks. What else stands in it is left for later versions.
 #[derive(Debug, Deserialize)]
@@ -51,6 +51,7 @@ impl TryFrom<Request> for super::Request {
                 script: form.script.ok_or_else(|| lacks("script"))?,
                 every: form.every,
             },
+            "shows" => Operation::Shows { scenario: scenario.ok_or_else(|| lacks("scenario"))? },
             "cancel" => Operation::Cancel {},
             "state" => Operation::State {},
             "credit" => {
@@ -74,6 +75,7 @@ pub(super) struct Answer {
     outcome: Option<Box<Outcome>>,
     file: Option<String>,
     samples: Option<String>,
+    shows: Option<Box<Observables>>,
     state: Option<Box<Standing>>,
     steps: Option<Vec<Step>>,
     at: Option<u32>,
@@ -96,6 +98,7 @@ impl TryFrom<Answer> for super::Answer {
             form.outcome.map(Reply::Outcome),
             form.file.map(Reply::File),
             form.samples.map(Reply::Samples),
+            form.shows.map(Reply::Shows),
             form.state.map(Reply::State),
             form.steps.map(Reply::Steps),
             form.at.map(Reply::At),

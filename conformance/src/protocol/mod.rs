@@ -79,6 +79,11 @@ pub enum Operation {
         #[serde(skip_serializing_if = "Option::is_none")]
         every: Option<u32>,
     },
+    /// [`Offer::Shows`]: tell what is observed of this scenario when it is run. Answered by `shows`.
+    Shows {
+        /// What `run` will have.
+        scenario: Box<Scenario>,
+    },
     /// [`Offer::Cancel`]: end the run that is going on and be as after `reset`. Answered by `done`; the run is not answered any more.
     Cancel {},
     /// [`Offer::State`]: tell what is in force now. Answered by `state`.
@@ -107,6 +112,7 @@ impl Operation {
             Self::Reset {} => "reset",
             Self::Run { .. } => "run",
             Self::Move { .. } => "move",
+            Self::Shows { .. } => "shows",
             Self::Cancel {} => "cancel",
             Self::State {} => "state",
             Self::Credit { .. } => "credit",
@@ -181,6 +187,8 @@ pub enum Reply {
     File(String),
     /// To `move`: samples as a table of text.
     Samples(String),
+    /// To `shows`: what is observed; more than the declaration says is not judged.
+    Shows(Box<Observables>),
     /// To `state`: what is in force.
     State(Box<Standing>),
     /// To `run`, before the answer proper: a batch of its steps.
@@ -204,6 +212,7 @@ impl Reply {
             Self::Outcome(_) => "outcome",
             Self::File(_) => "file",
             Self::Samples(_) => "samples",
+            Self::Shows(_) => "shows",
             Self::State(_) => "state",
             Self::Steps(_) => "steps",
             Self::At(_) => "at",

@@ -32,6 +32,8 @@ pub enum Offer {
     LiveOperator,
     /// `move` tells servo samples
     Motion,
+    /// `shows` tells what is observed of one scenario, where that is less than what is declared
+    Shows,
     /// `state` tells what is in force between runs
     State,
     /// the steps of a run can come in batches
@@ -54,6 +56,11 @@ pub const OFFERS: &[(Offer, &str, &str)] = &[
         "the operator's events come one by one, when the controller is where they belong",
     ),
     (Offer::Motion, "motion", "`move` tells servo samples"),
+    (
+        Offer::Shows,
+        "shows",
+        "`shows` tells what is observed of one scenario, where that is less than what is declared",
+    ),
     (Offer::State, "state", "`state` tells what is in force between runs"),
     (Offer::Stream, "stream", "the steps of a run can come in batches"),
 ];

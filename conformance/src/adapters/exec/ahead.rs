@@ -7,7 +7,7 @@ use std::thread::{self, ThreadId};
 
 use gaugeblock_trace::{Outcome, Scenario};
 
-use super::super::{Expected, HarnessError};
+use super::super::{Adapter as _, Expected, HarnessError};
 use super::Exec;
 use super::running::{Asked, Stopped};
 use super::session::Session;
@@ -25,6 +25,10 @@ impl Exec {
     /// Begins a run in an idle session. Where there is none, or it fails before, nothing is lost: it is begun when it is wanted.
     pub(super) fn begin_ahead(&self, scenario: &Scenario) {
         self.let_begun_end();
+        // What is observed of it is asked first.
+        if self.shows_less_of_some() {
+            return;
+        }
         let Some(mut session) = self.idle_session() else { return };
         if let Ok(request) = session.request_to_run(scenario, true) {
             let (by, asked) = (thread::current().id(), session.ask_to_run(request));
@@ -48,7 +52,10 @@ impl Exec {
             return self.with(session, |session| session.outcome_of(asked, scenario, expected));
         }
         self.let_begun_end();
-        self.within(|session| session.run(scenario, expected))
+        self.within(|session| {
+            self.learn_what_is_shown(session, scenario)?;
+            session.run(scenario, expected)
+        })
     }
 
     /// The session that is missed least, where there may be no room for another one beside it.

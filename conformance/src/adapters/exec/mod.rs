@@ -10,6 +10,7 @@ mod peer;
 mod process;
 mod running;
 mod session;
+mod shown;
 mod side;
 mod told;
 mod trial;
@@ -28,6 +29,7 @@ use peer::Door;
 pub(crate) use process::now;
 use running::Stopped;
 use session::Session;
+use shown::Shown;
 
 /// What a controller may cost.
 #[derive(Clone, Copy, Debug)]
@@ -65,6 +67,8 @@ pub struct Exec {
     capabilities: Capabilities,
     /// Sessions in which nothing runs, or a run that nobody waits for yet.
     idle: Mutex<Vec<Session>>,
+    /// What was observed of the scenario that each thread ran last, where that is asked for.
+    shown: Shown,
     /// Sessions that were of no use any more after a program had ended.
     spoilt: AtomicUsize,
 }
@@ -96,8 +100,8 @@ impl Exec {
             })
         })?;
         let idle = Mutex::new(vec![session]);
-        let (assumed, spoilt) = (Options::default(), AtomicUsize::new(0));
-        Ok(Self { door, limits, assumed, declaration, capabilities, idle, spoilt })
+        let (assumed, shown, spoilt) = (Options::default(), Shown::default(), AtomicUsize::new(0));
+        Ok(Self { door, limits, assumed, declaration, capabilities, idle, shown, spoilt })
     }
 
     /// Takes these options for the defaults of their choices: a scenario is told without them.
@@ -194,8 +198,20 @@ impl Adapter for Exec {
         &self.capabilities
     }
 
+    fn shows(&self, scenario: &Scenario) -> Capabilities {
+        self.shown_of(scenario)
+    }
+
+    fn shows_less_of_some(&self) -> bool {
+        self.declaration.offers.contains(&Offer::Shows)
+    }
+
     fn options(&self) -> Options {
         self.declaration.options.clone()
+    }
+
+    fn observed_edition(&self) -> Option<&str> {
+        self.declaration.observed.as_deref()
     }
 
     fn own_edition(&self) -> Option<&str> {
@@ -264,6 +280,7 @@ impl Adapter for Exec {
         let anew = || {
             let mut session = self.new_session()?;
             session.reset()?;
+            self.learn_what_is_shown(&mut session, scenario)?;
             session.run(scenario, None).map_err(|stopped| stopped.error)
         };
         Some(anew())

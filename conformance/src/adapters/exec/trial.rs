@@ -2,6 +2,7 @@
 
 use gaugeblock_trace::{Outcome, Scenario};
 
+use super::super::{Adapter as _, Capabilities};
 use super::session::{Session, request};
 use super::{Exec, HarnessError};
 use crate::protocol::{Offer, Operation, Reply, Ways};
@@ -78,6 +79,16 @@ impl Exec {
         session.reset()?;
         session.run(before, None).map_err(|stopped| stopped.error)?;
         session.run(scenario, None).map_err(|stopped| stopped.error)
+    }
+
+    /// What it tells to show of a scenario.
+    ///
+    /// # Errors
+    /// It does not tell.
+    pub fn told_to_show(&self, scenario: &Scenario) -> Result<Capabilities, HarnessError> {
+        let mut session = self.new_session()?;
+        session.reset()?;
+        session.shown(scenario, self.capabilities())
     }
 
     /// Runs a scenario and resets the same session, which has to tell then what it told before.

@@ -228,7 +228,15 @@ impl Adapter for LinuxCnc {
         self.observe(scenario, false)
     }
 
-    fn observed_edition(&self) -> Option<&'static str> {
+    fn shows_less_of_some(&self) -> bool {
+        true
+    }
+
+    fn own_edition(&self) -> Option<&str> {
+        Some("linuxcnc-2.9")
+    }
+
+    fn observed_edition(&self) -> Option<&str> {
         Some("linuxcnc-2.9-observed")
     }
 

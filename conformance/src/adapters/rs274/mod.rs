@@ -138,7 +138,15 @@ impl Adapter for Rs274 {
         supports::supports(scenario)
     }
 
-    fn observed_edition(&self) -> Option<&'static str> {
+    fn shows_less_of_some(&self) -> bool {
+        true
+    }
+
+    fn own_edition(&self) -> Option<&str> {
+        Some("linuxcnc-2.9")
+    }
+
+    fn observed_edition(&self) -> Option<&str> {
         Some("rs274-2.9-observed")
     }
 

@@ -8,7 +8,7 @@ use super::super::digest::{canonical, digest};
 use super::super::{OFFERS, Offer};
 use super::{CHANGES, Came, Check, same};
 use crate::adapters::exec::Exec;
-use crate::adapters::{Adapter, HarnessError, Motion, NotMoved};
+use crate::adapters::{Adapter, Capabilities, HarnessError, Motion, NotMoved};
 
 /// A machine that moves a little.
 const MACHINE: &str = "period = 0.001\n[axes.x]\nvelocity = 50.0\nacceleration = 500.0\n[axes.y]\nvelocity = 50.0\nacceleration = 500.0\n[axes.z]\nvelocity = 50.0\nacceleration = 500.0\n";
@@ -24,6 +24,7 @@ pub(super) fn checks(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Vec<C
             Offer::Fresh => ("offer fresh", fresh(adapter, plain, first)),
             Offer::LiveOperator => ("offer live-operator", live(adapter, plain)),
             Offer::Motion => ("offer motion", motion(adapter, plain)),
+            Offer::Shows => ("offer shows", shows(adapter, plain)),
             Offer::State => ("offer state", state(adapter, plain)),
             Offer::Stream => ("offer stream", told_by(adapter, Offer::Stream, plain)),
         };
@@ -113,6 +114,26 @@ fn motion(adapter: &Exec, plain: &Scenario) -> Came {
         Err(NotMoved::Unsupported(why)) => Came::LeftOut(why),
         Err(NotMoved::Failed(why)) => Came::Wrong(why.to_string()),
     }
+}
+
+fn shows(adapter: &Exec, plain: &Scenario) -> Came {
+    let own = adapter.capabilities();
+    match adapter.told_to_show(plain) {
+        Ok(shows) if is_within(&shows, own) => {
+            Came::Fine("is no more than what is declared".to_owned())
+        }
+        Ok(_) => Came::Wrong(
+            "it tells more, or more exactly, of a program than it declares: that is not judged"
+                .to_owned(),
+        ),
+        Err(error) => wrong(&error),
+    }
+}
+
+/// Whether no more is shown than is declared. Parameters that are declared to be hidden need not be named again.
+fn is_within(shows: &Capabilities, own: &Capabilities) -> bool {
+    let hidden_parameters = shows.hidden_parameters.clone();
+    Capabilities { hidden_parameters, ..own.and(shows) } == *shows
 }
 
 fn state(adapter: &Exec, plain: &Scenario) -> Came {

@@ -13,7 +13,7 @@ use gaugeblock_trace::motion::{MotionLimits, Samples};
 use gaugeblock_trace::{Language, Outcome, Scenario, Step};
 
 use super::digest::digest;
-use super::{Answer, Declaration, Offer, Operation, Reply, Request, Standing, Ways};
+use super::{Answer, Declaration, Observables, Offer, Operation, Reply, Request, Standing, Ways};
 use crate::adapters::{Adapter, Motion, NotMoved};
 use crate::observe::Observed;
 use requests::{Ran, Reader, Requests};
@@ -110,6 +110,9 @@ impl Serving<'_> {
                     Ran::Alone => return Ok(false),
                 }
             }
+            Operation::Shows { scenario } if self.offers(Offer::Shows) => {
+                Reply::Shows(Box::new(Observables::of(&self.served.controller.shows(&scenario))))
+            }
             Operation::State {} if self.offers(Offer::State) => self.state(),
             Operation::Outcome {} if self.offers(Offer::Digest) => match self.last.take() {
                 Some(outcome) => {
@@ -120,6 +123,7 @@ impl Serving<'_> {
                 None => Reply::Refused("nothing was run".to_owned()),
             },
             Operation::Move { .. }
+            | Operation::Shows { .. }
             | Operation::State {}
             | Operation::Outcome {}
             | Operation::Credit { .. }
@@ -139,7 +143,9 @@ impl Serving<'_> {
         let Served { controller, languages, offers } = self.served;
         let sessions = controller.best_jobs().and_then(|jobs| u16::try_from(jobs.get()).ok());
         let declaration = Declaration::of(controller.capabilities(), languages.clone());
-        Declaration { sessions, offers: offers.clone(), ..declaration }
+        let (edition, observed) = (controller.own_edition(), controller.observed_edition());
+        let (edition, observed) = (edition.map(str::to_owned), observed.map(str::to_owned));
+        Declaration { sessions, edition, observed, offers: offers.clone(), ..declaration }
     }
 
     /// Runs a scenario and tells its outcome in the way that is asked for; whether the session goes on.
