@@ -5,6 +5,12 @@ use crate::motion::envelope::Envelope;
 use crate::motion::route::{Passing, Route};
 use crate::motion::vector::{Nine, direction, distance, dot, length, minus};
 
+/// Shares of the speed with which a blend is left that it may be entered with.
+const ENTERED: [f64; 9] = [0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0];
+
+/// Points of a blend of which the one nearest to the corner is sought.
+const POINTS: u32 = 64;
+
 /// The angle of an arc in one step, radians.
 const STEP: f64 = 0.005;
 
@@ -62,9 +68,10 @@ pub(in crate::motion) fn stopping(
 
 /// What it takes to stop from a velocity on the blend that a motion may be on at a point of a route; nothing where it is on none.
 ///
-/// On a blend that takes all of the acceleration the velocity goes evenly from one leg's direction to the other's, so that its shares along
-/// both tell how much is left of the blend. Their sum is the speed at its end: in the middle the path is slower, and nobody can brake before
-/// that. No blend is left faster than the longest one.
+/// On a blend that takes all of the acceleration the velocity goes evenly from that along one leg to that along the other, so that its shares along
+/// both tell how much is left of the blend. Where it is left as fast as it was entered, their sum is the speed at its end: in the middle the path is
+/// slower, and nobody can brake before that. It may be left faster or slower, since an axis that turns little has to change its speed less then.
+/// No blend is left faster than the longest one that is entered with the same share of that speed.
 pub(in crate::motion) fn stopping_on_blend(
     route: &Route<'_>,
     envelope: &Envelope,
@@ -76,12 +83,15 @@ pub(in crate::motion) fn stopping_on_blend(
     let stops = corners.into_iter().filter_map(|(corner, away)| {
         let blend = Blend::at(route, envelope, corner).filter(|blend| away <= blend.reach)?;
         let (before, behind) = blend.shares(velocity)?;
-        let speed = (before + behind).min(blend.fastest());
-        let half = blend.inner(speed);
-        let left = 2.0 * half * before / (before + behind);
-        let end = (corner, half / route.legs[corner].curve.length());
-        let Stop { distance, seconds } = stopping(route, envelope, end, speed);
-        Some(Stop { distance: left + distance, seconds: left / speed + seconds })
+        let stop = |entered: f64| {
+            let speed = (before / entered + behind).min(blend.left(envelope, entered));
+            let half = blend.inner(speed);
+            let left = 2.0 * half * before / (before + behind);
+            let end = (corner, half / route.legs[corner].curve.length());
+            let Stop { distance, seconds } = stopping(route, envelope, end, speed);
+            Stop { distance: left + distance, seconds: left / speed + seconds }
+        };
+        Some(ENTERED.into_iter().map(stop).fold(Stop::default(), Stop::most))
     });
     stops.fold(Stop::default(), Stop::most)
 }
@@ -246,6 +256,10 @@ struct Blend {
     rate: f64,
     /// The directions of the legs.
     directions: [Nine; 2],
+    /// How much of each leg a blend may take, whatever the tolerance.
+    room: [f64; 2],
+    /// How far from the corner it may pass; without end between midpoints.
+    tolerance: f64,
 }
 
 impl Blend {
@@ -257,18 +271,19 @@ impl Blend {
         let legs = (&route.legs[corner - 1].curve, &route.legs[corner].curve);
         let (before, after) = (legs.0.derivatives(1.0), legs.1.derivatives(0.0));
         let (one, other) = (direction(&before.0)?, direction(&after.0)?);
-        let shorter = legs.0.length().min(legs.1.length());
-        let reach = match route.corners[corner].passing {
+        let lengths = [legs.0.length(), legs.1.length()];
+        let (room, tolerance) = match route.corners[corner].passing {
             Passing::Rest | Passing::Exact => return None,
-            Passing::BetweenMidpoints => 0.5 * shorter,
-            Passing::Within(tolerance) => shorter.min(4.0 * tolerance / distance(&one, &other)),
+            Passing::BetweenMidpoints => (lengths.map(|length| 0.5 * length), f64::INFINITY),
+            Passing::Within(tolerance) => (lengths, tolerance),
         };
+        let reach = room[0].min(room[1]).min(4.0 * tolerance / distance(&one, &other));
         let used = minus(&other, &one);
         let turn = (0..9).map(|axis| used[axis].abs() / envelope.acceleration[axis]);
         let rest = [0.0; 9];
         let rate = rate(envelope, (&one, &rest), 0.0).min(rate(envelope, (&other, &rest), 0.0));
         let turn = 0.5 * turn.fold(0.0, f64::max);
-        Some(Self { reach, turn, rate, directions: [one, other] })
+        Some(Self { reach, turn, rate, directions: [one, other], room, tolerance })
     }
 
     /// How far from the corner a blend may still take more than half of the acceleration at a speed.
@@ -279,6 +294,22 @@ impl Blend {
     /// The speed with which the longest one takes all of the acceleration.
     fn fastest(&self) -> f64 {
         crate::math::square_root(self.reach / self.turn)
+    }
+
+    /// The speed with which the longest one is left that is entered with this share of it, and takes all of the acceleration.
+    fn left(&self, envelope: &Envelope, entered: f64) -> f64 {
+        let [before, after] = &self.directions;
+        let turn = (0..9)
+            .map(|axis| (after[axis] - entered * before[axis]).abs() / envelope.acceleration[axis]);
+        let turn = 0.5 * turn.fold(0.0, f64::max);
+        let nearest = (0..=POINTS).map(|point| {
+            let part = f64::from(point) / f64::from(POINTS);
+            let (one, other) = (entered * (1.0 - part) * (1.0 - part), part * part);
+            length(&std::array::from_fn(|axis| other * after[axis] - one * before[axis]))
+        });
+        let nearest = nearest.fold(f64::INFINITY, f64::min);
+        let way = self.room[1].min(self.room[0] / entered).min(self.tolerance / nearest);
+        crate::math::square_root(way / turn)
     }
 
     /// The shares of a velocity along the legs, if it lies between their directions.
@@ -400,12 +431,19 @@ mod tests {
             stopping_on_blend(&route, &envelope(), (0, part), &velocity)
         };
         let reach = 0.4 / std::f64::consts::SQRT_2;
-        let square = reach * 2.0 * 2000.0;
+        // A blend that is entered with a quarter of the speed with which it is left: where it is nearest to the corner, its time that has passed is
+        // the cube root of a sixteenth of what is left.
+        let ratio = 0.396_850_262_992;
+        let all = (1.0 + ratio) * (1.0 + ratio);
+        let fast = 0.1 * all / crate::math::hypotenuse(0.25, ratio * ratio);
+        let near = |found: f64, wanted: f64| {
+            assert!((found - wanted).abs() < 2e-4, "{found} is not {wanted}");
+        };
         for speed in [20.0, 100.0] {
             let middle = stop(0.9, speed, speed);
-            close(middle.distance, reach + square / 2.0 / 2000.0);
+            near(middle.distance, reach + fast);
         }
-        close(stop(0.9, 30.0, 10.0).distance, 1.5 * reach + square / 2.0 / 2000.0);
+        near(stop(0.9, 30.0, 10.0).distance, 1.5 * reach + fast);
         assert_eq!(stop(0.5, 10.0, 5.0), Stop::default());
         assert_eq!(stop(0.9, 10.0, -5.0), Stop::default());
     }
