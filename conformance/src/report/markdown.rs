@@ -3,6 +3,8 @@
 //! Whatever a controller says stands in code, in a run of backticks that it cannot close: no heading, no link, no mention, no HTML
 //! of its making. The page has a limit, and says what it leaves out.
 
+use gaugeblock_trace::Language;
+
 use super::causes::{self, Group, explained};
 use super::terminal::without_guard;
 use super::{Report, RuleResult, html};
@@ -168,7 +170,7 @@ fn card(report: &Report<'_>, group: &Group<'_, '_>) -> String {
     let sources = rule.sources.iter().map(|source| plain(&source.to_string()));
     let sources: Vec<_> = sources.collect();
     text.push_str(&format!("{} ({})\n\n", plain(&rule.sentence), sources.join("; ")));
-    text.push_str(&program(causes::program(result, departure)));
+    text.push_str(&program(causes::program(result, departure), result.rule.language));
     text.push('\n');
     if let Some((said, found)) = &departure.assertion {
         let said = without_guard(said);
@@ -185,10 +187,10 @@ fn card(report: &Report<'_>, group: &Group<'_, '_>) -> String {
 }
 
 /// A program, fenced by more backticks than it has.
-fn program(program: &str) -> String {
-    let lines: Vec<String> =
-        program.lines().take(LINES).map(|line| visible(line).chars().take(100).collect()).collect();
-    let left = program.lines().count().saturating_sub(lines.len());
+fn program(program: &str, language: Language) -> String {
+    let short = |line: &str| visible(line).chars().take(100).collect();
+    let lines: Vec<String> = language.lines(program).take(LINES).map(short).collect();
+    let left = language.lines(program).count().saturating_sub(lines.len());
     let mut text = lines.join("\n");
     if left > 0 {
         text.push_str(&format!("\n… {left} more lines"));

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
+use gaugeblock_trace::Language;
 
 use super::causes::{explained, groups};
 use super::{Report, RuleVerdict, inert, inert_line};
@@ -110,7 +111,7 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
     for source in &result.rule.sources {
         line!(text, "  {}", styled(DIM, &format!("{source}")));
     }
-    program(text, result.program);
+    program(text, result.program, result.rule.language);
     if let Some((assertion, found)) = &departure.assertion {
         line!(text, "  expected  {}", styled(GREEN, without_guard(assertion)));
         line!(text, "  found     {}", styled(RED, &inert(found)));
@@ -120,7 +121,11 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
     }
     if let Some(shrunk) = &departure.shrunk {
         line!(text, "  the smallest program that does so");
-        shrunk.lines().for_each(|line| line!(text, "         {}", inert_line(line)));
+        result
+            .rule
+            .language
+            .lines(shrunk)
+            .for_each(|line| line!(text, "         {}", inert_line(line)));
     }
     if let Some(explained) = explained(&report.header.controller, departure) {
         let style = if explained.is_its_own { YELLOW } else { DIM };
@@ -156,8 +161,9 @@ pub(super) fn without_guard(assertion: &str) -> &str {
     guarded.map_or(assertion, |(_, claim)| claim)
 }
 
-fn program(text: &mut String, program: &str) {
-    let lines: Vec<&str> = program.lines().collect();
+/// The lines of a program, numbered as blocks are.
+fn program(text: &mut String, program: &str, language: Language) {
+    let lines: Vec<&str> = language.lines(program).collect();
     const SHOWN: usize = 24;
     for (place, line) in lines.iter().take(SHOWN).enumerate() {
         let line: String = inert_line(line).chars().take(100).collect();
@@ -306,4 +312,20 @@ fn verdict(text: &mut String, report: &Report<'_>) {
         _ => (YELLOW, "not finished: some cases were not judged"),
     };
     line!(text, "{}", styled(style, words));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_numbered_as_blocks_are() {
+        let shown = |language| {
+            let mut text = String::new();
+            program(&mut text, "g0 x1\rx2\r\nm2\n", language);
+            text.lines().count()
+        };
+        assert_eq!(shown(Language::Rs274), 3, "a carriage return alone ends a line there");
+        assert_eq!(shown(Language::Nct), 2);
+    }
 }
