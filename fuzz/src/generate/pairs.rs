@@ -11,6 +11,8 @@ pub enum Same {
     Effects,
     /// The same, up to the rounding of coordinates.
     Rounded,
+    /// The same; but where something is missing at the end of a line, it may be refused for the comment that stands there.
+    Commented,
     /// The path in machine coordinates: where each straight move ends, moves along one line taken together.
     Path,
 }
@@ -36,6 +38,9 @@ struct Change {
     line: fn(&str) -> String,
 }
 
+/// The change that puts a comment behind each line.
+const COMMENTS: &str = "comments";
+
 /// The change that writes modal codes twice.
 const REPEATED: &str = "repeated modal words";
 
@@ -51,7 +56,7 @@ const LONGEST: usize = 255;
 
 const CHANGES: &[Change] = &[
     Change {
-        name: "comments",
+        name: COMMENTS,
         moves_lines: false,
         line: |line| {
             let whole = is_plain(line) && ends_whole(line);
@@ -157,7 +162,11 @@ fn changed(dice: &mut Dice<'_>) -> Pair {
         other.program.main = lines.map(|line| line + "\n").collect();
     }
     // Who selects a coordinate system that is turned comes back to the point by its sine and cosine.
-    let same = if change.name == REPEATED { Same::Rounded } else { Same::Effects };
+    let same = match change.name {
+        REPEATED => Same::Rounded,
+        COMMENTS => Same::Commented,
+        _ => Same::Effects,
+    };
     Pair { name: change.name, one, other, same }
 }
 

@@ -1,6 +1,8 @@
 //! Whether a pair of scenarios does the same.
 
-use gaugeblock_trace::{Effect, End, Event, LengthUnit, Outcome, Position, Settings, Value};
+use gaugeblock_trace::{
+    Effect, End, Event, Fault, LengthUnit, Outcome, Position, Scenario, Settings, Value,
+};
 
 use crate::generate::pairs::{Pair, Same};
 
@@ -15,10 +17,7 @@ const TOLERANCE: f64 = 1e-6;
 ///
 /// # Errors
 /// What differs, with both programs.
-pub fn same(
-    pair: &Pair,
-    run: &mut dyn FnMut(&gaugeblock_trace::Scenario) -> Option<Outcome>,
-) -> Result<(), String> {
+pub fn same(pair: &Pair, run: &mut dyn FnMut(&Scenario) -> Option<Outcome>) -> Result<(), String> {
     let (Some(one), Some(other)) = (run(&pair.one), run(&pair.other)) else { return Ok(()) };
     let silent = |outcome: &Outcome| {
         matches!(
@@ -30,7 +29,9 @@ pub fn same(
         return Ok(());
     }
     let equal = match pair.same {
-        Same::Effects => effects(&one) == effects(&other) && settings(&one) == settings(&other),
+        Same::Effects | Same::Commented => {
+            effects(&one) == effects(&other) && settings(&one) == settings(&other)
+        }
         Same::Rounded => {
             let (effects, others) = (effects(&one), effects(&other));
             let alike = |(one, other): (&&Effect, &&Effect)| one == other || rounded(one, other);
@@ -40,7 +41,9 @@ pub fn same(
         }
         Same::Path => close(&path(&one), &path(&other)),
     };
-    if equal && one.end.name() == other.end.name() && kind(&one) == kind(&other) {
+    let for_a_comment = pair.same == Same::Commented && lacks_its_end(&pair.one, &one);
+    let same_kind = for_a_comment || kind(&one) == kind(&other);
+    if equal && one.end.name() == other.end.name() && same_kind {
         return Ok(());
     }
     Err(format!(
@@ -55,6 +58,17 @@ pub fn same(
 
 fn kind(outcome: &Outcome) -> Option<gaugeblock_trace::FaultKind> {
     if let End::Fault(fault) = &outcome.end { fault.kind } else { None }
+}
+
+/// Whether a line was refused at its end.
+fn lacks_its_end(scenario: &Scenario, outcome: &Outcome) -> bool {
+    let End::Fault(Fault { block: Some(block), span: Some(span), .. }) = &outcome.end else {
+        return false;
+    };
+    let line = scenario.program.line(block);
+    line.is_some_and(|line| {
+        usize::try_from(span.start).is_ok_and(|start| start >= line.trim_end().len())
+    })
 }
 
 /// Effects of all blocks but a refused one.
