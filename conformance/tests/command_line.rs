@@ -51,7 +51,9 @@ fn wrong_input_is_told_with_its_place() {
     refused(&["run", &program, "--iut", "mill"], 2, &["mill", "reference"]);
     let scenario = file(&here, "scenario.toml", b"[machine]\nspindels = 2\n");
     refused(&["run", &program, "--scenario", &scenario], 2, &["scenario.toml", "spindels"]);
-    refused(&["certify", "reference", "--only", "no-such-rule"], 2, &["no case is selected"]);
+    refused(&["certify", "reference", "--only", "no-such-rule"], 2, &["no-such-rule", "rules"]);
+    let one_of_two = ["certify", "reference", "--only", "text", "--only", "no-such-rule"];
+    refused(&one_of_two, 2, &["no-such-rule"]);
 }
 
 #[test]

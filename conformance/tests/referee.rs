@@ -380,6 +380,20 @@ fn a_baseline_knows_what_was_and_a_waiver_what_somebody_answers_for() {
     assert_eq!(mended.len(), diverging(&after));
     assert_eq!(stored(&silent).hold(&after), (Vec::new(), Vec::new()));
 
+    // Who does not answer any more has neither mended nor broken anything, and that is told.
+    let without = faulty(|outcome: Outcome| {
+        let (block, what) = (Block::new(Program::MAIN, 1), "it has none".to_owned());
+        Ok(Outcome { end: End::Unsupported { block, what }, ..outcome })
+    });
+    let without = run(&suite, &without, &only, 2);
+    let (troubles, told) = stored(&whole).hold(&without);
+    assert!(troubles.is_empty() && told.len() == 1, "{told:?}");
+    assert!(told[0].starts_with("not judged any more: ") && told[0].contains("that passed"));
+    let (troubles, told) = stored(&silent).hold(&without);
+    assert!(troubles.is_empty());
+    let of_one = told.iter().filter(|told| told.contains(": was ")).count();
+    assert_eq!(of_one, diverging(&after));
+
     let Some(Trouble::New { rule, .. }) = stored(&whole).hold(&after).0.into_iter().next() else {
         panic!("nothing is new");
     };

@@ -141,6 +141,14 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let plan = Plan { suite, edition, only: &arguments.only, jobs };
     let shard = arguments.shard;
     let laws = controller.has_laws_of_motion();
+    let is_unknown =
+        |only: &&String| !suite.rules.iter().any(|rule| rule.id.starts_with(only.as_str()));
+    if let Some(only) = arguments.only.iter().find(is_unknown) {
+        return Err(Refused::wrong(
+            format!("no rule begins with `{only}`"),
+            "`gaugeblock rules` lists the rules' ids",
+        ));
+    }
     if cases(plan, laws, Shard::WHOLE).is_empty() {
         return Err(Refused::wrong(
             "no case is selected",

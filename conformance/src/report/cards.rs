@@ -4,8 +4,9 @@ use serde::Serialize;
 
 use super::Report;
 use super::causes::{explained, groups};
+use super::sides::{Side, sides};
 use super::terminal::without_guard;
-use crate::certify::{CaseResult, Departure, Traces};
+use crate::certify::{CaseResult, Departure};
 use crate::compare::StateDifference;
 
 /// Bytes of programs and traces that all cards together may have; what is beyond is in the JSON report alone.
@@ -36,18 +37,6 @@ pub(super) struct Card<'a> {
     picture: Option<String>,
 }
 
-#[derive(Debug, Serialize)]
-struct Side<'a> {
-    name: &'static str,
-    blocks: Vec<Part<'a>>,
-}
-
-#[derive(Debug, Serialize)]
-struct Part<'a> {
-    text: &'a str,
-    differs: bool,
-}
-
 /// A verdict's word as the page's style sheet names it.
 pub(super) fn class(word: &str) -> String {
     word.replace(' ', "-")
@@ -73,7 +62,7 @@ pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
         match left.checked_sub(size + result.program.len()) {
             Some(rest) => {
                 left = rest;
-                card.sides = traces.map(sides).unwrap_or_default();
+                card.sides = traces.map(|traces| sides(traces, &result.masked)).unwrap_or_default();
             }
             None => card.short = true,
         }
@@ -111,36 +100,4 @@ fn card<'a>(controller: &str, result: &'a CaseResult<'_>, departure: &'a Departu
         short: false,
         picture: result.sketch.as_ref().map(crate::motion::Sketch::svg),
     }
-}
-
-/// Both traces, block by block; those that are not the same at the same place are marked.
-fn sides(traces: &Traces) -> Vec<Side<'_>> {
-    let (expected, found) = (blocks(&traces.expected), blocks(&traces.found));
-    let marked = |own: &[&'_ str], other: &[&str]| -> Vec<bool> {
-        own.iter().enumerate().map(|(at, text)| other.get(at) != Some(text)).collect()
-    };
-    let differs = (marked(&expected, &found), marked(&found, &expected));
-    [("by the documents", expected, differs.0), ("on the controller", found, differs.1)]
-        .into_iter()
-        .map(|(name, blocks, differs)| {
-            let parts = blocks.into_iter().zip(differs);
-            Side { name, blocks: parts.map(|(text, differs)| Part { text, differs }).collect() }
-        })
-        .collect()
-}
-
-/// The parts of a trace: what stands before the first block, the blocks, and what stands behind them.
-fn blocks(trace: &str) -> Vec<&str> {
-    let mut parts = Vec::new();
-    let mut begin = 0;
-    for (at, _) in trace.match_indices('\n') {
-        let rest = &trace[at + 1..];
-        if !rest.starts_with(' ') {
-            parts.push(&trace[begin..at]);
-            begin = at + 1;
-        }
-    }
-    parts.push(trace[begin..].trim_end());
-    parts.retain(|part| !part.is_empty());
-    parts
 }

@@ -6,7 +6,7 @@
 use gaugeblock_trace::Language;
 
 use super::causes::{self, Group, explained};
-use super::terminal::without_guard;
+use super::terminal::{shortened, without_guard};
 use super::{Report, RuleResult, html};
 use crate::certify::CaseResult;
 use crate::expectations::Trouble;
@@ -188,7 +188,7 @@ fn card(report: &Report<'_>, group: &Group<'_, '_>) -> String {
 
 /// A program, fenced by more backticks than it has.
 fn program(program: &str, language: Language) -> String {
-    let short = |line: &str| visible(line).chars().take(100).collect();
+    let short = |line: &str| shortened(&visible(line));
     let lines: Vec<String> = language.lines(program).take(LINES).map(short).collect();
     let left = language.lines(program).count().saturating_sub(lines.len());
     let mut text = lines.join("\n");

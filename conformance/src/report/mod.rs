@@ -12,6 +12,7 @@ pub mod markdown;
 pub mod matrix;
 pub mod merge;
 pub mod profiles;
+mod sides;
 pub mod stored;
 pub mod terminal;
 

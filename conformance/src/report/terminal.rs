@@ -166,12 +166,22 @@ fn program(text: &mut String, program: &str, language: Language) {
     let lines: Vec<&str> = language.lines(program).collect();
     const SHOWN: usize = 24;
     for (place, line) in lines.iter().take(SHOWN).enumerate() {
-        let line: String = inert_line(line).chars().take(100).collect();
+        let line = shortened(&inert_line(line));
         line!(text, "  {} {line}", styled(DIM, &format!("{:>4} |", place + 1)));
     }
     if lines.len() > SHOWN {
         line!(text, "  {}", styled(DIM, &format!("     | … {} more lines", lines.len() - SHOWN)));
     }
+}
+
+/// As much of a line as a person reads, and a sign where that is not all.
+pub(super) fn shortened(line: &str) -> String {
+    const SHOWN: usize = 100;
+    let mut shown: String = line.chars().take(SHOWN).collect();
+    if line.chars().count() > SHOWN {
+        shown.push('…');
+    }
+    shown
 }
 
 fn not_judged(text: &mut String, report: &Report<'_>) {
@@ -301,7 +311,7 @@ fn verdict(text: &mut String, report: &Report<'_>) {
     let (style, words) = match (report.exit_status(), &report.troubles) {
         (0, Some(_)) => (GREEN, "as the documents say, apart from what is known"),
         (0, None) => (GREEN, "as the documents say"),
-        (1, Some(troubles)) if !troubles.is_empty() => (RED, "the expectations do not hold"),
+        (1, Some(troubles)) if !troubles.is_empty() => (RED, "departs otherwise than is known"),
         (1, None) if counts.diverges + counts.charged_elsewhere > 0 => {
             (RED, "departs from its documents")
         }
