@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Report;
+use super::sides::{field, tokens};
 use crate::certify::{CaseResult, Departure, Traces};
 use crate::compare::Divergence;
 use crate::fuzz::signature::Signature;
@@ -99,6 +100,10 @@ fn what(departure: &Departure) -> String {
         return match (expected.as_str(), found.as_str()) {
             ("", "") => format!("{field}: another course"),
             ("a value", "a value") => format!("{field}: another value"),
+            (one, other) if one == other => match arguments(&divergence).join(" and ") {
+                which if which.is_empty() => format!("{field}: another {one}"),
+                which => format!("{field}: {one} with another {which}"),
+            },
             _ => format!("{field}: expected {expected}, found {found}"),
         };
     }
@@ -120,11 +125,28 @@ fn refusal(traces: &Traces) -> Option<String> {
         }
         (None, Some(fault)) => {
             let said = fault.split_once("message=").map_or("", |(_, message)| message);
-            let said = said.replace(|c: char| c.is_ascii_digit(), "");
-            Some(format!("refused, and should not be: {said}"))
+            Some(format!("refused, and should not be: {}", without_numbers(said)))
         }
         _ => None,
     }
+}
+
+/// A text without its numbers, such as those of lines; those of codes, behind a letter, stay.
+fn without_numbers(text: &str) -> String {
+    let mut of_a_code = false;
+    let is_kept = |c: &char| {
+        of_a_code = c.is_alphabetic() || of_a_code && c.is_ascii_digit();
+        of_a_code || !c.is_ascii_digit()
+    };
+    text.chars().filter(is_kept).collect()
+}
+
+/// Names of the arguments in which an effect is another one.
+fn arguments(divergence: &Divergence) -> Vec<&str> {
+    let fields = |text| -> BTreeMap<_, _> { tokens(text).filter_map(field).collect() };
+    let (expected, found) = (fields(&divergence.expected), fields(&divergence.found));
+    let names: BTreeSet<_> = expected.keys().chain(found.keys()).copied().collect();
+    names.into_iter().filter(|name| expected.get(name) != found.get(name)).collect()
 }
 
 /// How a trace ends, where it is not cut before.
@@ -156,6 +178,10 @@ mod tests {
             ("main.ngc:4: feed_rate: expected 12.3, found 0", "feed_rate: another value"),
             ("motion: expected traverse, found none", "motion: expected traverse, found none"),
             (
+                "main.ngc:3: effect: expected straight_feed end=(x5 y-2), found straight_feed end=(x5)",
+                "effect: straight_feed with another end",
+            ),
+            (
                 "main.ngc:1: end: expected refused at main.ngc:1 (repeated_word), found program end",
                 "end: expected refused (repeated_word), found program end",
             ),
@@ -169,11 +195,11 @@ mod tests {
 
     #[test]
     fn what_follows_from_a_refusal_that_is_missing_is_no_other_cause() {
-        let refused = "end fault kind=repeated_word file=\"main.ngc\" line=1 message=\"x 12\"\nparameters 5220=1\n";
+        let refused = "end fault kind=repeated_word file=\"main.ngc\" line=1 message=\"x 12, G17\"\nparameters 5220=1\n";
         let accepted = "step main.ngc:1\nend program_end\n";
         for (expected, found, told) in [
             (refused, accepted, "not refused: repeated_word"),
-            (accepted, refused, "refused, and should not be: \"x \""),
+            (accepted, refused, "refused, and should not be: \"x , G17\""),
             (accepted, accepted, "effect: another value"),
             (refused, "cut …", "effect: another value"),
         ] {

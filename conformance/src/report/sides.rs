@@ -160,12 +160,12 @@ fn fields<'a>(lines: &[&'a str]) -> BTreeMap<&'a str, &'a str> {
     lines.flat_map(|line| tokens(line)).filter_map(field).collect()
 }
 
-fn field(token: &str) -> Option<(&str, &str)> {
+pub(super) fn field(token: &str) -> Option<(&str, &str)> {
     token.trim_start().split_once('=')
 }
 
 /// The words of a line with the blanks before them; brackets and quotation marks hold words together.
-fn tokens(line: &str) -> impl Iterator<Item = &str> {
+pub(super) fn tokens(line: &str) -> impl Iterator<Item = &str> {
     let mut rest = line;
     std::iter::from_fn(move || {
         let (mut depth, mut quoted, mut escaped, mut begun) = (0_u32, false, false, false);
