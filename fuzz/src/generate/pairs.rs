@@ -103,6 +103,12 @@ const CHANGES: &[Change] = &[
     },
 ];
 
+/// Whether a program asks for the number of a line, in whatever letters and blanks.
+fn names_line(text: &str) -> bool {
+    let letters = text.chars().filter(|c| !c.is_whitespace());
+    letters.map(|c| c.to_ascii_lowercase()).collect::<String>().contains("_line")
+}
+
 /// Whether a line is neither a comment nor about the file.
 fn is_plain(line: &str) -> bool {
     !line.trim().is_empty() && !line.contains(['(', ';', '%', '\r'])
@@ -152,7 +158,7 @@ fn changed(dice: &mut Dice<'_>) -> Pair {
     let one = super::scenario(dice, &recipe);
     let change = dice.pick(CHANGES);
     let mut other = one.clone();
-    if !change.moves_lines || !one.program.main.contains("_line") {
+    if !change.moves_lines || !names_line(&one.program.main) {
         // A line that would be too long stays as it is.
         let lines = one.program.main.lines().map(|line| {
             let changed = (change.line)(line);
