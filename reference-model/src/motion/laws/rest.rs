@@ -189,7 +189,7 @@ fn kept(record: &Record<'_>, next: Option<&Leg<'_>>, end: usize) -> bool {
 /// A rest at a corner.
 #[derive(Clone, Copy, Debug)]
 struct Rest {
-    /// First and last sample there.
+    /// First and last sample there, or those between which it was.
     at: Option<(usize, usize)>,
     /// How long it may have been, at least and at most, seconds: from the first to the last sample there, and beyond them as long as the
     /// axes do not need to come and to go.
@@ -209,7 +209,7 @@ impl Rest {
     }
 }
 
-/// All rests of a visit.
+/// All rests of a visit: those of which samples tell, then those for which there is time between two that are away from the corner.
 fn rests(record: &Record<'_>, visit: Visit, corner: &Nine) -> Vec<Rest> {
     let rest = |(first, last): (usize, usize)| {
         let least = count(last - first) * record.period;
@@ -221,7 +221,13 @@ fn rests(record: &Record<'_>, visit: Visit, corner: &Nine) -> Vec<Rest> {
         let most = least + spare(first.checked_sub(1)) + spare(Some(last + 1));
         Rest { at: Some((first, last)), least, most }
     };
-    visit.stays(record, corner).map(rest).collect()
+    let is_away = |sample: &usize| !(*sample..=sample + 1).any(|s| record.is_at(s, corner));
+    let between = visit.pairs(record).filter(is_away).filter_map(|sample| {
+        let needed = to_rest(record, sample, corner) + to_rest(record, sample + 1, corner);
+        let most = record.period - needed;
+        (most >= 0.0).then_some(Rest { at: Some((sample, sample + 1)), least: 0.0, most })
+    });
+    visit.stays(record, corner).map(rest).chain(between).collect()
 }
 
 /// Whether the motion is asked to run back during a visit.

@@ -109,7 +109,7 @@ impl Visit {
         let away = |sample: usize| distance(place(sample), corner);
         let least = away(nearest);
         let inner = record.points.len().saturating_sub(2);
-        for sample in self.first.max(1)..=self.after(record).min(inner) {
+        for sample in self.first.saturating_sub(1).max(1)..=self.after(record).min(inner) {
             let way = [sample - 1, sample].map(|from| distance(place(from), place(from + 1)));
             let nearer = away(sample) < away(sample - 1) && away(sample) <= away(sample + 1);
             let again = nearer && away(sample) <= missed.max(least + way[0].max(way[1]));

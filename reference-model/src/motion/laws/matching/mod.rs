@@ -10,6 +10,7 @@
 //! The work is linear in samples times pieces within tolerance of a sample.
 
 mod leading;
+mod places;
 
 use std::collections::BTreeSet;
 
@@ -131,7 +132,7 @@ pub(super) fn matched(route: &Route<'_>, measure: Measure<'_>) -> Matching {
     };
     matcher.forward();
     matcher.lead();
-    let places = matcher.backward();
+    let places = matcher.places();
     let legs = matcher.rows.iter().map(|row| {
         let leg = |reach: Option<&Reach>| reach.map_or(0, |reach| matcher.pieces[reach.piece].leg);
         (leg(row.first()), leg(row.last()))
@@ -414,40 +415,6 @@ impl Matcher<'_> {
                 self.missed.push(Miss { sample, what, distance: away, allowed: 0.0 });
             }
         }
-    }
-
-    /// One point for each sample: from the last one backwards, the nearest that is not behind the next sample's.
-    fn backward(&self) -> Vec<Place> {
-        let mut next = Place { leg: usize::MAX, part: 1.0 };
-        let mut places = vec![next; self.rows.len()];
-        for sample in (0..self.rows.len()).rev() {
-            let free = self.measure.backwards.get(sample + 1).copied().unwrap_or(false);
-            let limit = if free { Place { leg: usize::MAX, part: 1.0 } } else { next };
-            next = self.nearest(sample, limit);
-            places[sample] = next;
-        }
-        places
-    }
-
-    fn nearest(&self, sample: usize, limit: Place) -> Place {
-        let point = &self.measure.points[sample];
-        let mut best: Option<(f64, Place)> = None;
-        for reach in self.rows[sample].iter().rev() {
-            let leg = self.pieces[reach.piece].leg;
-            let high = if leg == limit.leg { reach.high.min(limit.part) } else { reach.high };
-            if leg > limit.leg || high < reach.low {
-                continue;
-            }
-            let part = self.curves[leg].nearest(point, reach.low, high);
-            let away = distance(&self.curves[leg].at(part), point);
-            if best.is_none_or(|(nearest, _)| away < nearest - 1e-12) {
-                best = Some((away, Place { leg, part }));
-            }
-        }
-        let first = self.rows[sample]
-            .first()
-            .map(|reach| Place { leg: self.pieces[reach.piece].leg, part: reach.low });
-        best.map(|(_, place)| place).or(first).unwrap_or(Place { leg: 0, part: 0.0 })
     }
 }
 

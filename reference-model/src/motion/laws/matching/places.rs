@@ -1,0 +1,99 @@
+//! One point for each sample, of those for which it can stand.
+
+use super::{Matcher, Place, Reach};
+use crate::motion::vector::distance;
+
+/// What is not told apart, of distances and of sums of their squares.
+const SAME: f64 = 1e-12;
+
+/// A point of a piece, and the way that leads there.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    /// The squares of the distances of all samples so far from their points, summed up.
+    cost: f64,
+    /// The one of the sample before: its place in that sample's row.
+    before: usize,
+}
+
+impl Matcher<'_> {
+    /// The points that are nearest to the samples all in all, and in order. A single sample's nearest point tells little where the tolerance is large:
+    /// the end of a blend may be nearer to where the path began.
+    pub(super) fn places(&self) -> Vec<Place> {
+        let mut steps: Vec<Vec<Step>> = Vec::with_capacity(self.rows.len());
+        for sample in 0..self.rows.len() {
+            let next = self.steps(sample, steps.last().map_or(&[], Vec::as_slice));
+            steps.push(next);
+        }
+        let last = steps.last().map_or(&[][..], Vec::as_slice);
+        let mut chosen = Cheapest::default().with(last, 0).place;
+        let mut next: Option<(usize, Place)> = None;
+        let mut places = Vec::with_capacity(self.rows.len());
+        for sample in (0..self.rows.len()).rev() {
+            let Some(reach) = self.rows[sample].get(chosen).copied() else { break };
+            let free = self.measure.backwards.get(sample + 1).copied().unwrap_or(false);
+            let limit = next.filter(|(piece, _)| *piece == reach.piece && !free);
+            let limit = limit.map_or(1.0, |(_, place)| place.part);
+            let place = Place {
+                leg: self.pieces[reach.piece].leg,
+                part: self.away(sample, reach, limit).1,
+            };
+            next = Some((reach.piece, place));
+            places.push(place);
+            chosen = steps[sample][chosen].before;
+        }
+        places.reverse();
+        places
+    }
+
+    /// Those to a sample's points, from those to the points of the sample before.
+    fn steps(&self, sample: usize, before: &[Step]) -> Vec<Step> {
+        let earlier = sample.checked_sub(1).map_or(&[][..], |before| self.rows[before].as_slice());
+        let all = Cheapest::default().with(before, 0);
+        let free = self.measure.backwards.get(sample).copied().unwrap_or(false);
+        let mut so_far = Cheapest::default();
+        let step = |reach: &Reach| {
+            let reached = earlier.partition_point(|earlier| earlier.piece <= reach.piece);
+            so_far = so_far.with(&before[..reached], so_far.seen);
+            let from = if free || reached == 0 { all } else { so_far };
+            let away = self.away(sample, *reach, 1.0).0;
+            let cost = if before.is_empty() { 0.0 } else { from.cost };
+            Step { cost: cost + away * away, before: from.place }
+        };
+        self.rows[sample].iter().map(step).collect()
+    }
+
+    /// The distance of a sample from a piece's points for which it can stand, up to a parameter, and the parameter of the nearest one.
+    fn away(&self, sample: usize, reach: Reach, limit: f64) -> (f64, f64) {
+        let (point, curve) =
+            (&self.measure.points[sample], &self.curves[self.pieces[reach.piece].leg]);
+        let part = curve.nearest(point, reach.low, reach.high.min(limit).max(reach.low));
+        (distance(&curve.at(part), point), part)
+    }
+}
+
+/// The cheapest of some steps, the last one where several are.
+#[derive(Clone, Copy, Debug)]
+struct Cheapest {
+    place: usize,
+    cost: f64,
+    /// How many there were to choose from.
+    seen: usize,
+}
+
+impl Default for Cheapest {
+    fn default() -> Self {
+        Self { place: 0, cost: f64::INFINITY, seen: 0 }
+    }
+}
+
+impl Cheapest {
+    /// That of some more: those of a row from a place on.
+    fn with(mut self, row: &[Step], from: usize) -> Self {
+        for (place, step) in row.iter().enumerate().skip(from) {
+            if step.cost <= self.cost + SAME {
+                (self.place, self.cost) = (place, step.cost);
+            }
+        }
+        Self { seen: row.len(), ..self }
+    }
+}
