@@ -8,6 +8,8 @@ mod changes;
 mod check;
 #[path = "motion/found.rs"]
 mod found;
+#[path = "motion/joined.rs"]
+mod joined;
 #[path = "motion/memory.rs"]
 mod memory;
 #[path = "motion/operators.rs"]

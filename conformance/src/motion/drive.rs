@@ -295,7 +295,11 @@ impl<'a> Drive<'a> {
         }
         self.follows |= matches!(segment.feed, Feed::PerTurn(_));
         self.lines.push(line);
-        self.controls.push(self.in_force());
+        let controls = self.in_force();
+        if self.controls.last() != Some(&controls) {
+            self.planner.keep_apart();
+        }
+        self.controls.push(controls);
         self.feeds.push(if let Feed::PerSecond(feed) = segment.feed { feed } else { f64::NAN });
         for _ in 0..self.every.unwrap_or(0) {
             self.cycle()?;

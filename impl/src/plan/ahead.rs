@@ -71,25 +71,34 @@ impl Ahead {
     ) -> u64 {
         let mut place = ring.end();
         let mut first = changed;
+        // Down to here all is computed, and what lies before it need not be raised for it.
+        let mut settled = changed;
+        let mut raised = true;
         // How fast the piece after it may be entered.
         let mut next = 0.0;
         while place > at.max(ring.first()) {
             place = place.wrapping_sub(1);
             let Some(piece) = ring.get_mut(place) else { break };
             let new = computed(piece, next, self.scale, limits);
+            let higher = new > piece.reach;
+            let same = new.to_bits() == piece.reach.to_bits();
+            piece.reach = new;
+            next = new;
             if place < changed {
-                if new >= piece.reach {
+                settled = place;
+                if higher || same {
+                    raised = higher;
                     break;
                 }
                 first = place;
             }
-            piece.reach = new;
-            next = new;
         }
-        let below = changed.saturating_sub(1);
-        let low = self.pending.map_or(below, |(low, _)| low.min(below));
-        self.pending = Some((low, below));
-        self.quiet = self.quiet.min(self.before_soon(low));
+        if raised || self.pending.is_some() {
+            let below = settled.saturating_sub(1);
+            let low = self.pending.map_or(below, |(low, _)| low.min(below));
+            self.pending = Some((low, below));
+            self.quiet = self.quiet.min(self.before_soon(low));
+        }
         first
     }
 
@@ -101,31 +110,47 @@ impl Ahead {
         limits: &Limits,
         (steps, eager): (u32, bool),
     ) {
-        for _ in 0..steps {
+        let mut left = steps;
+        while left > 0 {
             let Some(mut wave) = self.wave.take().or_else(|| self.begin(at, eager)) else { return };
             wave.next = wave.next.min(ring.end().saturating_sub(1));
-            if wave.next < at.max(ring.first()) {
-                self.over(wave);
-                continue;
+            if self.raise(&mut wave, ring, at, limits, &mut left) {
+                self.touched = wave.from.saturating_sub(wave.next);
+                self.quiet = 0;
+            } else {
+                self.wave = Some(wave);
             }
-            let next = ring.get(wave.next.wrapping_add(1)).map_or(0.0, |next| next.reach);
-            let Some(piece) = ring.get_mut(wave.next) else { continue };
+        }
+    }
+
+    /// Runs a wave on while there is work left to do; whether it has come to its end.
+    #[inline]
+    fn raise(
+        &self,
+        wave: &mut Wave,
+        ring: &mut Ring<Piece>,
+        at: u64,
+        limits: &Limits,
+        left: &mut u32,
+    ) -> bool {
+        let last = at.max(ring.first());
+        let mut next = ring.get(wave.next.wrapping_add(1)).map_or(0.0, |next| next.reach);
+        while *left > 0 {
+            *left = left.saturating_sub(1);
+            if wave.next < last {
+                return true;
+            }
+            let Some(piece) = ring.get_mut(wave.next) else { return true };
             let new = computed(piece, next, self.scale, limits);
             let same = new.to_bits() == piece.reach.to_bits();
             piece.reach = new;
             if same && wave.next < wave.floor || wave.next == 0 {
-                self.over(wave);
-                continue;
+                return true;
             }
+            next = new;
             wave.next = wave.next.wrapping_sub(1);
-            self.wave = Some(wave);
         }
-    }
-
-    /// A wave has come to its end.
-    fn over(&mut self, wave: Wave) {
-        self.touched = wave.from.saturating_sub(wave.next);
-        self.quiet = 0;
+        false
     }
 
     /// Whether there is something to raise that the motion will soon come to.

@@ -75,25 +75,30 @@ impl Corner {
                 return Self::Kink(Kink::between(before, after, &turn, limits));
             }
             // A leg is left by what it allows itself, whatever the other one does.
-            (Blend::Within(one), Blend::Within(other)) => (one.min(other), false),
+            (Blend::Within(one), Blend::Within(other)) => {
+                ((one - before.strayed).min(other - after.strayed), false)
+            }
             (Blend::Within(tolerance), Blend::BetweenMidpoints)
             | (Blend::BetweenMidpoints, Blend::Within(tolerance)) => (tolerance, true),
             (Blend::Within(tolerance), _) => (tolerance, false),
             (Blend::BetweenMidpoints, _) => (f64::INFINITY, true),
         };
+        // Who keeps between the middles of two segments keeps to these, and not to a leg that several have become.
+        if half && (before.strayed > 0.0 || after.strayed > 0.0) {
+            return Self::Stop;
+        }
         // A blend has one feed, and nobody can say which of two is slower that are counted by time and by turns.
         let paces = [before.whole.pace, after.whole.pace];
         if paces.contains(&Pace::Turn) && paces.contains(&Pace::Second) {
             return Self::Stop;
         }
         // A blend that is long enough to cost nothing need not be longer.
-        let fastest = pressing(before).min(pressing(after));
+        let fastest = before.pressing().min(after.pressing());
         let fastest = match paces {
             [Pace::Turn, Pace::Rapid] => fastest.min(squared(TURNS * before.whole.feed)),
             [Pace::Rapid, Pace::Turn] => fastest.min(squared(TURNS * after.whole.feed)),
             [Pace::Second, _] | [_, Pace::Second]
-                if before.whole.feed.to_bits() != after.whole.feed.to_bits()
-                    && costs(before, after, limits) =>
+                if !before.has_feed_of(after) && costs(before, after, limits) =>
             {
                 fastest.min(asked(before)).min(asked(after))
             }
@@ -150,7 +155,7 @@ impl Kink {
             1.5 * cycles / (1.0 + cycles)
         };
         let fits = |speed: f64| used(speed) <= eases(speed).min(1.0);
-        let mut speed = math::sqrt(pressing(before).min(pressing(after)));
+        let mut speed = math::sqrt(before.pressing().min(after.pressing()));
         if !fits(speed) {
             let mut low = 0.0;
             for _ in 0..HALVINGS {
@@ -202,14 +207,6 @@ fn along(leg: &Leg) -> f64 {
 /// The most of an arc that is bent for a corner.
 fn round(leg: &Leg) -> f64 {
     leg.whole.circle.map_or(f64::INFINITY, |circle| ROUND / circle.turn)
-}
-
-/// The highest square of speed that a leg is ever run at, overrides up to 2.
-fn pressing(leg: &Leg) -> f64 {
-    match leg.whole.pace {
-        Pace::Second => leg.whole.ceiling.min(squared(2.0 * leg.whole.feed)),
-        Pace::Rapid | Pace::Turn => leg.whole.ceiling,
-    }
 }
 
 /// Whether a blend of two legs takes longer the longer it is, since all of it is as slow as the slower one: then it is no longer than the programmed
@@ -290,11 +287,11 @@ pub(super) fn parabola(
     blend.feed /= blend.exit.max(1.0);
 }
 
-/// Leaves of a parabola its first half and gives back its second, each with a law of its own: a long flat blend between two slow corners can speed
+/// Where a parabola is halved into two pieces, each with a law of its own: a long flat blend between two slow corners can speed
 /// up and slow down in it, and where speed is limited by another axis at its end than at its start both have what they allow. `None` where
-/// nothing is won, or where pieces would be so short that their number limits the speed.
+/// nothing is won, or where the halves would be over within a cycle.
 #[inline]
-pub(super) fn halve(blend: &mut Piece, limits: &Limits) -> Option<Piece> {
+pub(super) fn middle(blend: &Piece, limits: &Limits) -> Option<f64> {
     let Law::Bent { even } = blend.law else { return None };
     let axes = squared(blend.fastest);
     let (asked, pressed) = match blend.pace {
@@ -307,16 +304,10 @@ pub(super) fn halve(blend: &mut Piece, limits: &Limits) -> Option<Piece> {
     }
     let along = least(&limits.acceleration, &blend.rate, blend.axes);
     let far = math::sqrt(axes.min(pressed).min(even)) * limits.cycle;
-    if blend.length < far || blend.length < along * squared(WORTH * limits.cycle) {
+    if blend.length < 2.0 * far || blend.length < along * squared(WORTH * limits.cycle) {
         return None;
     }
-    let middle = blend.begins.unwrap_or(0.5 * blend.length);
-    let mut second = blend.part(middle, blend.length);
-    second.begins = Some(0.0);
-    limits.rule(&mut second);
-    blend.cut(0.0, middle);
-    limits.rule(blend);
-    Some(second)
+    Some(blend.begins.unwrap_or(0.5 * blend.length))
 }
 
 /// The last d of the leg before a corner, bent by half of its turn.

@@ -5,7 +5,7 @@
 //! is never changed so that it could not be kept to: then the corner keeps the form it has, a stop at worst.
 
 use super::ahead::Ahead;
-use super::corner::{Corner, bent_end, bent_start, halve, parabola, share, turn};
+use super::corner::{Corner, bent_end, bent_start, middle, parabola, share, turn};
 use super::leg::Leg;
 use super::limits::{Limits, squared};
 use super::parameters::Axes;
@@ -13,6 +13,7 @@ use super::piece::{Law, Pace, Piece};
 use super::ring::Ring;
 use super::segment::Blend;
 use super::step::Motion;
+use super::strips::Strips;
 use crate::math;
 
 /// So many pieces may be touched in a cycle, by a limit of speed where they are short.
@@ -100,6 +101,9 @@ impl Course {
         queue.changed = u64::MAX;
         let (before, last, next) = turned(&mut self.legs, self.turn);
         self.end = next.leg.whole.end;
+        if self.open > 0 && joined(before, last, next, queue) {
+            return;
+        }
         next.corner = Corner::Stop;
         if self.open > 0 {
             next.corner = Corner::between(&last.leg, &next.leg, queue.limits);
@@ -131,6 +135,44 @@ fn turned(legs: &mut [Open; 3], turn: u8) -> (&mut Open, &mut Open, &mut Open) {
         1 => (two, three, one),
         _ => (three, one, two),
     }
+}
+
+/// Makes one leg of the last and the next, where both are over within a cycle, and the corner before it anew.
+fn joined(before: &mut Open, last: &mut Open, next: &Open, queue: &mut Queue<'_>) -> bool {
+    if !last.leg.goes_on_in(&next.leg, queue.limits) {
+        return false;
+    }
+    let old = *last;
+    if !last.leg.join(&next.leg, queue.limits) {
+        last.leg = old.leg;
+        return false;
+    }
+    if last.corner == Corner::Stop {
+        let motion = queue.motion;
+        let begun = motion.at > last.main
+            || motion.at == last.main && (motion.x > 0.0 || motion.speed > 0.0);
+        if begun {
+            last.leg = old.leg;
+        } else {
+            push_main(last, 0.0, queue);
+            settle(queue);
+        }
+        return !begun;
+    }
+    last.corner = Corner::between(&before.leg, &last.leg, queue.limits);
+    if last.corner == Corner::Stop || !fits(before, provisional(before, last).0, queue) {
+        *last = old;
+        return false;
+    }
+    follow(before, last, queue);
+    if accepted(queue) {
+        return true;
+    }
+    *last = old;
+    join(before, last, queue);
+    push_main(last, 0.0, queue);
+    settle(queue);
+    false
 }
 
 /// Makes the corner before the last leg anew where it may have more, and then the one before the next.
@@ -261,7 +303,7 @@ fn push_main(open: &mut Open, given: f64, queue: &mut Queue<'_>) {
         Corner::Smooth => piece.begins = Some(0.0),
         Corner::Kink(_) | Corner::Blend { .. } => {}
     }
-    spread(queue);
+    spread(queue.ring.end(), queue);
 }
 
 fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
@@ -289,39 +331,67 @@ fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
 fn push_blend((before, after): (&Leg, &Leg), given: (f64, f64), queue: &mut Queue<'_>) {
     let Some(blend) = queue.ring.append() else { return };
     parabola((before, after), given, queue.limits, blend);
-    let second = halve(blend, queue.limits);
-    spread(queue);
-    if let Some(second) = second {
-        push(&second, queue);
+    let middle = middle(blend, queue.limits);
+    let first = queue.ring.end().wrapping_sub(1);
+    if let Some(middle) = middle
+        && let Some(second) = queue.ring.append_copy()
+    {
+        second.cut(middle, second.length);
+        second.begins = Some(0.0);
+        queue.limits.rule(second);
+        if let Some(first) = queue.ring.get_mut(first) {
+            first.cut(0.0, middle);
+            queue.limits.rule(first);
+        }
+        laid(first, queue);
+        laid(first.wrapping_add(1), queue);
+    } else {
+        laid(first, queue);
     }
 }
 
 fn push(piece: &Piece, queue: &mut Queue<'_>) {
     queue.ring.push(piece);
-    spread(queue);
+    laid(queue.ring.end().wrapping_sub(1), queue);
 }
 
-/// Limits the speed of the last pieces where too many would fit into a cycle.
-fn spread(queue: &mut Queue<'_>) {
-    let end = queue.ring.end();
+/// What a piece gets once it has its place.
+fn laid(place: u64, queue: &mut Queue<'_>) {
+    if let Some(piece) = queue.ring.get_mut(place)
+        && matches!(piece.law, Law::Bent { .. })
+        && piece.axes <= 3
+    {
+        Strips::lay(piece, queue.limits);
+    }
+    spread(place.wrapping_add(1), queue);
+}
+
+/// Limits the speed of the last pieces before an end where too many would fit into a cycle.
+fn spread(end: u64, queue: &mut Queue<'_>) {
     let Some(last) = queue.ring.get(end.wrapping_sub(1)) else { return };
     // A piece that takes a cycle by itself is no part of a crowd.
     if last.length >= last.fastest * queue.limits.cycle {
         return;
     }
     let first = end.saturating_sub(CROWD);
-    let mut length = 0.0;
-    for place in first..end {
+    let (mut length, mut most) = (last.length, last.fastest);
+    for place in first..end.wrapping_sub(1) {
         // Without so many before it there is no crowd.
-        length += queue.ring.get(place).map_or(f64::INFINITY, |piece| piece.length);
+        let Some(piece) = queue.ring.get(place) else { return };
+        length += piece.length;
+        most = math::greater(most, piece.fastest);
+    }
+    if length >= most * queue.limits.cycle {
+        return;
     }
     let fastest = length / queue.limits.cycle;
+    let ceiling = squared(fastest);
     for place in first.max(queue.motion.at.saturating_add(1))..end {
         if let Some(piece) = queue.ring.get_mut(place)
             && piece.fastest > fastest
         {
-            piece.ceiling = math::lesser(piece.ceiling, squared(fastest));
-            piece.last_ceiling = math::lesser(piece.last_ceiling, squared(fastest));
+            piece.ceiling = math::lesser(piece.ceiling, ceiling);
+            piece.last_ceiling = math::lesser(piece.last_ceiling, ceiling);
             piece.fastest = fastest;
             queue.changed = queue.changed.min(place);
         }

@@ -8,7 +8,16 @@ use super::segment::Blend;
 use super::segment::{Feed, Path, Segment};
 use crate::math;
 
-/// A segment from corner to corner.
+/// The most of a tolerance that segments may be away from the one leg that is made of them: blends have the rest.
+const STRAYED: f64 = 0.25;
+/// At least so many segments of a length make a leg, since legs of unequal length are slower to go round a curve than equal ones.
+const EVENLY: f64 = 4.0;
+/// The change of direction, radians, up to which two segments may become one leg.
+const STRAIGHT: f64 = 0.2;
+/// By so much two feeds may differ that are one.
+const SAME: f64 = 1e-12;
+
+/// A segment from corner to corner, or several that are over within a cycle.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Leg {
     /// All of it, with its law.
@@ -22,6 +31,10 @@ pub(super) struct Leg {
     pub(super) felt: f64,
     /// How much of it the corner at its start has taken.
     pub(super) taken: f64,
+    /// How far the segments that it is made of may be from it, and it from them, millimetres: 0 where it is one.
+    pub(super) strayed: f64,
+    /// Whether its start is to stay where it is.
+    pub(super) apart: bool,
 }
 
 /// What a segment is once its end is known.
@@ -41,7 +54,7 @@ pub(super) fn resolve(
     limits: &Limits,
 ) -> Result<Resolved, NotQueued> {
     let whole = &mut leg.whole;
-    *whole = Piece { origin: *start, exit: 1.0, entry: f64::INFINITY, ..Piece::default() };
+    whole.begin_at(start);
     match segment.path {
         Path::Dwell { seconds } if seconds >= 0.0 && seconds.is_finite() => {
             return Ok(Resolved::Dwell(seconds));
@@ -76,8 +89,69 @@ pub(super) fn resolve(
         leg.last = whole.tangent(whole.length).map(|rate| rate / whole.exit);
     }
     leg.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
-    leg.taken = 0.0;
+    (leg.taken, leg.strayed) = (0.0, 0.0);
     Ok(Resolved::Leg)
+}
+
+impl Leg {
+    /// Whether the next leg may become one with this: both are lines alike that go on nearly straight and are over within a cycle.
+    #[inline]
+    pub(super) fn goes_on_in(&self, next: &Self, limits: &Limits) -> bool {
+        let (one, other) = (&self.whole, &next.whole);
+        let length = (one.length + other.length).max(other.length * EVENLY);
+        if squared(length) > squared(limits.cycle) * self.pressing() {
+            return false;
+        }
+        let lines = one.circle.is_none() && other.circle.is_none() && one.axes.max(other.axes) <= 3;
+        let alike = lines && self.has_feed_of(next) && self.blend == next.blend;
+        let mut bends = 0.0;
+        for (last, first) in self.last.iter().zip(&next.first) {
+            bends += squared(first - last);
+        }
+        alike && one.pace != Pace::Turn && !next.apart && bends <= squared(STRAIGHT)
+    }
+
+    /// Whether both have one feed, but for rounding.
+    #[inline]
+    pub(super) fn has_feed_of(&self, next: &Self) -> bool {
+        let (one, other) = (&self.whole, &next.whole);
+        let near = (one.feed - other.feed).abs() <= SAME * one.feed;
+        one.pace == other.pace && (near || one.feed.to_bits() == other.feed.to_bits())
+    }
+
+    /// Becomes one with the next leg, if the tolerance has room for it; nothing of worth otherwise.
+    pub(super) fn join(&mut self, next: &Self, limits: &Limits) -> bool {
+        let Blend::Within(tolerance) = self.blend else { return false };
+        let whole = &mut self.whole;
+        let length = whole.length;
+        if straight(whole, &next.whole.end).is_err() {
+            return false;
+        }
+        // The end that is dropped is so far from the line: what of the old direction is not along the new one.
+        let (mut along, mut across) = (0.0, 0.0);
+        for (new, old) in whole.rate.iter().zip(&self.last) {
+            along += new * old;
+        }
+        for (new, old) in whole.rate.iter().zip(&self.last) {
+            across += squared(old - along * new);
+        }
+        self.strayed += length * math::sqrt(across);
+        if self.strayed > STRAYED * tolerance {
+            return false;
+        }
+        (whole.number, whole.index) = (next.whole.number, next.whole.index);
+        limits.rule(whole);
+        (self.first, self.last) = (whole.rate, whole.rate);
+        true
+    }
+
+    /// The highest square of speed that it is ever run at, overrides up to 2.
+    pub(super) fn pressing(&self) -> f64 {
+        match self.whole.pace {
+            Pace::Second => self.whole.ceiling.min(squared(2.0 * self.whole.feed)),
+            Pace::Rapid | Pace::Turn => self.whole.ceiling,
+        }
+    }
 }
 
 fn straight(whole: &mut Piece, end: &Axes) -> Result<(), NotQueued> {

@@ -8,7 +8,7 @@
 //!   leg         a segment as one piece of path, by the distance                    leg
 //!   course      the end of the path: legs are cut, corners put between them        course, corner
 //! Piece         a part of the path with one law for speed and acceleration         piece, limits
-//!   ahead       how fast each piece may be entered, from the end of the queue back ahead, reach
+//!   ahead       how fast each piece may be entered, from the end of the queue back ahead, reach, strips
 //!   step        a cycle of motion along the pieces                                 step, cruise, bend
 //! OutputParameter
 //! ```
@@ -33,6 +33,7 @@ mod reach;
 mod ring;
 mod segment;
 mod step;
+mod strips;
 
 use parameters::lead;
 pub use parameters::{Axes, Hold, InputParameter, OutputParameter, Phase};
@@ -100,6 +101,8 @@ pub struct Planner {
     /// The end of the last piece that follows the spindle.
     followed: u64,
     probe: bool,
+    /// Whether the next segment is to begin where it is programmed to.
+    apart: bool,
 }
 
 /// Why a segment was not queued.
@@ -148,6 +151,7 @@ impl Planner {
             turns: 0.0,
             followed: 0,
             probe: false,
+            apart: false,
         })
     }
 
@@ -178,7 +182,11 @@ impl Planner {
             Resolved::Dwell(seconds) => self.course.dwell(seconds, &mut queue),
             Resolved::Leg => {
                 self.queued = self.queued.saturating_add(1);
-                self.course.new_leg().0.whole.index = self.queued;
+                let last = self.switches.get(self.switches.end().wrapping_sub(1));
+                let awaited = last.is_some_and(|(segment, _)| *segment == self.queued);
+                let (leg, _) = self.course.new_leg();
+                (leg.whole.index, leg.apart) = (self.queued, self.apart || awaited);
+                self.apart = false;
                 if segment.probing {
                     self.course.stop();
                 }
@@ -190,6 +198,12 @@ impl Planner {
         }
         self.ahead.work(&mut self.ring, self.motion.at, &self.limits, (WORK_QUEUED, false));
         Ok(())
+    }
+
+    /// Keeps the next segment from becoming one with those before it, which short ones may within their tolerance: for instance where
+    /// other overrides act on it.
+    pub fn keep_apart(&mut self) {
+        self.apart = true;
     }
 
     /// Lets an output switch when the next segment that is not queued yet begins: in the cycle in which the commanded point passes the

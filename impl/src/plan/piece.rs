@@ -5,6 +5,7 @@
 //! lines are bends alone, and a blend with an arc is that arc with a bend added, which takes the break out of its direction.
 
 use super::parameters::{Axes, lead};
+use super::strips::Strips;
 use crate::math;
 
 /// The part of a position that turns: (cosine·cos(turn·x) + sine·sin(turn·x))·(1 + growth·x) on X, Y and Z.
@@ -126,6 +127,8 @@ pub(super) struct Piece {
     /// How many of the leading axes take part.
     pub(super) axes: usize,
     pub(super) law: Law,
+    /// What the axes allow at both ends of a bend of up to three, run forward.
+    pub(super) strips: Strips<3>,
     /// Highest square of the parameter's speed that the axes allow, where the piece begins.
     pub(super) ceiling: f64,
     /// The same where it ends; between these it changes evenly.
@@ -153,6 +156,16 @@ pub(super) struct Piece {
 }
 
 impl Piece {
+    /// Becomes a piece that begins at a position and leads nowhere yet, with nothing of what it was.
+    pub(super) fn begin_at(&mut self, start: &Axes) {
+        self.origin = *start;
+        self.bend = Axes::default();
+        self.circle = None;
+        (self.exit, self.entry) = (1.0, f64::INFINITY);
+        (self.reach, self.back) = (0.0, 0.0);
+        (self.begins, self.rapid) = (None, false);
+    }
+
     /// p, p' and p'' at x, of so many leading axes.
     #[inline]
     pub(super) fn motion<const N: usize>(&self, x: f64) -> [[f64; N]; 3] {

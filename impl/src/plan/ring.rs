@@ -64,6 +64,19 @@ impl<T: Copy + Default> Ring<T> {
         Some(place)
     }
 
+    /// Appends what the last element is, to be changed there; nothing without room.
+    pub(super) fn append_copy(&mut self) -> Option<&mut T> {
+        if self.room() == 0 || self.end == self.first {
+            return None;
+        }
+        let (last, slot) = (self.slot(self.end.wrapping_sub(1)), self.slot(self.end));
+        let last = *self.slots.get(last)?;
+        let place = self.slots.get_mut(slot)?;
+        *place = last;
+        self.end = self.end.wrapping_add(1);
+        Some(place)
+    }
+
     /// Forgets the oldest element.
     pub(super) fn drop_first(&mut self) {
         if self.first < self.end {

@@ -6,7 +6,7 @@ use super::check::{Feeding, Run, dynamics, farthest, programmed, run};
 use super::programs::{arcs, arcs_with_corners, at, dense, helix, line, square, zig};
 
 const ORIGIN: Axes = [0.0; 9];
-const FEEDINGS: [Feeding; 6] = [
+pub(crate) const FEEDINGS: [Feeding; 6] = [
     Feeding::Full,
     Feeding::Every(0, 1),
     Feeding::Every(0, 5),
