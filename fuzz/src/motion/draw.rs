@@ -12,10 +12,15 @@ use crate::generate::Dice;
 /// Coordinates are multiples of this, millimetres or degrees, as a program for a machine has them.
 const GRID: f64 = 1e5;
 
+/// The kind of steps that are chords of a curve.
+const CHORDS: u32 = 5;
+
 /// A ride; what an operator does to it comes with some of them.
 pub fn ride(dice: &mut Dice<'_>) -> Ride {
     let axes = *dice.pick(&[2, 3, 3, 3, 3, 4, 6, 9]);
-    let size = any_size(dice, 0.003, 25.0);
+    // Some are chords of curves, of which several are over within a cycle.
+    let fine = dice.chance(12);
+    let size = if fine { any_size(dice, 0.002, 0.2) } else { any_size(dice, 0.003, 25.0) };
     let plane = *dice.pick(&[Plane::Xy, Plane::Xy, Plane::Xy, Plane::Zx, Plane::Yz]);
     // Where a controller stands that has not moved.
     let start = [0.0; 9];
@@ -26,26 +31,27 @@ pub fn ride(dice: &mut Dice<'_>) -> Ride {
     }
     let every = if dice.chance(50) { None } else { Some(*dice.pick(&[1, 1, 2, 5, 20, 31, 80])) };
     let mut ride = Ride { start, plane, steps: Vec::new(), limits, script, every };
-    let mut pen = Pen { here: start, direction: between(dice, -PI, PI), size, axes };
-    let first = mode(dice, size);
+    let direction = between(dice, -PI, PI);
+    let curve = if fine { any_size(dice, 1e-4, 0.15) } else { 0.0 };
+    let mut pen = Pen { here: start, direction, size, axes, curve };
+    let first = if fine { within(dice, size, 3.0) } else { mode(dice, size) };
     ride.steps.push(Step::Mode(first));
-    let first = pace(dice, size);
+    let first = if fine { quick(dice, size / ride.limits.period) } else { pace(dice, size) };
     ride.steps.push(Step::Pace(first));
-    let count = if dice.chance(10) { dice.range(60, 150) } else { dice.range(2, 30) };
+    let count = match fine {
+        true => dice.range(50, 300),
+        false if dice.chance(10) => dice.range(60, 150),
+        false => dice.range(2, 30),
+    };
     // Most programs have long rows of one kind.
-    let kind = dice.below(5);
+    let kind = if fine { CHORDS } else { dice.below(5) };
     for _ in 0..count {
-        if dice.chance(8) {
-            let mode = mode(dice, size);
-            ride.steps.push(Step::Mode(mode));
+        if fine && dice.chance(95) {
+            let step = pen.line(dice, plane, kind);
+            ride.steps.push(step);
+        } else {
+            any_step(dice, &mut pen, &mut ride, kind);
         }
-        if dice.chance(8) {
-            let pace = pace(dice, size);
-            ride.steps.push(Step::Pace(pace));
-        }
-        let kind = if dice.chance(40) { dice.below(5) } else { kind };
-        let step = pen.step(dice, plane, kind);
-        ride.steps.push(step);
     }
     if dice.chance(70) {
         let mut last = pen.here;
@@ -59,6 +65,21 @@ pub fn ride(dice: &mut Dice<'_>) -> Ride {
     ride
 }
 
+/// A step of any kind, mostly of one; before some of them another mode or feed.
+fn any_step(dice: &mut Dice<'_>, pen: &mut Pen, ride: &mut Ride, kind: u32) {
+    if dice.chance(8) {
+        let mode = mode(dice, pen.size);
+        ride.steps.push(Step::Mode(mode));
+    }
+    if dice.chance(8) {
+        let pace = pace(dice, pen.size);
+        ride.steps.push(Step::Pace(pace));
+    }
+    let kind = if dice.chance(40) { dice.below(5) } else { kind };
+    let step = pen.step(dice, ride.plane, kind);
+    ride.steps.push(step);
+}
+
 /// Where the drawing is.
 struct Pen {
     here: Axes,
@@ -66,6 +87,8 @@ struct Pen {
     direction: f64,
     size: f64,
     axes: usize,
+    /// By how much a chord turns, radians.
+    curve: f64,
 }
 
 impl Pen {
@@ -79,8 +102,16 @@ impl Pen {
             2 => return Step::Line(self.here),
             _ => {}
         }
-        let length = if dice.chance(25) { any_size(dice, 1e-4, 30.0) } else { self.size };
+        self.line(dice, plane, kind)
+    }
+
+    /// A line, or an arc where the kind has some.
+    fn line(&mut self, dice: &mut Dice<'_>, plane: Plane, kind: u32) -> Step {
+        let other = if kind == CHORDS { 2 } else { 25 };
+        let length = if dice.chance(other) { any_size(dice, 1e-4, 30.0) } else { self.size };
         self.direction += match (kind, dice.below(8)) {
+            (CHORDS, 0) => self.curve * between(dice, -0.5, 2.0),
+            (CHORDS, _) => self.curve,
             // Nearly smooth.
             (0, _) => between(dice, -0.06, 0.06),
             (1, _) => any_size(dice, 1e-9, 0.1) * if dice.chance(50) { 1.0 } else { -1.0 },
@@ -97,13 +128,17 @@ impl Pen {
         let mut end = self.here;
         end[first] = on_grid(end[first] + length * libm::cos(self.direction));
         end[second] = on_grid(end[second] + length * libm::sin(self.direction));
-        if dice.chance(30) {
+        if dice.chance(if kind == CHORDS { 3 } else { 30 }) {
             for place in end.iter_mut().take(self.axes).skip(2) {
                 *place = on_grid(*place + between(dice, -length, length));
             }
         }
         self.here = end;
-        if dice.chance(8) { Step::Rapid(end) } else { Step::Line(end) }
+        if dice.chance(if kind == CHORDS { 1 } else { 8 }) {
+            Step::Rapid(end)
+        } else {
+            Step::Line(end)
+        }
     }
 
     /// An arc that begins in the direction of the last move, or with a corner.
@@ -163,11 +198,19 @@ fn mode(dice: &mut Dice<'_>, size: f64) -> PathMode {
         3 => {
             PathMode::Within { tolerance: rounded(any_size(dice, 1e-5, size.min(1.0))), merge: 0.0 }
         }
-        _ => {
-            let tolerance = rounded((size * any_size(dice, 1e-3, 0.3)).max(1e-5));
-            PathMode::Within { tolerance, merge: 0.0 }
-        }
+        _ => within(dice, size, 0.3),
     }
+}
+
+/// A tolerance of so many times a size at most.
+fn within(dice: &mut Dice<'_>, size: f64, most: f64) -> PathMode {
+    let tolerance = rounded((size * any_size(dice, 1e-3, most)).max(1e-5));
+    PathMode::Within { tolerance, merge: 0.0 }
+}
+
+/// A feed at which one move, or up to twenty, are over within a cycle.
+fn quick(dice: &mut Dice<'_>, speed: f64) -> Pace {
+    Pace::PerMinute(round(60.0 * speed * any_size(dice, 0.5, 20.0)))
 }
 
 /// A feed at which a move does not take for ever.
