@@ -39,8 +39,8 @@ const EXAMPLES: &str = "Examples:
       hold LinuxCNC's whole controller, with a simulated machine, to two chapters of its manual
   gaugeblock certify \"exec:python3 adapter.py\" --profile modal-save
       hold a controller behind an adapter (`gaugeblock adapter --help`)
-  gaugeblock certify rs274 --as \"exec:python3 rs274.py\"
-      hold it to no more than that adapter declares, so that the verdicts of both can be compared
+  gaugeblock certify rs274 --as offline:campaign
+      hold it to no more than those sheets of paper tell, so that the verdicts of both can be compared
   gaugeblock certify reference --edition m70-draft --only saved-state
       hold the specification to one chapter of an edition";
 

@@ -233,6 +233,27 @@ mod tests {
     }
 
     #[test]
+    fn the_adapter_in_python_has_the_same_rows() {
+        let python = include_str!("../../../adapters/probing/faults.py");
+        let (_, table) = python.split_once("KINDS = [\n").unwrap();
+        let (table, _) = table.split_once("\n]\n").unwrap();
+        let lines = table.lines().filter(|line| !line.trim_start().starts_with('#'));
+        let table = lines.collect::<Vec<_>>().join("\n");
+        let parts: Vec<_> = table.split('"').collect();
+        let mut kind = "";
+        let mut rows = Vec::new();
+        for part in parts.chunks_exact(2) {
+            if part[0].ends_with('(') {
+                kind = part[1];
+            } else {
+                rows.push((part[1], kind));
+            }
+        }
+        let own: Vec<_> = FRAGMENTS.iter().map(|(row, kind)| (*row, kind.word())).collect();
+        assert_eq!(rows, own);
+    }
+
+    #[test]
     fn every_row_can_be_reached() {
         for (fragment, expected) in FRAGMENTS {
             let first = FRAGMENTS.iter().find(|(earlier, _)| fragment.contains(earlier));
