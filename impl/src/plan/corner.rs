@@ -29,8 +29,9 @@ const WORTH: f64 = 4.0;
 const UNEQUAL_FEED: f64 = 0.9;
 /// For how many cycles a leg lasts at least for that, at its own speed or the other one's.
 const LASTING: f64 = 0.25;
-/// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much where a feed limits it.
-const UNEQUAL: f64 = 1.001;
+/// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much where a feed limits it, but
+/// chords whose ends are rounded are never quite equal, and what remains of them would crowd a cycle with pieces that are next to nothing.
+const UNEQUAL: f64 = 1.02;
 
 /// What may be done at a corner, before the lengths of its legs are shared out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -10,7 +10,7 @@ use super::step::{End, LASTING, Motion, TOUCHED, Wish, even_ramp};
 use crate::math;
 
 /// How much of what the axes can do is easily used on a bend: its p' may be a little longer than 1 (`corner::UNEQUAL`).
-const USED: f64 = 0.99;
+const USED: f64 = 0.98;
 /// By so much the square of a speed may be above another one by rounding.
 const SAME: f64 = 1.0 + 1e-12;
 
