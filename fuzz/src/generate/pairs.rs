@@ -82,7 +82,8 @@ const CHANGES: &[Change] = &[
         name: "line numbers",
         moves_lines: false,
         line: |line| {
-            if is_plain(line) && line.starts_with(['g', 'm', 'x', 'f', 's', 't', '#']) {
+            let begins_with_word = line.starts_with(['g', 'm', 'x', 'f', 's', 't', '#']);
+            if is_plain(line) && begins_with_word && !begins_with_operator(line) {
                 format!("n7 {line}")
             } else {
                 line.to_owned()
@@ -103,10 +104,25 @@ const CHANGES: &[Change] = &[
     },
 ];
 
+/// Binary operators whose names are letters.
+const OPERATORS: &[&str] = &["mod", "and", "or", "xor", "eq", "ne", "gt", "ge", "lt", "le"];
+
 /// Whether a program asks for the number of a line, in whatever letters and blanks.
 fn names_line(text: &str) -> bool {
+    without_blanks(text).contains("_line")
+}
+
+/// Whether a line begins with letters that are an operator where a number stands before them: a word without its value is refused by another
+/// rule there.
+fn begins_with_operator(line: &str) -> bool {
+    let letters = without_blanks(line);
+    OPERATORS.iter().any(|operator| letters.starts_with(operator))
+}
+
+/// A text as it is read: blanks and capitals mean nothing.
+fn without_blanks(text: &str) -> String {
     let letters = text.chars().filter(|c| !c.is_whitespace());
-    letters.map(|c| c.to_ascii_lowercase()).collect::<String>().contains("_line")
+    letters.map(|c| c.to_ascii_lowercase()).collect()
 }
 
 /// Whether a line is neither a comment nor about the file.
