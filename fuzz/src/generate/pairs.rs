@@ -9,8 +9,6 @@ use super::{Dice, Recipe, Setups};
 pub enum Same {
     /// Effects and end; the lines at which they are do not count.
     Effects,
-    /// The same, up to the rounding of coordinates.
-    Rounded,
     /// The same; but where something is missing at the end of a line, it may be refused for the comment that stands there.
     Commented,
     /// The path in machine coordinates: where each straight move ends, moves along one line taken together.
@@ -41,14 +39,11 @@ struct Change {
 /// The change that puts a comment behind each line.
 const COMMENTS: &str = "comments";
 
-/// The change that writes modal codes twice.
-const REPEATED: &str = "repeated modal words";
-
-/// Modal codes that change nothing when they are repeated in the next block.
+/// Modal codes that change nothing when they are repeated in the next block. Those of coordinate systems are not among them: what selects a
+/// system computes anew where the point is, and a program may do anything with how that is rounded.
 const REPEATABLE: &[&str] = &[
     "g17", "g18", "g19", "g20", "g21", "g90", "g91", "g90.1", "g91.1", "g98", "g99", "g61",
-    "g61.1", "g54", "g55", "g56", "g57", "g58", "g59", "g59.1", "g59.2", "g59.3", "g7", "g8", "m7",
-    "m8", "m9", "m48", "m49",
+    "g61.1", "g7", "g8", "m7", "m8", "m9", "m48", "m49",
 ];
 
 /// The most characters of a line.
@@ -96,7 +91,7 @@ const CHANGES: &[Change] = &[
         line: |line| if is_plain(line) { format!("\n{line}\n") } else { line.to_owned() },
     },
     Change {
-        name: REPEATED,
+        name: "repeated modal words",
         moves_lines: true,
         line: |line| {
             if REPEATABLE.contains(&line) { format!("{line}\n{line}") } else { line.to_owned() }
@@ -162,7 +157,9 @@ pub fn pair(dice: &mut Dice<'_>) -> Pair {
         4 => path(dice, "absolute and incremental", |points| {
             (moves(points, "g21 g90", 1.0), steps(points))
         }),
-        5 => path(dice, "shifted work offset", shifted),
+        5 => path(dice, "shifted and turned work offsets", |points| {
+            (moves(points, "g21", 1.0), shifted(points))
+        }),
         6 => path(dice, "split moves", |points| (moves(points, "g21", 1.0), halves(points))),
         _ => changed(dice),
     }
@@ -183,12 +180,7 @@ fn changed(dice: &mut Dice<'_>) -> Pair {
         });
         other.program.main = lines.map(|line| line + "\n").collect();
     }
-    // Who selects a coordinate system that is turned comes back to the point by its sine and cosine.
-    let same = match change.name {
-        REPEATED => Same::Rounded,
-        COMMENTS => Same::Commented,
-        _ => Same::Effects,
-    };
+    let same = if change.name == COMMENTS { Same::Commented } else { Same::Effects };
     Pair { name: change.name, one, other, same }
 }
 
@@ -272,11 +264,18 @@ fn steps(points: &[Point]) -> String {
     text + "m2\n"
 }
 
-fn shifted(points: &[Point]) -> (String, String) {
-    let back = |(x, y, z): &Point| (x - 7, y + 3, z - 2);
-    let there: Vec<Point> = points.iter().map(back).collect();
-    let (one, other) = (moves(points, "g21", 1.0), moves(&there, "g21", 1.0));
-    (one, format!("g21 g10 l2 p2 x7 y-3 z2\ng55\n{other}"))
+/// Every other point in a system that is shifted, the rest in one that is turned, too. Each is selected twice, which changes nothing.
+fn shifted(points: &[Point]) -> String {
+    let mut text = "g21 f100\ng10 l2 p2 x7 y-3 z2\ng10 l2 p3 x-4 y5 z1 r90\n".to_owned();
+    for (number, (x, y, z)) in points.iter().enumerate() {
+        let (system, (x, y, z)) = if number % 2 == 0 {
+            ("g55", (x - 7, y + 3, z - 2))
+        } else {
+            ("g56", (y - 5, -4 - x, z - 1))
+        };
+        text.push_str(&format!("{system}\n{system}\ng1 x{x} y{y} z{z}\n"));
+    }
+    text + "m2\n"
 }
 
 fn halves(points: &[Point]) -> String {

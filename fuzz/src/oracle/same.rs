@@ -1,13 +1,10 @@
 //! Whether a pair of scenarios does the same.
 
 use gaugeblock_trace::{
-    Effect, End, Event, Fault, LengthUnit, Outcome, Position, Scenario, Settings, Value,
+    Effect, End, Event, Fault, LengthUnit, Outcome, Position, Scenario, Settings,
 };
 
 use crate::generate::pairs::{Pair, Same};
-
-/// Part of a coordinate by which it may differ where it is rounded otherwise; of one unit, where it is less.
-const ROUNDING: f64 = 1e-9;
 
 /// Millimetres by which points may differ.
 const TOLERANCE: f64 = 1e-6;
@@ -31,13 +28,6 @@ pub fn same(pair: &Pair, run: &mut dyn FnMut(&Scenario) -> Option<Outcome>) -> R
     let equal = match pair.same {
         Same::Effects | Same::Commented => {
             effects(&one) == effects(&other) && settings(&one) == settings(&other)
-        }
-        Same::Rounded => {
-            let (effects, others) = (effects(&one), effects(&other));
-            let alike = |(one, other): (&&Effect, &&Effect)| one == other || rounded(one, other);
-            effects.len() == others.len()
-                && effects.iter().zip(&others).all(alike)
-                && settings(&one) == settings(&other)
         }
         Same::Path => close(&path(&one), &path(&other)),
     };
@@ -84,22 +74,6 @@ fn effects(outcome: &Outcome) -> Vec<&Effect> {
         .collect()
 }
 
-/// Whether two effects are the same up to the rounding of their numbers.
-fn rounded(one: &Effect, other: &Effect) -> bool {
-    let near = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs()).max(1.0);
-    let (arguments, others) = (one.arguments(), other.arguments());
-    let alike = |(one, other): (&(&str, Value), &(&str, Value))| match (&one.1, &other.1) {
-        (Value::Number(a), Value::Number(b)) => near(*a, *b),
-        (Value::Position(a), Value::Position(b)) => {
-            a.to_array().into_iter().zip(b.to_array()).all(|(a, b)| near(a, b))
-        }
-        (a, b) => a == b,
-    };
-    one.name() == other.name()
-        && arguments.len() == others.len()
-        && arguments.iter().zip(&others).all(alike)
-}
-
 /// Settings at the end of a run that was not refused.
 fn settings(outcome: &Outcome) -> Option<Settings> {
     let mut settings = outcome.start.clone();
@@ -137,12 +111,17 @@ fn path(outcome: &Outcome) -> Vec<Point> {
 
 fn machine(end: &Position, settings: &Settings) -> Point {
     let unit = if settings.units == Some(LengthUnit::Inch) { 25.4 } else { 1.0 };
-    let offsets = [settings.g5x_offset, settings.g92_offset, settings.tool_offset];
-    let of = |coordinate: fn(&Position) -> f64| {
-        let all = offsets.iter().flatten().map(coordinate).sum::<f64>();
-        (coordinate(end) + all) * unit
+    let sum = |positions: &[Option<Position>]| {
+        let of = |coordinate: fn(&Position) -> f64| {
+            positions.iter().flatten().map(coordinate).sum::<f64>()
+        };
+        [of(|p| p.x), of(|p| p.y), of(|p| p.z)]
     };
-    [of(|p| p.x), of(|p| p.y), of(|p| p.z)]
+    // A system is turned about its origin, and what is programmed in it with it.
+    let [x, y, z] = sum(&[Some(*end), settings.g92_offset]);
+    let (sine, cosine) = libm::sincos(settings.rotation.unwrap_or_default().to_radians());
+    let [dx, dy, dz] = sum(&[settings.g5x_offset, settings.tool_offset]);
+    [x * cosine - y * sine + dx, x * sine + y * cosine + dy, z + dz].map(|part| part * unit)
 }
 
 /// Whether a point lies on the straight line between two others.
