@@ -12,6 +12,7 @@
 
 mod drawn;
 mod drive;
+mod effects;
 mod held;
 mod made;
 mod picture;
