@@ -93,10 +93,14 @@ impl Ahead {
                 first = place;
             }
         }
-        if raised || self.pending.is_some() {
-            let below = settled.saturating_sub(1);
-            let low = self.pending.map_or(below, |(low, _)| low.min(below));
-            self.pending = Some((low, below));
+        let below = settled.saturating_sub(1);
+        let pending = match self.pending {
+            Some((low, high)) if !raised => Some((low.min(below), high.min(below))),
+            Some((low, _)) => Some((low.min(below), below)),
+            None => raised.then_some((below, below)),
+        };
+        self.pending = pending;
+        if let Some((low, _)) = pending {
             self.quiet = self.quiet.min(self.before_soon(low));
         }
         first

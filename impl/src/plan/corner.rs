@@ -85,7 +85,7 @@ impl Corner {
             (Blend::BetweenMidpoints, _) => (f64::INFINITY, true),
         };
         // Who keeps between the middles of two segments keeps to these, and not to a leg that several have become.
-        if half && (before.strayed > 0.0 || after.strayed > 0.0) {
+        if half && (before.several || after.several) {
             return Self::Stop;
         }
         // A blend has one feed, and nobody can say which of two is slower that are counted by time and by turns.

@@ -1,6 +1,6 @@
 //! From segments to pieces: what a new segment does to the end of the path that is queued.
 //!
-//! The last two legs are open. A corner gets what it can use of its legs, at least half of each; how much the corner after it
+//! A segment may go on in the last leg, where both are over within a cycle. The last two legs are open. A corner gets what it can use of its legs, at least half of each; how much the corner after it
 //! leaves is known when that one is, and the corner is then made anew. A path that has been promised to the motion
 //! is never changed so that it could not be kept to: then the corner keeps the form it has, a stop at worst.
 
@@ -172,6 +172,7 @@ fn joined(before: &mut Open, last: &mut Open, next: &Open, queue: &mut Queue<'_>
     join(before, last, queue);
     push_main(last, 0.0, queue);
     settle(queue);
+    queue.changed = u64::MAX;
     false
 }
 

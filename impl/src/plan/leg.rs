@@ -1,4 +1,4 @@
-//! A queued segment as a whole piece of path, before its corners are known.
+//! A queued segment as a whole piece of path, or several in one, before its corners are known.
 
 use super::NotQueued;
 use super::limits::{Limits, squared};
@@ -8,6 +8,8 @@ use super::segment::Blend;
 use super::segment::{Feed, Path, Segment};
 use crate::math;
 
+/// A segment that is no longer leads nowhere, millimetres: what rounding leaves of one that does. The next one takes it up.
+const NOWHERE: f64 = 1e-10;
 /// The most of a tolerance that segments may be away from the one leg that is made of them: blends have the rest.
 const STRAYED: f64 = 0.25;
 /// At least so many segments of a length make a leg, since legs of unequal length are slower to go round a curve than equal ones.
@@ -31,7 +33,8 @@ pub(super) struct Leg {
     pub(super) felt: f64,
     /// How much of it the corner at its start has taken.
     pub(super) taken: f64,
-    /// How far the segments that it is made of may be from it, and it from them, millimetres: 0 where it is one.
+    /// Whether it is made of several segments, and how far these may be from it, and it from them, millimetres.
+    pub(super) several: bool,
     pub(super) strayed: f64,
     /// Whether its start is to stay where it is.
     pub(super) apart: bool,
@@ -72,7 +75,7 @@ pub(super) fn resolve(
     if !tolerated || !pace(whole, segment.feed, felt) {
         return Err(NotQueued::Malformed);
     }
-    if whole.length <= 0.0 {
+    if whole.length <= NOWHERE {
         return Ok(Resolved::Nowhere);
     }
     whole.number = segment.number;
@@ -89,7 +92,7 @@ pub(super) fn resolve(
         leg.last = whole.tangent(whole.length).map(|rate| rate / whole.exit);
     }
     leg.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
-    (leg.taken, leg.strayed) = (0.0, 0.0);
+    (leg.taken, leg.strayed, leg.several) = (0.0, 0.0, false);
     Ok(Resolved::Leg)
 }
 
@@ -115,7 +118,7 @@ impl Leg {
     #[inline]
     pub(super) fn has_feed_of(&self, next: &Self) -> bool {
         let (one, other) = (&self.whole, &next.whole);
-        let near = (one.feed - other.feed).abs() <= SAME * one.feed;
+        let near = (one.feed - other.feed).abs() <= SAME * one.feed.min(other.feed);
         one.pace == other.pace && (near || one.feed.to_bits() == other.feed.to_bits())
     }
 
@@ -142,6 +145,7 @@ impl Leg {
         (whole.number, whole.index) = (next.whole.number, next.whole.index);
         limits.rule(whole);
         (self.first, self.last) = (whole.rate, whole.rate);
+        self.several = true;
         true
     }
 

@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! Segment
-//!   leg         a segment as one piece of path, by the distance                    leg
+//!   leg         a segment as one piece of path, by the distance, or several in one leg
 //!   course      the end of the path: legs are cut, corners put between them        course, corner
 //! Piece         a part of the path with one law for speed and acceleration         piece, limits
 //!   ahead       how fast each piece may be entered, from the end of the queue back ahead, reach, strips

@@ -53,7 +53,8 @@ pub enum Blend {
     ExactStop,
     /// G61: keep to the path, without rest where it goes on smoothly, or so nearly that the axes can follow from one cycle to the next.
     ExactPath,
-    /// G64 with a tolerance: leave the path by this much at most, in the length of all nine axes, millimetres.
+    /// G64 with a tolerance: leave the path by this much at most, in the length of all nine axes, millimetres. Lines of which several are over
+    /// within a cycle become one within it.
     Within(f64),
     /// G64 without one: leave the path between the midpoints of the two segments.
     BetweenMidpoints,

@@ -2,7 +2,7 @@
 
 use gaugeblock_impl::Planner;
 use gaugeblock_impl::plan::{
-    Axes, Blend, InputParameter, OutputParameter, OutputSwitch, Path, Phase, Segment,
+    Axes, Blend, Feed, InputParameter, OutputParameter, OutputSwitch, Phase, Segment,
 };
 use libm::{cos, sin};
 
@@ -124,15 +124,55 @@ fn an_output_switches_where_a_chord_begins() {
 }
 
 #[test]
-fn where_blends_keep_between_middles_legs_come_to_rest() {
-    let mut program = chords(60, 0.01, Blend::Within(0.01));
-    let end = at(3.0, 1.0, 0.0);
-    program.push(line(end, Blend::BetweenMidpoints));
+fn a_blend_between_middles_does_not_pass_the_middle_of_the_last_segment() {
+    // A row that is straight, and one that is not.
+    for straight in [true, false] {
+        let mut program = chords(60, 0.01, Blend::Within(0.01));
+        if straight {
+            program = (1..=60)
+                .map(|i| line(at(0.01 * f64::from(i), 0.0, 0.0), Blend::Within(0.01)))
+                .collect();
+        }
+        let (_, vertices) = programmed(ORIGIN, &program);
+        let corner = vertices[vertices.len() - 1];
+        program.push(line(at(corner[0], 5.0, 0.0), Blend::BetweenMidpoints));
+        let run = run(ORIGIN, &program, Feeding::Full);
+        let missed = farthest(&[corner], &run.samples);
+        assert!(missed <= 0.0025, "{missed}");
+    }
+}
+
+#[test]
+fn a_feed_without_bound_is_no_other_ones() {
+    let mut program: Vec<Segment> =
+        (1..=400).map(|i| line(at(0.02 * f64::from(i), 0.0, 0.0), Blend::Within(0.01))).collect();
+    for (place, segment) in program.iter_mut().enumerate() {
+        let unbounded = place % 20 == 0;
+        segment.feed = if unbounded { Feed::InTime(1e-312) } else { Feed::PerSecond(10.0) };
+    }
     let run = run(ORIGIN, &program, Feeding::Full);
-    let corner = program[59].path;
-    let Path::Straight { end: corner } = corner else { panic!("a line") };
-    let nearest = farthest(&[corner], &run.samples);
-    assert!(nearest < 1e-3, "{nearest}");
+    let fastest = run.outputs.iter().map(|output| output.speed).fold(0.0, f64::max);
+    assert!(fastest < 16.0, "{fastest}");
+}
+
+#[test]
+fn what_rounding_leaves_of_a_segment_leads_nowhere() {
+    // The third of these kept the motion at rest for ever.
+    for tiny in [1e-16, 1e-13, 1.3e-12, 2.1e-12, 1e-11, 9e-11, 2e-10, 1e-9] {
+        for blend in [Blend::Within(0.18), Blend::ExactStop, Blend::BetweenMidpoints] {
+            let mut x = 0.0;
+            let mut next = |length: f64| {
+                x += length;
+                line(at(x, 0.5 * x, 0.0), blend)
+            };
+            let lengths = [0.016, 0.016, tiny, 0.016, tiny, tiny, 0.003, 0.5];
+            let program: Vec<Segment> = lengths.iter().map(|length| next(*length)).collect();
+            let run = run(ORIGIN, &program, Feeding::Full);
+            let (speed, change) = run.worst(&dynamics());
+            assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{tiny}: {speed} {change}");
+            assert!(run.time() < 0.2, "{tiny}: {}", run.time());
+        }
+    }
 }
 
 #[test]
