@@ -57,6 +57,15 @@ fn says(output: &Output, status: i32, words: &[&str]) {
 }
 
 #[test]
+fn a_long_rest_between_segments_is_none_that_nobody_ends() {
+    let folder = folder("nowhere");
+    let part = format!("g21 g90 g94 g64 p0.01 f600\ng1 x1\n{}m2\n", "g1 x1\n".repeat(300));
+    std::fs::write(folder.join("part.ngc"), part).expect("a file for the test");
+    let output = gaugeblock(&folder, "plan part.ngc --machine mill.toml --every 80");
+    says(&output, 0, &["holds       trajectory.order"]);
+}
+
+#[test]
 fn a_planned_program_keeps_the_laws_however_it_is_fed() {
     let folder = folder("planned");
     for every in ["", "--every 1", "--every 31", "--every 80"] {

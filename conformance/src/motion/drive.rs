@@ -302,6 +302,8 @@ impl<'a> Drive<'a> {
         }
         self.controls.push(controls);
         self.feeds.push(if let Feed::PerSecond(feed) = segment.feed { feed } else { f64::NAN });
+        // Who rests while the next segment is still to come is not held by anybody.
+        self.rests = 0.0;
         for _ in 0..self.every.unwrap_or(0) {
             self.cycle()?;
         }
