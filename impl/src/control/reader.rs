@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 use crate::source::{Source, Unreadable};
 use crate::syntax::LinePlace;
 
-/// Most bytes of a line that are kept: one more than the longest line of the documents is enough to refuse it.
-const LONGEST: usize = 512;
+/// Most bytes of a line that are kept: one character of up to four bytes more than the longest line of the documents is enough to refuse it.
+const LONGEST: usize = 4 * 257;
 
 /// Reads lines and knows where in the file it stands.
 #[derive(Clone, Debug)]

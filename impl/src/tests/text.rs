@@ -120,6 +120,11 @@ fn a_line_has_at_most_256_characters() {
     // What is not executed is not looked at.
     check(&format!("o1 if [0]\n{}o1 endif\nm2\n", line(300).replace("m2\n", "")), "accepted");
     check(&format!("(a{}\nm2\n", "b".repeat(900)), "refused at 1 line_too_long");
+    // Characters are counted, not their bytes, also where the line has no end.
+    for character in ["\u{e9}", "\u{fffd}", "\u{1f600}"] {
+        check(&format!("m2 ({})", character.repeat(250)), "accepted");
+        check(&format!("m2 ({})", character.repeat(251)), "refused at 1 line_too_long");
+    }
 }
 
 #[test]
