@@ -42,7 +42,7 @@ pub fn arrives(scenario: &Scenario, dice: &mut Dice<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// All that a sink is told of a run, in lines.
+/// All that a sink is told of a run, in lines; how it ends only if that is within the budget, however many blocks are executed at a time.
 fn told(scenario: &Scenario, source: &mut impl Source, at_a_time: u64) -> String {
     let (machine, options) = (scenario.machine.clone(), scenario.options.clone());
     let mut interpreter = match Interpreter::new(machine, options, Limits::default()) {
@@ -59,7 +59,7 @@ fn told(scenario: &Scenario, source: &mut impl Source, at_a_time: u64) -> String
             Err(error) => break format!("{error:?}"),
         }
     };
-    log.text + &end
+    if log.blocks < log.most { log.text + &end } else { log.text }
 }
 
 /// Writes down what it is told, up to so many blocks.
