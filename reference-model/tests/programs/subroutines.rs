@@ -3,7 +3,7 @@
 use gaugeblock_reference::run;
 use gaugeblock_trace::Scenario;
 
-use super::{ending, gives, outcome_under, parameter, refuses};
+use super::{ending, gives, outcome, outcome_under, parameter, refuses};
 
 #[test]
 fn a_body_runs_when_it_is_called() {
@@ -106,7 +106,7 @@ fn numbered_programs_follow_their_call() {
     refuses("m98 p200\nm2\no100\nm99\no200\nm98 p100\nm99\n", "unknown_sub at main.ngc:6");
     refuses("m98\nm2\n", "missing_word at main.ngc:1");
     gives("m98 p100 l0\n#32 = 1\nm2\no100\n#31 = 1\nm99\n", &[(31, 0.0), (32, 1.0)]);
-    assert_eq!(ending(&super::outcome("o1\n#31 = 1\nm99\n")), "endless");
+    assert_eq!(ending(&outcome("o1\n#31 = 1\nm99\n")), "endless");
 }
 
 #[test]
@@ -127,4 +127,22 @@ fn disabled_numbered_programs_are_refused() {
     let mut scenario = Scenario::of("g0 x1\nm98 p100\nm2\no100\nm99\n");
     scenario.machine.fanuc_subs = false;
     assert_eq!(ending(&run(&scenario).0), "fanuc_disabled at main.ngc:2");
+}
+
+/// Its number is computed where its sub is defined. For a sub that is skipped, or defined in a loop, nothing says when it is.
+#[test]
+fn a_computed_endsub_ends_the_sub_whose_label_it_has() {
+    let body = "o[#1 + 2] endsub\n#31 = [#31 + 1]\no1 if [1]\no1 endif\no[#1 + 1] endsub\n";
+    let behind = "o1 if [1]\no1 endif\n";
+    let called = format!("o1 sub\n{body}{behind}m2\n");
+    gives(&called, &[]);
+    refuses(&called.replace("m2", "o1 call\nm2"), "unknown_label at main.ngc:2");
+    refuses(&called.replace("#1 + 1", "#1 + 3"), "missing_end at main.ngc:1");
+    refuses("o1 sub\no#0 endsub\no[#1 + 1] endsub\no#-1\n", "parameter_out_of_range at main.ngc:4");
+    for around in ["if [0]\n", "while [#33 lt 2]\n#33 = [#33 + 1]\n"] {
+        let keyword = around.split(' ').next().unwrap_or_default();
+        let program = format!("o9 {around}o1 sub\n{body}o9 end{keyword}\nm2\n");
+        let ending = ending(&outcome(&program));
+        assert!(ending.starts_with("unspecified"), "{program}{ending}");
+    }
 }

@@ -108,6 +108,11 @@ impl Files {
         &self.opened[file].labels
     }
 
+    /// The labels of a file, to tell them where a sub ends.
+    pub(super) fn labels_mut(&mut self, file: usize) -> &mut Labels {
+        &mut self.opened[file].labels
+    }
+
     /// What stands at a place; none behind the end of the file.
     pub fn line(&self, place: Place, state: &mut State) -> Option<Line<'_>> {
         self.line_of(self.source(place.file), place.line, state)

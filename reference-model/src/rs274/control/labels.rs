@@ -32,6 +32,8 @@ pub(super) struct Labels {
     numbers: BTreeMap<String, Vec<u32>>,
     /// Lines with a number alone inside a sub.
     numbers_in_subs: BTreeSet<u32>,
+    /// Where subs that were defined end, as far as the text alone tells something else.
+    ends: BTreeMap<u32, u32>,
 }
 
 #[derive(Clone, Debug)]
@@ -74,6 +76,8 @@ impl Labels {
     /// Gives each mark its scope: what stands between a sub and its endsub, or after a program's number. A sub without its end holds
     /// nothing.
     pub(super) fn finish(&mut self) {
+        let (marks, ends) = (std::mem::take(&mut self.marks), std::mem::take(&mut self.ends));
+        *self = Self { marks, ends, ..Self::default() };
         self.scopes.push((0, 0));
         let ends = Ends::of(&self.marks);
         let (mut outer, mut scopes) = (0, 1);
@@ -82,7 +86,8 @@ impl Labels {
             mark.scope = sub.as_ref().map_or(outer, |(_, scope)| *scope);
             match (mark.keyword, &sub) {
                 (Keyword::Sub, None) => {
-                    let Some(end) = ends.of_sub(mark) else {
+                    let known = self.ends.get(&mark.line).copied();
+                    let Some(end) = known.or_else(|| ends.of_sub(mark)) else {
                         self.unended.push(mark.line);
                         continue;
                     };
@@ -128,6 +133,25 @@ impl Labels {
             }
             self.by_label.entry(key).or_default().push(place);
         }
+    }
+
+    /// Line of the endsub of a sub that is defined: the first one behind it that has its label as things stand now. What stands before it
+    /// belongs to the sub from now on.
+    pub(super) fn end_of_defined(
+        &mut self,
+        label: &str,
+        sub: u32,
+        state: &mut State,
+    ) -> Option<u32> {
+        let from = self.marks.partition_point(|mark| mark.line <= sub);
+        let later = self.marks[from..].iter().filter(|mark| mark.keyword == Keyword::EndSub);
+        let end = later.clone().find(|mark| mark.has(label, state)).map(|mark| mark.line)?;
+        let computed = later.clone().any(|mark| mark.line <= end && mark.label.is_none());
+        if computed && self.ends.get(&sub) != Some(&end) {
+            self.ends.insert(sub, end);
+            self.finish();
+        }
+        Some(end)
     }
 
     /// The scope of a line.
@@ -241,6 +265,14 @@ impl Labels {
     /// Whether a sub without its end begins between two lines.
     pub(super) fn unended_between(&self, after: u32, before: u32) -> bool {
         self.unended.iter().any(|line| (after..before).contains(line))
+    }
+
+    /// Whether a sub begins or ends between two lines with a number that must be computed.
+    pub(super) fn computed_between(&self, after: u32, before: u32) -> bool {
+        self.marks.iter().any(|mark| {
+            let of_sub = matches!(mark.keyword, Keyword::Sub | Keyword::EndSub);
+            of_sub && mark.label.is_none() && after < mark.line && mark.line < before
+        })
     }
 
     /// Line of the first sub that begins after a line, but not after another one.

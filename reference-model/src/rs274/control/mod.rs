@@ -208,7 +208,8 @@ impl Control {
 
     /// Rule control.missing-end. What is skipped must have its end further on, within its sub.
     ///
-    /// A sub without its end is refused where it is come to; what it holds where it is skipped nothing says.
+    /// A sub without its end is refused where it is come to; what it holds where it is skipped nothing says. Nor does anything say when
+    /// the number of a sub or endsub is computed that is skipped.
     fn end_of_skipped(
         &mut self,
         label: &str,
@@ -216,7 +217,8 @@ impl Control {
         after: u32,
         state: &mut State,
     ) -> Result<u32, Halt> {
-        let end = if state.readings.quirk("rs274.ends-in-other-subs") {
+        let any_sub = state.readings.quirk("rs274.ends-in-other-subs");
+        let end = if any_sub {
             self.files.labels(self.place.file).find_in_any_sub(label, keywords, after, state)
         } else {
             self.find(label, keywords, after, state)
@@ -232,6 +234,11 @@ impl Control {
         if end.is_some_and(|end| labels.unended_between(after, end)) {
             let why = "what a sub without its end holds, where it is skipped".to_owned();
             return Err(Halt::Unspecified(why));
+        }
+        let until = end.or((state.call_level() == 0).then_some(u32::MAX)).unwrap_or_default();
+        if !any_sub && labels.computed_between(after, until) {
+            let why = "where a sub ends that is skipped, with a number that must be computed";
+            return Err(Halt::Unspecified(why.to_owned()));
         }
         end.ok_or_else(|| {
             let message = format!("{} has no end further on", o_word(label));

@@ -56,10 +56,14 @@ impl Control {
     ///
     /// Rule subroutines.nested-definition. Its body cannot contain another sub.
     fn define(&mut self, label: &str, place: Place, state: &mut State) -> Result<u32, Halt> {
-        let labels = self.files.labels(place.file);
-        let end = labels.find(label, &[Keyword::EndSub], place.line, place.line + 1, state);
+        let end = self.files.labels_mut(place.file).end_of_defined(label, place.line, state);
         quirks::skipping::pass_over(self, Sought::EndSub { label }, end, state)?;
         let labels = self.files.labels(place.file);
+        let in_loop = state.frame().open.iter().any(|open| open.structure.head() != Keyword::If);
+        if in_loop && labels.computed_between(place.line, end.map_or(u32::MAX, |end| end + 1)) {
+            let why = "when the number of an endsub is computed, of a sub defined in a loop";
+            return Err(Halt::Unspecified(why.to_owned()));
+        }
         if let Some(inner) = labels.sub_between(place.line, end.unwrap_or(u32::MAX)) {
             self.place = Place { line: inner, ..place };
             let message = format!("a sub begins inside {}", o_word(label));
