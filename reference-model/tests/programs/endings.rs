@@ -4,7 +4,7 @@ use gaugeblock_reference::run;
 use gaugeblock_trace::scenario::{Action, OperatorEvent, Start, When};
 use gaugeblock_trace::{Block, ControllerMode, Program, Scenario};
 
-use super::{ending, gives, outcome, outcome_under, refuses};
+use super::{ending, gives, outcome, outcome_under, parameter, refuses};
 
 #[test]
 fn a_program_ends_once() {
@@ -40,6 +40,29 @@ fn a_short_run_is_a_prefix_of_a_longer_one() {
     let long = run(&scenario).0;
     assert_eq!(short.steps.len(), 50);
     assert_eq!(short.steps[..], long.steps[..50]);
+}
+
+/// The system, the tool and the point are those before it, with an operator too; only a probe that finds nothing has made its way.
+#[test]
+fn a_refused_block_has_done_nothing() {
+    let before = [(5220, 1.0), (5400, 0.0), (5420, 7.0)];
+    let last = "f100 g90 g0 x7\nt1 m6 g55 g2 x1 i9\nm2\n";
+    let probe = "f100 g90 g0 x1\ng38.2 x5\nm2\n";
+    let event = OperatorEvent {
+        when: When { block: Block::new(Program::MAIN, 1), execution: 1, offset: 0.0 },
+        action: Action::Mode(ControllerMode::Auto),
+    };
+    for operator in [vec![], vec![event]] {
+        let run = |text| run(&Scenario { operator: operator.clone(), ..Scenario::of(text) }).0;
+        let refused = run(last);
+        assert_eq!(ending(&refused), "bad_arc at main.ngc:2");
+        for (number, value) in before {
+            assert_eq!(parameter(&refused, number).to_bits(), f64::to_bits(value), "#{number}");
+        }
+        let failed = run(probe);
+        assert_eq!(ending(&failed), "probe at main.ngc:2");
+        assert!((parameter(&failed, 5061) - 5.0).abs() < 1e-9);
+    }
 }
 
 #[test]

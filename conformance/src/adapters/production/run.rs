@@ -44,6 +44,10 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     };
     let end = run.idle(end)?;
     let (mut interpreter, recorder) = run.task.into_parts();
+    if end == (End::BudgetExhausted { bound: Bound::Effects }) {
+        // A block that asks for more is not recorded.
+        interpreter.take_back_unfinished();
+    }
     // With the run every call is over.
     interpreter.begin();
     let parameters = interpreter.parameters().into_iter().collect();
@@ -168,14 +172,15 @@ impl Run<'_> {
         Ok(Some(end))
     }
 
-    /// The bound of the budget that is used up. It is looked at between blocks, so that a short run is a prefix of a longer one.
+    /// The bound of the budget that is used up. It is looked at between blocks, so that a short run is a prefix of a longer one; within a
+    /// block only whether it asks for more effects than there are.
     fn exhausted(&self) -> Option<Bound> {
         let (budget, recorder) = (&self.scenario.budget, self.task.machine());
         if recorder.steps() >= budget.steps {
             Some(Bound::Steps)
         } else if recorder.effects() >= budget.effects {
             Some(Bound::Effects)
-        } else if recorder.elapsed() >= budget.time {
+        } else if !self.task.is_within_block() && recorder.elapsed() >= budget.time {
             Some(Bound::Time)
         } else {
             None

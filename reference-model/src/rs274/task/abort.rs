@@ -91,6 +91,8 @@ impl Run<'_> {
             waits_for_machine: false,
             at_last_motion: self.at_last_motion.clone(),
             has_moved: self.has_moved,
+            is_within_block: false,
+            before_block: None,
         };
         let how_far = ahead.program();
         let refused = matches!(how_far, End::Fault(_));

@@ -24,8 +24,8 @@ mod wait;
 
 use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{
-    Block, Bound, ControllerMode, End, Fault, Indexed, Language, Outcome, Plane, Program, Scenario,
-    Settings,
+    Block, Bound, ControllerMode, End, Fault, FaultKind, Indexed, Language, Outcome, Plane,
+    Program, Scenario, Settings, Shared,
 };
 
 pub use pins::Shown;
@@ -53,21 +53,40 @@ pub fn run(scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
         Ok(readings) => readings,
         Err(what) => return (not_begun(what), Evidence::default()),
     };
-    let mut state = start(scenario, readings, rounding);
+    let mut state = start(scenario, readings.into(), rounding);
     state.evidence.accepted("modal-groups.initial-modes");
     state.evidence.accepted("offsets.start-system");
     let mut record = Record::new(&state);
     record.allow(&scenario.budget);
     let mut run = Run::new(scenario, state, record);
     let end = run.whole();
+    if run.is_within_block && leaves_nothing(&end) {
+        run.before_block();
+    }
     run.leave_calls();
     let parameters = run.parameters();
     let pins = run.state.outside.changes().to_vec();
     (run.record.finish(end, parameters, pins), run.state.evidence)
 }
 
+/// Whether a block during which the run ends so has done nothing: one that is refused, or that asks for more effects than there are. A probe that
+/// fails is not meant: the documents say what it leaves behind.
+fn leaves_nothing(end: &End) -> bool {
+    match end {
+        End::Fault(fault) => fault.kind != Some(FaultKind::Probe),
+        End::BudgetExhausted { bound } => *bound == Bound::Effects,
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::Endless
+        | End::Aborted
+        | End::Paused
+        | End::Unsupported { .. }
+        | End::Unspecified { .. } => false,
+    }
+}
+
 /// The state before the first block.
-fn start(scenario: &Scenario, readings: Readings, rounding: Rounding) -> State {
+fn start(scenario: &Scenario, readings: Shared<Readings>, rounding: Rounding) -> State {
     let machine = scenario.machine.clone();
     let mut modes = Modes { rounding, ..Modes::new(&machine, &readings) };
     if scenario.program.start == Start::Mdi {
@@ -79,7 +98,7 @@ fn start(scenario: &Scenario, readings: Readings, rounding: Rounding) -> State {
         position: settings::start(&modes, &readings),
         modes,
         parameters: Parameters::new(&machine, &readings),
-        readings: readings.into(),
+        readings,
         panel: Panel::new(&machine),
         outside,
         machine: machine.into(),
@@ -139,6 +158,10 @@ struct Run<'a> {
     at_last_motion: Option<Modes>,
     /// Whether anything has moved.
     has_moved: bool,
+    /// Whether a block is being executed, so that some of what it does may be done.
+    is_within_block: bool,
+    /// The state before the block, where there is an operator.
+    before_block: Option<Box<State>>,
 }
 
 impl<'a> Run<'a> {
@@ -160,6 +183,8 @@ impl<'a> Run<'a> {
             waits_for_machine: false,
             at_last_motion,
             has_moved: false,
+            is_within_block: false,
+            before_block: None,
         }
     }
 
@@ -236,6 +261,29 @@ impl<'a> Run<'a> {
         all
     }
 
+    /// The state as it was before the block that is being executed. What is outside of the controller stays as it is.
+    ///
+    /// Without an operator no block keeps what was there before it: the run is made again up to this one.
+    fn before_block(&mut self) {
+        let before = self.before_block.take().map_or_else(|| self.again(), |before| *before);
+        let after = std::mem::replace(&mut self.state, before);
+        self.state.evidence = after.evidence;
+        self.state.outside = after.outside;
+    }
+
+    /// The state after as many blocks as have been executed, executed again.
+    fn again(&self) -> State {
+        let mut scenario = self.scenario.clone();
+        scenario.budget.steps = u32::try_from(self.record.steps()).unwrap_or(u32::MAX);
+        let mut state = start(&scenario, self.state.readings.clone(), self.state.modes.rounding);
+        state.evidence = Evidence::deaf();
+        let mut record = Record::new(&state);
+        record.allow(&scenario.budget);
+        let mut again = Run::new(&scenario, state, record);
+        again.whole();
+        again.state
+    }
+
     /// Once the run is over every call is over, so that local parameters are the main program's, which a numbered
     /// subprogram shares.
     ///
@@ -275,6 +323,7 @@ impl<'a> Run<'a> {
             Halt::TooManyEffects => End::BudgetExhausted { bound: Bound::Effects },
             Halt::WaitsForEver => End::BudgetExhausted { bound: Bound::Time },
             Halt::Ended(end) => {
+                self.is_within_block = false;
                 if end == End::Aborted {
                     self.record.broken_off(block, &self.state);
                     return self.aborted();

@@ -79,7 +79,9 @@ impl Run<'_> {
         let block = syntax::parse(text, &mut self.state)?;
         if let Some(word) = &block.o_word {
             self.by_hand_only(word.keyword == Keyword::Call, "an O-word other than call")?;
+            self.is_within_block = true;
             let next = self.control.o_word(&block, word, &mut self.state, &mut self.record)?;
+            self.is_within_block = false;
             self.show(Some(Phase::SavedState));
             if matches!(word.keyword, Keyword::Call | Keyword::EndSub | Keyword::Return) {
                 self.record.leads_elsewhere();
@@ -91,7 +93,9 @@ impl Run<'_> {
         self.control.begin(&words);
         if Control::asks(&words) {
             self.by_hand_only(false, "M98 or M99")?;
+            self.is_within_block = true;
             let next = self.numbered(&words)?;
+            self.is_within_block = false;
             self.show(Some(Phase::SavedState));
             self.record.leads_elsewhere();
             self.record.step_without_state(place, &self.state);
@@ -99,7 +103,9 @@ impl Run<'_> {
         }
         check::check(&words, &mut self.state)?;
         self.state.plane_before = self.state.modes.plane;
+        self.is_within_block = true;
         let rest = self.execute(&words)?;
+        self.is_within_block = false;
         stub::after_block(self.record.moves(), &mut self.state)?;
         if rest == Rest::ProgramEnd {
             self.ended(block.block_delete)?;

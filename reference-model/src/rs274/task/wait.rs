@@ -14,12 +14,16 @@ impl Run<'_> {
         self.record.begin();
         self.waits_for_machine = false;
         self.at_block = None;
-        if self.operator.is_done() && !self.pause_asked && !self.ahead {
-            return Ok(());
+        self.is_within_block = false;
+        if !self.operator.is_done() || self.pause_asked || self.ahead {
+            let now = self.state.outside.time();
+            self.operator.begins(block, now);
+            self.between()?;
         }
-        let now = self.state.outside.time();
-        self.operator.begins(block, now);
-        self.between()
+        if !self.scenario.operator.is_empty() {
+            self.before_block = Some(Box::new(self.without_evidence()));
+        }
+        Ok(())
     }
 
     /// Between two blocks, and where the text ends: what the operator has done by now, and the pause that was asked for.
