@@ -313,14 +313,6 @@ impl Interpreter {
         self.ended = None;
     }
 
-    /// Takes back a block that is not finished, if there is one: the state is that after the block before. What the sink did stays done.
-    pub fn take_back_unfinished(&mut self) {
-        if self.unfinished.take().is_some() {
-            self.modal.take_back_unfinished(&mut self.parameters.numbered);
-            self.calculator.take_back(&mut self.parameters);
-        }
-    }
-
     /// Goes on behind a refused block: the next step executes the block after it, or, where calls were open, the one after the outermost call.
     /// What a refused block has done already stays done.
     pub fn pass_refused(&mut self) {

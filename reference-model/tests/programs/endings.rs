@@ -66,6 +66,18 @@ fn a_refused_block_has_done_nothing() {
 }
 
 #[test]
+fn a_block_with_more_effects_than_the_budget_has_is_not_recorded() {
+    let mut scenario = Scenario::of("f100 g0 x1\n#31=7 g73 q1 x9 z-60 r2\nm2\n");
+    for effects in [3, 40, 120] {
+        scenario.budget.effects = effects;
+        let outcome = run(&scenario).0;
+        assert_eq!(ending(&outcome), "budget of effects");
+        assert_eq!(outcome.steps.len(), 1);
+        assert_eq!((parameter(&outcome, 5420), parameter(&outcome, 31)), (1.0, 0.0));
+    }
+}
+
+#[test]
 fn an_option_that_nobody_knows_ends_the_run_before_it_begins() {
     for options in [
         [("control.colour", "red")],

@@ -7,7 +7,7 @@ use gaugeblock_impl::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
 use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{
     Block, Effect, End, Event, Indexed, Language, Outcome, Pin, PinChange, Program, Rs274State,
-    Settings, Sorted, State, Step,
+    Scenario, Settings, Sorted, State, Step,
 };
 
 use super::outside::Outside;
@@ -35,6 +35,9 @@ pub(super) struct Recorder<'a> {
     /// The block that is being executed, where somebody acts at blocks.
     block: Block,
     effects: u32,
+    most_effects: u32,
+    /// Whether a block has had more of them than there are, which is not recorded.
+    over: bool,
     /// State as recorded last.
     state: Rs274State,
     /// Numbered parameters as recorded last; those that are not among them are zero.
@@ -49,7 +52,11 @@ pub(super) struct Recorder<'a> {
 
 impl<'a> Recorder<'a> {
     /// Nothing has happened yet.
-    pub(super) fn new(interpreter: &mut Interpreter, outside: Outside<'a>, start: Start) -> Self {
+    pub(super) fn new(
+        interpreter: &mut Interpreter,
+        outside: Outside<'a>,
+        scenario: &Scenario,
+    ) -> Self {
         let numbered = interpreter.parameters().into_iter().collect();
         Self {
             outside,
@@ -58,9 +65,11 @@ impl<'a> Recorder<'a> {
             pins: Vec::new(),
             events: Vec::new(),
             idle: false,
-            by_hand: start == Start::Mdi,
+            by_hand: scenario.program.start == Start::Mdi,
             block: Block::new(Program::MAIN, 1),
             effects: 0,
+            most_effects: scenario.budget.effects,
+            over: false,
             state: Rs274State::default(),
             numbered,
             named: BTreeMap::new(),
@@ -77,6 +86,16 @@ impl<'a> Recorder<'a> {
     /// Effects so far.
     pub(super) fn effects(&self) -> u32 {
         self.effects
+    }
+
+    /// Whether a block has had more effects than there are.
+    pub(super) fn is_over(&self) -> bool {
+        self.over
+    }
+
+    /// Whether all that has been done is recorded.
+    pub(super) fn is_whole(&self) -> bool {
+        !self.over && self.events.is_empty()
     }
 
     /// Seconds since the start.
@@ -222,6 +241,10 @@ impl Sink for Recorder<'_> {
     }
 
     fn block_done(&mut self, done: &mut BlockDone<'_>) {
+        if self.effects > self.most_effects {
+            self.over = true;
+            return;
+        }
         let written = &mut self.written;
         done.take_numbered(|number, value| {
             written.insert(number, value);

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use gaugeblock_impl::task::{Activity, BY_HAND, Idle, Stuck, Task};
 use gaugeblock_impl::{Error, Interpreter, Limits, Memory, Room};
 use gaugeblock_trace::scenario::Start;
-use gaugeblock_trace::{Block, Bound, ControllerMode, End, Outcome, Program, Scenario};
+use gaugeblock_trace::{Block, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario};
 
 use super::super::HarnessError;
 use super::outside::Outside;
@@ -35,7 +35,7 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     interpreter.set_block_delete(scenario.program.block_delete);
     // Somebody may act at a line that holds a comment only.
     interpreter.set_comments_told(!scenario.operator.is_empty());
-    let recorder = Recorder::new(&mut interpreter, Outside::new(scenario), scenario.program.start);
+    let recorder = Recorder::new(&mut interpreter, Outside::new(scenario), scenario);
     let task = Task::new(interpreter, recorder).map_err(not_run)?;
     let mut run = Run { scenario, task };
     let end = match scenario.program.start {
@@ -44,15 +44,27 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     };
     let end = run.idle(end)?;
     let (mut interpreter, recorder) = run.task.into_parts();
-    if end == (End::BudgetExhausted { bound: Bound::Effects }) {
-        // A block that asks for more is not recorded.
-        interpreter.take_back_unfinished();
-    }
     // With the run every call is over.
     interpreter.begin();
     let parameters = interpreter.parameters().into_iter().collect();
     ROOM.set(interpreter.into_room());
-    Ok(recorder.outcome(end, parameters))
+    let whole = recorder.is_whole();
+    let mut outcome = recorder.outcome(end, parameters);
+    if !whole && outcome.end == (End::BudgetExhausted { bound: Bound::Effects }) {
+        outcome.parameters = before_last(scenario, &outcome)?;
+    }
+    Ok(outcome)
+}
+
+/// Parameters before a block that asks for more effects than there are, which is not recorded: the interpreter has executed some of it. So the
+/// blocks before it are executed again.
+fn before_last(
+    scenario: &Scenario,
+    outcome: &Outcome,
+) -> Result<Option<Indexed<u32, f64>>, HarnessError> {
+    let mut scenario = scenario.clone();
+    scenario.budget.steps = u32::try_from(outcome.steps.len()).unwrap_or(u32::MAX);
+    Ok(run(&scenario)?.parameters)
 }
 
 impl Run<'_> {
@@ -136,6 +148,9 @@ impl Run<'_> {
 
     /// The end that an activity is, if it is one.
     fn end_of(&mut self, activity: Result<Activity, Error>) -> Result<Option<End>, HarnessError> {
+        if self.task.machine().is_over() {
+            return Ok(Some(End::BudgetExhausted { bound: Bound::Effects }));
+        }
         let end = match activity {
             Ok(Activity::More) => return Ok(None),
             Ok(Activity::Entered) => {

@@ -46,6 +46,21 @@ fn a_bound_is_met_between_blocks() {
     assert_eq!(outcome(&scenario).end, End::BudgetExhausted { bound: Bound::Time });
 }
 
+/// However many strokes the interpreter executes at a time, and whatever the block did: the parameters are those before it.
+#[test]
+fn a_block_with_more_effects_than_there_are_is_not_recorded() {
+    let mut scenario = Scenario::of("f100 g0 x1\n#31=7 g73 q1 x9 z-60 r2\nm2\n");
+    for effects in [3, 40, 120] {
+        scenario.budget = Budget { effects, ..Budget::default() };
+        let run = outcome(&scenario);
+        assert_eq!(run.end, End::BudgetExhausted { bound: Bound::Effects });
+        assert_eq!(run.steps.len(), 1, "{effects}");
+        let parameters = run.parameters.expect("they are shown").0;
+        assert!(parameters.get(&5420).is_some_and(|x| x.to_bits() == 1_f64.to_bits()), "{effects}");
+        assert_eq!(parameters.get(&31), None, "{effects}");
+    }
+}
+
 #[test]
 fn inputs_answer_at_their_time() {
     let read = |program: &str, wires: &[(&str, u16)]| {

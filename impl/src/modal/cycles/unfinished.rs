@@ -46,14 +46,6 @@ impl Modal {
         }
     }
 
-    /// Takes back a block that is not finished.
-    pub(crate) fn take_back_unfinished(&mut self, numbered: &mut Numbered) {
-        if let Some(before) = self.unfinished.take().and_then(|unfinished| unfinished.before) {
-            self.take_back(&before, numbered);
-            numbered.end_notes();
-        }
-    }
-
     /// The last phases of a block, behind the motion: its unfinished work, then a stop or an end.
     pub(in super::super) fn after_motion<K: Sink>(
         &mut self,

@@ -81,7 +81,7 @@ impl Run<'_> {
             self.by_hand_only(word.keyword == Keyword::Call, "an O-word other than call")?;
             self.is_within_block = true;
             let next = self.control.o_word(&block, word, &mut self.state, &mut self.record)?;
-            self.is_within_block = false;
+            self.done()?;
             self.show(Some(Phase::SavedState));
             if matches!(word.keyword, Keyword::Call | Keyword::EndSub | Keyword::Return) {
                 self.record.leads_elsewhere();
@@ -95,7 +95,7 @@ impl Run<'_> {
             self.by_hand_only(false, "M98 or M99")?;
             self.is_within_block = true;
             let next = self.numbered(&words)?;
-            self.is_within_block = false;
+            self.done()?;
             self.show(Some(Phase::SavedState));
             self.record.leads_elsewhere();
             self.record.step_without_state(place, &self.state);
@@ -105,13 +105,14 @@ impl Run<'_> {
         self.state.plane_before = self.state.modes.plane;
         self.is_within_block = true;
         let rest = self.execute(&words)?;
-        self.is_within_block = false;
         stub::after_block(self.record.moves(), &mut self.state)?;
         if rest == Rest::ProgramEnd {
             self.ended(block.block_delete)?;
+            self.done()?;
             self.record.step(place, &mut self.state);
             return Ok(Next::End(End::ProgramEnd));
         }
+        self.done()?;
         let comment_only = block.words.is_empty() && block.settings.is_empty();
         if comment_only && block.line_number.is_none() && self.record.is_idle(&self.state) {
             // A comment that says nothing is no block.
@@ -120,6 +121,15 @@ impl Run<'_> {
         }
         self.record.step(place, &mut self.state);
         Ok(Next::Following)
+    }
+
+    /// A block has been executed, with as many effects as the budget allows.
+    fn done(&mut self) -> Result<(), Halt> {
+        if self.record.is_over() {
+            return Err(Halt::TooManyEffects);
+        }
+        self.is_within_block = false;
+        Ok(())
     }
 
     /// What only a program can do: by hand the documents leave it open, unless it is said.

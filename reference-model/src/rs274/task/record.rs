@@ -91,6 +91,11 @@ impl Record {
         self.effects >= self.most_effects
     }
 
+    /// Whether there are more effects than the budget allows: the block that has them is not recorded.
+    pub fn is_over(&self) -> bool {
+        self.effects > self.most_effects
+    }
+
     /// An effect, under the settings now in force. A move begins with it, unless it is held.
     pub fn effect(&mut self, state: &mut State, effect: Effect) {
         let speed = speed_of(&effect, self.in_step);
