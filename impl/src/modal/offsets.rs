@@ -71,7 +71,8 @@ impl Modes {
 pub(super) fn row(numbered: &Numbered, first: u32) -> Coordinates {
     let mut row = Coordinates::default();
     for (number, coordinate) in (first..).zip(row.0.iter_mut()) {
-        *coordinate = numbered.get(number);
+        // A zero has no sign.
+        *coordinate = numbered.get(number) + 0.0;
     }
     row
 }

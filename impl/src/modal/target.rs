@@ -117,7 +117,8 @@ impl Coordinates {
         if incremental && distance <= 0.0 {
             return refuse(FaultKind::OutOfDomain, "an incremental polar move from the origin");
         }
-        let angle = math::arctangent(from_y, from_x);
+        // A zero has no sign.
+        let angle = math::arctangent(from_y + 0.0, from_x + 0.0);
         let (distance, angle) = if incremental {
             (distance + words.at.unwrap_or(0.0), angle + words.caret.unwrap_or(0.0))
         } else {
