@@ -54,6 +54,11 @@ impl Interpreter {
             return match block.kind {
                 Kind::Plain => self.plain(at, &block, source, sink),
                 Kind::Control(oword) => self.control(at, &block, oword, source, sink),
+                Kind::Definition { label: NONE, .. } if self.scopes.frames.is_empty() => {
+                    let why = "when the number of a sub is computed that is defined in a loop";
+                    let block = self.place(at.segment, block.line);
+                    Ok(Progress::Ended(End::Unspecified { block, why: why.into() }))
+                }
                 Kind::Definition { label, segment } => {
                     self.define_sub(at, &block, label, segment)?;
                     self.done(at, block.line, Executed::OWord, sink);

@@ -124,6 +124,14 @@ fn labels_can_be_computed() {
     ]);
 }
 
+/// Nothing says when the number of a sub is computed that is defined in a loop; in a called program it is refused whatever its number is.
+#[test]
+fn a_sub_in_a_loop_has_no_computed_label() {
+    check("o7 do\no#2 sub\no0 endsub\no7 while [0]\nm2\n", "ends unspecified");
+    check("o7 do\no8 if [0]\no#2 sub\no0 endsub\no8 endif\no7 while [0]\nm2\n", "accepted");
+    check("m98 p100\nm2\no100\no#2 sub\no0 endsub\nm99\n", "refused at 4 nested_sub");
+}
+
 #[test]
 fn structures_may_overlap() {
     check("o1 if [1]\no2 if [0]\no1 endif\n#31=1\no2 endif\n#32=1\nm2\n", "#31 = 0; #32 = 1");

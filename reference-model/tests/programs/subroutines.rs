@@ -145,4 +145,6 @@ fn a_computed_endsub_ends_the_sub_whose_label_it_has() {
         let ending = ending(&outcome(&program));
         assert!(ending.starts_with("unspecified"), "{program}{ending}");
     }
+    let own = outcome("o7 do\no#2 sub\no0 endsub\no7 while [0]\nm2\n");
+    assert_eq!(ending(&own), "unspecified at main.ngc:2");
 }

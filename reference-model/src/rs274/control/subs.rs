@@ -60,8 +60,9 @@ impl Control {
         quirks::skipping::pass_over(self, Sought::EndSub { label }, end, state)?;
         let labels = self.files.labels(place.file);
         let in_loop = state.frame().open.iter().any(|open| open.structure.head() != Keyword::If);
-        if in_loop && labels.computed_between(place.line, end.map_or(u32::MAX, |end| end + 1)) {
-            let why = "when the number of an endsub is computed, of a sub defined in a loop";
+        let until = end.map_or(u32::MAX, |end| end + 1);
+        if in_loop && labels.computed_between(place.line - 1, until) {
+            let why = "when the number of a sub or endsub is computed, of one defined in a loop";
             return Err(Halt::Unspecified(why.to_owned()));
         }
         if let Some(inner) = labels.sub_between(place.line, end.unwrap_or(u32::MAX)) {
