@@ -7,6 +7,7 @@ use super::limits::{Limits, squared};
 use super::piece::Piece;
 use super::reach::{Scale, caps, forward};
 use super::ring::Ring;
+use crate::math;
 
 /// Pieces before the one in execution that a change of override is planned for; and how near unplanned ones may come.
 const HORIZON: u64 = 256;
@@ -79,12 +80,16 @@ impl Ahead {
         while place > at.max(ring.first()) {
             place = place.wrapping_sub(1);
             let Some(piece) = ring.get_mut(place) else { break };
-            let new = computed(piece, next, self.scale, limits);
+            let before = place < changed;
+            let mut new = computed(piece, next, self.scale, limits);
+            if self.before.is_some() {
+                new = self.between((place, before), piece, next, new, limits);
+            }
             let higher = new > piece.reach;
             let same = new.to_bits() == piece.reach.to_bits();
-            piece.reach = new;
+            (piece.reach, piece.relied) = (new, next);
             next = new;
-            if place < changed {
+            if before {
                 settled = place;
                 if higher || same {
                     raised = higher;
@@ -104,6 +109,29 @@ impl Ahead {
             self.quiet = self.quiet.min(self.before_soon(low));
         }
         first
+    }
+
+    /// How fast a piece may be entered while some are still planned for another scale, given what this one allows. What is planned for the
+    /// other one is not lowered for this one here: no change of the path asks for that, and the motion might be too fast for it. So those that the
+    /// change has made are planned for either, where others have still to be taken up that lie before them.
+    #[cold]
+    #[inline(never)]
+    fn between(
+        &self,
+        (place, before): (u64, bool),
+        piece: &Piece,
+        next: f64,
+        new: f64,
+        limits: &Limits,
+    ) -> f64 {
+        let most = || computed(piece, next, self.planned(), limits);
+        if before {
+            math::greater(new, math::lesser(piece.reach, most()))
+        } else if place >= self.stale {
+            most()
+        } else {
+            new
+        }
     }
 
     /// Raises up to so many pieces. With `eager` it begins as soon as there is something to raise, otherwise when it is worth it.
@@ -147,7 +175,7 @@ impl Ahead {
             let Some(piece) = ring.get_mut(wave.next) else { return true };
             let new = computed(piece, next, self.scale, limits);
             let same = new.to_bits() == piece.reach.to_bits();
-            piece.reach = new;
+            (piece.reach, piece.relied) = (new, next);
             if same && wave.next < wave.floor || wave.next == 0 {
                 return true;
             }
@@ -202,6 +230,14 @@ impl Ahead {
         at < self.quiet
     }
 
+    /// Spares the next cycle a look where there is nothing to do.
+    #[inline]
+    pub(super) fn look_round(&mut self, at: u64) {
+        if self.stale > at.saturating_add(HORIZON) && !self.pressing(at) {
+            self.settled();
+        }
+    }
+
     /// Nothing is pressing: all that lies next is planned for the scale by now.
     pub(super) fn settled(&mut self) {
         self.before = None;
@@ -229,7 +265,8 @@ impl Ahead {
         self.span = self.span.saturating_mul(GROWS).min(WHOLE);
         let high = at.saturating_add(self.span).min(newest);
         let low = self.stale.min(high).max(at);
-        self.wave = None;
+        // What a wave was still to come to is come to by the next one.
+        let low = low.min(self.wave.take().map_or(low, |wave| wave.floor));
         self.pending = Some(self.pending.map_or((low, high), |(old, _)| (old.min(low), high)));
         self.stale = if high >= newest { u64::MAX } else { high };
     }

@@ -1,6 +1,6 @@
 //! What becomes of the corner between two legs: a stop, nothing, or a blend of lengths taken from both.
 
-use super::leg::{Leg, norm};
+use super::leg::{Leg, norm, norm_of};
 use super::limits::{Limits, SMOOTH, least, squared};
 use super::parameters::Axes;
 use super::piece::{Law, Pace, Piece};
@@ -64,8 +64,9 @@ impl Corner {
         if blend == Blend::ExactStop {
             return Self::Stop;
         }
+        let axes = before.whole.axes.max(after.whole.axes);
         let turn = turn(before, after);
-        let break_ = norm(&turn);
+        let break_ = norm_of(&turn, axes);
         if break_ < SMOOTH {
             return Self::Smooth;
         }
@@ -105,7 +106,6 @@ impl Corner {
             }
             _ => fastest,
         };
-        let axes = before.whole.axes.max(after.whole.axes);
         let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, axes));
         // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them and other corners.
         let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
@@ -261,24 +261,15 @@ pub(super) fn parabola(
         *origin -= d * from;
         *bend = (exit * to - from) / (2.0 * d);
     }
-    let Piece { feed, pace, number, index, probing, .. } = after.whole;
-    *blend = Piece {
-        origin,
-        rate: before.last,
-        bend,
-        end,
-        length: 2.0 * d,
-        exit,
-        axes: before.whole.axes.max(after.whole.axes),
-        feed,
-        pace,
-        entry: f64::INFINITY,
-        begins: Some(d),
-        number,
-        index,
-        probing,
-        ..Piece::default()
-    };
+    // Its strips are laid when it has its law.
+    blend.begin_at(&origin);
+    (blend.rate, blend.bend, blend.end) = (before.last, bend, end);
+    (blend.length, blend.exit) = (2.0 * d, exit);
+    blend.axes = before.whole.axes.max(after.whole.axes);
+    blend.begins = Some(d);
+    (blend.feed, blend.pace) = (after.whole.feed, after.whole.pace);
+    (blend.number, blend.index) = (after.whole.number, after.whole.index);
+    blend.probing = after.whole.probing;
     limits.rule(blend);
     // On its way from one direction to the other a blend has more of what a feed is measured along than one of its legs, and no more than the
     // other.
@@ -299,7 +290,7 @@ pub(super) fn middle(blend: &Piece, limits: &Limits) -> Option<f64> {
         Pace::Second => (squared(blend.feed), squared(2.0 * blend.feed)),
         Pace::Rapid | Pace::Turn => (f64::INFINITY, f64::INFINITY),
     };
-    let flat = norm(&blend.bend) * blend.length <= FLAT;
+    let flat = norm_of(&blend.bend, blend.axes) * blend.length <= FLAT;
     if !flat && axes >= even.min(asked) {
         return None;
     }

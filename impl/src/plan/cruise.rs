@@ -36,7 +36,8 @@ impl Motion {
                 if exit <= 0.0 && next.entry > 0.0 {
                     return left;
                 }
-                let Some(easy) = self.easy(piece, (exit, remaining), (limits, wish), left) else {
+                let Some(easy) = self.easy((piece, next), (exit, remaining), (limits, wish), left)
+                else {
                     return left;
                 };
                 let end = self.speed + easy.acceleration * left;
@@ -75,7 +76,7 @@ impl Motion {
     #[inline]
     fn easy(
         &self,
-        piece: &Piece,
+        (piece, next): (&Piece, &Piece),
         (exit, remaining): (f64, f64),
         (limits, wish): (&Limits, &Wish),
         left: f64,
@@ -91,7 +92,8 @@ impl Motion {
         match (piece.law, &piece.circle) {
             (Law::Bent { even }, _) => {
                 let exit = math::lesser(exit, piece.last_ceiling);
-                let most = math::lesser(asked, (exit - y) / (2.0 * remaining));
+                let met = (exit - y) / (2.0 * remaining);
+                let most = math::lesser(asked, met);
                 // An axis uses no more than |p'|·|u| + |p''|·y.
                 let last = y + 2.0 * most * remaining;
                 let used = math::greater(y, last) / even + most.abs() / limits.softest;
@@ -99,6 +101,11 @@ impl Motion {
                 let lasts = || LASTING * self.speed * limits.cycle < remaining;
                 if used <= USED && (most >= asked || !lasts()) {
                     return Some(Easy { acceleration: most, last });
+                }
+                let slows =
+                    met <= asked && met <= 0.0 && self.keeps_to_plan((piece, next), exit, even);
+                if slows && !lasts() {
+                    return Some(Easy { acceleration: met, last });
                 }
                 let acceleration = if lasts() {
                     let end = End { exit, remaining };
@@ -126,6 +133,18 @@ impl Motion {
             }
             _ => None,
         }
+    }
+
+    /// Whether the motion is where look-ahead has planned a bend to be run through, or slower, so that it may slow down evenly to its exit.
+    ///
+    /// The axes allow the plan: from `reach`, where the bend begins, to the exit that this relied on. And they allow to go on as fast as there, if that
+    /// is below `even`. What they allow is convex, so that all that lies between these is allowed, as long as the exit is no less than the plan's.
+    #[inline]
+    fn keeps_to_plan(&self, (piece, next): (&Piece, &Piece), exit: f64, even: f64) -> bool {
+        let planned = exit * self.x + piece.reach * (piece.length - self.x);
+        next.reach >= piece.relied
+            && piece.reach <= even
+            && squared(self.speed) * piece.length <= planned * SAME
     }
 
     /// The acceleration on a bend whose axes have little more than is asked of them.

@@ -159,9 +159,6 @@ impl Leg {
 }
 
 fn straight(whole: &mut Piece, end: &Axes) -> Result<(), NotQueued> {
-    if !end.iter().all(|value| value.is_finite()) {
-        return Err(NotQueued::Malformed);
-    }
     whole.end = *end;
     let mut sum = 0.0;
     let motion = whole.rate.iter_mut().zip(&whole.origin).zip(end);
@@ -169,7 +166,11 @@ fn straight(whole: &mut Piece, end: &Axes) -> Result<(), NotQueued> {
         *rate = end - start;
         sum += *rate * *rate;
     }
+    // What is no number, or too far away for one, has no length.
     whole.length = math::sqrt(sum);
+    if !whole.length.is_finite() {
+        return Err(NotQueued::Malformed);
+    }
     if sum > 0.0 {
         let inverse = 1.0 / whole.length;
         whole.rate = whole.rate.map(|value| value * inverse);
@@ -272,6 +273,13 @@ fn felt(whole: &Piece) -> (f64, f64) {
 fn in_use(rate: &Axes) -> usize {
     let last = rate.iter().rposition(|rate| rate.abs() > 0.0);
     last.map_or(0, |last| last.saturating_add(1)).max(3)
+}
+
+/// The length of a vector of so many leading axes, of which there are three or more.
+#[inline]
+pub(super) fn norm_of(vector: &Axes, axes: usize) -> f64 {
+    let [x, y, z, ..] = *vector;
+    if axes <= 3 { math::sqrt(x * x + y * y + z * z) } else { norm(vector) }
 }
 
 pub(super) fn norm(vector: &Axes) -> f64 {

@@ -164,13 +164,19 @@ fn amplitudes(circle: &Circle, length: f64) -> [f64; 3] {
     amplitudes
 }
 
-/// The least of limit / use over the leading axes.
+/// The least of limit / use over the leading axes, of which there are three or more.
+#[inline]
 pub(super) fn least(limits: &Axes, uses: &Axes, axes: usize) -> f64 {
-    let mut least = f64::INFINITY;
-    for (limit, used) in limits.iter().zip(uses).take(axes) {
-        least = math::lesser(least, limit / used.abs());
+    if axes <= 3 { least_of::<3>(limits, uses) } else { least_of::<9>(limits, uses) }
+}
+
+#[inline]
+fn least_of<const N: usize>(limits: &Axes, uses: &Axes) -> f64 {
+    let mut shares = [0.0; N];
+    for (share, (limit, used)) in shares.iter_mut().zip(limits.iter().zip(uses)) {
+        *share = limit / used.abs();
     }
-    least
+    shares.into_iter().fold(f64::INFINITY, math::lesser)
 }
 
 pub(super) fn squared(value: f64) -> f64 {

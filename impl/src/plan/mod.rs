@@ -53,7 +53,7 @@ use step::{Motion, Wish};
 /// How many pieces behind the motion are remembered at least, for running back.
 const REMEMBERED: u64 = 128;
 /// Pieces of look-ahead for a queued segment, and for a cycle.
-const WORK_QUEUED: u32 = 8;
+const WORK_QUEUED: u32 = 12;
 const WORK_CYCLE: u32 = 2;
 /// How many pieces may be made when a segment is queued, at most.
 const MADE: u64 = 8;
@@ -197,6 +197,7 @@ impl Planner {
             }
         }
         self.ahead.work(&mut self.ring, self.motion.at, &self.limits, (WORK_QUEUED, false));
+        self.ahead.look_round(self.motion.at);
         Ok(())
     }
 

@@ -142,6 +142,8 @@ pub(super) struct Piece {
     pub(super) rapid: bool,
     /// The square of the speed at which this piece may be entered so that all that is queued can be kept to.
     pub(super) reach: f64,
+    /// What the next piece's was when that was found.
+    pub(super) relied: f64,
     /// The same for entering it from its end, running back.
     pub(super) back: f64,
     /// The square of the speed at which it may be entered at most, from either side: 0 where the motion rests there.
@@ -162,7 +164,7 @@ impl Piece {
         self.bend = Axes::default();
         self.circle = None;
         (self.exit, self.entry) = (1.0, f64::INFINITY);
-        (self.reach, self.back) = (0.0, 0.0);
+        (self.reach, self.relied, self.back) = (0.0, 0.0, 0.0);
         (self.begins, self.rapid) = (None, false);
     }
 

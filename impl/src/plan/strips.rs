@@ -31,21 +31,31 @@ pub(super) struct Strips<const N: usize> {
     most: f64,
     /// Whether no slope is above 0, so that a lower exit never allows a higher entry.
     falls: bool,
+    /// Up to this exit there is an entry that all axes allow, for certain.
+    agreed: f64,
 }
 
 impl<const N: usize> Default for Strips<N> {
     fn default() -> Self {
         let none = [[0.0; N]; 2];
-        Self { slopes: none, limits: none, most: 0.0, falls: false }
+        Self { slopes: none, limits: none, most: 0.0, falls: false, agreed: 0.0 }
     }
 }
 
 /// The highest entry on a bend that leads to an exit of at most so much, and is itself no more than a cap; run forward, or back from its end.
+#[inline]
 pub(super) fn highest(piece: &Piece, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
+    if forward && piece.axes <= 3 {
+        piece.strips.highest(piece, most, limits)
+    } else {
+        looked_at(piece, forward, most, limits)
+    }
+}
+
+#[inline(never)]
+fn looked_at(piece: &Piece, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
     if piece.axes > 3 {
         Ends::<9>::new(piece, forward, limits).highest(piece, most, limits)
-    } else if forward {
-        piece.strips.highest(piece, most, limits)
     } else {
         Ends::<3>::new(piece, forward, limits).highest(piece, most, limits)
     }
@@ -160,32 +170,49 @@ impl Strips<3> {
         let ends = Ends::new(piece, true, limits);
         let strips = &mut piece.strips;
         ends.strips(strips);
-        let mut steepest = f64::NEG_INFINITY;
-        for slope in strips.slopes.as_flattened() {
-            steepest = math::greater(steepest, *slope);
+        let (mut falls, mut rises, mut limit) = (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY);
+        let rows = strips.slopes.as_flattened().iter().zip(strips.limits.as_flattened());
+        for (slope, least) in rows {
+            (falls, rises) = (math::lesser(falls, *slope), math::greater(rises, *slope));
+            limit = math::lesser(limit, *least);
         }
-        strips.falls = steepest <= 0.0;
+        strips.falls = rises <= 0.0;
+        // Whatever the exit, the middles of two strips are no farther apart than their slopes times it.
+        strips.agreed = math::lesser(strips.most, 2.0 * limit / (rises - falls));
     }
 
     /// Mostly the highest exit has the highest entry.
     #[inline]
     fn highest(&self, piece: &Piece, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
-        let exit = math::lesser(exit, self.most);
-        // Two at a time, whichever axes and ends these are.
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::INFINITY; 2]);
-        let (bounds, _) = self.limits.as_flattened().as_chunks::<2>();
-        let (slopes, _) = self.slopes.as_flattened().as_chunks::<2>();
-        for (limits, slopes) in bounds.iter().zip(slopes) {
-            let pairs = limits.iter().zip(slopes).zip(low.iter_mut().zip(&mut high));
-            for ((limit, slope), (low, high)) in pairs {
-                let moved = slope * exit;
-                *low = math::lesser(*low, limit + moved);
-                *high = math::lesser(*high, limit - moved);
+        if exit <= self.agreed {
+            // Two at a time, whichever axes and ends these are.
+            let mut high = [cap; 2];
+            let (bounds, _) = self.limits.as_flattened().as_chunks::<2>();
+            let (slopes, _) = self.slopes.as_flattened().as_chunks::<2>();
+            for (limits, slopes) in bounds.iter().zip(slopes) {
+                for ((limit, slope), high) in limits.iter().zip(slopes).zip(&mut high) {
+                    *high = math::lesser(*high, limit - slope * exit);
+                }
+            }
+            let [one, other] = high;
+            let high = math::lesser(one, other);
+            if self.falls || high >= cap {
+                return high;
             }
         }
-        let least = |[one, other]: [f64; 2]| math::lesser(one, other);
-        let high = math::lesser(least(high), cap);
-        if -least(low) <= high && (self.falls || high >= cap) {
+        self.looked_at(piece, (exit, cap), limits)
+    }
+
+    #[inline(never)]
+    fn looked_at(&self, piece: &Piece, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+        let exit = math::lesser(exit, self.most);
+        let (mut low, mut high) = (f64::INFINITY, cap);
+        for (limit, slope) in self.limits.as_flattened().iter().zip(self.slopes.as_flattened()) {
+            let moved = slope * exit;
+            low = math::lesser(low, limit + moved);
+            high = math::lesser(high, limit - moved);
+        }
+        if -low <= high && (self.falls || high >= cap) {
             return high;
         }
         self.along_edge(piece, exit, limits)

@@ -2,12 +2,13 @@
 
 use gaugeblock_impl::Planner;
 use gaugeblock_impl::plan::{
-    Axes, Blend, Hold, InputParameter, OutputParameter, OutputSwitch, Path, Phase, Segment,
+    Axes, Blend, Dynamics, Feed, Hold, InputParameter, OutputParameter, OutputSwitch, Path, Phase,
+    Segment,
 };
 use proptest::prelude::*;
 
 use super::check::{Feeding, Run, dynamics, farthest, programmed, run_with};
-use super::programs::{FEED, at, distance, line, segment, zig};
+use super::programs::{FEED, at, dense, distance, line, segment, zig};
 use super::random::{Chance, chance};
 
 const ORIGIN: Axes = [0.0; 9];
@@ -51,6 +52,38 @@ fn adaptive_feed_below_zero_retraces_the_path() {
     let (path, _) = programmed(ORIGIN, &program);
     assert!(farthest(&run.samples, &path) <= 0.1);
     assert_eq!(run.samples.last(), Some(&at(100.0, 0.0, 0.0)));
+}
+
+/// A bend that was planned for another override, and is passed again behind a piece that has been planned anew: its plan holds no more.
+#[test]
+fn bend_is_run_through_again_at_a_lower_override() {
+    let corner = at(50.0037, 0.0, 0.0);
+    let (sine, cosine) = libm::sincos(0.003);
+    let end = at(corner[0] + 50.0 * cosine, 50.0 * sine, 0.0);
+    let slow = Segment { feed: Feed::PerSecond(25.0), ..line(end, Blend::Within(3e-6)) };
+    let program = [line(corner, Blend::Within(3e-6)), slow];
+    let run = operated(&program, |cycle| InputParameter {
+        feed_override: if cycle < 369 { 2.0 } else { 0.5 },
+        adaptive_feed: if (498..1039).contains(&cycle) { -1.0 } else { 1.0 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    assert!(run.samples[1030][0] < corner[0] - 5.0, "{}", run.samples[1030][0]);
+}
+
+/// A corner that is queued while the motion slows down for a lower override is one like all others: once these became stops.
+#[test]
+fn corners_queued_while_an_override_falls_are_passed() {
+    let mut planner = Planner::new(Dynamics { queue: 10, ..dynamics() }, ORIGIN).expect("limits");
+    let program = &dense(Blend::Within(0.01))[..800];
+    let run = run_with(&mut planner, ORIGIN, program, Feeding::Full, |cycle| InputParameter {
+        feed_override: if cycle / 150 % 2 == 0 { 1.0 } else { 0.2 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    let within = &run.outputs[100..run.outputs.len() - 100];
+    let slowest = within.iter().map(|output| output.speed).fold(f64::INFINITY, f64::min);
+    assert!(slowest > 0.19 * FEED, "{slowest}");
 }
 
 #[test]
@@ -106,7 +139,7 @@ fn slower_segment_is_entered_at_its_own_feed() {
             line(at(20.0, 0.0, 0.0), Blend::Within(0.01)),
             line(at(40.0, 0.0, 0.0), Blend::ExactStop),
         ];
-        program[1].feed = gaugeblock_impl::plan::Feed::PerSecond(10.0);
+        program[1].feed = Feed::PerSecond(10.0);
         let input = InputParameter { feed_override, ..InputParameter::default() };
         let run = operated(&program, |_| input);
         let late = run.outputs.iter().filter(|output| output.position[0] > 20.0);
