@@ -172,15 +172,10 @@ impl Interpreter {
             return Ok(());
         }
         let gathered = self.gather_sub(oword.label, code.file, source)?;
-        if oword.label == NONE {
-            // Which sub this is depends on when its number is computed.
-            if let Some(block) = code.blocks.last_mut() {
-                block.kind = Kind::Definition { label: NONE, segment: NONE };
-            }
-            return Ok(());
-        }
         let is_it = |block: &Block| matches!(block.kind, Kind::Definition { label, .. } if label == oword.label);
-        let defined = self.segment_of(oword.label).is_some() || code.blocks.iter().any(is_it);
+        let known = oword.label != NONE;
+        let defined =
+            known && (self.segment_of(oword.label).is_some() || code.blocks.iter().any(is_it));
         let Some(block) = code.blocks.last_mut() else { return Ok(()) };
         match gathered {
             Ok(segment) => block.kind = Kind::Definition { label: oword.label, segment },

@@ -148,3 +148,13 @@ fn a_computed_endsub_ends_the_sub_whose_label_it_has() {
     let own = outcome("o7 do\no#2 sub\no0 endsub\no7 while [0]\nm2\n");
     assert_eq!(ending(&own), "unspecified at main.ngc:2");
 }
+
+/// What is looked for is looked at for its label and for nothing else; the block is refused where it is come to.
+#[test]
+fn an_endsub_on_a_line_that_is_too_long_is_found() {
+    for character in [" ", "\u{e9}", "\u{fffd}"] {
+        let program = format!("o1 sub\n#31 = 1\no1 endsub{}\n", character.repeat(300));
+        gives(&format!("{program}m2\n"), &[]);
+        refuses(&format!("{program}o1 call\nm2\n"), "line_too_long at main.ngc:3");
+    }
+}

@@ -52,6 +52,9 @@ pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, Halt> {
     Parser::new(room, &state.readings).passed_over()
 }
 
+/// So many characters are never too many for a line.
+const SHORT: usize = 255;
+
 /// The O-word of a line that begins with one, as far as it can be read.
 ///
 /// Anything else is `None`; nothing is refused, and no rule is reached.
@@ -70,7 +73,13 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
     }
     let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
     let mut room = std::mem::take(&mut state.room);
+    let mut line = line;
     let mut condensed = condense(line, &mut room.glyphs, state);
+    if let Err(Halt::Refused(Refusal { span: None, .. })) = &condensed {
+        // Of a line that is too long the beginning can be read.
+        line = line.char_indices().nth(SHORT).map_or(line, |(end, _)| &line[..end]);
+        condensed = condense(line, &mut room.glyphs, state);
+    }
     if let Err(Halt::Refused(Refusal { span: Some(span), .. })) = &condensed {
         // What stands before a comment that is not closed can be read.
         condensed = condense(&line[..span.start as usize], &mut room.glyphs, state);
