@@ -99,11 +99,17 @@ impl Ahead {
             }
         }
         let below = settled.saturating_sub(1);
-        let pending = match self.pending {
+        let mut pending = match self.pending {
             Some((low, high)) if !raised => Some((low.min(below), high.min(below))),
             Some((low, _)) => Some((low.min(below), below)),
             None => raised.then_some((below, below)),
         };
+        if self.before.is_some()
+            && let (Some((_, old)), Some((_, high))) = (self.pending, &mut pending)
+        {
+            // What has still to be planned for this scale may have been left as it was.
+            *high = old.min(ring.end().saturating_sub(1)).max(below);
+        }
         self.pending = pending;
         if let Some((low, _)) = pending {
             self.quiet = self.quiet.min(self.before_soon(low));

@@ -160,11 +160,12 @@ fn joined(before: &mut Open, last: &mut Open, next: &Open, queue: &mut Queue<'_>
         return !begun;
     }
     last.corner = Corner::between(&before.leg, &last.leg, queue.limits);
-    if last.corner == Corner::Stop || !fits(before, provisional(before, last).0, queue) {
+    let given = provisional(before, last);
+    if last.corner == Corner::Stop || !fits(before, given.0, queue) {
         *last = old;
         return false;
     }
-    follow(before, last, queue);
+    follow(before, last, given, queue);
     if accepted(queue) {
         return true;
     }
@@ -195,7 +196,7 @@ fn revised(before: &mut Open, last: &mut Open, next: &mut Open, queue: &mut Queu
     let old = last.given;
     last.given = given;
     join(before, last, queue);
-    follow(last, next, queue);
+    follow(last, next, provisional(last, next), queue);
     if accepted(queue) {
         return true;
     }
@@ -212,7 +213,7 @@ fn blended(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
     if !fits(last, given.0, queue) {
         return false;
     }
-    follow(last, next, queue);
+    follow(last, next, given, queue);
     if accepted(queue) {
         return true;
     }
@@ -278,8 +279,8 @@ fn join(before: &mut Open, last: &mut Open, queue: &mut Queue<'_>) {
 }
 
 /// Makes the end of the last leg anew, the corner after it, and the next leg.
-fn follow(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) {
-    next.given = provisional(last, next);
+fn follow(last: &mut Open, next: &mut Open, given: (f64, f64), queue: &mut Queue<'_>) {
+    next.given = given;
     join(last, next, queue);
     push_main(next, 0.0, queue);
 }

@@ -80,7 +80,11 @@ pub(super) fn resolve(
     }
     whole.number = segment.number;
     whole.probing = segment.probing;
-    limits.rule(whole);
+    if whole.circle.is_none() {
+        limits.rule_line(whole);
+    } else {
+        limits.rule(whole);
+    }
     let may_move = whole.ceiling > 0.0 && whole.ceiling < f64::INFINITY;
     if !may_move {
         return Err(NotQueued::Malformed);
@@ -143,7 +147,7 @@ impl Leg {
             return false;
         }
         (whole.number, whole.index) = (next.whole.number, next.whole.index);
-        limits.rule(whole);
+        limits.rule_line(whole);
         (self.first, self.last) = (whole.rate, whole.rate);
         self.several = true;
         true

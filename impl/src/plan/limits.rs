@@ -53,10 +53,7 @@ impl Limits {
         let axes = piece.axes;
         let bends = piece.bend.iter().any(|bend| bend.abs() > 0.0);
         match piece.circle {
-            None if !bends => {
-                piece.law = Law::Even { acceleration: least(&self.planned, &piece.rate, axes) };
-                piece.ceiling = squared(least(&self.velocity, &piece.rate, axes));
-            }
+            None if !bends => return self.rule_line(piece),
             None => {
                 if axes <= 3 {
                     self.rule_bent::<3>(piece);
@@ -68,6 +65,16 @@ impl Limits {
             Some(circle) if !bends => self.rule_round(piece, &circle),
             Some(circle) => self.rule_bent_arc(piece, &circle),
         }
+        piece.last_ceiling = piece.ceiling;
+        piece.fastest = math::sqrt(piece.ceiling);
+    }
+
+    /// The same for a line.
+    #[inline]
+    pub(super) fn rule_line(&self, piece: &mut Piece) {
+        let acceleration = least(&self.planned, &piece.rate, piece.axes);
+        piece.law = Law::Even { acceleration };
+        piece.ceiling = squared(least(&self.velocity, &piece.rate, piece.axes));
         piece.last_ceiling = piece.ceiling;
         piece.fastest = math::sqrt(piece.ceiling);
     }

@@ -342,9 +342,8 @@ impl Planner {
     #[inline(never)]
     fn look_on(&mut self, wish: &Wish, input: &InputParameter, first: u64) {
         let steps = match self.motion.at.abs_diff(first) {
-            0 => WORK_CYCLE,
-            1 => 1,
-            _ => 0,
+            0 | 1 => WORK_CYCLE,
+            _ => 1,
         };
         let at = self.motion.at;
         self.ahead.refresh(&self.ring, at);
