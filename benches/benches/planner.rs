@@ -3,13 +3,18 @@
 //! `cargo bench -p gaugeblock-benches --bench planner`
 //!
 //! It runs itself under callgrind for each program, and fails where one costs more than its budget allows. Counted are the mean of all
-//! cycles, the largest cycle, and the mean of all segments queued. Without valgrind it says so and measures nothing.
+//! cycles, the largest cycle, and the mean of all segments queued. Beside it stands what a cycle takes with the segments queued before it,
+//! on this machine and without callgrind. Without valgrind it says so and measures nothing.
+//!
+//! `cargo bench -p gaugeblock-benches --bench planner -- search` looks for the largest cycle with three axes: it draws programs and
+//! schedules of the feed override, and changes those that cost most.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;
 use std::fs;
 use std::io::{Error, Result};
 use std::process::{Command, ExitCode};
+use std::time::Instant;
 
 use gaugeblock_benches::budgets;
 use gaugeblock_impl::Planner;
@@ -34,13 +39,23 @@ const PROGRAMS: [(&str, u32); 8] = [
     ("nine axes", 1000),
 ];
 
+/// What is drawn by the search, as a name: numbers follow.
+const WILD: &str = "wild:";
+const NUMBERS: usize = 9;
+const TRIALS: u32 = 160;
+
 fn main() -> Result<ExitCode> {
     let arguments: Vec<String> = env::args().skip(1).collect();
     if let [run, name, queue] = arguments.as_slice()
         && run == "run"
     {
         let queue = queue.parse().map_err(Error::other)?;
-        println!("{} cycles", executed(&program(name), queue)?);
+        let period = name.strip_prefix(WILD).map_or(0, |wild| drawn(wild).1);
+        println!("{} cycles", executed(&program(name), queue, period)?);
+        return Ok(ExitCode::SUCCESS);
+    }
+    if arguments.first().is_some_and(|search| search == "search") {
+        search()?;
         return Ok(ExitCode::SUCCESS);
     }
     let Some(budgets) = budgets()? else { return Ok(ExitCode::SUCCESS) };
@@ -61,7 +76,7 @@ fn main() -> Result<ExitCode> {
             let verdict = if within { "" } else { " TOO MANY" };
             print!("  {number:7.1} of {budget:5} {unit}{verdict}");
         }
-        println!();
+        println!("  {:5.0} ns", nanoseconds(name, queue)?);
     }
     Ok(if kept { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
@@ -104,8 +119,90 @@ fn dumps(name: &str, queue: u32, function: &str) -> Result<Vec<f64>> {
     Ok(counts)
 }
 
-/// Keeps the queue full until the program is over; how many cycles there were.
-fn executed(program: &[Segment], queue: u32) -> Result<u64> {
+/// What a cycle takes, with the segments that are queued before it; the least of five runs.
+#[expect(clippy::disallowed_methods, reason = "a measurement reads the clock")]
+fn nanoseconds(name: &str, queue: u32) -> Result<f64> {
+    let program = program(name);
+    let mut least = f64::INFINITY;
+    for _ in 0..5 {
+        let begun = Instant::now();
+        let cycles = executed(&program, queue, 0)?;
+        let cycles = f64::from(u32::try_from(cycles).unwrap_or(u32::MAX));
+        least = least.min(begun.elapsed().as_secs_f64() * 1e9 / cycles);
+    }
+    Ok(least)
+}
+
+/// Looks for the largest cycle: first at random, then in the neighbourhood of the largest one found.
+fn search() -> Result<()> {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut dice = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        f64::from(u32::try_from(state >> 32).unwrap_or(0)) / f64::from(u32::MAX)
+    };
+    let (mut most, mut best) = (0.0, [0.5; NUMBERS]);
+    for trial in 0..TRIALS {
+        let mut numbers = best;
+        if trial < TRIALS / 2 {
+            numbers = std::array::from_fn(|_| dice());
+        } else {
+            for number in &mut numbers {
+                if dice() < 0.4 {
+                    *number = (*number + 0.2 * (dice() - 0.5)).clamp(0.0, 1.0);
+                }
+            }
+        }
+        let text: Vec<String> = numbers.iter().map(f64::to_string).collect();
+        let name = format!("{WILD}{}", text.join(","));
+        let queue = if numbers[0] < 0.4 { 10 } else { 1000 };
+        let cycles = dumps(&name, queue, "planner::cycle")?;
+        let largest = cycles.iter().copied().fold(0.0, f64::max);
+        if largest > most {
+            (most, best) = (largest, numbers);
+            println!("{trial:4}  {largest:6.0}  {name}");
+        }
+    }
+    println!("the largest of {TRIALS} programs: {most:.0} instructions");
+    Ok(())
+}
+
+/// A program of 300 chords and arcs, and after how many cycles the feed override changes, from numbers between 0 and 1.
+fn drawn(numbers: &str) -> (Vec<Segment>, u32) {
+    let mut numbers = numbers.split(',').filter_map(|number| number.parse::<f64>().ok());
+    let mut next = || numbers.next().unwrap_or(0.5);
+    let mut between = |low: f64, high: f64| low * libm::pow(high / low, next());
+    let _queue = between(1.0, 2.0);
+    let (chord, turn, tolerance) = (between(0.005, 3.0), between(0.001, 1.0), between(1e-4, 0.3));
+    let (feed, period, sharp) = (between(5.0, 250.0), between(2.0, 400.0), between(1.0, 60.0));
+    let (uneven, arcs) = (between(1.0, 20.0), between(1.0, 40.0));
+    let (mut heading, mut end, mut program) = (0.0, [0.0; 9], Vec::new());
+    for place in 0..300_u32 {
+        let every = |times: f64| f64::from(place) % times.round().max(1.0) < 1.0;
+        heading += if every(sharp) { 1.0 } else { turn * libm::sin(f64::from(place)) };
+        let length = if every(2.0) { chord } else { chord / uneven };
+        let (start, (sine, cosine)) = (end, libm::sincos(heading));
+        end[0] += length * cosine;
+        end[1] += length * sine;
+        end[2] += 0.1 * length * sine;
+        let path = if every(arcs) && arcs > 1.5 {
+            let centre = [0, 1].map(|axis| 0.5 * (start[axis] + end[axis]));
+            let centre = [centre[0], centre[1], start[2]];
+            Path::Arc { end, centre, normal: [0.0, 0.0, 1.0], angle: std::f64::consts::PI }
+        } else {
+            Path::Straight { end }
+        };
+        let mut next = segment(path, Blend::Within(tolerance));
+        next.feed = Feed::PerSecond(feed);
+        program.push(next);
+    }
+    let cycles = (2..400_u32).find(|cycles| f64::from(*cycles) >= period);
+    (program, cycles.unwrap_or(400))
+}
+
+/// Keeps the queue full until the program is over; how many cycles there were. The feed override changes after so many cycles, if at all.
+fn executed(program: &[Segment], queue: u32, period: u32) -> Result<u64> {
     let dynamics = Dynamics {
         velocity: [250.0; 9],
         acceleration: [2000.0; 9],
@@ -114,11 +211,15 @@ fn executed(program: &[Segment], queue: u32) -> Result<u64> {
         queue,
     };
     let mut planner = Planner::new(dynamics, [0.0; 9]).map_err(Error::other)?;
-    let (input, mut output) = (InputParameter::default(), OutputParameter::default());
+    let (mut input, mut output) = (InputParameter::default(), OutputParameter::default());
     let (mut cycles, mut next) = (0, 0);
+    let mut overrides = [1.0, 0.3, 2.0, 0.0, 0.7].into_iter().cycle();
     loop {
         while next < program.len() && queued(&mut planner, &program[next]) {
             next += 1;
+        }
+        if period > 0 && cycles % u64::from(period) == 0 {
+            input.feed_override = overrides.next().unwrap_or(1.0);
         }
         cycles += 1;
         if cycle(&mut planner, &input, &mut output) == Phase::Idle && next == program.len() {
@@ -146,6 +247,7 @@ fn program(name: &str) -> Vec<Segment> {
         "arcs" => arcs(),
         "crowded" => curve(0.03, 3),
         "nine axes" => curve(0.1, 9),
+        wild if wild.starts_with(WILD) => drawn(wild.trim_start_matches(WILD)).0,
         _ => curve(0.1, 3),
     }
 }
