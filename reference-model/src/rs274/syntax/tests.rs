@@ -174,7 +174,8 @@ fn o_words_are_found_in_lines_that_would_be_refused() {
     assert_eq!(found("o"), None);
     assert_eq!(found("#3="), None);
     assert_eq!(found("(o1 endif"), None);
-    assert_eq!(found(&format!("o1 endif;{}", "a".repeat(300))), None);
+    assert_eq!(found(&format!("o1 endif;{}", "a".repeat(300))), Some(Keyword::EndIf));
+    assert_eq!(found(&format!("{}o1 endif", " ".repeat(300))), None);
 }
 
 #[test]
