@@ -267,7 +267,25 @@ impl Motion {
     }
 
     /// The greatest acceleration that is planned with up to the end of a bend.
-    pub(super) fn greatest<const N: usize>(
+    pub(super) fn greatest_on(&self, piece: &Piece, remaining: f64, limits: &Limits) -> f64 {
+        if piece.axes <= 3 {
+            self.greatest::<3>(piece, remaining, limits)
+        } else {
+            self.greatest::<9>(piece, remaining, limits)
+        }
+    }
+
+    /// The least acceleration that all axes allow up to the end of a bend.
+    pub(super) fn least_on(&self, piece: &Piece, remaining: f64, limits: &Limits) -> f64 {
+        if piece.axes <= 3 {
+            self.least::<3>(piece, remaining, limits)
+        } else {
+            self.least::<9>(piece, remaining, limits)
+        }
+    }
+
+    /// The same for so many leading axes.
+    fn greatest<const N: usize>(
         &self,
         piece: &Piece,
         remaining: f64,
@@ -291,7 +309,7 @@ impl Motion {
 
     /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is planned
     /// with, so that a speed that rounding has made too high comes down again.
-    pub(super) fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
+    fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
         let (y, thrice) = (squared(self.speed), 3.0 * ahead);
         let sense = if self.backwards { -1.0 } else { 1.0 };
         let mut least = [0.0; N];
@@ -309,6 +327,6 @@ impl Motion {
 
 /// A number, with the other sign where a second one is negative.
 #[inline]
-fn signed(number: f64, sign: f64) -> f64 {
+pub(super) fn signed(number: f64, sign: f64) -> f64 {
     f64::from_bits(number.to_bits() ^ (sign.to_bits() & (-0.0_f64).to_bits()))
 }

@@ -4,6 +4,7 @@
 //! keeps its limits at every instant. Differences of samples are means of such accelerations, whatever their period.
 
 use super::ahead::exit;
+use super::bend::signed;
 use super::limits::{Limits, PLANNED, squared};
 use super::piece::{Law, Pace, Piece};
 use super::reach::along;
@@ -165,7 +166,7 @@ impl Motion {
         let y = squared(self.speed);
         let far = remaining * ROUNDED + 8.0 * f64::EPSILON * piece.length;
         match piece.law {
-            Law::Bent { .. } => self.least::<9>(piece, remaining, limits) > -y / (2.0 * far),
+            Law::Bent { .. } => self.least_on(piece, remaining, limits) > -y / (2.0 * far),
             Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
                 y > along(piece.law, &piece.circle, 0.0, far)
             }
@@ -300,31 +301,45 @@ impl Motion {
     fn hardest(&self, piece: &Piece, limits: &Limits, left: f64) -> f64 {
         let Some(circle) = &piece.circle else { return 0.0 };
         let far = math::lesser(self.speed * left, self.remaining(piece));
-        let y = squared(self.speed);
         // Between two points of an arc p' and p'' are this much longer than on the chord between their values.
         let kept = 1.0 - squared(circle.turn * far) / 8.0;
         if kept < 0.9 {
             return 0.0;
         }
-        let ahead = if self.backwards { self.x - far } else { self.x + far };
-        let now = self.least_at(piece, self.x, y, (limits, kept));
-        let later = math::greater(0.0, y + 2.0 * now * far);
-        let then = self.least_at(piece, ahead, y, (limits, kept));
-        math::greater(math::greater(now, then), self.least_at(piece, ahead, later, (limits, kept)))
+        if piece.axes <= 3 {
+            self.hardest_of::<3>(piece, far, (limits, kept))
+        } else {
+            self.hardest_of::<9>(piece, far, (limits, kept))
+        }
     }
 
-    /// The least acceleration that all axes allow at a point of an arc, at the square of a speed.
-    fn least_at(&self, piece: &Piece, x: f64, y: f64, (limits, kept): (&Limits, f64)) -> f64 {
-        let [_, first, second] = piece.motion::<9>(x);
-        let sense = if self.backwards { -1.0 } else { 1.0 };
-        let mut low = f64::NEG_INFINITY;
-        let axes = first.iter().zip(&second).zip(&limits.acceleration).take(piece.axes);
-        for ((first, second), limit) in axes {
-            let (share, across) = (sense * first, second * y);
-            let used = across.copysign(across * share);
-            low = math::greater(low, (-limit * kept - used) / math::greater(share.abs(), SMALL));
-        }
-        low
+    /// The same for so many leading axes, so far ahead.
+    #[inline(never)]
+    fn hardest_of<const N: usize>(
+        &self,
+        piece: &Piece,
+        far: f64,
+        (limits, kept): (&Limits, f64),
+    ) -> f64 {
+        let y = squared(self.speed);
+        let (sense, ahead) =
+            if self.backwards { (-1.0, self.x - far) } else { (1.0, self.x + far) };
+        let least = |first: &[f64; N], second: &[f64; N], y: f64| {
+            let mut least = [0.0; N];
+            let axes = first.iter().zip(second).zip(&limits.acceleration);
+            for (least, ((first, second), limit)) in least.iter_mut().zip(axes) {
+                let share = sense * first;
+                let used = signed(second * y, share);
+                *least = (-limit * kept - used) / math::greater(share.abs(), SMALL);
+            }
+            least.into_iter().fold(f64::NEG_INFINITY, math::greater)
+        };
+        let [_, first, second] = piece.motion::<N>(self.x);
+        let now = least(&first, &second, y);
+        let later = math::greater(0.0, y + 2.0 * now * far);
+        let [_, first, second] = piece.motion::<N>(ahead);
+        let then = math::greater(least(&first, &second, y), least(&first, &second, later));
+        math::greater(now, then)
     }
 
     fn ramp(&self, piece: &Piece, end: End, ease: f64, (left, cycle): (f64, f64)) -> Ramp {
@@ -430,8 +445,8 @@ impl Motion {
         let ahead = exit(ring, piece, self.at);
         match piece.law {
             Law::Bent { .. } => {
-                let low = self.least::<9>(piece, remaining, limits);
-                let high = self.greatest::<9>(piece, remaining, limits);
+                let low = self.least_on(piece, remaining, limits);
+                let high = self.greatest_on(piece, remaining, limits);
                 let high = high.min((ahead - y) / (2.0 * remaining));
                 low <= high + 1e-9 * (1.0 - low)
             }
