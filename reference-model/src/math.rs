@@ -10,6 +10,21 @@ pub(crate) fn cosine_of_degrees(degrees: f64) -> f64 {
     libm::cos(degrees.to_radians())
 }
 
+/// Sine and cosine of an angle in degrees; along an axis they are whole, so that nothing of a long way is left beside it.
+pub(crate) fn sine_and_cosine_of_degrees(degrees: f64) -> (f64, f64) {
+    let turned = libm::fmod(degrees, 360.0);
+    match [0.0, 90.0, 180.0, 270.0]
+        .iter()
+        .position(|axis| turned == *axis || turned + 360.0 == *axis)
+    {
+        Some(0) => (0.0, 1.0),
+        Some(1) => (1.0, 0.0),
+        Some(2) => (0.0, -1.0),
+        Some(_) => (-1.0, 0.0),
+        None => (sine_of_degrees(degrees), cosine_of_degrees(degrees)),
+    }
+}
+
 /// Tangent of an angle in degrees.
 pub(crate) fn tangent_of_degrees(degrees: f64) -> f64 {
     libm::tan(degrees.to_radians())

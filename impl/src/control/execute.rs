@@ -257,7 +257,10 @@ impl Interpreter {
                 self.percent_closed = true;
                 Ok(Some(End::PercentEnd))
             }
-            (Some(false), PercentAlone::Ends) => Ok(Some(End::PercentEnd)),
+            (Some(false), PercentAlone::Ends) => {
+                self.percent_closed = true;
+                Ok(Some(End::PercentEnd))
+            }
             (Some(false), PercentAlone::Ignored) => Ok(None),
             (Some(false), PercentAlone::Refused) => {
                 let message = "a percent line in a file that does not begin with one";

@@ -122,9 +122,9 @@ impl Interpreter {
         if self.programs.is_some() {
             return Ok(true);
         }
-        let here = self.reader.place();
+        let (here, closed) = (self.reader.place(), self.percent_closed);
         if let Some(call) = call
-            && !self.reader.rewind(source, call)?
+            && !self.rewind(source, call)?
         {
             return Ok(false);
         }
@@ -159,7 +159,7 @@ impl Interpreter {
                     {
                         // A sub that is none holds nothing: what follows its head can begin a program. Its head is refused, since it
                         // stands in a called program.
-                        self.reader.rewind(source, body)?;
+                        self.rewind(source, body)?;
                         if let Some(head) = code.blocks.last_mut() {
                             head.line = block.line;
                         }
@@ -180,6 +180,8 @@ impl Interpreter {
             *slot = code;
         }
         self.programs = Some(programs);
-        Ok(self.reader.rewind(source, here)?)
+        let back = self.rewind(source, here)?;
+        self.percent_closed = closed;
+        Ok(back)
     }
 }

@@ -109,7 +109,8 @@ impl Interpreter {
         source: &mut S,
         code: &mut Segment,
     ) -> Result<(), Error> {
-        loop {
+        // A sub without an end may have come to the end of the file.
+        while !self.percent_closed {
             match self.next_into(source, code)? {
                 Next::Over => return Ok(()),
                 Next::Nothing => {}
@@ -127,6 +128,7 @@ impl Interpreter {
             }
             self.check_size(code)?;
         }
+        Ok(())
     }
 
     /// A percent line among packed blocks; true where it ends the file.

@@ -5,7 +5,6 @@ use gaugeblock_trace::FaultKind;
 use crate::control::flow::{Halt, refuse};
 use crate::control::seek::Wanted;
 use crate::control::{Cursor, Definition, LOOP};
-use crate::error::Error;
 use crate::faults::{Fault, planted};
 use crate::interpret::Interpreter;
 use crate::math;
@@ -177,7 +176,7 @@ impl Interpreter {
             return Ok(());
         }
         let place = LinePlace { line: head.line, offset: head.offset };
-        if !self.reader.rewind(source, place).map_err(Error::from)? {
+        if !self.rewind(source, place)? {
             let what = "a jump back to a loop that has ended, in a source that cannot go back";
             return Err(Halt::Refusal(Refusal::Unsupported(what.into())));
         }

@@ -8,7 +8,7 @@ use crate::interpret::{Interpreter, segment};
 use crate::parameters::NameId;
 use crate::source::Source;
 use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord};
-use crate::syntax::{PercentAlone, Taken, is_oword, is_percent};
+use crate::syntax::{LinePlace, PercentAlone, Taken, is_oword, is_percent};
 
 /// What a search looks for.
 #[derive(Clone, Copy, Debug)]
@@ -142,12 +142,25 @@ impl Interpreter {
         }
     }
 
+    /// Goes back in the text, if the source can.
+    pub(crate) fn rewind<S: Source>(
+        &mut self,
+        source: &mut S,
+        place: LinePlace,
+    ) -> Result<bool, Error> {
+        self.percent_closed = false;
+        Ok(self.reader.rewind(source, place)?)
+    }
+
     /// The next o-word of the main program, in [`STREAM`]; none at the end of the file. No other line is looked at.
     pub(crate) fn next_oword<S: Source>(
         &mut self,
         source: &mut S,
     ) -> Result<Option<(Block, OWord)>, Error> {
         loop {
+            if self.percent_closed {
+                return Ok(None);
+            }
             let Self { reader, segments, packer, .. } = self;
             let Some(code) = segments.first_mut() else { return Ok(None) };
             let seen = reader.next(source, |line, place| {

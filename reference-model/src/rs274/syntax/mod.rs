@@ -80,16 +80,19 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
         line = line.char_indices().nth(SHORT).map_or(line, |(end, _)| &line[..end]);
         condensed = condense(line, &mut room.glyphs, state);
     }
+    let mut closes = false;
     if let Err(Halt::Refused(Refusal { span: Some(span), .. })) = &condensed {
-        // What stands before a comment that is not closed can be read.
-        condensed = condense(&line[..span.start as usize], &mut room.glyphs, state);
+        // What stands before a comment that is not closed, or not opened, can be read.
+        let (before, behind) = line.split_at(span.start as usize);
+        closes = behind.starts_with(')');
+        condensed = condense(before, &mut room.glyphs, state);
     }
     state.evidence = before;
     condensed.ok()?;
     let mut parser = Parser::new(room, &state.readings);
     let word = parser.leading_o_word(with_arguments);
     (state.room, _) = parser.into_rules();
-    word
+    word.filter(|word| !closes || word.keyword != Keyword::ProgramNumber)
 }
 
 /// Whether an O-word, or a comment that may stand before one, follows what can be a slash and a line number.

@@ -81,19 +81,18 @@ impl Parser<'_> {
         }
         let start = self.place();
         let mut o_word = self.label_and_keyword().ok()?;
-        if o_word.keyword != Keyword::ProgramNumber && !with_arguments {
-            return Some(o_word);
+        if o_word.keyword == Keyword::ProgramNumber {
+            // With anything else it is a line that is refused, and no program begins there.
+            self.comments();
+            o_word.span = self.span_from(start);
+            return self.peek().is_none().then_some(o_word);
         }
-        let alone = self.peek().is_none();
-        while self.peek() == Some('[') {
+        while with_arguments && self.peek() == Some('[') {
             let Ok(argument) = self.bracketed() else { break };
             o_word.arguments.push(argument);
         }
-        self.comments();
-        let number_alone =
-            o_word.keyword != Keyword::ProgramNumber || alone || self.peek().is_none();
         o_word.span = self.span_from(start);
-        number_alone.then_some(o_word)
+        Some(o_word)
     }
 
     /// What rs274 reads of a line that it passes over: the line number, a label with its keyword, and whether M98 begins it.

@@ -171,6 +171,9 @@ fn o_words_are_found_in_lines_that_would_be_refused() {
     assert_eq!(found("o1 if"), Some(Keyword::If));
     assert_eq!(found("g0 o1 endif"), None);
     assert_eq!(found("o1 x1"), None);
+    assert_eq!(found("o1 [1]"), None);
+    assert_eq!(found("o1["), None);
+    assert_eq!(found("o1)"), None);
     assert_eq!(found("o"), None);
     assert_eq!(found("#3="), None);
     assert_eq!(found("(o1 endif"), None);
