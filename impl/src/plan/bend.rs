@@ -26,11 +26,11 @@ impl Motion {
         (limits, wish): (&Limits, &Wish),
         left: f64,
     ) -> f64 {
-        let End { exit, remaining } = end;
+        let End { exit, remaining, .. } = end;
         let mut most = f64::NEG_INFINITY;
         if !wish.rest {
             let ceiling = if self.backwards { piece.ceiling } else { piece.last_ceiling };
-            let eased = End { exit: math::lesser(wish.ease * exit, ceiling), remaining };
+            let eased = End { exit: math::lesser(wish.ease * exit, ceiling), ..end };
             let met = (eased.exit - squared(self.speed)) / (2.0 * remaining);
             // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of override that is too late.
             let eases = wish.rapid < 1.0;
@@ -41,13 +41,15 @@ impl Motion {
             let both = (most, asked);
             if let Some(even) = self.kept_or_quicker::<N>(piece, eased, both, (limits, wish), left)
             {
-                return self.go(piece, even, end, left);
+                return self.go(piece, even, End { open: false, ..end }, left);
             }
         }
-        let low = match self.barely::<N>(piece, remaining, most, limits) {
-            Ok(kept) => return self.go(piece, kept, end, left),
-            Err(low) => low,
-        };
+        let low = self.least::<N>(piece, remaining, limits);
+        let exit = self.opened(piece, end, |far| low > -squared(self.speed) / (2.0 * far));
+        let end = End { exit, open: false, ..end };
+        if let Some(kept) = self.barely::<N>(piece, remaining, (most, low), limits) {
+            return self.go(piece, kept, end, left);
+        }
         let least = self.least_now::<N>(piece, (remaining, low), limits, left);
         self.go(piece, math::greater(most, least), end, left)
     }
@@ -89,21 +91,20 @@ impl Motion {
         self.allows::<N>(piece, remaining, asked, limits).then_some(asked)
     }
 
-    /// An acceleration that can be kept up to the end of a bend, where what is asked for is little; the least that could be where it is too little.
+    /// An acceleration that can be kept up to the end of a bend, where what is asked for is little; none where it is less than the least that could be.
     #[inline]
     pub(super) fn barely<const N: usize>(
         &self,
         piece: &Piece,
         remaining: f64,
-        asked: f64,
+        (asked, low): (f64, f64),
         limits: &Limits,
-    ) -> Result<f64, f64> {
-        let low = self.least::<N>(piece, remaining, limits);
+    ) -> Option<f64> {
         if asked < low {
-            return Err(low);
+            return None;
         }
         let high = self.greatest::<N>(piece, remaining, limits);
-        Ok(math::lesser(asked, math::greater(high, low)))
+        Some(math::lesser(asked, math::greater(high, low)))
     }
 
     /// The least acceleration that all axes allow within this cycle. That may be more than can be kept up to the end of the piece, and the more,
@@ -208,7 +209,7 @@ impl Motion {
     fn leads<const N: usize>(
         &self,
         piece: &Piece,
-        End { exit, remaining }: End,
+        End { exit, remaining, .. }: End,
         (acceleration, way): (f64, f64),
         (limits, wish): (&Limits, &Wish),
         left: f64,
@@ -285,12 +286,7 @@ impl Motion {
     }
 
     /// The same for so many leading axes.
-    fn greatest<const N: usize>(
-        &self,
-        piece: &Piece,
-        remaining: f64,
-        limits: &Limits,
-    ) -> f64 {
+    fn greatest<const N: usize>(&self, piece: &Piece, remaining: f64, limits: &Limits) -> f64 {
         let (y, thrice) = (squared(self.speed), 3.0 * remaining);
         let sense = if self.backwards { -1.0 } else { 1.0 };
         let mut greatest = [0.0; N];
@@ -309,7 +305,7 @@ impl Motion {
 
     /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is planned
     /// with, so that a speed that rounding has made too high comes down again.
-    fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
+    pub(super) fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
         let (y, thrice) = (squared(self.speed), 3.0 * ahead);
         let sense = if self.backwards { -1.0 } else { 1.0 };
         let mut least = [0.0; N];

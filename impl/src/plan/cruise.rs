@@ -108,7 +108,7 @@ impl Motion {
                     return Some(Easy { acceleration: met, last });
                 }
                 let acceleration = if lasts() {
-                    let end = End { exit, remaining };
+                    let end = End { exit, remaining, open: false };
                     self.lasting(piece, end, (most, asked), (limits, wish), left)?
                 } else {
                     self.hardly(piece, remaining, most, limits)?
@@ -116,8 +116,9 @@ impl Motion {
                 Some(Easy { acceleration, last: y + 2.0 * acceleration * remaining })
             }
             (Law::Even { acceleration }, _) => {
-                let ramp = even_ramp(acceleration, End { exit, remaining }, 1.0);
-                let acceleration = self.kept(&ramp, wanted, End { exit, remaining }, (1.0, left));
+                let ramp = even_ramp(acceleration, End { exit, remaining, open: false }, 1.0);
+                let acceleration =
+                    self.kept(&ramp, wanted, End { exit, remaining, open: false }, (1.0, left));
                 let last = y + 2.0 * acceleration * remaining;
                 Some(Easy { acceleration, last })
             }
@@ -152,12 +153,24 @@ impl Motion {
     #[inline(never)]
     fn hardly(&self, piece: &Piece, remaining: f64, most: f64, limits: &Limits) -> Option<f64> {
         if piece.axes <= 3 {
-            let kept = self.kept_up::<3>(piece, remaining, most, limits);
-            kept.or_else(|| self.barely::<3>(piece, remaining, most, limits).ok())
+            self.hardly_of::<3>(piece, remaining, most, limits)
         } else {
-            let kept = self.kept_up::<9>(piece, remaining, most, limits);
-            kept.or_else(|| self.barely::<9>(piece, remaining, most, limits).ok())
+            self.hardly_of::<9>(piece, remaining, most, limits)
         }
+    }
+
+    #[inline]
+    fn hardly_of<const N: usize>(
+        &self,
+        piece: &Piece,
+        remaining: f64,
+        most: f64,
+        limits: &Limits,
+    ) -> Option<f64> {
+        self.kept_up::<N>(piece, remaining, most, limits).or_else(|| {
+            let low = self.least::<N>(piece, remaining, limits);
+            self.barely::<N>(piece, remaining, (most, low), limits)
+        })
     }
 
     /// The acceleration on a bend that lasts.

@@ -6,7 +6,7 @@
 use super::ahead::exit;
 use super::bend::signed;
 use super::limits::{Limits, PLANNED, squared};
-use super::piece::{Law, Pace, Piece};
+use super::piece::{Circle, Law, Pace, Piece};
 use super::reach::along;
 use super::ring::Ring;
 use crate::math;
@@ -73,6 +73,8 @@ pub(super) struct End {
     pub(super) exit: f64,
     /// How far it is.
     pub(super) remaining: f64,
+    /// Whether the path goes on without rest there, so that only an override can ask for one.
+    pub(super) open: bool,
 }
 
 impl Motion {
@@ -103,10 +105,7 @@ impl Motion {
                 }
                 return;
             }
-            let mut end = End { exit: self.exit(ring, piece), remaining };
-            if wish.ease < 1.0 || end.exit <= 0.0 && self.goes_on(ring) {
-                end.exit = self.overridden(ring, piece, end, (limits, wish));
-            }
+            let end = self.end(ring, piece, remaining, wish);
             let from = self.x;
             left -= self.within(piece, end, (limits, wish), left);
             if !self.backwards {
@@ -123,54 +122,32 @@ impl Motion {
         if self.backwards { self.x } else { piece.length - self.x }
     }
 
-    /// Square of the speed at which the piece may be left.
-    fn exit(&self, ring: &Ring<Piece>, piece: &Piece) -> f64 {
-        if !self.backwards {
-            return exit(ring, piece, self.at);
+    /// The end of the piece in the direction of motion. An override makes no more of its exit than the next piece is asked to have, where that is planned
+    /// for more.
+    #[inline]
+    fn end(&self, ring: &Ring<Piece>, piece: &Piece, remaining: f64, wish: &Wish) -> End {
+        if self.backwards {
+            let before = ring.get(self.at.wrapping_sub(1));
+            let reach = |before: &Piece| before.back * squared(before.exit);
+            let exit = before.map_or(0.0, |before| math::lesser(reach(before), piece.entry));
+            return End { exit, remaining, open: false };
         }
-        match ring.get(self.at.wrapping_sub(1)) {
-            Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
-            None => 0.0,
-        }
-    }
-
-    /// What overrides make of the exit: no more than the next piece is asked to have, where it is planned for more; and no rest that an override
-    /// asks for when the motion can no more come to it.
-    #[cold]
-    #[inline(never)]
-    fn overridden(
-        &self,
-        ring: &Ring<Piece>,
-        piece: &Piece,
-        end: End,
-        (limits, wish): (&Limits, &Wish),
-    ) -> f64 {
-        let mut exit = end.exit;
+        let Some(next) = ring.get(self.at.wrapping_add(1)) else {
+            return End { exit: 0.0, remaining, open: false };
+        };
+        let mut exit = next.reach / squared(piece.exit);
         if wish.ease < 1.0 {
-            let next = ring.get(self.at.wrapping_add(1)).filter(|_| !self.backwards);
-            let asked = next.map_or(f64::INFINITY, |next| wanted(next, next.fastest, wish));
+            let asked = wanted(next, next.fastest, wish);
             exit = math::lesser(exit, squared(asked / piece.exit) / wish.ease);
         }
-        let late = exit <= 0.0 && self.goes_on(ring) && self.late(piece, end.remaining, limits);
-        if late { f64::MIN_POSITIVE } else { exit }
+        End { exit, remaining, open: next.entry > 0.0 }
     }
 
-    /// Whether the path goes on without rest behind the piece, so that only an override can ask for one.
-    fn goes_on(&self, ring: &Ring<Piece>) -> bool {
-        let next = ring.get(self.at.wrapping_add(1));
-        !self.backwards && next.is_some_and(|next| next.entry > 0.0)
-    }
-
-    /// Whether the motion is too fast to come to rest at the end of the piece: then it goes on beyond.
-    fn late(&self, piece: &Piece, remaining: f64, limits: &Limits) -> bool {
-        let y = squared(self.speed);
-        let far = remaining * ROUNDED + 8.0 * f64::EPSILON * piece.length;
-        match piece.law {
-            Law::Bent { .. } => self.least_on(piece, remaining, limits) > -y / (2.0 * far),
-            Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
-                y > along(piece.law, &piece.circle, 0.0, far)
-            }
-        }
+    /// The square of the speed at which a piece is left where an override asks for rest at its end when the motion can no more come to it, since `late`.
+    #[inline]
+    pub(super) fn opened(&self, piece: &Piece, end: End, late: impl Fn(f64) -> bool) -> f64 {
+        let far = end.remaining * ROUNDED + 8.0 * f64::EPSILON * piece.length;
+        if end.open && end.exit <= 0.0 && late(far) { f64::MIN_POSITIVE } else { end.exit }
     }
 
     /// Goes over to the next piece; none where there is none, or where a dwell uses up the cycle.
@@ -253,18 +230,22 @@ impl Motion {
         (limits, wish): (&Limits, &Wish),
         left: f64,
     ) -> f64 {
-        let mut ramp = self.ramp(piece, end, wish.ease, (left, limits.cycle));
-        if wish.rest {
-            let low = math::lesser(ramp.low, self.hardest(piece, limits, left));
-            return self.go(piece, low, end, left);
+        let mut low = self.lowest(piece, limits.cycle);
+        let mut wanted = f64::NEG_INFINITY;
+        if !wish.rest {
+            wanted = self::wanted(piece, piece.fastest, wish);
         }
-        let wanted = wanted(piece, piece.fastest, wish);
-        if self.speed + ramp.low * left > wanted {
-            // Whoever lowers an override wants all of the brakes, too.
-            ramp.low = math::lesser(ramp.low, self.hardest(piece, limits, left));
+        let most = low;
+        if self.speed + low * left > wanted {
+            // Whoever lowers an override wants all of the brakes, as for a hold.
+            low = math::lesser(low, self.hardest(piece, limits, left));
         }
-        let kept = self.kept(&ramp, wanted, end, (wish.ease, left));
-        self.go(piece, kept, end, left)
+        let mut acceleration = low;
+        if (wanted - self.speed) / left > low {
+            let ramp = self.ramp(piece, end, wish.ease, (left, limits.cycle), most);
+            acceleration = self.kept(&Ramp { low, ..ramp }, wanted, end, (wish.ease, left));
+        }
+        self.go(piece, acceleration, end, left)
     }
 
     /// The acceleration towards a speed that a ramp allows.
@@ -273,7 +254,7 @@ impl Motion {
         &self,
         ramp: &Ramp,
         wanted: f64,
-        End { exit, remaining }: End,
+        End { exit, remaining, .. }: End,
         (ease, left): (f64, f64),
     ) -> f64 {
         // The speed at the end of the cycle at which look-ahead's bound is just met.
@@ -342,17 +323,38 @@ impl Motion {
         math::greater(now, then)
     }
 
-    fn ramp(&self, piece: &Piece, end: End, ease: f64, (left, cycle): (f64, f64)) -> Ramp {
+    /// The least acceleration that the law of a piece without a bend allows.
+    #[inline]
+    fn lowest(&self, piece: &Piece, cycle: f64) -> f64 {
         match (piece.law, &piece.circle) {
             (Law::Round { acceleration, .. }, Some(circle)) => {
-                let across = squared(acceleration);
-                let rest = |y: f64| math::sqrt((across - squared(circle.turn * y)).max(0.0));
-                self.curved(piece, end, (ease, left), rest)
+                -left_along(acceleration, circle, squared(self.speed))
             }
             (Law::Shared { most, less }, _) => {
-                let all = 1.0 / (PLANNED - less * piece.fastest * cycle);
+                -math::greater(0.0, most - less * squared(self.speed)) * all(piece, less, cycle)
+            }
+            (Law::Even { acceleration }, _) => -acceleration / PLANNED,
+            (Law::Round { .. } | Law::Bent { .. } | Law::Dwell(_), _) => 0.0,
+        }
+    }
+
+    fn ramp(
+        &self,
+        piece: &Piece,
+        end: End,
+        ease: f64,
+        (left, cycle): (f64, f64),
+        lowest: f64,
+    ) -> Ramp {
+        match (piece.law, &piece.circle) {
+            (Law::Round { acceleration, .. }, Some(circle)) => {
+                let rest = |y: f64| left_along(acceleration, circle, y);
+                self.curved(piece, end, (ease, left), lowest, rest)
+            }
+            (Law::Shared { most, less }, _) => {
+                let all = all(piece, less, cycle);
                 let rest = |y: f64| math::greater(0.0, most - less * y) * all;
-                self.curved(piece, end, (ease, left), rest)
+                self.curved(piece, end, (ease, left), lowest, rest)
             }
             (Law::Even { acceleration }, _) => even_ramp(acceleration, end, ease),
             (Law::Round { .. } | Law::Bent { .. } | Law::Dwell(_), _) => {
@@ -365,29 +367,24 @@ impl Motion {
     fn curved(
         &self,
         piece: &Piece,
-        End { exit, remaining }: End,
+        End { exit, remaining, .. }: End,
         (ease, left): (f64, f64),
+        lowest: f64,
         rest: impl Fn(f64) -> f64,
     ) -> Ramp {
-        let y = squared(self.speed);
-        let most = rest(y);
+        let (y, most) = (squared(self.speed), -lowest);
         let far = math::lesser((self.speed + 0.5 * most * left) * left, remaining);
         let high = rest(math::lesser(y + 2.0 * most * far, piece.ceiling));
         let bound = ease * along(piece.law, &piece.circle, exit, remaining);
         let later = ease * along(piece.law, &piece.circle, exit, remaining - far);
         let slope = if far > 0.0 { (later - bound) / far } else { 0.0 };
-        Ramp { low: -most, high, bound, slope }
+        Ramp { low: lowest, high, bound, slope }
     }
 
     /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
     #[inline]
-    pub(super) fn go(
-        &mut self,
-        piece: &Piece,
-        acceleration: f64,
-        End { exit, remaining }: End,
-        left: f64,
-    ) -> f64 {
+    pub(super) fn go(&mut self, piece: &Piece, acceleration: f64, ahead: End, left: f64) -> f64 {
+        let remaining = ahead.remaining;
         self.acceleration = acceleration;
         let end = self.speed + acceleration * left;
         let travel = 0.5 * (self.speed + end) * left;
@@ -397,6 +394,7 @@ impl Motion {
             return left;
         }
         let y = squared(self.speed);
+        let exit = self.opened(piece, ahead, |far| y > along(piece.law, &piece.circle, 0.0, far));
         let (mut last, mut brakes) = (y + 2.0 * acceleration * remaining, 0.0);
         if exit <= 0.0 && last >= -1e-6 * y {
             // The square of the last speed is the difference of two numbers that should be equal. Less is left of it by braking a little harder
@@ -463,6 +461,18 @@ pub(super) fn even_ramp(acceleration: f64, end: End, ease: f64) -> Ramp {
     let slope = -2.0 * acceleration * ease;
     let bound = ease * end.exit - slope * end.remaining;
     Ramp { low: -acceleration / PLANNED, high: acceleration, bound, slope }
+}
+
+/// The acceleration along an arc that what is needed towards its centre leaves of one, at the square of a speed.
+#[inline]
+fn left_along(acceleration: f64, circle: &Circle, y: f64) -> f64 {
+    math::sqrt((squared(acceleration) - squared(circle.turn * y)).max(0.0))
+}
+
+/// What the axes can do on an arc that is bent, over what is planned with.
+#[inline]
+fn all(piece: &Piece, less: f64, cycle: f64) -> f64 {
+    1.0 / (PLANNED - less * piece.fastest * cycle)
 }
 
 fn within_bounds(acceleration: f64, ramp: &Ramp) -> f64 {
