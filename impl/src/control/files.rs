@@ -145,6 +145,8 @@ impl Interpreter {
                 Next::Block(Block {
                     kind: Kind::Control(OWord { keyword: Keyword::Program, label, .. }),
                     line,
+                    // Beside anything else a number is no head of a program, but a line that is refused.
+                    refused: NONE,
                     ..
                 }) => {
                     let entry = u32::try_from(code.blocks.len()).unwrap_or(NONE);

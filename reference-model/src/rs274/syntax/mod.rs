@@ -75,24 +75,24 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
     let mut room = std::mem::take(&mut state.room);
     let mut line = line;
     let mut condensed = condense(line, &mut room.glyphs, state);
+    let mut broken = false;
     if let Err(Halt::Refused(Refusal { span: None, .. })) = &condensed {
+        broken = true;
         // Of a line that is too long the beginning can be read.
         line = line.char_indices().nth(SHORT).map_or(line, |(end, _)| &line[..end]);
         condensed = condense(line, &mut room.glyphs, state);
     }
-    let mut closes = false;
     if let Err(Halt::Refused(Refusal { span: Some(span), .. })) = &condensed {
         // What stands before a comment that is not closed, or not opened, can be read.
-        let (before, behind) = line.split_at(span.start as usize);
-        closes = behind.starts_with(')');
-        condensed = condense(before, &mut room.glyphs, state);
+        broken = true;
+        condensed = condense(&line[..span.start as usize], &mut room.glyphs, state);
     }
     state.evidence = before;
     condensed.ok()?;
     let mut parser = Parser::new(room, &state.readings);
     let word = parser.leading_o_word(with_arguments);
     (state.room, _) = parser.into_rules();
-    word.filter(|word| !closes || word.keyword != Keyword::ProgramNumber)
+    word.filter(|word| !broken || word.keyword != Keyword::ProgramNumber)
 }
 
 /// Whether an O-word, or a comment that may stand before one, follows what can be a slash and a line number.

@@ -174,6 +174,8 @@ fn o_words_are_found_in_lines_that_would_be_refused() {
     assert_eq!(found("o1 [1]"), None);
     assert_eq!(found("o1["), None);
     assert_eq!(found("o1)"), None);
+    assert_eq!(found("o1 (a"), None);
+    assert_eq!(found("o1 (a) b"), None);
     assert_eq!(found("o"), None);
     assert_eq!(found("#3="), None);
     assert_eq!(found("(o1 endif"), None);
