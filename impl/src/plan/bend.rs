@@ -13,7 +13,11 @@ const HARDLY: f64 = 1.0 + 0.5 * (1.0 - PLANNED);
 /// And a little less, which is surely below that whatever was rounded.
 const SURELY: f64 = 1.0 + 0.4 * (1.0 - PLANNED);
 /// How often an acceleration is halved in that leaves another one to be kept up.
-const TRIALS: u32 = 5;
+const TRIALS: u32 = 3;
+/// What that is worth of [`Motion::effort`].
+const TRIED: u32 = 2;
+/// A cycle of more effort leaves it to the next one.
+const ENOUGH: u32 = 2;
 /// The share of the square of a speed by which it is worth to be faster, and the same over what is left of a bend.
 const WORTH: f64 = 1e-3;
 const SHARE: f64 = 0.03;
@@ -57,7 +61,7 @@ impl Motion {
     /// What is easily told of an acceleration: that it can be kept up to the end of a bend, or that more leads to one that can.
     #[inline]
     pub(super) fn kept_or_quicker<const N: usize>(
-        &self,
+        &mut self,
         piece: &Piece,
         end: End,
         (most, asked): (f64, f64),
@@ -66,7 +70,7 @@ impl Motion {
     ) -> Option<f64> {
         let even = self.kept_up::<N>(piece, end.remaining, most, limits)?;
         let lasts = LASTING * self.speed * limits.cycle < end.remaining;
-        if lasts && even < asked && self.is_slow(piece) {
+        if lasts && even < asked && self.effort <= ENOUGH && self.is_slow(piece) {
             return Some(self.quicker::<N>(piece, end, even, (limits, wish), left));
         }
         Some(even)
@@ -158,7 +162,7 @@ impl Motion {
     /// be kept up then.
     #[inline(never)]
     fn quicker<const N: usize>(
-        &self,
+        &mut self,
         piece: &Piece,
         end: End,
         even: f64,
@@ -166,11 +170,6 @@ impl Motion {
         left: f64,
     ) -> f64 {
         let Law::Bent { even: most } = piece.law else { return even };
-        let travel = |acceleration: f64| (self.speed + 0.5 * acceleration * left) * left;
-        let leads = |tried: f64| {
-            let way = travel(tried);
-            way < end.remaining && self.leads::<N>(piece, end, (tried, way), (limits, wish), left)
-        };
         if even < 0.0 && self.speed + even * left <= 0.0 {
             return even;
         }
@@ -179,9 +178,11 @@ impl Motion {
         let asked = (math::lesser(wanted, math::sqrt(most)) - self.speed) / left;
         // Mostly the motion is as fast as it may be.
         let more = even + SHARE * squared(self.speed) / end.remaining;
-        if even >= asked || !leads(math::lesser(asked, more)) {
+        let with = (limits, wish);
+        if even >= asked || !self.leads::<N>(piece, end, math::lesser(asked, more), with, left) {
             return even;
         }
+        self.effort = self.effort.saturating_add(TRIED);
         let near = math::lesser(1.5 * near, end.remaining);
         let mut high = math::lesser(asked, self.greatest::<N>(piece, near, limits));
         let mut low = even;
@@ -190,9 +191,9 @@ impl Motion {
             if tried <= low {
                 break;
             }
-            let way = travel(tried);
+            let way = self.travel_with(tried, left);
             let allowed = way <= near || self.allows::<N>(piece, way, tried, limits);
-            if allowed && leads(tried) {
+            if allowed && self.leads::<N>(piece, end, tried, with, left) {
                 if tried >= high {
                     return tried;
                 }
@@ -205,15 +206,25 @@ impl Motion {
         low
     }
 
+    /// How far an acceleration leads in a time.
+    #[inline]
+    fn travel_with(&self, acceleration: f64, time: f64) -> f64 {
+        (self.speed + 0.5 * acceleration * time) * time
+    }
+
     /// Whether after a cycle with an acceleration another one can be kept up to the end of a bend.
     fn leads<const N: usize>(
         &self,
         piece: &Piece,
         End { exit, remaining, .. }: End,
-        (acceleration, way): (f64, f64),
+        acceleration: f64,
         (limits, wish): (&Limits, &Wish),
         left: f64,
     ) -> bool {
+        let way = self.travel_with(acceleration, left);
+        if way >= remaining {
+            return false;
+        }
         let speed = self.speed + acceleration * left;
         if speed > wanted(piece, self.fastest(piece, way), wish) {
             return false;

@@ -75,7 +75,7 @@ impl Motion {
     /// The acceleration that is asked for, if that is easily kept.
     #[inline]
     fn easy(
-        &self,
+        &mut self,
         (piece, next): (&Piece, &Piece),
         (exit, remaining): (f64, f64),
         (limits, wish): (&Limits, &Wish),
@@ -177,7 +177,7 @@ impl Motion {
     #[cold]
     #[inline(never)]
     fn lasting(
-        &self,
+        &mut self,
         piece: &Piece,
         end: End,
         asked: (f64, f64),

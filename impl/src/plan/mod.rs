@@ -55,6 +55,9 @@ const REMEMBERED: u64 = 128;
 /// Pieces of look-ahead for a queued segment, and for a cycle.
 const WORK_QUEUED: u32 = 12;
 const WORK_CYCLE: u32 = 2;
+/// A cycle of such an effort does less of look-ahead, or leaves it to the next one.
+const LONG: u32 = 2;
+const HARD: u32 = 4;
 /// How many pieces may be made when a segment is queued, at most.
 const MADE: u64 = 8;
 /// The slowest override, and turns of a spindle per second, that running back is planned for, and that the motion is eased to.
@@ -341,10 +344,14 @@ impl Planner {
     /// Does less where the motion itself has had more to do.
     #[inline(never)]
     fn look_on(&mut self, wish: &Wish, input: &InputParameter, first: u64) {
-        let steps = match self.motion.at.abs_diff(first) {
-            0 | 1 => WORK_CYCLE,
+        let steps = match (self.motion.effort, self.motion.at.abs_diff(first)) {
+            (HARD.., _) => 0,
+            (0..LONG, 0 | 1) => WORK_CYCLE,
             _ => 1,
         };
+        if steps == 0 {
+            return;
+        }
         let at = self.motion.at;
         self.ahead.refresh(&self.ring, at);
         if self.ahead.pressing(at) {

@@ -191,6 +191,13 @@ impl Piece {
         [position, first, second]
     }
 
+    /// p' and p'' at x, of so many leading axes.
+    #[inline]
+    pub(super) fn swing<const N: usize>(&self, x: f64) -> ([f64; N], [f64; N]) {
+        let [_, first, second] = self.motion(x);
+        (first, second)
+    }
+
     /// p'(x).
     pub(super) fn tangent(&self, x: f64) -> Axes {
         let mut tangent = Axes::default();

@@ -17,6 +17,8 @@ pub(super) const SMALL: f64 = 1e-9;
 const ROUNDED: f64 = 1.0 + 1e-6;
 /// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
 pub(super) const TOUCHED: u32 = 12;
+/// What it is worth of [`Motion::effort`] to find the least acceleration on an arc.
+const BRAKED: u32 = 2;
 /// For how many cycles a bend must still last at the present speed where another acceleration is looked for than one that can be kept up to its end.
 pub(super) const LASTING: f64 = 2.0;
 
@@ -55,6 +57,10 @@ pub(super) struct Motion {
     /// The segment under way: planner's number and caller's.
     pub(super) begun: u64,
     pub(super) number: u64,
+    /// How much work this cycle has been, in parts of it that are looked at closely.
+    pub(super) effort: u32,
+    /// Whether the least acceleration on an arc has been found in it.
+    pub(super) braked: bool,
 }
 
 /// Least and greatest acceleration, and the square of the speed that look-ahead allows: `bound`, and `slope` more per unit.
@@ -82,6 +88,7 @@ impl Motion {
     #[inline]
     pub(super) fn cycle(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) {
         self.acceleration = 0.0;
+        (self.effort, self.braked) = (0, false);
         let easy = wish.planned && wish.rapid >= 1.0 && !wish.rest && !self.backwards;
         let left = if easy { self.cruise(ring, limits, wish) } else { limits.cycle };
         if left > 0.0 {
@@ -105,6 +112,7 @@ impl Motion {
                 }
                 return;
             }
+            self.effort = self.effort.saturating_add(1);
             let end = self.end(ring, piece, remaining, wish);
             let from = self.x;
             left -= self.within(piece, end, (limits, wish), left);
@@ -279,9 +287,18 @@ impl Motion {
 
     /// The least acceleration that all axes allow on an arc in this cycle. Its law has one limit for all directions, which is less than the
     /// axes can do in most of them; who holds the motion, or slows it down, wants all of it.
-    fn hardest(&self, piece: &Piece, limits: &Limits, left: f64) -> f64 {
+    ///
+    /// It is found once in a cycle: where the motion stays for half of it, or up to its end.
+    fn hardest(&mut self, piece: &Piece, limits: &Limits, left: f64) -> f64 {
         let Some(circle) = &piece.circle else { return 0.0 };
-        let far = math::lesser(self.speed * left, self.remaining(piece));
+        let (remaining, way) = (self.remaining(piece), self.speed * left);
+        let passes = remaining < way && remaining < 0.5 * self.speed * limits.cycle;
+        if passes || self.braked {
+            return 0.0;
+        }
+        self.braked = true;
+        self.effort = self.effort.saturating_add(BRAKED);
+        let far = math::lesser(way, remaining);
         // Between two points of an arc p' and p'' are this much longer than on the chord between their values.
         let kept = 1.0 - squared(circle.turn * far) / 8.0;
         if kept < 0.9 {
@@ -305,22 +322,20 @@ impl Motion {
         let y = squared(self.speed);
         let (sense, ahead) =
             if self.backwards { (-1.0, self.x - far) } else { (1.0, self.x + far) };
-        let least = |first: &[f64; N], second: &[f64; N], y: f64| {
+        // At the squares of two speeds, between which it is no more.
+        let least = |(first, second): ([f64; N], [f64; N]), y: f64, other: f64| {
             let mut least = [0.0; N];
-            let axes = first.iter().zip(second).zip(&limits.acceleration);
+            let axes = first.iter().zip(&second).zip(&limits.acceleration);
             for (least, ((first, second), limit)) in least.iter_mut().zip(axes) {
                 let share = sense * first;
-                let used = signed(second * y, share);
+                let used = math::lesser(signed(second * y, share), signed(second * other, share));
                 *least = (-limit * kept - used) / math::greater(share.abs(), SMALL);
             }
             least.into_iter().fold(f64::NEG_INFINITY, math::greater)
         };
-        let [_, first, second] = piece.motion::<N>(self.x);
-        let now = least(&first, &second, y);
+        let now = least(piece.swing(self.x), y, y);
         let later = math::greater(0.0, y + 2.0 * now * far);
-        let [_, first, second] = piece.motion::<N>(ahead);
-        let then = math::greater(least(&first, &second, y), least(&first, &second, later));
-        math::greater(now, then)
+        math::greater(now, least(piece.swing(ahead), y, later))
     }
 
     /// The least acceleration that the law of a piece without a bend allows.
