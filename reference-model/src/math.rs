@@ -12,17 +12,18 @@ pub(crate) fn cosine_of_degrees(degrees: f64) -> f64 {
 
 /// Sine and cosine of an angle in degrees; along an axis they are whole, so that nothing of a long way is left beside it.
 pub(crate) fn sine_and_cosine_of_degrees(degrees: f64) -> (f64, f64) {
+    const AXES: [(f64, (f64, f64)); 5] = [
+        (0.0, (0.0, 1.0)),
+        (90.0, (1.0, 0.0)),
+        (180.0, (0.0, -1.0)),
+        (270.0, (-1.0, 0.0)),
+        (360.0, (0.0, 1.0)),
+    ];
     let turned = libm::fmod(degrees, 360.0);
-    match [0.0, 90.0, 180.0, 270.0]
-        .iter()
-        .position(|axis| turned == *axis || turned + 360.0 == *axis)
-    {
-        Some(0) => (0.0, 1.0),
-        Some(1) => (1.0, 0.0),
-        Some(2) => (0.0, -1.0),
-        Some(_) => (-1.0, 0.0),
-        None => (sine_of_degrees(degrees), cosine_of_degrees(degrees)),
-    }
+    let turned = if turned < 0.0 { turned + 360.0 } else { turned };
+    let along = AXES.iter().find(|(axis, _)| (turned - axis).abs() <= 0.0);
+    along
+        .map_or_else(|| (sine_of_degrees(degrees), cosine_of_degrees(degrees)), |(_, along)| *along)
 }
 
 /// Tangent of an angle in degrees.
@@ -100,6 +101,15 @@ pub(crate) fn near_integer(value: f64) -> Option<i64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_lies_along_an_axis_is_whole() {
+        for (degrees, along) in [(-90.0, (-1.0, 0.0)), (450.0, (1.0, 0.0)), (-180.0, (0.0, -1.0))] {
+            assert_eq!(sine_and_cosine_of_degrees(degrees), along);
+        }
+        let (sine, cosine) = sine_and_cosine_of_degrees(-30.0);
+        assert!((sine + 0.5).abs() < 1e-15 && (cosine - 0.75_f64.sqrt()).abs() < 1e-15);
+    }
 
     #[test]
     fn integers_are_taken_from_close_by() {

@@ -170,17 +170,20 @@ fn o_words_are_found_in_lines_that_would_be_refused() {
     assert_eq!(found("o1 if [1/"), Some(Keyword::If));
     assert_eq!(found("o1 if"), Some(Keyword::If));
     assert_eq!(found("g0 o1 endif"), None);
-    assert_eq!(found("o1 x1"), None);
-    assert_eq!(found("o1 [1]"), None);
-    assert_eq!(found("o1["), None);
-    assert_eq!(found("o1)"), None);
-    assert_eq!(found("o1 (a"), None);
-    assert_eq!(found("o1 (a) b"), None);
     assert_eq!(found("o"), None);
     assert_eq!(found("#3="), None);
     assert_eq!(found("(o1 endif"), None);
     assert_eq!(found(&format!("o1 endif;{}", "a".repeat(300))), Some(Keyword::EndIf));
     assert_eq!(found(&format!("{}o1 endif", " ".repeat(300))), None);
+}
+
+#[test]
+fn a_number_beside_anything_else_begins_no_program() {
+    let found = |line: &str| o_word_of(line, &mut State::under(&[])).map(|o_word| o_word.keyword);
+    for line in ["o1 x1", "o1 [1]", "o1[", "o1)", "o1 (a", "o1 (a) b"] {
+        assert_eq!(found(line), None, "{line}");
+    }
+    assert_eq!(found("o1 (a)"), Some(Keyword::ProgramNumber));
 }
 
 #[test]
