@@ -7,7 +7,7 @@
 //! on this machine and without callgrind. Without valgrind it says so and measures nothing.
 //!
 //! `cargo bench -p gaugeblock-benches --bench planner -- search` looks for the largest cycle with three axes: it draws programs and
-//! schedules of the feed override, and changes those that cost most.
+//! what the operator does, and changes those that cost most. The largest it has found are programs of the bench.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;
@@ -19,7 +19,7 @@ use std::time::Instant;
 use gaugeblock_benches::budgets;
 use gaugeblock_impl::Planner;
 use gaugeblock_impl::plan::{
-    Axes, Blend, Dynamics, Feed, InputParameter, OutputParameter, Path, Phase, Segment,
+    Axes, Blend, Dynamics, Feed, Hold, InputParameter, OutputParameter, Path, Phase, Segment,
 };
 
 /// How far above its budget a program may be: compilers differ a little.
@@ -41,8 +41,26 @@ const PROGRAMS: [(&str, u32); 8] = [
 
 /// What is drawn by the search, as a name: numbers follow.
 const WILD: &str = "wild:";
-const NUMBERS: usize = 9;
-const TRIALS: u32 = 160;
+const NUMBERS: usize = 10;
+const TRIALS: u32 = 400;
+const LONG_ENOUGH: u64 = 3000;
+
+/// What the operator changes in a drawn program, again and again after so many cycles.
+#[derive(Clone, Copy)]
+struct Operator {
+    period: u32,
+    what: What,
+}
+
+#[derive(Clone, Copy)]
+enum What {
+    Nothing,
+    FeedOverride,
+    RapidOverride,
+    Hold,
+    /// Runs back and forth.
+    AdaptiveFeed,
+}
 
 fn main() -> Result<ExitCode> {
     let arguments: Vec<String> = env::args().skip(1).collect();
@@ -50,8 +68,7 @@ fn main() -> Result<ExitCode> {
         && run == "run"
     {
         let queue = queue.parse().map_err(Error::other)?;
-        let period = name.strip_prefix(WILD).map_or(0, |wild| drawn(wild).1);
-        println!("{} cycles", executed(&program(name), queue, period)?);
+        println!("{} cycles", executed(&program(name), queue, operator(name))?);
         return Ok(ExitCode::SUCCESS);
     }
     if arguments.first().is_some_and(|search| search == "search") {
@@ -122,11 +139,11 @@ fn dumps(name: &str, queue: u32, function: &str) -> Result<Vec<f64>> {
 /// What a cycle takes, with the segments that are queued before it; the least of five runs.
 #[expect(clippy::disallowed_methods, reason = "a measurement reads the clock")]
 fn nanoseconds(name: &str, queue: u32) -> Result<f64> {
-    let program = program(name);
+    let (program, operator) = (program(name), operator(name));
     let mut least = f64::INFINITY;
     for _ in 0..5 {
         let begun = Instant::now();
-        let cycles = executed(&program, queue, 0)?;
+        let cycles = executed(&program, queue, operator)?;
         let cycles = f64::from(u32::try_from(cycles).unwrap_or(u32::MAX));
         least = least.min(begun.elapsed().as_secs_f64() * 1e9 / cycles);
     }
@@ -145,7 +162,7 @@ fn search() -> Result<()> {
     let (mut most, mut best) = (0.0, [0.5; NUMBERS]);
     for trial in 0..TRIALS {
         let mut numbers = best;
-        if trial < TRIALS / 2 {
+        if trial < TRIALS / 4 {
             numbers = std::array::from_fn(|_| dice());
         } else {
             for number in &mut numbers {
@@ -168,8 +185,14 @@ fn search() -> Result<()> {
     Ok(())
 }
 
-/// A program of 300 chords and arcs, and after how many cycles the feed override changes, from numbers between 0 and 1.
-fn drawn(numbers: &str) -> (Vec<Segment>, u32) {
+/// What the operator does with a program.
+fn operator(name: &str) -> Operator {
+    let nothing = Operator { period: 1, what: What::Nothing };
+    name.strip_prefix(WILD).map_or(nothing, |wild| drawn(wild).1)
+}
+
+/// A program of 300 chords and arcs, and what the operator does with it, from numbers between 0 and 1.
+fn drawn(numbers: &str) -> (Vec<Segment>, Operator) {
     let mut numbers = numbers.split(',').filter_map(|number| number.parse::<f64>().ok());
     let mut next = || numbers.next().unwrap_or(0.5);
     let mut between = |low: f64, high: f64| low * libm::pow(high / low, next());
@@ -177,6 +200,12 @@ fn drawn(numbers: &str) -> (Vec<Segment>, u32) {
     let (chord, turn, tolerance) = (between(0.005, 3.0), between(0.001, 1.0), between(1e-4, 0.3));
     let (feed, period, sharp) = (between(5.0, 250.0), between(2.0, 400.0), between(1.0, 60.0));
     let (uneven, arcs) = (between(1.0, 20.0), between(1.0, 40.0));
+    let what = match between(1.0, 2.0) {
+        1.0..1.2 => What::Hold,
+        1.2..1.3 => What::AdaptiveFeed,
+        1.8.. => What::RapidOverride,
+        _ => What::FeedOverride,
+    };
     let (mut heading, mut end, mut program) = (0.0, [0.0; 9], Vec::new());
     for place in 0..300_u32 {
         let every = |times: f64| f64::from(place) % times.round().max(1.0) < 1.0;
@@ -194,15 +223,16 @@ fn drawn(numbers: &str) -> (Vec<Segment>, u32) {
             Path::Straight { end }
         };
         let mut next = segment(path, Blend::Within(tolerance));
-        next.feed = Feed::PerSecond(feed);
+        let rapid = matches!(what, What::RapidOverride) && every(3.0);
+        next.feed = if rapid { Feed::Rapid } else { Feed::PerSecond(feed) };
         program.push(next);
     }
     let cycles = (2..400_u32).find(|cycles| f64::from(*cycles) >= period);
-    (program, cycles.unwrap_or(400))
+    (program, Operator { period: cycles.unwrap_or(400), what })
 }
 
-/// Keeps the queue full until the program is over; how many cycles there were. The feed override changes after so many cycles, if at all.
-fn executed(program: &[Segment], queue: u32, period: u32) -> Result<u64> {
+/// Keeps the queue full until the program is over, or a drawn one has been long enough; how many cycles there were.
+fn executed(program: &[Segment], queue: u32, operator: Operator) -> Result<u64> {
     let dynamics = Dynamics {
         velocity: [250.0; 9],
         acceleration: [2000.0; 9],
@@ -218,11 +248,22 @@ fn executed(program: &[Segment], queue: u32, period: u32) -> Result<u64> {
         while next < program.len() && queued(&mut planner, &program[next]) {
             next += 1;
         }
-        if period > 0 && cycles % u64::from(period) == 0 {
-            input.feed_override = overrides.next().unwrap_or(1.0);
+        if cycles % u64::from(operator.period) == 0 {
+            let share = overrides.next().unwrap_or(1.0);
+            match operator.what {
+                What::Nothing => {}
+                What::FeedOverride => input.feed_override = share,
+                What::RapidOverride => {
+                    (input.feed_override, input.rapid_override) = (share, share.min(1.0));
+                }
+                What::Hold => input.hold = if share < 0.5 { Hold::Hold } else { Hold::Run },
+                What::AdaptiveFeed => input.adaptive_feed = if share < 0.5 { -1.0 } else { 1.0 },
+            }
         }
         cycles += 1;
-        if cycle(&mut planner, &input, &mut output) == Phase::Idle && next == program.len() {
+        let idle = cycle(&mut planner, &input, &mut output) == Phase::Idle;
+        let enough = !matches!(operator.what, What::Nothing) && cycles >= LONG_ENOUGH;
+        if idle && next == program.len() || enough {
             return Ok(cycles);
         }
     }

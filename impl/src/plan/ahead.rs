@@ -4,7 +4,7 @@
 //! once ([`Ahead::settle`]), and a higher one may run back through the queue a few pieces at a time ([`Ahead::work`]).
 
 use super::limits::{Limits, squared};
-use super::piece::Piece;
+use super::piece::{Law, Piece};
 use super::reach::{Scale, caps, forward};
 use super::ring::Ring;
 use crate::math;
@@ -14,6 +14,8 @@ const HORIZON: u64 = 256;
 const WHOLE: u64 = 2 * HORIZON;
 /// How many pieces next to the motion are planned for another scale first; then always so many times as many, up to two horizons.
 const GROWS: u64 = 4;
+/// What a bend takes of the work, where other pieces take one.
+const BEND: u32 = 2;
 /// How near the motion may come to pieces that could be raised, beyond what it takes to stop.
 const MARGIN: u64 = 32;
 
@@ -140,15 +142,15 @@ impl Ahead {
         }
     }
 
-    /// Raises up to so many pieces. With `eager` it begins as soon as there is something to raise, otherwise when it is worth it.
+    /// Raises pieces for so much work. With `eager` it begins as soon as there is something to raise, otherwise when it is worth it.
     pub(super) fn work(
         &mut self,
         ring: &mut Ring<Piece>,
         at: u64,
         limits: &Limits,
-        (steps, eager): (u32, bool),
+        (work, eager): (u32, bool),
     ) {
-        let mut left = steps;
+        let mut left = work;
         while left > 0 {
             let Some(mut wave) = self.wave.take().or_else(|| self.begin(at, eager)) else { return };
             wave.next = wave.next.min(ring.end().saturating_sub(1));
@@ -174,11 +176,16 @@ impl Ahead {
         let last = at.max(ring.first());
         let mut next = ring.get(wave.next.wrapping_add(1)).map_or(0.0, |next| next.reach);
         while *left > 0 {
-            *left = left.saturating_sub(1);
             if wave.next < last {
                 return true;
             }
             let Some(piece) = ring.get_mut(wave.next) else { return true };
+            let work = if matches!(piece.law, Law::Bent { .. }) { BEND } else { 1 };
+            if *left < work {
+                *left = 0;
+                return false;
+            }
+            *left = left.saturating_sub(work);
             let new = computed(piece, next, self.scale, limits);
             let same = new.to_bits() == piece.reach.to_bits();
             (piece.reach, piece.relied) = (new, next);

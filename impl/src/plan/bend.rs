@@ -5,7 +5,7 @@
 
 use super::limits::{Limits, PLANNED, squared};
 use super::piece::{Law, Piece};
-use super::step::{End, LASTING, Motion, SMALL, Wish, wanted};
+use super::step::{ENOUGH, End, LASTING, Motion, SMALL, Wish, wanted};
 use crate::math;
 
 /// Half of what lies between a limit and what is planned with.
@@ -16,8 +16,6 @@ const SURELY: f64 = 1.0 + 0.4 * (1.0 - PLANNED);
 const TRIALS: u32 = 3;
 /// What that is worth of [`Motion::effort`].
 const TRIED: u32 = 2;
-/// A cycle of more effort leaves it to the next one.
-const ENOUGH: u32 = 2;
 /// The share of the square of a speed by which it is worth to be faster, and the same over what is left of a bend.
 const WORTH: f64 = 1e-3;
 const SHARE: f64 = 0.03;
@@ -121,7 +119,8 @@ impl Motion {
         limits: &Limits,
         left: f64,
     ) -> f64 {
-        for _ in 0..2 {
+        let times = if self.effort < ENOUGH { 2 } else { 1 };
+        for _ in 0..times {
             let last = math::greater(0.0, self.speed + least * left);
             let way = 0.5 * (self.speed + math::lesser(self.speed, last)) * left;
             if way >= remaining {

@@ -52,12 +52,9 @@ use step::{Motion, Wish};
 
 /// How many pieces behind the motion are remembered at least, for running back.
 const REMEMBERED: u64 = 128;
-/// Pieces of look-ahead for a queued segment, and for a cycle.
-const WORK_QUEUED: u32 = 12;
-const WORK_CYCLE: u32 = 2;
-/// A cycle of such an effort does less of look-ahead, or leaves it to the next one.
-const LONG: u32 = 2;
-const HARD: u32 = 4;
+/// Work of look-ahead for a queued segment, and for a cycle: a bend takes two of it, any other piece one.
+const WORK_QUEUED: u32 = 24;
+const WORK_CYCLE: u32 = 4;
 /// How many pieces may be made when a segment is queued, at most.
 const MADE: u64 = 8;
 /// The slowest override, and turns of a spindle per second, that running back is planned for, and that the motion is eased to.
@@ -238,9 +235,8 @@ impl Planner {
     /// Moves on by one servo cycle.
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
         let wish = self.wish(input);
-        let first = self.motion.at;
         self.motion.cycle(&self.ring, &self.limits, &wish);
-        self.look(&wish, input, first);
+        self.look(&wish, input);
         output.tripped = self.probed(input.probe);
         self.aborting |= output.tripped;
         self.show(output);
@@ -333,29 +329,27 @@ impl Planner {
 
     /// Look-ahead, and look-back while the motion is to run back: mostly there is nothing to do.
     #[inline]
-    fn look(&mut self, wish: &Wish, input: &InputParameter, first: u64) {
+    fn look(&mut self, wish: &Wish, input: &InputParameter) {
         let at = self.motion.at;
         let planned = wish.planned && at >= self.followed;
         if !(planned && self.ahead.is_quiet(at) && self.retraced.is_none()) {
-            self.look_on(wish, input, first);
+            self.look_on(wish, input);
         }
     }
 
     /// Does less where the motion itself has had more to do.
     #[inline(never)]
-    fn look_on(&mut self, wish: &Wish, input: &InputParameter, first: u64) {
-        let steps = match (self.motion.effort, self.motion.at.abs_diff(first)) {
-            (HARD.., _) => 0,
-            (0..LONG, 0 | 1) => WORK_CYCLE,
-            _ => 1,
+    fn look_on(&mut self, wish: &Wish, input: &InputParameter) {
+        let work = match self.motion.effort {
+            0 | 1 => WORK_CYCLE,
+            2 => WORK_CYCLE - 1,
+            3 => WORK_CYCLE / 2,
+            _ => return,
         };
-        if steps == 0 {
-            return;
-        }
         let at = self.motion.at;
         self.ahead.refresh(&self.ring, at);
         if self.ahead.pressing(at) {
-            self.ahead.work(&mut self.ring, at, &self.limits, (steps, true));
+            self.ahead.work(&mut self.ring, at, &self.limits, (work, true));
         } else {
             self.ahead.settled();
             let scale = Scale {
@@ -367,7 +361,7 @@ impl Planner {
                 self.ahead.rescale(scale, &self.ring, at);
             }
         }
-        for _ in 0..steps {
+        for _ in 0..work / 2 {
             let Some(place) = self.retraced.filter(|place| *place <= at) else { return };
             self.retrace(place);
             self.retraced = Some(place.saturating_add(1));

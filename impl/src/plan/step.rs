@@ -19,6 +19,8 @@ const ROUNDED: f64 = 1.0 + 1e-6;
 pub(super) const TOUCHED: u32 = 12;
 /// What it is worth of [`Motion::effort`] to find the least acceleration on an arc.
 const BRAKED: u32 = 2;
+/// What costs much in a cycle is left out, or to the next one, where this much has been done.
+pub(super) const ENOUGH: u32 = 2;
 /// For how many cycles a bend must still last at the present speed where another acceleration is looked for than one that can be kept up to its end.
 pub(super) const LASTING: f64 = 2.0;
 
@@ -293,21 +295,21 @@ impl Motion {
         let Some(circle) = &piece.circle else { return 0.0 };
         let (remaining, way) = (self.remaining(piece), self.speed * left);
         let passes = remaining < way && remaining < 0.5 * self.speed * limits.cycle;
-        if passes || self.braked {
+        if passes || self.braked || self.effort > ENOUGH || self.speed <= 0.0 {
             return 0.0;
         }
-        self.braked = true;
-        self.effort = self.effort.saturating_add(BRAKED);
         let far = math::lesser(way, remaining);
         // Between two points of an arc p' and p'' are this much longer than on the chord between their values.
         let kept = 1.0 - squared(circle.turn * far) / 8.0;
         if kept < 0.9 {
             return 0.0;
         }
+        self.braked = true;
+        self.effort = self.effort.saturating_add(BRAKED);
         if piece.axes <= 3 {
-            self.hardest_of::<3>(piece, far, (limits, kept))
+            self.hardest_of::<3>(piece, far, (limits, kept * piece.left))
         } else {
-            self.hardest_of::<9>(piece, far, (limits, kept))
+            self.hardest_of::<9>(piece, far, (limits, kept * piece.left))
         }
     }
 
@@ -397,7 +399,7 @@ impl Motion {
     }
 
     /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
-    #[inline]
+    #[inline(always)]
     pub(super) fn go(&mut self, piece: &Piece, acceleration: f64, ahead: End, left: f64) -> f64 {
         let remaining = ahead.remaining;
         self.acceleration = acceleration;

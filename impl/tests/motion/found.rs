@@ -268,3 +268,37 @@ fn faster_axes_do_not_lengthen_a_blend_that_follows_the_spindle() {
     let (slow, fast) = (time(15.0), time(60.0));
     assert!(fast <= slow + 0.002, "{slow} s, {fast} s where an axis is faster");
 }
+
+#[test]
+fn brakes_leave_a_break_of_direction_between_arcs_what_it_takes() {
+    let (mut here, mut heading, mut program) = (ORIGIN, 0.785_f64, Vec::new());
+    for _ in 0..4 {
+        let to_centre = (-2.0 * libm::sin(heading), 2.0 * libm::cos(heading));
+        let end = at(
+            here[0] + to_centre.0 + 2.0 * libm::sin(heading + 1.0),
+            here[1] + to_centre.1 - 2.0 * libm::cos(heading + 1.0),
+            0.0,
+        );
+        let arc = arc(here, end, to_centre, 1.0, Blend::ExactPath);
+        program.push(Segment { feed: Feed::PerSecond(20.0), ..arc });
+        (here, heading) = (end, heading + 1.02);
+    }
+    for held in 95..115 {
+        let run = operated(ORIGIN, &program, |cycle| {
+            let hold = if (held..held + 100).contains(&cycle) { Hold::Hold } else { Hold::Run };
+            InputParameter { hold, ..InputParameter::default() }
+        });
+        let (speed, change) = run.worst(&dynamics());
+        assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{held}: {speed} {change}");
+    }
+}
+
+#[test]
+fn look_ahead_catches_up_with_an_override_on_a_long_queue() {
+    let end = |place: u32| line(at(0.1 * f64::from(place), 0.0, 0.0), Blend::ExactPath);
+    let program: Vec<Segment> = (1..=1000).map(end).collect();
+    let twice = |_| InputParameter { feed_override: 2.0, ..InputParameter::default() };
+    let time = operated(ORIGIN, &program, twice).time();
+    // 100 mm at 200 mm/s, and a quarter of a second to get there.
+    assert!(time < 0.78, "{time}");
+}
