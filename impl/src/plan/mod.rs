@@ -340,10 +340,10 @@ impl Planner {
     /// Does less where the motion itself has had more to do.
     #[inline(never)]
     fn look_on(&mut self, wish: &Wish, input: &InputParameter) {
-        let work = match self.motion.effort {
-            0 | 1 => WORK_CYCLE,
-            2 => WORK_CYCLE - 1,
-            3 => WORK_CYCLE / 2,
+        let (work, back) = match self.motion.effort {
+            0 | 1 => (WORK_CYCLE, 2),
+            2 => (WORK_CYCLE - 1, 1),
+            3 => (WORK_CYCLE - 2, 1),
             _ => return,
         };
         let at = self.motion.at;
@@ -361,7 +361,7 @@ impl Planner {
                 self.ahead.rescale(scale, &self.ring, at);
             }
         }
-        for _ in 0..work / 2 {
+        for _ in 0..back {
             let Some(place) = self.retraced.filter(|place| *place <= at) else { return };
             self.retrace(place);
             self.retraced = Some(place.saturating_add(1));
