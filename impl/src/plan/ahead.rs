@@ -14,8 +14,6 @@ const HORIZON: u64 = 256;
 const WHOLE: u64 = 2 * HORIZON;
 /// How many pieces next to the motion are planned for another scale first; then always so many times as many, up to two horizons.
 const GROWS: u64 = 4;
-/// What a bend takes of the work, where other pieces take one.
-const BEND: u32 = 2;
 /// How near the motion may come to pieces that could be raised, beyond what it takes to stop.
 const MARGIN: u64 = 32;
 
@@ -37,6 +35,8 @@ pub(super) struct Ahead {
     /// What the pieces next to the motion may still be planned for, while they are planned for another scale.
     before: Option<Scale>,
     wave: Option<Wave>,
+    /// Work that was too little for the next bend.
+    spare: u32,
     /// Pieces from the first to the second, whose raise no wave has taken up.
     pending: Option<(u64, u64)>,
     /// From here on pieces are planned for another scale.
@@ -55,6 +55,7 @@ impl Ahead {
             scale,
             before: None,
             wave: None,
+            spare: 0,
             pending: None,
             stale: u64::MAX,
             span: WHOLE,
@@ -150,7 +151,7 @@ impl Ahead {
         limits: &Limits,
         (work, eager): (u32, bool),
     ) {
-        let mut left = work;
+        let mut left = work.saturating_add(core::mem::take(&mut self.spare));
         while left > 0 {
             let Some(mut wave) = self.wave.take().or_else(|| self.begin(at, eager)) else { return };
             wave.next = wave.next.min(ring.end().saturating_sub(1));
@@ -159,6 +160,8 @@ impl Ahead {
                 self.quiet = 0;
             } else {
                 self.wave = Some(wave);
+                self.spare = left;
+                return;
             }
         }
     }
@@ -175,17 +178,15 @@ impl Ahead {
     ) -> bool {
         let last = at.max(ring.first());
         let mut next = ring.get(wave.next.wrapping_add(1)).map_or(0.0, |next| next.reach);
-        while *left > 0 {
+        loop {
             if wave.next < last {
                 return true;
             }
             let Some(piece) = ring.get_mut(wave.next) else { return true };
-            let work = if matches!(piece.law, Law::Bent { .. }) { BEND } else { 1 };
-            if *left < work {
-                *left = 0;
-                return false;
-            }
-            *left = left.saturating_sub(work);
+            // A bend takes two of the work, any other piece one.
+            let work = if matches!(piece.law, Law::Bent { .. }) { 2 } else { 1 };
+            let Some(rest) = left.checked_sub(work) else { return false };
+            *left = rest;
             let new = computed(piece, next, self.scale, limits);
             let same = new.to_bits() == piece.reach.to_bits();
             (piece.reach, piece.relied) = (new, next);
@@ -195,7 +196,6 @@ impl Ahead {
             next = new;
             wave.next = wave.next.wrapping_sub(1);
         }
-        false
     }
 
     /// Whether there is something to raise that the motion will soon come to.

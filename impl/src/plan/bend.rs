@@ -15,7 +15,7 @@ const SURELY: f64 = 1.0 + 0.4 * (1.0 - PLANNED);
 /// How often an acceleration is halved in that leaves another one to be kept up.
 const TRIALS: u32 = 3;
 /// What that is worth of [`Motion::effort`].
-const TRIED: u32 = 2;
+const TRIED: u32 = 4;
 /// The share of the square of a speed by which it is worth to be faster, and the same over what is left of a bend.
 const WORTH: f64 = 1e-3;
 const SHARE: f64 = 0.03;
@@ -119,7 +119,7 @@ impl Motion {
         limits: &Limits,
         left: f64,
     ) -> f64 {
-        let times = if self.effort < ENOUGH { 2 } else { 1 };
+        let times = if self.effort < ENOUGH - 1 { 2 } else { 1 };
         for _ in 0..times {
             let last = math::greater(0.0, self.speed + least * left);
             let way = 0.5 * (self.speed + math::lesser(self.speed, last)) * left;

@@ -182,7 +182,7 @@ impl Kink {
     }
 
     fn eased(&self, mut piece: Piece) -> Piece {
-        piece.left = self.left;
+        piece.breaks = true;
         match &mut piece.law {
             Law::Even { acceleration } => *acceleration *= self.left,
             Law::Round { acceleration, planned } => {

@@ -341,9 +341,9 @@ impl Planner {
     #[inline(never)]
     fn look_on(&mut self, wish: &Wish, input: &InputParameter) {
         let (work, back) = match self.motion.effort {
-            0 | 1 => (WORK_CYCLE, 2),
-            2 => (WORK_CYCLE - 1, 1),
-            3 => (WORK_CYCLE - 2, 1),
+            0..=3 => (WORK_CYCLE, 2),
+            4 | 5 => (WORK_CYCLE - 1, 1),
+            6 | 7 => (WORK_CYCLE - 2, 1),
             _ => return,
         };
         let at = self.motion.at;

@@ -127,8 +127,6 @@ pub(super) struct Piece {
     /// How many of the leading axes take part.
     pub(super) axes: usize,
     pub(super) law: Law,
-    /// The share of all accelerations that a break of direction at its end leaves.
-    pub(super) left: f64,
     /// What the axes allow at both ends of a bend of up to three, run forward.
     pub(super) strips: Strips<3>,
     /// Highest square of the parameter's speed that the axes allow, where the piece begins.
@@ -152,6 +150,8 @@ pub(super) struct Piece {
     pub(super) entry: f64,
     /// Where in it a segment begins.
     pub(super) begins: Option<f64>,
+    /// Whether a break of direction at its end takes a share of what the axes can do.
+    pub(super) breaks: bool,
     /// Whether it ends where the probe changes.
     pub(super) probing: bool,
     /// Which segment that is, or which was under way: the caller's number and the planner's.
@@ -167,7 +167,7 @@ impl Piece {
         self.circle = None;
         (self.exit, self.entry) = (1.0, f64::INFINITY);
         (self.reach, self.relied, self.back) = (0.0, 0.0, 0.0);
-        (self.begins, self.rapid, self.left) = (None, false, 1.0);
+        (self.begins, self.rapid, self.breaks) = (None, false, false);
     }
 
     /// p, p' and p'' at x, of so many leading axes.

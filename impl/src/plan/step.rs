@@ -18,9 +18,9 @@ const ROUNDED: f64 = 1.0 + 1e-6;
 /// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
 pub(super) const TOUCHED: u32 = 12;
 /// What it is worth of [`Motion::effort`] to find the least acceleration on an arc.
-const BRAKED: u32 = 2;
+const BRAKED: u32 = 4;
 /// What costs much in a cycle is left out, or to the next one, where this much has been done.
-pub(super) const ENOUGH: u32 = 2;
+pub(super) const ENOUGH: u32 = 5;
 /// For how many cycles a bend must still last at the present speed where another acceleration is looked for than one that can be kept up to its end.
 pub(super) const LASTING: f64 = 2.0;
 
@@ -59,7 +59,7 @@ pub(super) struct Motion {
     /// The segment under way: planner's number and caller's.
     pub(super) begun: u64,
     pub(super) number: u64,
-    /// How much work this cycle has been, in parts of it that are looked at closely.
+    /// How much work this cycle has been, in parts of it on a line; one on a bend counts as two, one on an arc as three.
     pub(super) effort: u32,
     /// Whether the least acceleration on an arc has been found in it.
     pub(super) braked: bool,
@@ -114,7 +114,11 @@ impl Motion {
                 }
                 return;
             }
-            self.effort = self.effort.saturating_add(1);
+            self.effort = self.effort.saturating_add(match piece.law {
+                Law::Even { .. } | Law::Dwell(_) => 1,
+                Law::Bent { .. } => 2,
+                Law::Round { .. } | Law::Shared { .. } => 3,
+            });
             let end = self.end(ring, piece, remaining, wish);
             let from = self.x;
             left -= self.within(piece, end, (limits, wish), left);
@@ -295,7 +299,7 @@ impl Motion {
         let Some(circle) = &piece.circle else { return 0.0 };
         let (remaining, way) = (self.remaining(piece), self.speed * left);
         let passes = remaining < way && remaining < 0.5 * self.speed * limits.cycle;
-        if passes || self.braked || self.effort > ENOUGH || self.speed <= 0.0 {
+        if passes || piece.breaks || self.braked || self.effort > ENOUGH || self.speed <= 0.0 {
             return 0.0;
         }
         let far = math::lesser(way, remaining);
@@ -307,9 +311,9 @@ impl Motion {
         self.braked = true;
         self.effort = self.effort.saturating_add(BRAKED);
         if piece.axes <= 3 {
-            self.hardest_of::<3>(piece, far, (limits, kept * piece.left))
+            self.hardest_of::<3>(piece, far, (limits, kept))
         } else {
-            self.hardest_of::<9>(piece, far, (limits, kept * piece.left))
+            self.hardest_of::<9>(piece, far, (limits, kept))
         }
     }
 
