@@ -301,7 +301,7 @@ impl Interpreter {
         self.cursor = Cursor::MAIN;
         self.held = false;
         self.landed = false;
-        self.percent = None;
+        (self.percent, self.percent_closed) = (None, false);
         self.scopes = Scopes::new();
         self.subs.clear();
         self.programs = None;
@@ -330,7 +330,7 @@ impl Interpreter {
     pub fn begin_by_hand(&mut self, file: &str, number: u32) {
         self.forget_program();
         self.reader.begin_at(number);
-        self.percent = Some(false);
+        (self.percent, self.percent_closed) = (Some(false), false);
         if let Some(main) = self.files.first_mut()
             && main != file
         {
