@@ -9,7 +9,7 @@
 //!   course      the end of the path: legs are cut, corners put between them        course, corner
 //! Piece         a part of the path with one law for speed and acceleration         piece, limits
 //!   ahead       how fast each piece may be entered, from the end of the queue back ahead, reach, strips
-//!   step        a cycle of motion along the pieces                                 step, cruise, bend
+//!   step        a cycle of motion along the pieces                                 step, cruise, bend, brakes
 //! OutputParameter
 //! ```
 //!
@@ -22,6 +22,7 @@
 
 mod ahead;
 mod bend;
+mod brakes;
 mod corner;
 mod course;
 mod cruise;
