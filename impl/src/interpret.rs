@@ -330,7 +330,7 @@ impl Interpreter {
     pub fn begin_by_hand(&mut self, file: &str, number: u32) {
         self.forget_program();
         self.reader.begin_at(number);
-        (self.percent, self.percent_closed) = (Some(false), false);
+        self.percent = Some(false);
         if let Some(main) = self.files.first_mut()
             && main != file
         {

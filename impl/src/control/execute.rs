@@ -253,11 +253,7 @@ impl Interpreter {
                 Ok(None)
             }
             (Some(true), _) if planted(Fault::PercentGoesOn) => Ok(None),
-            (Some(true), _) => {
-                self.percent_closed = true;
-                Ok(Some(End::PercentEnd))
-            }
-            (Some(false), PercentAlone::Ends) => {
+            (Some(true), _) | (Some(false), PercentAlone::Ends) => {
                 self.percent_closed = true;
                 Ok(Some(End::PercentEnd))
             }
