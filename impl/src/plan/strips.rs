@@ -68,11 +68,12 @@ fn walk<const N: usize>(strips: &Strips<N>, mut exit: f64) -> Option<f64> {
         // The entry is at most limit - slope·exit, and no less than -(limit + slope·exit) and 0.
         let highs = strips.bounds(|limit, slope| limit - slope * exit);
         let lows = strips.bounds(|limit, slope| limit + slope * exit);
-        let (high, slope) = strips.tightest(&highs);
-        let low = lows.as_flattened().iter().copied().fold(f64::INFINITY, math::lesser);
-        let low = math::greater(0.0, -low);
+        let high = least(&highs);
+        let slope = strips.slope_of(high, &highs);
+        let lowest = least(&lows);
+        let low = math::greater(0.0, -lowest);
         if low > high * (1.0 + 1e-13) {
-            let lower = if low > 0.0 { strips.tightest(&lows).1 } else { 0.0 };
+            let lower = if low > 0.0 { strips.slope_of(lowest, &lows) } else { 0.0 };
             let step = (low - high) / (lower - slope);
             exit += step;
             if !(step < 0.0 && exit >= 0.0) {
@@ -206,12 +207,9 @@ impl Strips<3> {
     #[inline(never)]
     fn looked_at(&self, piece: &Piece, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
         let exit = math::lesser(exit, self.most);
-        let (mut low, mut high) = (f64::INFINITY, cap);
-        for (limit, slope) in self.limits.as_flattened().iter().zip(self.slopes.as_flattened()) {
-            let moved = slope * exit;
-            low = math::lesser(low, limit + moved);
-            high = math::lesser(high, limit - moved);
-        }
+        let low = least(&self.bounds(|limit, slope| limit + slope * exit));
+        let high = least(&self.bounds(|limit, slope| limit - slope * exit));
+        let high = math::lesser(high, cap);
         if -low <= high && (self.falls || high >= cap) {
             return high;
         }
@@ -239,21 +237,20 @@ impl<const N: usize> Strips<N> {
         bounds
     }
 
-    /// The least of some bounds, and the slope of the first strip, axis by axis, that has it.
+    /// The slope of the first strip, axis by axis, whose bound is so little.
     #[inline]
-    fn tightest(&self, bounds: &[[f64; N]; 2]) -> (f64, f64) {
-        let least = bounds.as_flattened().iter().copied().fold(f64::INFINITY, math::lesser);
+    fn slope_of(&self, least: f64, bounds: &[[f64; N]; 2]) -> f64 {
         let ([here, there], [slopes, slopes_there]) = (bounds, &self.slopes);
         let axes = here.iter().zip(there).zip(slopes.iter().zip(slopes_there));
         for ((here, there), (slope, slope_there)) in axes {
             if *here <= least {
-                return (least, *slope);
+                return *slope;
             }
             if *there <= least {
-                return (least, *slope_there);
+                return *slope_there;
             }
         }
-        (least, 0.0)
+        0.0
     }
 
     /// How far below an exit another upper bound becomes the lowest, and its slope.
@@ -275,6 +272,19 @@ impl<const N: usize> Strips<N> {
         }
         (step, next)
     }
+}
+
+/// The least of some bounds: two at a time, whichever axes and ends these are.
+#[inline]
+fn least<const N: usize>(bounds: &[[f64; N]; 2]) -> f64 {
+    let mut least = [f64::INFINITY; 2];
+    for pair in bounds.as_flattened().as_chunks::<2>().0 {
+        for (least, bound) in least.iter_mut().zip(pair) {
+            *least = math::lesser(*least, *bound);
+        }
+    }
+    let [one, other] = least;
+    math::lesser(one, other)
 }
 
 /// The leading axes.
