@@ -122,7 +122,7 @@ impl Motion {
         let times = if self.effort < ENOUGH - 1 { 2 } else { 1 };
         for _ in 0..times {
             let last = math::greater(0.0, self.speed + least * left);
-            let way = 0.5 * (self.speed + math::lesser(self.speed, last)) * left;
+            let way = 0.5 * (self.speed + last) * left;
             if way >= remaining {
                 break;
             }

@@ -67,6 +67,15 @@ impl Run {
         }
         (speed, change)
     }
+
+    /// The greatest use of a limit of acceleration at the end of a cycle, as the planner tells it.
+    pub(crate) fn told(&self, dynamics: &Dynamics) -> f64 {
+        let uses = self.outputs.iter().flat_map(|output| {
+            let axes = output.acceleration.iter().zip(&dynamics.acceleration);
+            axes.map(|(acceleration, limit)| acceleration.abs() / limit)
+        });
+        uses.fold(0.0, f64::max)
+    }
 }
 
 /// Runs a program to its end, with what the outside wants in each cycle.

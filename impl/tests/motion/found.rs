@@ -294,6 +294,24 @@ fn brakes_leave_a_break_of_direction_between_arcs_what_it_takes() {
 }
 
 #[test]
+fn hold_on_a_bend_that_is_entered_too_fast_to_coast_keeps_limits_up_to_the_end_of_the_cycle() {
+    let (mut here, mut program) = (ORIGIN, Vec::new());
+    for heading in [0.6, 0.3].into_iter().cycle().take(20) {
+        here[0] += 0.3 * libm::cos(heading);
+        here[1] += 0.3 * libm::sin(heading);
+        program.push(line(here, Blend::Within(0.01)));
+    }
+    for held in 0..100 {
+        let run = operated(ORIGIN, &program, |cycle| {
+            let hold = if (held..held + 50).contains(&cycle) { Hold::Hold } else { Hold::Run };
+            InputParameter { hold, ..InputParameter::default() }
+        });
+        let told = run.told(&dynamics());
+        assert!(told <= 1.0 + 1e-9, "{held}: {told}");
+    }
+}
+
+#[test]
 fn look_ahead_catches_up_with_an_override_on_a_long_queue() {
     let end = |place: u32| line(at(0.1 * f64::from(place), 0.0, 0.0), Blend::ExactPath);
     let program: Vec<Segment> = (1..=1000).map(end).collect();
