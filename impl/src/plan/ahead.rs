@@ -45,6 +45,9 @@ pub(super) struct Ahead {
     span: u64,
     /// How many pieces the last wave changed, which the next one has to be worth.
     touched: u64,
+    /// The most that pieces before `mixed` may be planned for, which the motion has passed.
+    passed: Scale,
+    mixed: u64,
     /// While the motion is before this piece, nothing is pressing and nothing to be taken up; 0 where it is not known.
     quiet: u64,
 }
@@ -60,19 +63,15 @@ impl Ahead {
             stale: u64::MAX,
             span: WHOLE,
             touched: 0,
+            passed: scale,
+            mixed: 0,
             quiet: 0,
         }
     }
 
-    /// Computes the pieces from `changed` on, and lowers those before them that relied on more. Gives back the first piece
-    /// that is another now. A lower value runs back through as many pieces as it takes to stop, at most.
-    pub(super) fn settle(
-        &mut self,
-        ring: &mut Ring<Piece>,
-        changed: u64,
-        at: u64,
-        limits: &Limits,
-    ) -> u64 {
+    /// Computes the pieces from `changed` on, and lowers those before them that relied on more, those behind the motion, too, which may
+    /// run back. Gives back the first piece that is another now. A lower value runs back through as many pieces as it takes to stop, at most.
+    pub(super) fn settle(&mut self, ring: &mut Ring<Piece>, changed: u64, limits: &Limits) -> u64 {
         let mut place = ring.end();
         let mut first = changed;
         // Down to here all is computed, and what lies before it need not be raised for it.
@@ -80,7 +79,7 @@ impl Ahead {
         let mut raised = true;
         // How fast the piece after it may be entered.
         let mut next = 0.0;
-        while place > at.max(ring.first()) {
+        while place > ring.first() {
             place = place.wrapping_sub(1);
             let Some(piece) = ring.get_mut(place) else { break };
             let before = place < changed;
@@ -247,13 +246,15 @@ impl Ahead {
     #[inline]
     pub(super) fn look_round(&mut self, at: u64) {
         if self.stale > at.saturating_add(HORIZON) && !self.pressing(at) {
-            self.settled();
+            self.settled(at);
         }
     }
 
     /// Nothing is pressing: all that lies next is planned for the scale by now.
-    pub(super) fn settled(&mut self) {
-        self.before = None;
+    pub(super) fn settled(&mut self, at: u64) {
+        if self.before.take().is_some() {
+            self.mixed = at.saturating_add(1);
+        }
         let floor = self.wave.map_or(u64::MAX, |wave| wave.floor);
         let low = self.pending.map_or(u64::MAX, |(low, _)| low);
         self.quiet = self.before_soon(floor.min(low)).min(self.stale.saturating_sub(HORIZON));
@@ -261,9 +262,25 @@ impl Ahead {
 
     /// Plans for other overrides from now on: what lies next is planned anew, the rest when the motion comes near.
     pub(super) fn rescale(&mut self, scale: Scale, ring: &Ring<Piece>, at: u64) {
-        self.before = Some(self.planned());
-        self.quiet = 0;
+        let planned = self.planned();
+        let forgotten = ring.first() >= self.mixed;
+        self.passed = if forgotten { planned } else { self.passed.most(planned) };
+        self.mixed = u64::MAX;
         self.scale = scale;
+        self.plan_anew(planned, ring, at);
+    }
+
+    /// The motion has run back, and is to go on from here: over pieces that may be planned for what is long over.
+    pub(super) fn returned(&mut self, ring: &Ring<Piece>, at: u64) {
+        if at < self.mixed {
+            self.plan_anew(self.planned().most(self.passed), ring, at);
+        }
+    }
+
+    /// From here on pieces are planned for no more than this.
+    fn plan_anew(&mut self, before: Scale, ring: &Ring<Piece>, at: u64) {
+        self.before = Some(before);
+        self.quiet = 0;
         (self.stale, self.span) = (at, 1);
         self.refresh(ring, at);
     }

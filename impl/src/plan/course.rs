@@ -224,8 +224,7 @@ fn blended(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
 
 /// What a form of the path has lowered is computed anew for the one that takes its place.
 fn settle(queue: &mut Queue<'_>) -> u64 {
-    let at = queue.motion.at;
-    queue.changed = queue.ahead.settle(queue.ring, queue.changed, at, queue.limits);
+    queue.changed = queue.ahead.settle(queue.ring, queue.changed, queue.limits);
     queue.changed
 }
 

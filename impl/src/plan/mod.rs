@@ -323,7 +323,10 @@ impl Planner {
                 self.motion.backwards = true;
             }
         } else if !back && (self.motion.speed <= 0.0 || !self.motion.backwards) {
-            self.motion.backwards = false;
+            if self.motion.backwards {
+                self.motion.backwards = false;
+                self.ahead.returned(&self.ring, self.motion.at);
+            }
             self.retraced = None;
         }
     }
@@ -352,7 +355,7 @@ impl Planner {
         if self.ahead.pressing(at) {
             self.ahead.work(&mut self.ring, at, &self.limits, (work, true));
         } else {
-            self.ahead.settled();
+            self.ahead.settled(at);
             let scale = Scale {
                 feed: wish.feed,
                 rapid: wish.rapid,

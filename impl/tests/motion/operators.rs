@@ -71,6 +71,46 @@ fn bend_is_run_through_again_at_a_lower_override() {
     assert!(run.samples[1030][0] < corner[0] - 5.0, "{}", run.samples[1030][0]);
 }
 
+/// What has been planned for a higher override, and is passed again, is planned anew: once a slower segment was entered four times too fast.
+#[test]
+fn slower_segment_is_entered_at_its_own_feed_after_running_back() {
+    let to = |x: f64| line(at(x, 0.0, 0.0), Blend::ExactPath);
+    let slow = |x: f64| Segment { feed: Feed::PerSecond(20.0), ..to(x) };
+    let program = [to(100.0), slow(120.0), slow(140.0), slow(200.0)];
+    let run = operated(&program, |cycle| InputParameter {
+        feed_override: if cycle < 1250 { 2.0 } else { 0.5 },
+        adaptive_feed: if (1300..6000).contains(&cycle) { -1.0 } else { 1.0 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    assert!(run.samples[1250][0] > 110.0 && run.samples[6000][0] < 80.0);
+    for output in run.outputs[6000..].iter().filter(|output| output.position[0] > 100.0) {
+        assert!(output.speed <= 10.0 + 1e-9, "{} at {}", output.speed, output.position[0]);
+    }
+}
+
+/// What a new segment makes of the path ahead counts behind the motion, too, which may run back and come again: once it came to the end
+/// of all at its full speed.
+#[test]
+fn path_that_changes_is_kept_to_from_behind_after_running_back() {
+    let (mut here, mut heading, mut program) = (ORIGIN, 0.3, Vec::new());
+    for place in 1..=30_u32 {
+        heading += if place % 7 == 0 { 1.5 } else { 0.02 };
+        here[0] += 0.5 * libm::cos(heading);
+        here[1] += 0.5 * libm::sin(heading);
+        program.push(line(here, Blend::Within(0.1)));
+    }
+    for begun in 10..200 {
+        let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+        let every = Feeding::Every(1, 10);
+        let run = run_with(&mut planner, ORIGIN, &program, every, |cycle| InputParameter {
+            adaptive_feed: if (begun..begun + 60).contains(&cycle) { -1.0 } else { 1.0 },
+            ..InputParameter::default()
+        });
+        keeps_limits(&run);
+    }
+}
+
 /// A corner that is queued while the motion slows down for a lower override is one like all others: once these became stops.
 #[test]
 fn corners_queued_while_an_override_falls_are_passed() {
@@ -224,6 +264,8 @@ proptest! {
         let run = run_with(&mut planner, chance.start, &chance.program, chance.feeding, wants);
         let (speed, change) = run.worst(&chance.dynamics);
         prop_assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{} {}", speed, change);
+        let told = run.told(&chance.dynamics);
+        prop_assert!(told <= 1.0 + 1e-9, "{}", told);
         prop_assert_eq!(run.samples.last(), Some(&last_end(&chance)));
     }
 }
