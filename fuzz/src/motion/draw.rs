@@ -62,6 +62,10 @@ pub fn ride(dice: &mut Dice<'_>) -> Ride {
         let action = MotionAction::SpindleSpeed { spindle: 0, turns: any_size(dice, 2.0, 50.0) };
         ride.script.events.insert(0, MotionEvent { cycle: 0, action });
     }
+    let runs_back = |event: &MotionEvent| matches!(event.action, MotionAction::AdaptiveFeed(_));
+    if ride.script.events.iter().any(runs_back) && dice.chance(40) {
+        rock(dice, &mut ride.script);
+    }
     ride
 }
 
@@ -248,6 +252,19 @@ fn operate(dice: &mut Dice<'_>, script: &mut MotionScript) {
         last = vec![MotionAction::Abort];
     }
     script.events.extend(last.into_iter().map(|action| MotionEvent { cycle, action }));
+}
+
+/// Runs back and forth again and again, with whatever else an operator does.
+fn rock(dice: &mut Dice<'_>, script: &mut MotionScript) {
+    let mut cycle = 0;
+    for _ in 0..dice.range(2, 12) {
+        for feed in [*dice.pick(&[-1.0, -1.0, -0.5]), 1.0] {
+            cycle += *dice.pick(&[3, 10, 30, 60, 100, 300]) + dice.below(30);
+            let action = MotionAction::AdaptiveFeed(feed);
+            script.events.push(MotionEvent { cycle, action });
+        }
+    }
+    script.events.sort_by_key(|event| event.cycle);
 }
 
 /// From 0 to 1.

@@ -182,12 +182,17 @@ fn start(
 /// The samples that may show an output first that switches while the motion rests at a corner.
 ///
 /// A sample at the corner may, of any time that the motion stays there; where the rest lies between two samples, the second of these. Where
-/// samples are farther apart than servo cycles, the rest may outlast the last sample there.
+/// samples are farther apart than servo cycles, the rest may outlast the last sample there; and where the motion runs back from there, which
+/// no output holds up, the next sample is the first one that can show what has switched at the last.
 fn at_once(record: &Record<'_>, corner: &Corner, visit: Visit) -> Vec<(usize, usize)> {
     if visit.at.is_some() {
         let sparse = usize::from(record.period > record.limits.period * (1.0 + 1e-9));
+        let after = |last: usize| {
+            let turns = record.backwards.get(last + 1).is_some_and(|backwards| *backwards);
+            sparse.max(usize::from(turns))
+        };
         let stays = visit.stays(record, &corner.at);
-        return stays.map(|(first, last)| (first, last + sparse)).collect();
+        return stays.map(|(first, last)| (first, last + after(last))).collect();
     }
     // Without any rest the law of stops is broken, and the pair that passes the corner counts here.
     let near = visit.nearest(record, &corner.at);

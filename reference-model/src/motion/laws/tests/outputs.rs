@@ -96,3 +96,28 @@ fn at_a_rounded_corner_the_nearest_sample_counts() {
     lawful(&judged(&points, &path, Some(nearest)));
     broken(&judged(&points, &path, Some(nearest + 2)), Law::Outputs);
 }
+
+/// The rest may be over with the sample that shows it, where the motion is asked to run back.
+#[test]
+fn an_output_at_once_is_seen_when_the_motion_runs_back() {
+    let mut motion = Motion::default();
+    motion.to(10.0, 0.0, 50.0);
+    motion.seconds = (motion.seconds / PERIOD).ceil() * PERIOD;
+    motion.to(5.0, 0.0, 50.0).to(20.0, 0.0, 50.0);
+    let points = motion.samples();
+    let corner = points.iter().position(|point| (point[0] - 10.0).abs() < 1e-9).unwrap();
+    let turned = points.iter().rposition(|point| (point[0] - 5.0).abs() < 0.01).unwrap();
+    let mut path = lines(true, 1.0);
+    path.elements[0].controls.adaptive_feed = true;
+    let asked =
+        |cycle: usize, feed| (u32::try_from(cycle).unwrap(), MotionAction::AdaptiveFeed(feed));
+    let script = script(&[asked(corner, -1.0), asked(turned, 1.0)]);
+    let verdict = |at: usize| {
+        let mut values = vec![0.0; points.len()];
+        values[at..].fill(1.0);
+        let record = record(&points, &[(Column::Output(Pin::DigitalOut(0)), values)]);
+        judge(&record, &path, &limits(), &script)
+    };
+    lawful(&verdict(corner + 1));
+    broken(&verdict(corner + 3), Law::Outputs);
+}
