@@ -7,6 +7,7 @@ use super::limits::{Limits, squared};
 use super::piece::{Law, Piece};
 use super::reach::{Scale, caps, forward};
 use super::ring::Ring;
+use super::step::Motion;
 use crate::math;
 
 /// Pieces before the one in execution that a change of override is planned for; and how near unplanned ones may come.
@@ -14,6 +15,8 @@ const HORIZON: u64 = 256;
 const WHOLE: u64 = 2 * HORIZON;
 /// How many pieces next to the motion are planned for another scale first; then always so many times as many, up to two horizons.
 const GROWS: u64 = 4;
+/// By so much the square of a speed may grow at most where axes do not let the motion slow down: many times of what it does.
+const FASTER: f64 = 2.0;
 /// How near the motion may come to pieces that could be raised, beyond what it takes to stop.
 const MARGIN: u64 = 32;
 
@@ -311,4 +314,24 @@ pub(super) fn exit(ring: &Ring<Piece>, piece: &Piece, place: u64) -> f64 {
 #[inline]
 fn computed(piece: &Piece, next: f64, scale: Scale, limits: &Limits) -> f64 {
     forward(piece, next / squared(piece.exit), caps(piece, scale), limits)
+}
+
+/// Whether the axes allow the motion, as fast as it is, to keep to a path that is changed from a piece on, whatever is planned for it.
+#[cold]
+#[inline(never)]
+pub(super) fn allowed(ring: &Ring<Piece>, motion: &Motion, changed: u64, limits: &Limits) -> bool {
+    let Some(piece) = ring.get(motion.at) else { return true };
+    // It slows down, but where a bend does not let it; so it need not be looked at where much more is allowed.
+    let most = FASTER * squared(motion.speed) * math::greater(1.0, squared(piece.exit));
+    let unbound = Scale { feed: f64::INFINITY, rapid: 1.0, turns: f64::INFINITY };
+    let (mut next, mut place) = (0.0, ring.end());
+    while place > motion.at.saturating_add(1) {
+        place = place.wrapping_sub(1);
+        let Some(piece) = ring.get(place) else { break };
+        next = computed(piece, next, unbound, limits);
+        if place < changed && next >= most {
+            return true;
+        }
+    }
+    motion.comes_to(piece, next / squared(piece.exit), limits)
 }

@@ -4,7 +4,7 @@
 //! leaves is known when that one is, and the corner is then made anew. A path that has been promised to the motion
 //! is never changed so that it could not be kept to: then the corner keeps the form it has, a stop at worst.
 
-use super::ahead::Ahead;
+use super::ahead::{Ahead, allowed};
 use super::corner::{Corner, bent_end, bent_start, middle, parabola, share, turn};
 use super::leg::Leg;
 use super::limits::{Limits, squared};
@@ -57,6 +57,8 @@ pub(super) struct Queue<'a> {
     pub(super) limits: &'a Limits,
     /// The first piece that has been changed, or that has been lowered for it.
     pub(super) changed: u64,
+    /// Whether the motion is still faster than it is planned, since an override has been lowered: what is planned says nothing of it then.
+    pub(super) late: bool,
 }
 
 impl Course {
@@ -230,7 +232,11 @@ fn settle(queue: &mut Queue<'_>) -> u64 {
 
 /// Whether the motion can keep to a changed path.
 fn accepted(queue: &mut Queue<'_>) -> bool {
+    let changed = queue.changed;
     let first = settle(queue);
+    if queue.late {
+        return allowed(queue.ring, queue.motion, changed, queue.limits);
+    }
     first > queue.motion.at.saturating_add(1) || queue.motion.permits(queue.ring, queue.limits)
 }
 

@@ -23,10 +23,15 @@ struct Easy {
 }
 
 impl Motion {
-    /// Moves on over pieces that are easy; how much of the cycle is left for those that are not.
+    /// Moves on over pieces that are easy; how much of the time is left for those that are not.
     #[inline]
-    pub(super) fn cruise(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) -> f64 {
-        let mut left = limits.cycle;
+    pub(super) fn cruise(
+        &mut self,
+        ring: &Ring<Piece>,
+        limits: &Limits,
+        wish: &Wish,
+        mut left: f64,
+    ) -> f64 {
         let Some(mut piece) = ring.get(self.at) else { return left };
         for _ in 0..TOUCHED {
             let Some(next) = ring.get(self.at.wrapping_add(1)) else { return left };
@@ -41,11 +46,11 @@ impl Motion {
                     return left;
                 };
                 let end = self.speed + easy.acceleration * left;
-                let travel = 0.5 * (self.speed + end) * left;
                 let from = self.x;
-                if end > 0.0 && travel < remaining {
+                let x = from + 0.5 * (self.speed + end) * left;
+                if end > 0.0 && x < piece.length {
                     self.acceleration = easy.acceleration;
-                    self.x = from + travel;
+                    self.x = x;
                     self.speed = end;
                     self.begin(piece, from);
                     return 0.0;

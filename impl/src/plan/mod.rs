@@ -104,6 +104,8 @@ pub struct Planner {
     probe: bool,
     /// Whether the next segment is to begin where it is programmed to.
     apart: bool,
+    /// Whether the motion may be faster than it is planned, since an override has changed.
+    late: bool,
 }
 
 /// Why a segment was not queued.
@@ -153,6 +155,7 @@ impl Planner {
             followed: 0,
             probe: false,
             apart: false,
+            late: false,
         })
     }
 
@@ -167,12 +170,14 @@ impl Planner {
             return Err(NotQueued::Full);
         }
         let resolved = resolve(segment, self.course.new_leg(), &self.limits)?;
+        self.late = self.late && !self.motion.permits(&self.ring, &self.limits);
         let mut queue = Queue {
             ring: &mut self.ring,
             ahead: &mut self.ahead,
             motion: &self.motion,
             limits: &self.limits,
             changed: u64::MAX,
+            late: self.late,
         };
         if let Resolved::Nowhere = resolved {
             self.met = self.switches.end();
@@ -363,6 +368,7 @@ impl Planner {
             };
             if input.adaptive_feed >= 0.0 && scale != self.ahead.scale {
                 self.ahead.rescale(scale, &self.ring, at);
+                self.late = true;
             }
         }
         for _ in 0..back {

@@ -60,6 +60,8 @@ pub(super) struct Motion {
     pub(super) effort: u32,
     /// Whether the least acceleration on an arc has been found in it.
     pub(super) braked: bool,
+    /// Seconds that the rest at the end of the cycle before begins late.
+    pub(super) owed: f64,
 }
 
 /// Least and greatest acceleration, and the square of the speed that look-ahead allows: `bound`, and `slope` more per unit.
@@ -89,7 +91,10 @@ impl Motion {
         self.acceleration = 0.0;
         (self.effort, self.braked) = (0, false);
         let easy = wish.planned && wish.rapid >= 1.0 && !wish.rest && !self.backwards;
-        let left = if easy { self.cruise(ring, limits, wish) } else { limits.cycle };
+        let mut left = limits.cycle - core::mem::take(&mut self.owed);
+        if easy {
+            left = self.cruise(ring, limits, wish, left);
+        }
         if left > 0.0 {
             self.run(ring, limits, wish, left);
         }
@@ -274,7 +279,9 @@ impl Motion {
         let met = if met > 0.0 { 0.5 * (half + math::sqrt(met)) } else { 0.0 };
         let acceleration = within_bounds((math::lesser(wanted, met) - self.speed) / left, ramp);
         let travel = (self.speed + 0.5 * acceleration * left) * left;
-        if met > 0.0 && travel < remaining {
+        // What is left of a piece from rest to rest may be so little that the cycle ends at its end, but for rounding.
+        let hardly = self.speed <= 0.0 && exit <= 0.0;
+        if met > 0.0 && (travel < remaining || hardly) {
             return acceleration;
         }
         // The end comes first.
@@ -356,6 +363,10 @@ impl Motion {
         if end > 0.0 && travel < remaining {
             self.travel(travel);
             self.speed = end;
+            // Rounding may bring it to the end all the same.
+            if ahead.exit <= 0.0 && self.remaining(piece) <= 0.0 {
+                self.rest(end, left);
+            }
             return left;
         }
         let y = squared(self.speed);
@@ -387,10 +398,20 @@ impl Motion {
             return left;
         }
         self.travel(math::lesser(travel, remaining));
-        // Where the motion rests at the end and at the end of the cycle, rounding leaves neither of them a speed.
-        let rests = exit <= 0.0 && travel >= remaining;
-        self.speed = if rests { 0.0 } else { math::greater(0.0, end) };
+        self.speed = math::greater(0.0, end);
+        if exit <= 0.0 && travel >= remaining {
+            self.rest(end, left);
+        }
         left
+    }
+
+    /// Comes to rest at the end of a piece with the end of a cycle, where rounding leaves a speed of it. What that would still take is less than
+    /// the place can show, but an axis that turns round needs the time.
+    #[cold]
+    fn rest(&mut self, end: f64, left: f64) {
+        let takes = -end / self.acceleration;
+        self.owed = math::lesser(math::greater(0.0, takes), left);
+        self.speed = 0.0;
     }
 
     fn travel(&mut self, distance: f64) {
@@ -400,21 +421,25 @@ impl Motion {
     /// Whether a piece that was changed at its end can still be kept to from here.
     pub(super) fn permits(&self, ring: &Ring<Piece>, limits: &Limits) -> bool {
         let Some(piece) = ring.get(self.at) else { return true };
+        self.comes_to(piece, exit(ring, piece, self.at), limits)
+    }
+
+    /// Whether the motion can come to the end of its piece at the square of a speed, or slower.
+    pub(super) fn comes_to(&self, piece: &Piece, exit: f64, limits: &Limits) -> bool {
         let y = squared(self.speed);
         if y <= 0.0 || self.backwards {
             return true;
         }
         let remaining = self.remaining(piece);
-        let ahead = exit(ring, piece, self.at);
         match piece.law {
             Law::Bent { .. } => {
                 let low = self.least_on(piece, remaining, limits);
                 let high = self.greatest_on(piece, remaining, limits);
-                let high = high.min((ahead - y) / (2.0 * remaining));
+                let high = high.min((exit - y) / (2.0 * remaining));
                 low <= high + 1e-9 * (1.0 - low)
             }
             Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
-                y <= along(piece.law, &piece.circle, ahead, remaining) * (1.0 + 1e-9)
+                y <= along(piece.law, &piece.circle, exit, remaining) * (1.0 + 1e-9)
             }
         }
     }

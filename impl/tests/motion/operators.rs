@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 use super::check::{Feeding, Run, dynamics, farthest, programmed, run_with};
 use super::programs::{FEED, at, dense, distance, line, segment, zig};
-use super::random::{Chance, chance};
+use super::random::{Chance, chance, restless};
 
 const ORIGIN: Axes = [0.0; 9];
 
@@ -109,6 +109,33 @@ fn path_that_changes_is_kept_to_from_behind_after_running_back() {
         });
         keeps_limits(&run);
     }
+}
+
+/// A corner is no narrower than the motion can come to that is still faster than a lowered override asks for: once it was made for the override.
+#[test]
+fn corner_that_is_queued_while_an_override_falls_can_be_kept_to() {
+    let mut chance = chance(151_772, false);
+    chance.dynamics.queue = 7;
+    chance.feeding = Feeding::Every(3, 40);
+    let changes = [
+        (18, 0.1),
+        (26, 0.0),
+        (35, 0.5),
+        (53, 2.0),
+        (68, 0.0),
+        (83, 1.3),
+        (85, 0.1),
+        (104, 1.0),
+        (106, 0.5),
+        (118, 0.97),
+        (150, 0.0),
+    ];
+    for (until, feed_override) in changes {
+        let input = InputParameter { feed_override, ..InputParameter::default() };
+        chance.operator.resize(until, input);
+    }
+    let used = used(&chance).0;
+    assert!(used <= 1.0 + 1e-9, "{used}");
 }
 
 /// A corner that is queued while the motion slows down for a lower override is one like all others: once these became stops.
@@ -253,19 +280,38 @@ fn last_end(chance: &Chance) -> Axes {
     ends.into_iter().next().unwrap_or(chance.start)
 }
 
+/// How far a run comes to the limits, in samples and in what it tells.
+fn used(chance: &Chance) -> (f64, Run) {
+    let mut planner = Planner::new(chance.dynamics, chance.start).expect("limits");
+    let wants = |cycle: usize| chance.operator.get(cycle).copied().unwrap_or_default();
+    let run = run_with(&mut planner, chance.start, &chance.program, chance.feeding, wants);
+    let (speed, change) = run.worst(&chance.dynamics);
+    (speed.max(change).max(run.told(&chance.dynamics)), run)
+}
+
+/// Each of these programs has broken a limit once, or came to no end, a little before that of a segment.
+#[test]
+fn no_limit_is_broken_by_somebody_who_never_rests() {
+    for seed in [13_122, 19_056, 21_361, 21_517, 21_648, 21_999, 22_208, 29_000, 29_418] {
+        let used = used(&restless(seed)).0;
+        assert!(used <= 1.0 + 1e-9, "{seed}: {used}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(150) })]
 
     #[test]
     fn no_limit_is_broken_by_anything(seed in any::<u64>(), with_operator in any::<bool>()) {
         let chance = chance(seed, with_operator);
-        let mut planner = Planner::new(chance.dynamics, chance.start).expect("limits");
-        let wants = |cycle: usize| chance.operator.get(cycle).copied().unwrap_or_default();
-        let run = run_with(&mut planner, chance.start, &chance.program, chance.feeding, wants);
-        let (speed, change) = run.worst(&chance.dynamics);
-        prop_assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{} {}", speed, change);
-        let told = run.told(&chance.dynamics);
-        prop_assert!(told <= 1.0 + 1e-9, "{}", told);
+        let (used, run) = used(&chance);
+        prop_assert!(used <= 1.0 + 1e-9, "{}", used);
         prop_assert_eq!(run.samples.last(), Some(&last_end(&chance)));
+    }
+
+    #[test]
+    fn no_limit_is_broken_by_whoever_never_rests(seed in any::<u64>()) {
+        let used = used(&restless(seed)).0;
+        prop_assert!(used <= 1.0 + 1e-9, "{}", used);
     }
 }

@@ -200,3 +200,32 @@ fn operator(dice: &mut Dice) -> Vec<InputParameter> {
     }
     wants
 }
+
+/// The same with a short queue, segments that come late, and somebody who never rests for some thousand cycles.
+pub(crate) fn restless(seed: u64) -> Chance {
+    let mut chance = chance(seed, false);
+    let mut dice = Dice::new(seed ^ 0x00ab_cdef);
+    if dice.below(2) == 0 {
+        chance.feeding = Feeding::Every(dice.below(4), [1, 2, 3, 5, 10, 20, 40][dice.below(7)]);
+    }
+    if dice.below(3) == 0 {
+        chance.dynamics.queue = u32::try_from(4 + dice.below(8)).unwrap_or(4);
+    }
+    let (rocks, overrides, holds) = (dice.below(2) == 0, dice.below(2) == 0, dice.below(3) == 0);
+    let most = [3, 10, 30, 100, 300][dice.below(5)];
+    let mut input = InputParameter::default();
+    while chance.operator.len() < 3000 {
+        if rocks && dice.below(2) == 0 {
+            input.adaptive_feed = [-1.0, -1.0, 1.0, 1.0, -0.5, 0.3, 0.0][dice.below(7)];
+        }
+        if overrides && dice.below(2) == 0 {
+            input.feed_override = [0.0, 0.1, 0.5, 0.97, 1.0, 1.3, 2.0][dice.below(7)];
+            input.rapid_override = [0.0, 0.05, 0.5, 1.0, 1.0, 1.0][dice.below(6)];
+        }
+        if holds && dice.below(2) == 0 {
+            input.hold = [Hold::Run, Hold::Hold][dice.below(2)];
+        }
+        chance.operator.extend(std::iter::repeat_n(input, 1 + dice.below(most)));
+    }
+    chance
+}
