@@ -279,10 +279,12 @@ impl Motion {
         let met = if met > 0.0 { 0.5 * (half + math::sqrt(met)) } else { 0.0 };
         let acceleration = within_bounds((math::lesser(wanted, met) - self.speed) / left, ramp);
         let travel = (self.speed + 0.5 * acceleration * left) * left;
-        // What is left of a piece from rest to rest may be so little that the cycle ends at its end, but for rounding.
-        let hardly = self.speed <= 0.0 && exit <= 0.0;
-        if met > 0.0 && (travel < remaining || hardly) {
+        if met > 0.0 && travel < remaining {
             return acceleration;
+        }
+        if self.speed <= 0.0 && exit <= 0.0 {
+            // So little is left from rest to rest that rounding hides how it is come to: within the cycle.
+            return within_bounds(2.0 * remaining / squared(left), ramp);
         }
         // The end comes first.
         let y = squared(self.speed);
