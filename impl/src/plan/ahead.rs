@@ -15,6 +15,8 @@ const HORIZON: u64 = 256;
 const WHOLE: u64 = 2 * HORIZON;
 /// How many pieces next to the motion are planned for another scale first; then always so many times as many, up to two horizons.
 const GROWS: u64 = 4;
+/// So many are planned for a scale before another one may take its place.
+const FAR: u64 = 64;
 /// By so much the square of a speed may grow at most where axes do not let the motion slow down: many times of what it does.
 const FASTER: f64 = 2.0;
 /// How near the motion may come to pieces that could be raised, beyond what it takes to stop.
@@ -35,8 +37,12 @@ struct Wave {
 pub(super) struct Ahead {
     /// What is planned for from now on.
     pub(super) scale: Scale,
-    /// What the pieces next to the motion may still be planned for, while they are planned for another scale.
+    /// What pieces may still be planned for, while they are planned for another scale: at first those next to the motion, then from `stale` on.
     before: Option<Scale>,
+    /// By how much the squares of speeds are less that are allowed where those begin.
+    eased: f64,
+    /// Whether the pieces next to the motion are planned for this scale, so that they can be kept to as they are.
+    ready: bool,
     wave: Option<Wave>,
     /// Work that was too little for the next bend.
     spare: u32,
@@ -60,6 +66,8 @@ impl Ahead {
         Self {
             scale,
             before: None,
+            eased: 1.0,
+            ready: true,
             wave: None,
             spare: 0,
             pending: None,
@@ -86,10 +94,11 @@ impl Ahead {
             place = place.wrapping_sub(1);
             let Some(piece) = ring.get_mut(place) else { break };
             let before = place < changed;
-            let mut new = computed(piece, next, self.scale, limits);
+            let mut scale = self.scale;
             if self.before.is_some() {
-                new = self.between((place, before), piece, next, new, limits);
+                (scale, next) = self.beside(place, next);
             }
+            let new = computed(piece, next, scale, limits);
             let higher = new > piece.reach;
             let same = new.to_bits() == piece.reach.to_bits();
             (piece.reach, piece.relied) = (new, next);
@@ -122,26 +131,16 @@ impl Ahead {
         first
     }
 
-    /// How fast a piece may be entered while some are still planned for another scale, given what this one allows. What is planned for the
-    /// other one is not lowered for this one here: no change of the path asks for that, and the motion might be too fast for it. So those that the
-    /// change has made are planned for either, where others have still to be taken up that lie before them.
+    /// What a piece is planned for while some are still planned for another scale, and how fast the one after it may be entered for that.
     #[cold]
     #[inline(never)]
-    fn between(
-        &self,
-        (place, before): (u64, bool),
-        piece: &Piece,
-        next: f64,
-        new: f64,
-        limits: &Limits,
-    ) -> f64 {
-        let most = || computed(piece, next, self.planned(), limits);
-        if before {
-            math::greater(new, math::lesser(piece.reach, most()))
-        } else if place >= self.stale {
-            most()
+    fn beside(&self, place: u64, next: f64) -> (Scale, f64) {
+        if place >= self.stale {
+            (self.planned(), next)
+        } else if place.saturating_add(1) == self.stale {
+            (self.scale, next * self.eased)
         } else {
-            new
+            (self.scale, next)
         }
     }
 
@@ -160,6 +159,7 @@ impl Ahead {
             if self.raise(&mut wave, ring, at, limits, &mut left) {
                 self.touched = wave.from.saturating_sub(wave.next);
                 self.quiet = 0;
+                self.ready = true;
             } else {
                 self.wave = Some(wave);
                 self.spare = left;
@@ -180,6 +180,9 @@ impl Ahead {
     ) -> bool {
         let last = at.max(ring.first());
         let mut next = ring.get(wave.next.wrapping_add(1)).map_or(0.0, |next| next.reach);
+        if wave.next == wave.from && wave.from >= self.stale {
+            next *= self.eased;
+        }
         loop {
             if wave.next < last {
                 return true;
@@ -231,10 +234,16 @@ impl Ahead {
         self.before.map_or(self.scale, |before| before.most(self.scale))
     }
 
-    /// Whether all pieces next to the motion are planned for these shares.
+    /// Whether the pieces next to the motion are planned for the scale.
     #[inline]
-    pub(super) fn plans_for(&self, feed: f64, rapid: f64) -> bool {
-        self.before.is_none()
+    pub(super) fn is_ready(&self, at: u64) -> bool {
+        self.before.is_none() || self.ready && at < self.stale
+    }
+
+    /// Whether the pieces next to the motion are planned for these shares.
+    #[inline]
+    pub(super) fn plans_for(&self, feed: f64, rapid: f64, at: u64) -> bool {
+        self.is_ready(at)
             && self.scale.feed.to_bits() == feed.to_bits()
             && self.scale.rapid.to_bits() == rapid.to_bits()
     }
@@ -283,16 +292,24 @@ impl Ahead {
     /// From here on pieces are planned for no more than this.
     fn plan_anew(&mut self, before: Scale, ring: &Ring<Piece>, at: u64) {
         self.before = Some(before);
-        self.quiet = 0;
+        (self.eased, self.ready) = (self.scale.ease(before), false);
         (self.stale, self.span) = (at, 1);
-        self.refresh(ring, at);
+        self.take_up(ring, at);
+    }
+
+    /// Whether another scale may be planned for: so much is planned for this one that it does not happen in each cycle, or nothing is left to do.
+    pub(super) fn is_far(&self, at: u64) -> bool {
+        self.span >= FAR || !self.pressing(at)
     }
 
     /// Takes up pieces that are planned for another scale when the motion comes near: a few at first, so that it need not wait for many.
     pub(super) fn refresh(&mut self, ring: &Ring<Piece>, at: u64) {
-        if self.stale > at.saturating_add(HORIZON) || self.span < WHOLE && self.pressing(at) {
-            return;
+        if !(self.stale > at.saturating_add(HORIZON) || self.span < WHOLE && self.pressing(at)) {
+            self.take_up(ring, at);
         }
+    }
+
+    fn take_up(&mut self, ring: &Ring<Piece>, at: u64) {
         self.quiet = 0;
         let newest = ring.end().saturating_sub(1);
         self.span = self.span.saturating_mul(GROWS).min(WHOLE);

@@ -170,7 +170,8 @@ impl Planner {
             return Err(NotQueued::Full);
         }
         let resolved = resolve(segment, self.course.new_leg(), &self.limits)?;
-        self.late = self.late && !self.motion.permits(&self.ring, &self.limits);
+        let ready = self.ahead.is_ready(self.motion.at);
+        self.late = self.late && !(ready && self.motion.permits(&self.ring, &self.limits));
         let mut queue = Queue {
             ring: &mut self.ring,
             ahead: &mut self.ahead,
@@ -301,7 +302,7 @@ impl Planner {
         let turning = self.motion.backwards != back;
         let rest =
             self.aborting || input.hold != Hold::Run || turning || feed <= 0.0 && rapid <= 0.0;
-        let planned = !follows && self.ahead.plans_for(feed, rapid);
+        let planned = !follows && self.ahead.plans_for(feed, rapid, self.motion.at);
         let ease = if planned { 1.0 } else { self.ease(feed, rapid, follows.then_some(turns)) };
         Wish { feed, rapid, turns, rest, planned, ease }
     }
@@ -311,13 +312,8 @@ impl Planner {
     #[inline(never)]
     fn ease(&self, feed: f64, rapid: f64, turns: Option<f64>) -> f64 {
         let planned = self.ahead.planned();
-        // While it is not planned yet where an override of zero asks for rest, the motion creeps.
-        let share = |asked: f64, planned: f64| math::greater(SLOWEST, asked) / planned;
-        let mut ease = math::lesser(share(feed, planned.feed), share(rapid, planned.rapid));
-        if let Some(turns) = turns {
-            ease = math::lesser(ease, share(turns, planned.turns));
-        }
-        squared(math::lesser(1.0, ease))
+        let turns = turns.unwrap_or(planned.turns);
+        Scale { feed, rapid, turns }.ease(planned)
     }
 
     /// Turns the motion round when it is at rest and knows how fast it may go.
@@ -361,12 +357,14 @@ impl Planner {
             self.ahead.work(&mut self.ring, at, &self.limits, (work, true));
         } else {
             self.ahead.settled(at);
+        }
+        if input.adaptive_feed >= 0.0 && self.ahead.is_far(at) {
             let scale = Scale {
                 feed: wish.feed,
                 rapid: wish.rapid,
                 turns: self.turns_to_plan_for(wish.turns),
             };
-            if input.adaptive_feed >= 0.0 && scale != self.ahead.scale {
+            if scale != self.ahead.scale {
                 self.ahead.rescale(scale, &self.ring, at);
                 self.late = true;
             }

@@ -4,7 +4,8 @@
 //! unit. On a bend each axis limits both ends of that (`strips`). All that is within limits makes a convex set that holds rest, so that whatever is slower than a plan can be kept to as well:
 //! neither overrides nor holds can trap the machine. (Pham and Pham, time-optimal path parameterisation by reachability.)
 
-use super::limits::Limits;
+use super::SLOWEST;
+use super::limits::{Limits, squared};
 use super::piece::{Circle, Law, Pace, Piece};
 use super::strips;
 use crate::math;
@@ -21,6 +22,19 @@ pub(super) struct Scale {
 }
 
 impl Scale {
+    /// What squares of speeds that are planned for another scale are multiplied by, so that they suit this one: no more than 1.
+    ///
+    /// What an override of zero asks for is a little more, so that the motion creeps until that is planned for.
+    pub(super) fn ease(self, planned: Self) -> f64 {
+        let share = |asked: f64, planned: f64| math::greater(SLOWEST, asked) / planned;
+        let mut ease =
+            math::lesser(share(self.feed, planned.feed), share(self.rapid, planned.rapid));
+        if planned.turns > 0.0 {
+            ease = math::lesser(ease, share(self.turns, planned.turns));
+        }
+        squared(math::lesser(1.0, ease))
+    }
+
     /// The greater of both in everything.
     pub(super) fn most(self, other: Self) -> Self {
         Self {

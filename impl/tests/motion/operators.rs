@@ -111,6 +111,19 @@ fn path_that_changes_is_kept_to_from_behind_after_running_back() {
     }
 }
 
+/// What lies next is kept to as soon as it is planned for a lowered override: once the motion crept, for as long as a long queue took.
+#[test]
+fn a_lowered_override_is_kept_to_at_once_on_a_long_queue() {
+    let run = operated(&dense(Blend::Within(0.01)), |cycle| InputParameter {
+        feed_override: if (300..700).contains(&cycle) { 0.3 } else { 1.0 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    for output in &run.outputs[345..700] {
+        assert!((output.speed - 0.3 * FEED).abs() < 0.01 * FEED, "{}", output.speed);
+    }
+}
+
 /// A corner is no narrower than the motion can come to that is still faster than a lowered override asks for: once it was made for the override.
 #[test]
 fn corner_that_is_queued_while_an_override_falls_can_be_kept_to() {
