@@ -71,6 +71,7 @@ impl Motion {
             } else if let Law::Dwell(_) = piece.law {
                 return left;
             }
+            self.effort = self.effort.wrapping_add(1);
             self.enter(piece);
             piece = next;
         }

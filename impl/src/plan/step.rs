@@ -56,7 +56,8 @@ pub(super) struct Motion {
     /// The segment under way: planner's number and caller's.
     pub(super) begun: u64,
     pub(super) number: u64,
-    /// How much work this cycle has been, in parts of it on a line; one on a bend counts as two, one on an arc as three.
+    /// How much work this cycle has been, in parts of it on a line; one on a bend counts as two, one on an arc as three, and where all is easy each piece that is
+    /// passed as one.
     pub(super) effort: u32,
     /// Whether the least acceleration on an arc has been found in it.
     pub(super) braked: bool,
