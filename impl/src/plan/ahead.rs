@@ -274,6 +274,9 @@ impl Ahead {
 
     /// Plans for other overrides from now on: what lies next is planned anew, the rest when the motion comes near.
     pub(super) fn rescale(&mut self, scale: Scale, ring: &Ring<Piece>, at: u64) {
+        if !self.pressing(at) {
+            self.settled(at);
+        }
         let planned = self.planned();
         let forgotten = ring.first() >= self.mixed;
         self.passed = if forgotten { planned } else { self.passed.most(planned) };

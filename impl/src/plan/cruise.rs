@@ -6,7 +6,7 @@
 use super::limits::{Limits, squared};
 use super::piece::{Law, Pace, Piece};
 use super::ring::Ring;
-use super::step::{End, LASTING, Motion, TOUCHED, Wish, even_ramp};
+use super::step::{BEND, End, LASTING, Motion, TOUCHED, Wish, even_ramp};
 use crate::math;
 
 /// How much of what the axes can do is easily used on a bend: its p' may be a little longer than 1 (`corner::UNEQUAL`).
@@ -71,7 +71,7 @@ impl Motion {
             } else if let Law::Dwell(_) = piece.law {
                 return left;
             }
-            self.effort = self.effort.wrapping_add(1);
+            self.effort = self.effort.saturating_add(1);
             self.enter(piece);
             piece = next;
         }
@@ -190,6 +190,7 @@ impl Motion {
         with: (&Limits, &Wish),
         left: f64,
     ) -> Option<f64> {
+        self.effort = self.effort.saturating_add(BEND);
         if piece.axes <= 3 {
             self.kept_or_quicker::<3>(piece, end, asked, with, left)
         } else {

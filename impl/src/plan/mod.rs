@@ -170,8 +170,9 @@ impl Planner {
             return Err(NotQueued::Full);
         }
         let resolved = resolve(segment, self.course.new_leg(), &self.limits)?;
-        let ready = self.ahead.is_ready(self.motion.at);
-        self.late = self.late && !(ready && self.motion.permits(&self.ring, &self.limits));
+        if self.late && self.ahead.is_ready(self.motion.at) {
+            self.late = !self.motion.permits(&self.ring, &self.limits);
+        }
         let mut queue = Queue {
             ring: &mut self.ring,
             ahead: &mut self.ahead,
@@ -353,21 +354,16 @@ impl Planner {
         };
         let at = self.motion.at;
         self.ahead.refresh(&self.ring, at);
-        if self.ahead.pressing(at) {
+        let scale =
+            Scale { feed: wish.feed, rapid: wish.rapid, turns: self.turns_to_plan_for(wish.turns) };
+        let other = input.adaptive_feed >= 0.0 && scale != self.ahead.scale;
+        if other && self.ahead.is_far(at) {
+            self.ahead.rescale(scale, &self.ring, at);
+            self.late = true;
+        } else if self.ahead.pressing(at) {
             self.ahead.work(&mut self.ring, at, &self.limits, (work, true));
         } else {
             self.ahead.settled(at);
-        }
-        if input.adaptive_feed >= 0.0 && self.ahead.is_far(at) {
-            let scale = Scale {
-                feed: wish.feed,
-                rapid: wish.rapid,
-                turns: self.turns_to_plan_for(wish.turns),
-            };
-            if scale != self.ahead.scale {
-                self.ahead.rescale(scale, &self.ring, at);
-                self.late = true;
-            }
         }
         for _ in 0..back {
             let Some(place) = self.retraced.filter(|place| *place <= at) else { return };

@@ -16,6 +16,8 @@ pub(super) const SMALL: f64 = 1e-9;
 const ROUNDED: f64 = 1.0 + 1e-6;
 /// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
 pub(super) const TOUCHED: u32 = 12;
+/// What a part of a cycle on a bend is worth of [`Motion::effort`].
+pub(super) const BEND: u32 = 2;
 /// What costs much in a cycle is left out, or to the next one, where this much has been done.
 pub(super) const ENOUGH: u32 = 5;
 /// For how many cycles a bend must still last at the present speed where another acceleration is looked for than one that can be kept up to its end.
@@ -119,7 +121,7 @@ impl Motion {
             }
             self.effort = self.effort.saturating_add(match piece.law {
                 Law::Even { .. } | Law::Dwell(_) => 1,
-                Law::Bent { .. } => 2,
+                Law::Bent { .. } => BEND,
                 Law::Round { .. } | Law::Shared { .. } => 3,
             });
             let end = self.end(ring, piece, remaining, wish);
