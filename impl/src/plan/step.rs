@@ -99,6 +99,8 @@ impl Motion {
             left = self.cruise(ring, limits, wish, left);
         }
         if left > 0.0 {
+            // What is not easy has been looked at twice.
+            self.effort = self.effort.saturating_add(u32::from(easy));
             self.run(ring, limits, wish, left);
         }
     }
