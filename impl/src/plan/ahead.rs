@@ -32,6 +32,9 @@ struct Wave {
     from: u64,
 }
 
+/// What the axes allow, whatever is asked for.
+const UNBOUND: Scale = Scale { feed: f64::INFINITY, rapid: 1.0, turns: f64::INFINITY };
+
 /// What look-ahead has still to do.
 #[derive(Debug)]
 pub(super) struct Ahead {
@@ -41,8 +44,10 @@ pub(super) struct Ahead {
     before: Option<Scale>,
     /// By how much the squares of speeds are less that are allowed where those begin.
     eased: f64,
-    /// Whether the pieces next to the motion are planned for this scale, so that they can be kept to as they are.
-    ready: bool,
+    /// Those made since are planned for this scale.
+    since: u64,
+    /// Up to this piece all next to the motion are planned for this scale, so that they can be kept to as they are.
+    known: u64,
     wave: Option<Wave>,
     /// Work that was too little for the next bend.
     spare: u32,
@@ -67,7 +72,8 @@ impl Ahead {
             scale,
             before: None,
             eased: 1.0,
-            ready: true,
+            since: 0,
+            known: 0,
             wave: None,
             spare: 0,
             pending: None,
@@ -82,7 +88,12 @@ impl Ahead {
 
     /// Computes the pieces from `changed` on, and lowers those before them that relied on more, those behind the motion, too, which may
     /// run back. Gives back the first piece that is another now. A lower value runs back through as many pieces as it takes to stop, at most.
-    pub(super) fn settle(&mut self, ring: &mut Ring<Piece>, changed: u64, limits: &Limits) -> u64 {
+    pub(super) fn settle(
+        &mut self,
+        ring: &mut Ring<Piece>,
+        (changed, at): (u64, u64),
+        limits: &Limits,
+    ) -> u64 {
         let mut place = ring.end();
         let mut first = changed;
         // Down to here all is computed, and what lies before it need not be raised for it.
@@ -95,12 +106,20 @@ impl Ahead {
             let Some(piece) = ring.get_mut(place) else { break };
             let before = place < changed;
             let mut scale = self.scale;
-            if self.before.is_some() {
+            let passed = before && place <= at;
+            if passed {
+                // Whatever that is planned for which the motion has passed, the axes have to allow it.
+                scale = UNBOUND;
+            } else if self.before.is_some() {
                 (scale, next) = self.beside(place, next);
             }
             let new = computed(piece, next, scale, limits);
             let higher = new > piece.reach;
             let same = new.to_bits() == piece.reach.to_bits();
+            if passed && higher {
+                raised = false;
+                break;
+            }
             (piece.reach, piece.relied) = (new, next);
             next = new;
             if before {
@@ -135,12 +154,22 @@ impl Ahead {
     #[cold]
     #[inline(never)]
     fn beside(&self, place: u64, next: f64) -> (Scale, f64) {
-        if place >= self.stale {
+        if place >= self.stale && place < self.since {
             (self.planned(), next)
         } else if place.saturating_add(1) == self.stale {
             (self.scale, next * self.eased)
         } else {
             (self.scale, next)
+        }
+    }
+
+    /// A wave has come to its end: what it has planned is known where it joins what was.
+    fn planned_to(&mut self, wave: &Wave, at: u64) {
+        if wave.floor <= self.known {
+            self.known = self.known.max(wave.from.saturating_add(1));
+        }
+        if self.known >= self.since && self.before.take().is_some() {
+            self.mixed = at.saturating_add(1);
         }
     }
 
@@ -159,7 +188,7 @@ impl Ahead {
             if self.raise(&mut wave, ring, at, limits, &mut left) {
                 self.touched = wave.from.saturating_sub(wave.next);
                 self.quiet = 0;
-                self.ready = true;
+                self.planned_to(&wave, at);
             } else {
                 self.wave = Some(wave);
                 self.spare = left;
@@ -237,7 +266,7 @@ impl Ahead {
     /// Whether the pieces next to the motion are planned for the scale.
     #[inline]
     pub(super) fn is_ready(&self, at: u64) -> bool {
-        self.before.is_none() || self.ready && at < self.stale
+        self.before.is_none() || at.saturating_add(1) < self.known
     }
 
     /// Whether the pieces next to the motion are planned for these shares.
@@ -258,15 +287,12 @@ impl Ahead {
     #[inline]
     pub(super) fn look_round(&mut self, at: u64) {
         if self.stale > at.saturating_add(HORIZON) && !self.pressing(at) {
-            self.settled(at);
+            self.settled();
         }
     }
 
     /// Nothing is pressing: all that lies next is planned for the scale by now.
-    pub(super) fn settled(&mut self, at: u64) {
-        if self.before.take().is_some() {
-            self.mixed = at.saturating_add(1);
-        }
+    pub(super) fn settled(&mut self) {
         let floor = self.wave.map_or(u64::MAX, |wave| wave.floor);
         let low = self.pending.map_or(u64::MAX, |(low, _)| low);
         self.quiet = self.before_soon(floor.min(low)).min(self.stale.saturating_sub(HORIZON));
@@ -274,9 +300,6 @@ impl Ahead {
 
     /// Plans for other overrides from now on: what lies next is planned anew, the rest when the motion comes near.
     pub(super) fn rescale(&mut self, scale: Scale, ring: &Ring<Piece>, at: u64) {
-        if !self.pressing(at) {
-            self.settled(at);
-        }
         let planned = self.planned();
         let forgotten = ring.first() >= self.mixed;
         self.passed = if forgotten { planned } else { self.passed.most(planned) };
@@ -295,7 +318,8 @@ impl Ahead {
     /// From here on pieces are planned for no more than this.
     fn plan_anew(&mut self, before: Scale, ring: &Ring<Piece>, at: u64) {
         self.before = Some(before);
-        (self.eased, self.ready) = (self.scale.ease(before), false);
+        (self.eased, self.known) = (self.scale.ease(before), at);
+        self.since = ring.end();
         (self.stale, self.span) = (at, 1);
         self.take_up(ring, at);
     }
@@ -321,7 +345,7 @@ impl Ahead {
         // What a wave was still to come to is come to by the next one.
         let low = low.min(self.wave.take().map_or(low, |wave| wave.floor));
         self.pending = Some(self.pending.map_or((low, high), |(old, _)| (old.min(low), high)));
-        self.stale = if high >= newest { u64::MAX } else { high };
+        self.stale = if high >= newest || high >= self.since { u64::MAX } else { high };
     }
 }
 
@@ -343,12 +367,11 @@ pub(super) fn allowed(ring: &Ring<Piece>, motion: &Motion, changed: u64, limits:
     let Some(piece) = ring.get(motion.at) else { return true };
     // It slows down, but where a bend does not let it; so it need not be looked at where much more is allowed.
     let most = FASTER * squared(motion.speed) * math::greater(1.0, squared(piece.exit));
-    let unbound = Scale { feed: f64::INFINITY, rapid: 1.0, turns: f64::INFINITY };
     let (mut next, mut place) = (0.0, ring.end());
     while place > motion.at.saturating_add(1) {
         place = place.wrapping_sub(1);
         let Some(piece) = ring.get(place) else { break };
-        next = computed(piece, next, unbound, limits);
+        next = computed(piece, next, UNBOUND, limits);
         if place < changed && next >= most {
             return true;
         }

@@ -226,7 +226,8 @@ fn blended(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
 
 /// What a form of the path has lowered is computed anew for the one that takes its place.
 fn settle(queue: &mut Queue<'_>) -> u64 {
-    queue.changed = queue.ahead.settle(queue.ring, queue.changed, queue.limits);
+    let places = (queue.changed, queue.motion.at);
+    queue.changed = queue.ahead.settle(queue.ring, places, queue.limits);
     queue.changed
 }
 

@@ -363,7 +363,7 @@ impl Planner {
         } else if self.ahead.pressing(at) {
             self.ahead.work(&mut self.ring, at, &self.limits, (work, true));
         } else {
-            self.ahead.settled(at);
+            self.ahead.settled();
         }
         for _ in 0..back {
             let Some(place) = self.retraced.filter(|place| *place <= at) else { return };

@@ -124,6 +124,63 @@ fn a_lowered_override_is_kept_to_at_once_on_a_long_queue() {
     }
 }
 
+/// What lies far ahead is planned for a lowered override before the motion comes to it, however short it is: once a slower row was entered at
+/// 9 times its feed.
+#[test]
+fn a_lowered_override_is_kept_to_where_a_slower_row_of_short_segments_begins() {
+    let program: Vec<Segment> = (1..=1500_u32)
+        .map(|place| {
+            let feed = Feed::PerSecond(if place <= 750 { 150.0 } else { 15.0 });
+            Segment { feed, ..line(at(0.005 * f64::from(place), 0.0, 0.0), Blend::ExactPath) }
+        })
+        .collect();
+    for falls in (40..100).step_by(3) {
+        let run = operated(&program, |cycle| InputParameter {
+            feed_override: if cycle < falls { 1.0 } else { 0.1 },
+            ..InputParameter::default()
+        });
+        keeps_limits(&run);
+        // 75 cycles is what it takes to stop.
+        let late = run.outputs.iter().skip(falls + 80);
+        for output in late.filter(|output| output.position[0] > 0.005 * 750.0) {
+            assert!(output.speed <= 1.5 + 1e-9, "{falls}: {}", output.speed);
+        }
+    }
+}
+
+/// The same where a segment that moves nothing is queued in the cycle after the change.
+#[test]
+fn corner_that_is_queued_as_soon_as_an_override_falls_can_be_kept_to() {
+    let slow = |end: Axes, blend| Segment { feed: Feed::PerSecond(50.0), ..line(end, blend) };
+    let row =
+        (1..=60_u32).map(|place| slow(at(0.2 * f64::from(place), 0.0, 0.0), Blend::ExactPath));
+    let last = slow(at(13.0, 0.0, 0.0), Blend::Within(1.0));
+    let (sine, cosine) = libm::sincos(3.0);
+    let corner = slow(at(13.0 + cosine, sine, 0.0), Blend::Within(1.0));
+    for falls in 80..140 {
+        let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+        for segment in row.clone().chain([last]) {
+            planner.queue(&segment).expect("room");
+        }
+        let (mut output, mut run) =
+            (OutputParameter::default(), Run { samples: vec![ORIGIN], outputs: vec![] });
+        for cycle in 0..2000 {
+            let later = [(falls + 1, last), (falls + 2, corner)];
+            for (_, segment) in later.iter().filter(|(queued, _)| *queued == cycle) {
+                planner.queue(segment).expect("room");
+            }
+            let feed_override = if cycle < falls { 2.0 } else { 0.1 };
+            planner.update(
+                &InputParameter { feed_override, ..InputParameter::default() },
+                &mut output,
+            );
+            run.samples.push(output.position);
+            run.outputs.push(output);
+        }
+        keeps_limits(&run);
+    }
+}
+
 /// A corner is no narrower than the motion can come to that is still faster than a lowered override asks for: once it was made for the override.
 #[test]
 fn corner_that_is_queued_while_an_override_falls_can_be_kept_to() {
