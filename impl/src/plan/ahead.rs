@@ -101,35 +101,32 @@ impl Ahead {
         let mut raised = true;
         // How fast the piece after it may be entered.
         let mut next = 0.0;
+        let unusual = self.before.is_some();
+        // Up to here the motion has passed those before the changed ones.
+        let passed = at.saturating_add(1).min(changed);
         while place > ring.first() {
             place = place.wrapping_sub(1);
             let Some(piece) = ring.get_mut(place) else { break };
             let before = place < changed;
-            let mut scale = self.scale;
-            let passed = before && place <= at;
-            if passed {
-                // Whatever that is planned for which the motion has passed, the axes have to allow it.
-                scale = UNBOUND;
-            } else if self.before.is_some() {
-                (scale, next) = self.beside(place, next);
-            }
-            let new = computed(piece, next, scale, limits);
-            let higher = new > piece.reach;
-            let same = new.to_bits() == piece.reach.to_bits();
-            if passed && higher {
-                raised = false;
-                break;
-            }
-            (piece.reach, piece.relied) = (new, next);
-            next = new;
+            let new = if unusual || place < passed {
+                self.beside((place, place < passed), piece, &mut next, limits)
+            } else {
+                computed(piece, next, self.scale, limits)
+            };
             if before {
                 settled = place;
-                if higher || same {
-                    raised = higher;
+                let higher = new > piece.reach;
+                if higher || new.to_bits() == piece.reach.to_bits() {
+                    raised = higher && place > at;
+                    if raised || !higher {
+                        (piece.reach, piece.relied) = (new, next);
+                    }
                     break;
                 }
                 first = place;
             }
+            (piece.reach, piece.relied) = (new, next);
+            next = new;
         }
         let below = settled.saturating_sub(1);
         let mut pending = match self.pending {
@@ -137,9 +134,7 @@ impl Ahead {
             Some((low, _)) => Some((low.min(below), below)),
             None => raised.then_some((below, below)),
         };
-        if self.before.is_some()
-            && let (Some((_, old)), Some((_, high))) = (self.pending, &mut pending)
-        {
+        if unusual && let (Some((_, old)), Some((_, high))) = (self.pending, &mut pending) {
             // What has still to be planned for this scale may have been left as it was.
             *high = old.min(ring.end().saturating_sub(1)).max(below);
         }
@@ -150,25 +145,39 @@ impl Ahead {
         first
     }
 
-    /// What a piece is planned for while some are still planned for another scale, and how fast the one after it may be entered for that.
+    /// How fast a piece may be entered that the motion has passed, whatever it is planned for: as the axes allow it. And what is planned for one
+    /// that lies before the motion while some are still planned for another scale: where these begin, the one after it may be entered eased.
     #[cold]
     #[inline(never)]
-    fn beside(&self, place: u64, next: f64) -> (Scale, f64) {
-        if place >= self.stale && place < self.since {
-            (self.planned(), next)
-        } else if place.saturating_add(1) == self.stale {
-            (self.scale, next * self.eased)
+    fn beside(
+        &self,
+        (place, passed): (u64, bool),
+        piece: &Piece,
+        next: &mut f64,
+        limits: &Limits,
+    ) -> f64 {
+        let scale = if passed {
+            UNBOUND
+        } else if place >= self.stale && place < self.since {
+            self.planned()
         } else {
-            (self.scale, next)
+            self.scale
+        };
+        if !passed && place.saturating_add(1) == self.stale {
+            *next *= self.eased;
         }
+        computed(piece, *next, scale, limits)
     }
 
-    /// A wave has come to its end: what it has planned is known where it joins what was.
+    /// A wave has come to its end while some pieces are planned for another scale: what it has planned is known where it joins what was.
+    #[cold]
+    #[inline(never)]
     fn planned_to(&mut self, wave: &Wave, at: u64) {
         if wave.floor <= self.known {
             self.known = self.known.max(wave.from.saturating_add(1));
         }
-        if self.known >= self.since && self.before.take().is_some() {
+        if self.known >= self.since {
+            self.before = None;
             self.mixed = at.saturating_add(1);
         }
     }
@@ -188,7 +197,9 @@ impl Ahead {
             if self.raise(&mut wave, ring, at, limits, &mut left) {
                 self.touched = wave.from.saturating_sub(wave.next);
                 self.quiet = 0;
-                self.planned_to(&wave, at);
+                if self.before.is_some() {
+                    self.planned_to(&wave, at);
+                }
             } else {
                 self.wave = Some(wave);
                 self.spare = left;
