@@ -302,7 +302,7 @@ impl Ahead {
         }
     }
 
-    /// Nothing is pressing: all that lies next is planned for the scale by now.
+    /// Nothing is pressing: notes up to where that stays so.
     pub(super) fn settled(&mut self) {
         let floor = self.wave.map_or(u64::MAX, |wave| wave.floor);
         let low = self.pending.map_or(u64::MAX, |(low, _)| low);
