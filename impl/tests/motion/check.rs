@@ -89,7 +89,7 @@ pub(crate) fn run_with(
     let mut output = OutputParameter::default();
     let mut run = Run { samples: vec![start], outputs: Vec::new() };
     let mut next = 0;
-    for cycle in 0..200_000 {
+    for cycle in 0..1_000_000 {
         let wanted = match feeding {
             Feeding::Full => program.len(),
             Feeding::Every(first, cycles) => first + cycle / cycles,
