@@ -160,7 +160,7 @@ struct Run<'a> {
     has_moved: bool,
     /// Whether a block is being executed, so that some of what it does may be done.
     is_within_block: bool,
-    /// The state before the block, where there is an operator.
+    /// The state before the block, where the operator has acted as it began.
     before_block: Option<Box<State>>,
 }
 
@@ -263,7 +263,7 @@ impl<'a> Run<'a> {
 
     /// The state as it was before the block that is being executed. What is outside of the controller stays as it is.
     ///
-    /// Without an operator no block keeps what was there before it: the run is made again up to this one.
+    /// A block does not keep what was there before it unless the operator has acted as it began: the run is made again up to this one.
     fn before_block(&mut self) {
         let before = self.before_block.take().map_or_else(|| self.again(), |before| *before);
         let after = std::mem::replace(&mut self.state, before);

@@ -76,6 +76,11 @@ impl<'a> Operator<'a> {
         self.events.iter().any(|event| event.event.action == Action::Abort)
     }
 
+    /// How many events have not happened.
+    pub(super) fn events_left(&self) -> usize {
+        self.events.len()
+    }
+
     /// Whether the operator does nothing more.
     pub(super) fn is_done(&self) -> bool {
         self.events.is_empty()

@@ -15,13 +15,15 @@ impl Run<'_> {
         self.waits_for_machine = false;
         self.at_block = None;
         self.is_within_block = false;
+        self.before_block = None;
         if !self.operator.is_done() || self.pause_asked || self.ahead {
             let now = self.state.outside.time();
+            let (events, pauses) = (self.operator.events_left(), self.pause_asked);
             self.operator.begins(block, now);
             self.between()?;
-        }
-        if !self.scenario.operator.is_empty() {
-            self.before_block = Some(Box::new(self.without_evidence()));
+            if pauses || self.operator.events_left() < events {
+                self.before_block = Some(Box::new(self.without_evidence()));
+            }
         }
         Ok(())
     }
