@@ -17,7 +17,7 @@ use gaugeblock_trace::{Axis, End, Outcome, Scenario, Settings};
 use super::{Refused, place, write_out};
 use crate::adapters::Adapter;
 use crate::adapters::production::Production;
-use crate::motion::rides::{Came, judged, ride, shrunk};
+use crate::motion::rides::{Came, broken_by, compared, judged, ride, shrunk};
 use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
@@ -127,6 +127,12 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
         } else {
             shrunk(of, (&drawn, &changes(change)), what, (arguments.shrink, &runs))
         };
+        let change = Change::ALL.into_iter().find(|change| *what == broken_by(*change));
+        let (smallest, changed) = match change {
+            Some(change) => compared(of, &smallest, change)
+                .map_or((smallest, None), |(alone, changed)| (alone, Some(changed))),
+            None => (smallest, None),
+        };
         let _infallible = writeln!(
             text,
             "{what}, {} times, first by program {}: {}\n{}",
@@ -137,8 +143,14 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
         );
         if let Some(folder) = &arguments.report {
             place::folder(folder)?;
-            let call = write(folder, &what.replace('.', "-"), &smallest, &scenario)?;
-            let _infallible = writeln!(text, "{call}\n");
+            let name = what.replace('.', "-");
+            let call = write(folder, &name, &smallest, &scenario)?;
+            let _infallible = writeln!(text, "{call}");
+            if let Some(changed) = changed {
+                let call = write(folder, &format!("{name}-changed"), &changed, &scenario)?;
+                let _infallible = writeln!(text, "{call}");
+            }
+            text.push('\n');
         }
     }
     for (what, counts) in [("planned", &tally.not_planned), ("judged", &tally.not_judged)] {

@@ -64,11 +64,7 @@ pub fn ride(seed: u64, number: u64) -> (Ride, Change) {
 }
 
 /// Judges a ride: as it is, and changed without an operator.
-pub fn judged(
-    (seed, number): (u64, u64),
-    (ride, changes): (&Ride, &[Change]),
-    runs: Runs<'_>,
-) -> Came {
+pub fn judged(of: (u64, u64), (ride, changes): (&Ride, &[Change]), runs: Runs<'_>) -> Came {
     let mut came = Came::default();
     match planned(ride, runs) {
         Ok((outcome, planned)) => {
@@ -89,12 +85,17 @@ pub fn judged(
         Err(stopped) => came.unplanned(ride, stopped),
     }
     for change in changes {
-        match timed(&mut Dice::of_seed(seed ^ 1, number), ride, *change, runs) {
+        match timed(of, ride, *change, runs) {
             Ok(breach) => came.broken.extend(breach),
             Err((ride, stopped)) => came.unplanned(&ride, stopped),
         }
     }
     came
+}
+
+/// What is broken where time differs under a change.
+pub fn broken_by(change: Change) -> String {
+    format!("time.{}", change.name())
 }
 
 /// The smallest ride that breaks the same.
@@ -108,7 +109,7 @@ pub fn shrunk(
         judged(of, (ride, changes), runs).broken.iter().any(|breach| breach.what == what)
     };
     // One of them is enough, or none.
-    let alone = changes.iter().copied().find(|change| what == format!("time.{}", change.name()));
+    let alone = changes.iter().copied().find(|change| what == broken_by(*change));
     let changes = match &alone {
         Some(change) => std::slice::from_ref(change),
         None if breaks(ride, &[]) => &[],
@@ -148,20 +149,27 @@ fn planned(ride: &Ride, runs: Runs<'_>) -> Result<(Outcome, Planned), Stopped> {
     Ok((outcome, planned))
 }
 
-/// Whether a changed ride takes the time that it should; which ride was not planned, if one is not.
-fn timed(
-    dice: &mut Dice<'_>,
-    ride: &Ride,
-    change: Change,
-    runs: Runs<'_>,
-) -> Result<Option<Breach>, (Box<Ride>, Stopped)> {
+/// The two rides whose times are compared: one as fast as it can be fed, without an operator, and the same one changed. None where there
+/// is nothing to change.
+pub fn compared((seed, number): (u64, u64), ride: &Ride, change: Change) -> Option<(Ride, Ride)> {
     let mut alone = Ride { every: None, ..ride.clone() };
     // The spindle goes on turning.
     let turns = |event: &MotionEvent| matches!(event.action, MotionAction::SpindleSpeed { .. });
     alone.script.events.retain(turns);
     // An output at once switches at the end of a cycle, so that each may cost one.
     alone.steps.retain(|step| !matches!(step, Step::Output { with_motion: false, .. }));
-    let Some(changed) = change.of(&alone, dice) else { return Ok(None) };
+    let changed = change.of(&alone, &mut Dice::of_seed(seed ^ 1, number))?;
+    Some((alone, changed))
+}
+
+/// Whether a changed ride takes the time that it should; which ride was not planned, if one is not.
+fn timed(
+    of: (u64, u64),
+    ride: &Ride,
+    change: Change,
+    runs: Runs<'_>,
+) -> Result<Option<Breach>, (Box<Ride>, Stopped)> {
+    let Some((alone, changed)) = compared(of, ride, change) else { return Ok(None) };
     let cycles = |ride: &Ride| {
         let (_, planned) =
             planned(ride, runs).map_err(|stopped| (Box::new(ride.clone()), stopped))?;
@@ -173,7 +181,7 @@ fn timed(
     let allowed = if change.may_save() { CYCLES.max(SHARE * before) } else { CYCLES };
     let more = if change.may_save() { after - before } else { (after - before).abs() };
     Ok((more > allowed).then(|| Breach {
-        what: format!("time.{}", change.name()),
+        what: broken_by(change),
         words: format!("{before} cycles, {after} where it is {}", change.name()),
     }))
 }
@@ -198,6 +206,23 @@ mod tests {
             let came = came(script, true);
             assert_eq!(came.not_planned, None);
             assert_eq!(came.broken[0].what, ENDLESS);
+        }
+    }
+
+    #[test]
+    fn rides_whose_times_are_compared_differ_in_their_change_alone() {
+        for number in 0..50 {
+            let (ride, _) = ride(1, number);
+            let (alone, changed) = compared((1, number), &ride, Change::Livelier).unwrap();
+            let acceleration = |ride: &Ride| {
+                ride.limits.axes.values().map(|limit| limit.acceleration).collect::<Vec<_>>()
+            };
+            let pairs = acceleration(&alone).into_iter().zip(acceleration(&changed));
+            let raised: Vec<_> = pairs.filter(|(before, after)| before != after).collect();
+            assert_eq!(raised.len(), 1, "program {number}");
+            assert!(raised[0].0 < raised[0].1, "program {number}: {raised:?}");
+            assert_eq!(alone.text(), changed.text());
+            assert_eq!((alone.every, &alone.script), (None, &changed.script));
         }
     }
 
