@@ -10,7 +10,7 @@ use super::piece::Piece;
 use crate::math;
 
 /// The most corners of the set that are looked at before a simpler answer is taken.
-const CORNERS: u32 = 3;
+const CORNERS: u32 = 5;
 /// An axis with less of the entry than this at an end of a bend limits the exit alone.
 const FLAT: f64 = 1e-12;
 

@@ -91,6 +91,26 @@ fn a_faster_axis_takes_no_longer() {
 }
 
 #[test]
+fn an_axis_that_accelerates_more_makes_no_corner_slower() {
+    // The line between the corners is over within a cycle, and a blend between the middles of lines has half of it.
+    let corners = [(-4.0, -12.0), (1.596_57, -14.090_99), (1.604_14, -14.094_1), (23.0, -21.0)];
+    let program = corners.map(|(x, y)| line(at(x, y, 0.0), Blend::BetweenMidpoints)).to_vec();
+    let program = at_feed(program, 6775.0);
+    let mut last = f64::INFINITY;
+    for acceleration in [3000.0, 5000.0, 7085.0, 9000.0, 12_559.0, 20_000.0, 50_000.0] {
+        let mut livelier = dynamics();
+        (livelier.acceleration[0], livelier.acceleration[1]) = (116.0, acceleration);
+        let mut planner = Planner::new(livelier, ORIGIN).expect("limits");
+        let wants = |_| InputParameter::default();
+        let run = run_with(&mut planner, ORIGIN, &program, Feeding::Full, wants);
+        let (speed, change) = run.worst(&livelier);
+        assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{acceleration}: {speed} {change}");
+        assert!(run.time() <= last + 0.0021, "{acceleration}: {} s, {last} s", run.time());
+        last = run.time();
+    }
+}
+
+#[test]
 fn a_divided_line_before_a_slower_one_takes_as_long() {
     let blend = Blend::Within(0.14);
     let ends = [(61.0, -9.0), (74.0, 4.0), (87.0, 18.0)];
