@@ -3,6 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use gaugeblock::adapters::Adapter;
+use gaugeblock::adapters::production::Production;
+use gaugeblock::motion::{Circumstances, plan_under};
+use gaugeblock_trace::Scenario;
+use gaugeblock_trace::motion::{MotionLimits, MotionScript};
+
 /// A mill with three axes of 250 mm/s and 2000 mm/s².
 const MILL: &str = "period = 0.001
 [axes]
@@ -95,6 +101,28 @@ fn an_operator_is_played_from_a_script() {
     says(&plan("aborted.toml"), 0, &["holds       trajectory.abort"]);
     says(&plan("never.toml"), 3, &["nobody lets it go on"]);
     says(&plan("mill.toml"), 2, &["mill.toml"]);
+}
+
+#[test]
+fn the_feed_that_is_asked_for_has_overrides_in_it() {
+    let mut scenario = Scenario::default();
+    "g21 g90 g94 g64 p0.01 f3000\nm52 p1\ng1 x100\nm2\n".clone_into(&mut scenario.program.main);
+    let script = "events = [
+  { cycle = 300, action = { feed_override = 1.5 } },
+  { cycle = 600, action = { adaptive_feed = -1.0 } },
+  { cycle = 900, action = { adaptive_feed = 1.0 } },
+  { cycle = 1200, action = { hold = true } },
+  { cycle = 1500, action = { hold = false } },
+]\n";
+    let script = MotionScript::from_text(script).expect("a script");
+    let outcome = Production::default().run(&scenario).expect("a run");
+    let circumstances = Circumstances { script, ..Circumstances::default() };
+    let limits = MotionLimits::from_text(MILL).expect("limits");
+    let planned = plan_under(&outcome, &limits, &circumstances).expect("a motion");
+    for (cycle, speed) in [(250, 50.0), (550, 75.0), (850, 75.0), (1150, 75.0), (1450, 0.0)] {
+        assert!((planned.asked[cycle] - speed).abs() < 1e-9, "{cycle}: {}", planned.asked[cycle]);
+        assert!((planned.speed[cycle] - speed).abs() < 1e-9, "{cycle}: {}", planned.speed[cycle]);
+    }
 }
 
 #[test]

@@ -42,7 +42,8 @@ pub struct Planned {
     pub samples: Samples,
     /// Speed along the path of all axes by sample, millimetres or degrees per second.
     pub speed: Vec<f64>,
-    /// The feed that is programmed for the segment, likewise; not a number in rapid moves and where it follows from a time or a spindle.
+    /// The feed that is asked for, likewise, whichever way the path is run: the programmed one times what overrides make of it, and 0 where the
+    /// motion is held. Not a number in rapid moves and where it follows from a time or a spindle.
     pub asked: Vec<f64>,
 }
 
@@ -425,7 +426,11 @@ impl<'a> Drive<'a> {
         row.extend(self.turning.then_some(self.turns));
         self.samples.push(&row).map_err(|error| Stopped::new(error.to_string()))?;
         self.speed.push(self.output.speed);
-        self.asked.push(self.feeds.get(number).copied().unwrap_or(f64::NAN));
+        let overridden = match self.input.hold {
+            Hold::Run => self.input.feed_override * self.input.adaptive_feed.abs().min(1.0),
+            Hold::Hold | Hold::Abort => 0.0,
+        };
+        self.asked.push(self.feeds.get(number).map_or(f64::NAN, |feed| feed * overridden));
         Ok(())
     }
 }

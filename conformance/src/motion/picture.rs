@@ -23,7 +23,7 @@ pub struct Picture<'a> {
     pub period: f64,
     /// Speed along the path by sample.
     pub speed: &'a [f64],
-    /// The feed that was asked for, by sample; not a number where none was, as in a rapid move.
+    /// The feed that was asked for, by sample, overrides counted; not a number where none was, as in a rapid move.
     pub asked: &'a [f64],
     /// What share of its limit each axis' acceleration takes, -1 to 1 where it is lawful: letter, and a number a sample.
     pub acceleration: &'a [(char, Vec<f64>)],
@@ -142,7 +142,7 @@ impl Picture<'_> {
         let highest = highest.fold(1e-9, f64::max) * 1.05;
         let mut chart = ChartBuilder::on(area)
             .caption(
-                "speed along the path, mm/s (red: the feed that is asked for)",
+                "speed along the path, mm/s (red: the feed that is asked for, overrides counted)",
                 ("sans-serif", 14).into_font().color(&INK),
             )
             .margin(10)
