@@ -226,21 +226,38 @@ impl Curve {
         vector::length(&self.derivatives(0.5).0)
     }
 
-    /// The parameter from `from` to `to` that is nearest to a point: of a line exactly, of an arc of at most a quarter by
-    /// halving.
+    /// The point at a parameter, and its derivative.
+    fn passing(&self, part: f64) -> (Nine, Nine) {
+        let whole = minus(&self.end, &self.start);
+        let (mut point, mut rate) = (plus(&self.start, &whole, part), whole);
+        if let Some(turn) = &self.turn {
+            let (sine, cosine) = (math::sine(turn.angle * part), math::cosine(turn.angle * part));
+            let (radius, gain) = (turn.radius.0 + turn.radius.1 * part, turn.radius.1);
+            for axis in 0..3 {
+                let outward = turn.outward[axis] * cosine + turn.onward[axis] * sine;
+                let onward = (turn.onward[axis] * cosine - turn.outward[axis] * sine) * turn.angle;
+                point[axis] = turn.centre[axis] + turn.rise[axis] * part + radius * outward;
+                rate[axis] = turn.rise[axis] + gain * outward + radius * onward;
+            }
+        }
+        (point, rate)
+    }
+
+    /// The parameter from `from` to `to` that is nearest to a point: of a line exactly, of an arc of at most a quarter to the last place.
     pub(super) fn nearest(&self, point: &Nine, from: f64, to: f64) -> f64 {
         if self.is_straight() {
             return vector::nearest_part(&self.start, &self.end, point).clamp(from, to);
         }
         let slope = |part: f64| {
-            let away = minus(&self.at(part), point);
-            vector::dot(&away, &self.derivatives(part).0)
+            let (here, rate) = self.passing(part);
+            vector::dot(&minus(&here, point), &rate)
         };
-        if slope(from) >= 0.0 || slope(to) <= 0.0 {
+        let (first, last) = (slope(from), slope(to));
+        if first >= 0.0 || last <= 0.0 {
             let (first, last) = (distance(&self.at(from), point), distance(&self.at(to), point));
             return if first <= last { from } else { to };
         }
-        boundary(from, to, |part| slope(part) < 0.0)
+        boundary((from, first), (to, last), slope)
     }
 
     /// The parameters from `from` to `to` at which it is within a tolerance of a point, if there are any.
@@ -252,22 +269,40 @@ impl Curve {
         to: f64,
     ) -> Option<(f64, f64)> {
         let nearest = self.nearest(point, from, to);
-        let near = |part: f64| distance(&self.at(part), point) <= tolerance;
-        if !near(nearest) {
-            return None;
-        }
-        let first = if near(from) { from } else { boundary(nearest, from, near) };
-        let last = if near(to) { to } else { boundary(nearest, to, near) };
-        Some((first, last))
+        let excess = |part: f64| distance(&self.at(part), point) - tolerance;
+        let least = excess(nearest);
+        let up_to = |end: f64| {
+            let there = excess(end);
+            if there <= 0.0 { end } else { boundary((nearest, least), (end, there), excess) }
+        };
+        (least <= 0.0).then(|| (up_to(from), up_to(to)))
     }
 }
 
-/// The last place on the way from `inside` to `outside` where something still holds.
-fn boundary(inside: f64, outside: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    let (mut inside, mut outside) = (inside, outside);
-    for _ in 0..54 {
-        let middle = inside + (outside - inside) / 2.0;
-        if holds(middle) { inside = middle } else { outside = middle }
+/// The last place on the way from one where a function is at most zero to one where it is more: where their line crosses zero, again and again,
+/// with half the value of an end that has stayed for two times, and halfway every fourth time.
+fn boundary(inside: (f64, f64), outside: (f64, f64), excess: impl Fn(f64) -> f64) -> f64 {
+    let ((mut inside, mut below), (mut outside, mut above)) = (inside, outside);
+    let mut went_out = None;
+    for round in 1..=4 * 54 {
+        let width = outside - inside;
+        if width.abs() <= f64::EPSILON {
+            break;
+        }
+        let part = if round % 4 == 0 { 0.5 } else { below / (below - above) };
+        // One step of the last place beside an end tells whether that is the boundary.
+        let least = f64::EPSILON / width.abs();
+        let middle = inside + width * part.max(least).min(1.0 - least);
+        let value = excess(middle);
+        let is_out = value > 0.0;
+        if is_out {
+            (outside, above) = (middle, value);
+            below = if went_out == Some(true) { below / 2.0 } else { below };
+        } else {
+            (inside, below) = (middle, value);
+            above = if went_out == Some(false) { above / 2.0 } else { above };
+        }
+        went_out = Some(is_out);
     }
     inside
 }
@@ -359,6 +394,36 @@ mod tests {
         for part in [0.001, 0.01, 0.02] {
             let found = curve.nearest(&curve.at(part), 0.0, 0.025);
             assert!((found - part).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_boundary_is_where_halving_finds_it() {
+        let halved = |excess: &dyn Fn(f64) -> f64, from: f64, to: f64| {
+            let (mut inside, mut outside) = (from, to);
+            for _ in 0..54 {
+                let middle = inside + (outside - inside) / 2.0;
+                if excess(middle) <= 0.0 { inside = middle } else { outside = middle }
+            }
+            inside
+        };
+        let away = |from: f64, high: f64| move |part: f64| libm::hypot(part - from, high);
+        let mut functions: Vec<Box<dyn Fn(f64) -> f64>> = vec![
+            Box::new(|part| part - 0.3),
+            Box::new(|part| libm::cbrt(part - 0.37)),
+            Box::new(|part| if part < 0.71 { -1e-9 } else { 1e9 }),
+            Box::new(|part| part * part * part - 0.1),
+        ];
+        for tolerance in [1e-9, 1e-3, 0.2] {
+            for high in [0.0, 0.5, 0.999_999, 1.0] {
+                let distance = away(0.2, high * tolerance);
+                functions.push(Box::new(move |part| distance(part) - tolerance));
+            }
+        }
+        for (place, excess) in functions.iter().enumerate() {
+            let found = boundary((0.2, excess(0.2)), (1.0, excess(1.0)), excess);
+            let wanted = halved(excess, 0.2, 1.0);
+            assert!((found - wanted).abs() <= 1e-15, "{place}: {found} {wanted}");
         }
     }
 
