@@ -9,6 +9,7 @@
 //!   course      the end of the path: legs are cut, corners put between them        course, corner
 //! Piece         a part of the path with one law for speed and acceleration         piece, limits
 //!   ahead       how fast each piece may be entered, from the end of the queue back ahead, reach, strips
+//!   retrace     the same for running back, from far behind up to the motion
 //!   step        a cycle of motion along the pieces                                 step, cruise, bend, brakes
 //! OutputParameter
 //! ```
@@ -31,6 +32,7 @@ mod limits;
 mod parameters;
 mod piece;
 mod reach;
+mod retrace;
 mod ring;
 mod segment;
 mod step;
@@ -47,7 +49,8 @@ use course::{Course, Queue};
 use leg::{Resolved, resolve};
 use limits::{Limits, squared};
 use piece::{Law, Pace, Piece};
-use reach::{Scale, backward, caps};
+use reach::Scale;
+use retrace::Retrace;
 use ring::Ring;
 use step::{Motion, Wish};
 
@@ -96,8 +99,7 @@ pub struct Planner {
     /// How many segments that move have been queued.
     queued: u64,
     aborting: bool,
-    /// The next piece whose speed for running back is to be computed, while the motion is to run back.
-    retraced: Option<u64>,
+    retrace: Retrace,
     turns: f64,
     /// The end of the last piece that follows the spindle.
     followed: u64,
@@ -150,7 +152,7 @@ impl Planner {
             met: 0,
             queued: 0,
             aborting: false,
-            retraced: None,
+            retrace: Retrace::default(),
             turns: 0.0,
             followed: 0,
             probe: false,
@@ -276,7 +278,7 @@ impl Planner {
     /// Forgets pieces that lie far behind the motion, if there is need.
     fn make_room(&mut self) {
         while self.ring.room() < 16
-            && self.retraced.is_none()
+            && !self.retrace.is_asked_for()
             && !self.motion.backwards
             && self.ring.first().saturating_add(REMEMBERED) < self.motion.at
         {
@@ -320,16 +322,14 @@ impl Planner {
     /// Turns the motion round when it is at rest and knows how fast it may go.
     fn turn_round(&mut self, back: bool) {
         if back && !self.motion.backwards {
-            let next = *self.retraced.get_or_insert(self.ring.first());
-            if self.motion.speed <= 0.0 && next > self.motion.at {
-                self.motion.backwards = true;
-            }
+            let may_turn = self.retrace.may_turn(&mut self.ring, self.motion.at);
+            self.motion.backwards = may_turn && self.motion.speed <= 0.0;
         } else if !back && (self.motion.speed <= 0.0 || !self.motion.backwards) {
             if self.motion.backwards {
                 self.motion.backwards = false;
                 self.ahead.returned(&self.ring, self.motion.at);
             }
-            self.retraced = None;
+            self.retrace.forget();
         }
     }
 
@@ -338,7 +338,7 @@ impl Planner {
     fn look(&mut self, wish: &Wish, input: &InputParameter) {
         let at = self.motion.at;
         let planned = wish.planned && at >= self.followed;
-        if !(planned && self.ahead.is_quiet(at) && self.retraced.is_none()) {
+        if !(planned && self.ahead.is_quiet(at) && !self.retrace.is_asked_for()) {
             self.look_on(wish, input);
         }
     }
@@ -366,9 +366,8 @@ impl Planner {
             self.ahead.settled();
         }
         for _ in 0..back {
-            let Some(place) = self.retraced.filter(|place| *place <= at) else { return };
-            self.retrace(place);
-            self.retraced = Some(place.saturating_add(1));
+            let motion = (at, self.motion.backwards);
+            self.retrace.work(&mut self.ring, motion, self.ahead.scale, &self.limits);
         }
     }
 
@@ -377,23 +376,6 @@ impl Planner {
         let planned = self.ahead.scale.turns;
         let near = turns <= planned && turns >= planned * (1.0 - 2.0 * WAVERING);
         if near || self.motion.at >= self.followed { planned } else { turns * (1.0 + WAVERING) }
-    }
-
-    /// How fast a piece may be entered from its end, running back.
-    fn retrace(&mut self, place: u64) {
-        let before = place.checked_sub(1).and_then(|before| self.ring.get(before));
-        let Some(piece) = self.ring.get(place) else { return };
-        let exit = match before {
-            Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
-            None => 0.0,
-        };
-        // It is planned once, and so for some speed where the motion turned at rest.
-        let slowest = Scale { feed: SLOWEST, rapid: SLOWEST, turns: SLOWEST };
-        let scale = self.ahead.scale.most(slowest);
-        let back = backward(piece, exit, caps(piece, scale), &self.limits);
-        if let Some(piece) = self.ring.get_mut(place) {
-            piece.back = back;
-        }
     }
 
     /// Whether the probe has changed in a probing segment.
@@ -487,6 +469,6 @@ impl Planner {
         };
         self.course = Course::new(self.position);
         self.aborting = false;
-        self.retraced = None;
+        self.retrace.forget();
     }
 }

@@ -54,6 +54,26 @@ fn adaptive_feed_below_zero_retraces_the_path() {
     assert_eq!(run.samples.last(), Some(&at(100.0, 0.0, 0.0)));
 }
 
+/// What lies near behind the motion is planned first: it is not to wait at rest until all that is remembered is planned.
+#[test]
+fn a_long_path_is_run_back_at_once_and_to_its_beginning() {
+    let program = dense(Blend::Within(0.01));
+    let run = operated(&program, |cycle| InputParameter {
+        adaptive_feed: if (1500..3400).contains(&cycle) { -1.0 } else { 1.0 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    let rests =
+        run.samples[1500..1700].windows(2).filter(|two| distance(&two[0], &two[1]) <= 0.0).count();
+    assert!(rests <= 40, "it rests for {rests} cycles");
+    // Not much longer than the way there.
+    let start = run.samples[1500..].iter().position(|sample| distance(sample, &ORIGIN) <= 0.0);
+    assert!(start.is_some_and(|cycles| cycles <= 1800), "{start:?}");
+    let (path, _) = programmed(ORIGIN, &program);
+    assert!(farthest(&run.samples, &path) <= 0.01);
+    assert_eq!(run.samples.last(), path.last());
+}
+
 /// A bend that was planned for another override, and is passed again behind a piece that has been planned anew: its plan holds no more.
 #[test]
 fn bend_is_run_through_again_at_a_lower_override() {
