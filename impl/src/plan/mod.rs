@@ -245,6 +245,7 @@ impl Planner {
     /// Moves on by one servo cycle.
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
         let wish = self.wish(input);
+        self.motion.back_to = self.retrace.end();
         self.motion.cycle(&self.ring, &self.limits, &wish);
         self.look(&wish, input);
         output.tripped = self.probed(input.probe);

@@ -1,7 +1,8 @@
 //! How fast the path behind the motion may be run back.
 //!
-//! It is planned from far behind up to the motion, for which the path ends there. What lies near behind it comes first, so that it need not wait
-//! for all; while it runs back, the rest follows, each time from twice as far.
+//! It is planned from a piece behind up to the motion, which may run back to the beginning of that piece and no farther. What lies near comes first,
+//! so that the motion need not wait for all; while it runs back the rest follows, in stretches that begin farther and farther behind. What earlier
+//! runs left is worth nothing, since the path may have changed.
 
 use super::SLOWEST;
 use super::limits::{Limits, squared};
@@ -13,14 +14,19 @@ use crate::math;
 /// How many pieces behind the motion are planned before it turns round.
 const NEAR: u64 = 64;
 
-/// What is planned of it.
+/// What is planned while the motion is to run back.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Retrace {
-    /// The next piece to be planned; none while nobody asks.
-    next: Option<u64>,
+    planned: Option<Planned>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Planned {
     /// The piece that planning began from.
     from: u64,
-    /// From this piece on it is planned already, for a path that ends nearer.
+    /// The next piece to be planned.
+    next: u64,
+    /// From this piece on all is planned, if only for a path that ends there.
     known: Option<u64>,
 }
 
@@ -28,30 +34,29 @@ impl Retrace {
     /// Whether the motion is to run back.
     #[inline]
     pub(super) fn is_asked_for(&self) -> bool {
-        self.next.is_some()
+        self.planned.is_some()
     }
 
     /// The motion is to turn round; whether it may, at a piece.
     pub(super) fn may_turn(&mut self, ring: &mut Ring<Piece>, at: u64) -> bool {
-        if self.next.is_none() {
-            self.known = None;
-            self.begin(ring, at.saturating_sub(NEAR));
-        }
-        self.next.is_some_and(|next| next > at)
+        let near = at.saturating_sub(NEAR);
+        let planned = self.planned.get_or_insert_with(|| Planned::begin(ring, near, None));
+        planned.next > at
     }
 
-    /// The motion goes on, and the path behind it may change.
+    /// The motion goes on, so that the path behind it may change.
     pub(super) fn forget(&mut self) {
-        self.next = None;
+        self.planned = None;
     }
 
-    /// For the path as it is, it ends where this begins.
-    fn begin(&mut self, ring: &mut Ring<Piece>, from: u64) {
-        self.from = from.max(ring.first());
-        if let Some(before) = self.from.checked_sub(1).and_then(|before| ring.get_mut(before)) {
-            before.back = 0.0;
+    /// The piece to whose beginning the motion may run back.
+    #[inline]
+    pub(super) fn end(&self) -> u64 {
+        match self.planned {
+            Some(Planned { next, known: Some(known), .. }) if next < known => known,
+            Some(Planned { from, .. }) => from,
+            None => 0,
         }
-        self.next = Some(self.from);
     }
 
     /// Plans the next piece up to the motion; where all are planned and it runs back, begins farther behind.
@@ -62,22 +67,33 @@ impl Retrace {
         scale: Scale,
         limits: &Limits,
     ) {
-        let Some(next) = self.next else { return };
-        if next <= at {
-            // What is known already holds on from where it is found again.
-            let last = if self.plan(ring, next, scale, limits) { next } else { at };
-            self.next = Some(last.saturating_add(1));
-        } else if backwards && self.from > ring.first() {
-            self.known = Some(self.from);
-            let far = at.saturating_sub(self.from).saturating_add(NEAR);
-            self.begin(ring, self.from.saturating_sub(far));
+        let Some(planned) = &mut self.planned else { return };
+        if planned.next <= at {
+            planned.plan(ring, at, scale, limits);
+        } else if backwards && planned.from > ring.first() {
+            let far = at.saturating_sub(planned.from).saturating_add(NEAR);
+            let from = planned.from.saturating_sub(far);
+            *planned = Planned::begin(ring, from, Some(planned.from));
         }
     }
+}
 
-    /// How fast a piece may be entered from its end; whether that is new.
-    fn plan(&self, ring: &mut Ring<Piece>, place: u64, scale: Scale, limits: &Limits) -> bool {
+impl Planned {
+    /// For the plan, the path ends where the first piece begins.
+    fn begin(ring: &mut Ring<Piece>, from: u64, known: Option<u64>) -> Self {
+        let from = from.max(ring.first());
+        if let Some(before) = from.checked_sub(1).and_then(|before| ring.get_mut(before)) {
+            before.back = 0.0;
+        }
+        Self { from, next: from, known }
+    }
+
+    /// How fast the next piece may be entered from its end. Where that is no more than is known already, so is all up to the motion.
+    fn plan(&mut self, ring: &mut Ring<Piece>, at: u64, scale: Scale, limits: &Limits) {
+        let place = self.next;
+        self.next = place.saturating_add(1);
         let before = place.checked_sub(1).and_then(|before| ring.get(before));
-        let Some(piece) = ring.get(place) else { return true };
+        let Some(piece) = ring.get(place) else { return };
         let exit = match before {
             Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
             None => 0.0,
@@ -85,12 +101,11 @@ impl Retrace {
         // It is planned for one speed, and so for some where the motion turned at rest.
         let slowest = Scale { feed: SLOWEST, rapid: SLOWEST, turns: SLOWEST };
         let back = backward(piece, exit, caps(piece, scale.most(slowest)), limits);
+        // The motion may be there by now, and relies on what is known.
         if self.known.is_some_and(|known| known <= place) && back <= piece.back {
-            return false;
-        }
-        if let Some(piece) = ring.get_mut(place) {
+            self.next = at.saturating_add(1);
+        } else if let Some(piece) = ring.get_mut(place) {
             piece.back = back;
         }
-        true
     }
 }

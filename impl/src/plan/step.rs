@@ -53,6 +53,8 @@ pub(super) struct Motion {
     pub(super) acceleration: f64,
     /// Whether it runs back.
     pub(super) backwards: bool,
+    /// The piece to whose beginning it may run back.
+    pub(super) back_to: u64,
     /// Seconds of a dwell that are over.
     pub(super) dwelt: f64,
     /// The segment under way: planner's number and caller's.
@@ -179,7 +181,7 @@ impl Motion {
         left: &mut f64,
     ) -> Option<&'a Piece> {
         if self.backwards {
-            let before = self.at.wrapping_sub(1);
+            let before = self.at.checked_sub(1).filter(|before| *before >= self.back_to)?;
             let earlier = ring.get(before)?;
             self.at = before;
             self.speed /= earlier.exit;

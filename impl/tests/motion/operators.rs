@@ -74,6 +74,31 @@ fn a_long_path_is_run_back_at_once_and_to_its_beginning() {
     assert_eq!(run.samples.last(), path.last());
 }
 
+/// What an earlier run back has left behind what is planned for this one is worth nothing: once it broke a limit 3.4 times over.
+#[test]
+fn a_path_is_run_back_again_after_somebody_has_asked_for_it_for_a_moment() {
+    let quick = Dynamics { velocity: [500.0; 9], acceleration: [20_000.0; 9], ..dynamics() };
+    let mut planner = Planner::new(quick, ORIGIN).expect("limits");
+    let mut next = ORIGIN;
+    for number in 1..=700 {
+        next[0] += 0.05;
+        planner.keep_apart();
+        let feed = Feed::PerSecond(150.0);
+        let chord = Segment { number, feed, ..line(next, Blend::ExactPath) };
+        planner.queue(&chord).expect("room");
+    }
+    let run = run_with(&mut planner, ORIGIN, &[], Feeding::Full, |cycle| InputParameter {
+        adaptive_feed: match cycle {
+            170..270 | 280 | 284..584 => -1.0,
+            _ => 1.0,
+        },
+        ..InputParameter::default()
+    });
+    let (speed, change) = run.worst(&quick);
+    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+    assert!(run.samples[583][0] < 10.0, "{}", run.samples[583][0]);
+}
+
 /// A bend that was planned for another override, and is passed again behind a piece that has been planned anew: its plan holds no more.
 #[test]
 fn bend_is_run_through_again_at_a_lower_override() {
