@@ -56,7 +56,7 @@ pub(super) struct Arguments {
     /// Change each program in all seven ways, not in one
     #[arg(long)]
     every_change: bool,
-    /// Write the smallest program of each kind of breach, its machine and its script into this folder
+    /// Write the smallest program of each kind of breach, its machine and its script into this folder, and the changed one where times differ
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
 }

@@ -245,7 +245,6 @@ impl Planner {
     /// Moves on by one servo cycle.
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
         let wish = self.wish(input);
-        self.motion.back_to = self.retrace.end();
         self.motion.cycle(&self.ring, &self.limits, &wish);
         self.look(&wish, input);
         output.tripped = self.probed(input.probe);
@@ -321,17 +320,27 @@ impl Planner {
     }
 
     /// Turns the motion round when it is at rest and knows how fast it may go.
+    #[inline]
     fn turn_round(&mut self, back: bool) {
+        if back || self.motion.backwards {
+            self.turn(back);
+        } else {
+            self.retrace.forget();
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn turn(&mut self, back: bool) {
         if back && !self.motion.backwards {
             let may_turn = self.retrace.may_turn(&mut self.ring, self.motion.at);
             self.motion.backwards = may_turn && self.motion.speed <= 0.0;
-        } else if !back && (self.motion.speed <= 0.0 || !self.motion.backwards) {
-            if self.motion.backwards {
-                self.motion.backwards = false;
-                self.ahead.returned(&self.ring, self.motion.at);
-            }
+        } else if !back && self.motion.speed <= 0.0 {
+            self.motion.backwards = false;
+            self.ahead.returned(&self.ring, self.motion.at);
             self.retrace.forget();
         }
+        self.motion.back_to = self.retrace.end();
     }
 
     /// Look-ahead, and look-back while the motion is to run back: mostly there is nothing to do.
@@ -365,6 +374,9 @@ impl Planner {
             self.ahead.work(&mut self.ring, at, &self.limits, (work, true));
         } else {
             self.ahead.settled();
+        }
+        if !self.retrace.is_asked_for() {
+            return;
         }
         for _ in 0..back {
             let motion = (at, self.motion.backwards);

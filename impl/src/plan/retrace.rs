@@ -50,7 +50,6 @@ impl Retrace {
     }
 
     /// The piece to whose beginning the motion may run back.
-    #[inline]
     pub(super) fn end(&self) -> u64 {
         match self.planned {
             Some(Planned { next, known: Some(known), .. }) if next < known => known,
@@ -60,6 +59,8 @@ impl Retrace {
     }
 
     /// Plans the next piece up to the motion; where all are planned and it runs back, begins farther behind.
+    #[cold]
+    #[inline(never)]
     pub(super) fn work(
         &mut self,
         ring: &mut Ring<Piece>,
