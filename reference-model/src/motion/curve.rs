@@ -1,5 +1,7 @@
 //! Where an element leads: place, speed and curvature over its parameter, which runs from 0 to 1.
 
+use std::array;
+
 use gaugeblock_trace::Position;
 use gaugeblock_trace::motion::Shape;
 
@@ -59,6 +61,38 @@ struct Turn {
     rise: [f64; 3],
     /// Radians, on the whole way.
     angle: f64,
+}
+
+/// From the axis to where a turn is.
+struct Spoke {
+    length: f64,
+    /// Unit vectors along it and square to it, the way the turn goes on.
+    outward: [f64; 3],
+    onward: [f64; 3],
+}
+
+impl Turn {
+    fn spoke(&self, part: f64) -> Spoke {
+        let (sine, cosine) = (math::sine(self.angle * part), math::cosine(self.angle * part));
+        Spoke {
+            length: self.radius.0 + self.radius.1 * part,
+            outward: array::from_fn(|axis| self.outward[axis] * cosine + self.onward[axis] * sine),
+            onward: array::from_fn(|axis| self.onward[axis] * cosine - self.outward[axis] * sine),
+        }
+    }
+
+    fn place(&self, part: f64, spoke: &Spoke) -> [f64; 3] {
+        array::from_fn(|axis| {
+            self.centre[axis] + self.rise[axis] * part + spoke.length * spoke.outward[axis]
+        })
+    }
+
+    fn rate(&self, spoke: &Spoke) -> [f64; 3] {
+        array::from_fn(|axis| {
+            let onward = spoke.onward[axis] * self.angle;
+            self.rise[axis] + self.radius.1 * spoke.outward[axis] + spoke.length * onward
+        })
+    }
 }
 
 /// A moving element.
@@ -148,12 +182,7 @@ impl Curve {
         }
         let mut point = plus(&self.start, &minus(&self.end, &self.start), part);
         if let Some(turn) = &self.turn {
-            let (sine, cosine) = (math::sine(turn.angle * part), math::cosine(turn.angle * part));
-            let radius = turn.radius.0 + turn.radius.1 * part;
-            for (axis, place) in point[..3].iter_mut().enumerate() {
-                let round = turn.outward[axis] * cosine + turn.onward[axis] * sine;
-                *place = turn.centre[axis] + turn.rise[axis] * part + radius * round;
-            }
+            point[..3].copy_from_slice(&turn.place(part, &turn.spoke(part)));
         }
         point
     }
@@ -163,13 +192,12 @@ impl Curve {
         let mut first = minus(&self.end, &self.start);
         let mut second = [0.0; 9];
         if let Some(turn) = &self.turn {
-            let (sine, cosine) = (math::sine(turn.angle * part), math::cosine(turn.angle * part));
-            let (radius, gain) = (turn.radius.0 + turn.radius.1 * part, turn.radius.1);
-            for axis in 0..3 {
-                let outward = turn.outward[axis] * cosine + turn.onward[axis] * sine;
-                let onward = (turn.onward[axis] * cosine - turn.outward[axis] * sine) * turn.angle;
-                first[axis] = turn.rise[axis] + gain * outward + radius * onward;
-                second[axis] = 2.0 * gain * onward - radius * turn.angle * turn.angle * outward;
+            let spoke = turn.spoke(part);
+            first[..3].copy_from_slice(&turn.rate(&spoke));
+            for (axis, value) in second[..3].iter_mut().enumerate() {
+                let onward = spoke.onward[axis] * turn.angle;
+                *value = 2.0 * turn.radius.1 * onward
+                    - spoke.length * turn.angle * turn.angle * spoke.outward[axis];
             }
         }
         (first, second)
@@ -179,12 +207,11 @@ impl Curve {
     pub(super) fn third(&self, part: f64) -> Nine {
         let mut third = [0.0; 9];
         if let Some(turn) = &self.turn {
-            let (sine, cosine) = (math::sine(turn.angle * part), math::cosine(turn.angle * part));
-            let (radius, square) = (turn.radius.0 + turn.radius.1 * part, turn.angle * turn.angle);
+            let (spoke, square) = (turn.spoke(part), turn.angle * turn.angle);
             for (axis, value) in third[..3].iter_mut().enumerate() {
-                let outward = turn.outward[axis] * cosine + turn.onward[axis] * sine;
-                let onward = turn.onward[axis] * cosine - turn.outward[axis] * sine;
-                *value = -square * (3.0 * turn.radius.1 * outward + radius * turn.angle * onward);
+                let (outward, onward) = (spoke.outward[axis], spoke.onward[axis]);
+                *value =
+                    -square * (3.0 * turn.radius.1 * outward + spoke.length * turn.angle * onward);
             }
         }
         third
@@ -231,14 +258,9 @@ impl Curve {
         let whole = minus(&self.end, &self.start);
         let (mut point, mut rate) = (plus(&self.start, &whole, part), whole);
         if let Some(turn) = &self.turn {
-            let (sine, cosine) = (math::sine(turn.angle * part), math::cosine(turn.angle * part));
-            let (radius, gain) = (turn.radius.0 + turn.radius.1 * part, turn.radius.1);
-            for axis in 0..3 {
-                let outward = turn.outward[axis] * cosine + turn.onward[axis] * sine;
-                let onward = (turn.onward[axis] * cosine - turn.outward[axis] * sine) * turn.angle;
-                point[axis] = turn.centre[axis] + turn.rise[axis] * part + radius * outward;
-                rate[axis] = turn.rise[axis] + gain * outward + radius * onward;
-            }
+            let spoke = turn.spoke(part);
+            point[..3].copy_from_slice(&turn.place(part, &spoke));
+            rate[..3].copy_from_slice(&turn.rate(&spoke));
         }
         (point, rate)
     }
@@ -310,9 +332,9 @@ fn boundary(inside: (f64, f64), outside: (f64, f64), excess: impl Fn(f64) -> f64
 fn turn(start: &Nine, end: &Nine, centre: [f64; 3], normal: [f64; 3], angle: f64) -> Turn {
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let from = |point: &Nine| -> ([f64; 3], f64) {
-        let away: [f64; 3] = std::array::from_fn(|axis| point[axis] - centre[axis]);
+        let away: [f64; 3] = array::from_fn(|axis| point[axis] - centre[axis]);
         let height = dot(away, normal);
-        (std::array::from_fn(|axis| away[axis] - normal[axis] * height), height)
+        (array::from_fn(|axis| away[axis] - normal[axis] * height), height)
     };
     let ((outward, start_height), (end_outward, end_height)) = (from(start), from(end));
     let radius = math::square_root(dot(outward, outward));
@@ -326,7 +348,7 @@ fn turn(start: &Nine, end: &Nine, centre: [f64; 3], normal: [f64; 3], angle: f64
         normal[0] * outward[1] - normal[1] * outward[0],
     ];
     Turn {
-        centre: std::array::from_fn(|axis| centre[axis] + normal[axis] * start_height),
+        centre: array::from_fn(|axis| centre[axis] + normal[axis] * start_height),
         outward,
         onward,
         radius: (radius, gain),
