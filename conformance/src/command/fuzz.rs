@@ -18,7 +18,7 @@ use crate::fuzz::groups::{Find, Groups, merged, shrunk};
 use crate::fuzz::journal::{Header, NotJudged};
 use crate::fuzz::rehearsal::is_long;
 use crate::fuzz::statistics::Statistics;
-use crate::fuzz::{Extent, Plan, Random, Shard, run};
+use crate::fuzz::{ALIKE, Extent, Plan, Random, Shard, run};
 use crate::journal::Journal;
 use crate::suite::{Choice, Edition, Suite};
 
@@ -59,7 +59,7 @@ pub(super) struct Arguments {
     /// The edition of the documents that applies [default: the controller's own]
     #[arg(long, value_name = "EDITION")]
     edition: Option<String>,
-    /// `edition`, `random` (other options of choices in each program), or `from:FILE` (what a controller shows:
+    /// `edition`, `random` (other options of choices every eight programs), or `from:FILE` (what a controller shows:
     /// `gaugeblock fingerprint --format json`)
     #[arg(long, value_name = "HOW", default_value = "edition")]
     options: String,
@@ -393,7 +393,7 @@ fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
         against: named(plan.against),
         options: format!("{}, {}", edition.id, arguments.options),
         recipe: format!(
-            "wrong {}, spliced {} for a {} run, only {:?}",
+            "wrong {}, spliced {} for a {} run, only {:?}, options of {ALIKE}",
             arguments.wrong,
             plan.spliced,
             if is_long(arguments.programs) { "long" } else { "short" },

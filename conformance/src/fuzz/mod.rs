@@ -33,6 +33,8 @@ use statistics::Statistics;
 
 /// How many programs are run and journaled together.
 pub const CHUNK: u64 = 64;
+/// So many programs on end have the same options: to choose others for each would cost 6 % of a program.
+pub const ALIKE: u64 = 8;
 /// How many programs of a chunk that could not be judged are kept.
 const KEPT: usize = 2;
 
@@ -79,10 +81,10 @@ impl<'a> Random<'a> {
 impl Plan<'_> {
     /// The scenario of a number.
     pub fn scenario(&self, number: u64) -> Scenario {
-        self.scenario_under(number, self.options.clone())
+        self.scenario_under(number, self.options_of(number / ALIKE))
     }
 
-    /// The same; `options` are the edition's, and come with the scenario.
+    /// The same; the options are those of its group.
     fn scenario_under(&self, number: u64, options: Options) -> Scenario {
         let mut dice = Dice::of_seed(self.seed, number);
         let mut scenario = match self.splice(number) {
@@ -90,23 +92,26 @@ impl Plan<'_> {
             None => generate::scenario(&mut dice, &self.recipe),
         };
         scenario.options = options;
+        if scenario.bench == Bench::default() {
+            scenario.bench.name.clone_from(&self.bench);
+        }
+        scenario
+    }
+
+    /// The options of a group of programs: the edition's, some of them chosen at random.
+    fn options_of(&self, group: u64) -> Options {
+        let mut options = self.options.clone();
+        let mut dice = Dice::of_seed(!self.seed, group);
         for Random { choice, listed } in &self.random {
             if !dice.chance(25) {
                 continue;
             }
             let option = &dice.pick(&choice.options).name;
-            if *listed {
-                if let Some(chosen) = scenario.options.0.get_mut(&choice.id) {
-                    chosen.clone_from(option);
-                }
-            } else if !choice.is_default(option) {
-                scenario.options.0.insert(choice.id.clone(), option.clone());
+            if *listed || !choice.is_default(option) {
+                options.0.insert(choice.id.clone(), option.clone());
             }
         }
-        if scenario.bench == Bench::default() {
-            scenario.bench.name.clone_from(&self.bench);
-        }
-        scenario
+        options
     }
 
     /// Where a number is that of a splice: which one it is. The first of each hundred are.
@@ -116,29 +121,8 @@ impl Plan<'_> {
         (place < share && !self.seeds.all.is_empty()).then_some(hundred * share + place)
     }
 
-    /// The edition's options again, out of those of a program. To build all of them anew would cost more than the program.
-    fn options_again(&self, mut used: Options) -> Options {
-        let mut own = self.options.0.iter().peekable();
-        used.0.retain(|id, used| {
-            let listed = own.next_if(|(own, _)| *own == id);
-            if let Some((_, option)) = listed
-                && used != option
-            {
-                used.clone_from(option);
-            }
-            listed.is_some()
-        });
-        used
-    }
-
-    /// Runs a chunk of so many programs. Options of programs that are over serve others: the caller keeps them from chunk to chunk.
-    fn chunk(
-        &self,
-        chunk: u64,
-        programs: u64,
-        spare: &mut Vec<Options>,
-        stop: &AtomicBool,
-    ) -> Option<Chunk> {
+    /// Runs a chunk of so many programs.
+    fn chunk(&self, chunk: u64, programs: u64, stop: &AtomicBool) -> Option<Chunk> {
         let mut statistics = Statistics::default();
         let mut groups = Groups::default();
         let mut not_judged = Vec::new();
@@ -151,19 +135,21 @@ impl Plan<'_> {
             if stop.load(Ordering::Relaxed) {
                 return None;
             }
-            let scenarios = numbers.iter().map(|number| {
-                let options = spare.pop().unwrap_or_else(|| self.options.clone());
-                (*number, self.scenario_under(*number, options))
-            });
-            let scenarios: Vec<_> = scenarios.collect();
+            let scenarios: Vec<_> = numbers
+                .chunk_by(|one, next| one / ALIKE == next / ALIKE)
+                .flat_map(|group| {
+                    let options = self.options_of(group[0] / ALIKE);
+                    group
+                        .iter()
+                        .map(move |number| (*number, self.scenario_under(*number, options.clone())))
+                })
+                .collect();
             let expected =
                 scenarios.iter().map(|(_, scenario)| self.expected(scenario, &mut statistics));
             let expected: Vec<_> = expected.collect();
-            let both = scenarios.iter().zip(expected).map(|((_, scenario), expected)| {
-                expected.and_then(|expected| self.found(scenario, expected, &mut statistics))
-            });
-            let both: Vec<_> = both.collect();
-            for ((number, scenario), both) in scenarios.into_iter().zip(both) {
+            for ((number, scenario), expected) in scenarios.into_iter().zip(expected) {
+                let both =
+                    expected.and_then(|expected| self.found(&scenario, expected, &mut statistics));
                 let came = both.map(|both| self.compared(&scenario, both, &mut statistics));
                 match came.unwrap_or_else(|came| came) {
                     Came::Differs(difference) => {
@@ -176,7 +162,7 @@ impl Plan<'_> {
                     | Came::Fragile
                     | Came::Unsupported
                     | Came::Unspecified
-                    | Came::NotJudged(_) => spare.push(self.options_again(scenario.options)),
+                    | Came::NotJudged(_) => {}
                 }
             }
         }
@@ -207,7 +193,6 @@ pub fn run(plan: &Plan<'_>, extent: &Extent<'_>, each: &mut dyn FnMut(Chunk) -> 
         for _ in 0..extent.jobs.get() {
             let (sender, next) = (sender.clone(), &next);
             scope.spawn(move || {
-                let mut spare = Vec::new();
                 loop {
                     let chunk = extent.shard.nth(next.fetch_add(1, Ordering::Relaxed));
                     if chunk.saturating_mul(CHUNK) >= extent.programs {
@@ -216,7 +201,7 @@ pub fn run(plan: &Plan<'_>, extent: &Extent<'_>, each: &mut dyn FnMut(Chunk) -> 
                     if extent.done.contains(&chunk) {
                         continue;
                     }
-                    let done = plan.chunk(chunk, extent.programs, &mut spare, extent.stop);
+                    let done = plan.chunk(chunk, extent.programs, extent.stop);
                     let Some(done) = done else { break };
                     if sender.send(done).is_err() {
                         break;
