@@ -85,10 +85,9 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, Halt>
         };
         let code = m_code(*number).ok_or_else(|| unknown(rule, text))?;
         state.evidence.accepted(rule);
-        codes.push((
-            text,
-            Code { group: code.group.or_else(|| quirks::group_of(*number, state)), ..*code },
-        ));
+        let group = code.group.or_else(|| quirks::group_of(*number, state));
+        let group = group.or_else(|| group_by_choice(*number, &state.readings));
+        codes.push((text, Code { group, ..*code }));
     }
     Ok(codes)
 }
@@ -104,35 +103,29 @@ fn unknown(rule: &'static str, text: Written) -> Halt {
 /// Choice modal-groups.io-members: whether M62 to M68 exclude each other.
 /// Rule modal-groups.override-group. Whether M50 to M53 belong to the group of M48 and M49 is a choice.
 fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result<(), Halt> {
-    let mut met: Vec<(ModalGroup, Written)> = Vec::with_capacity(codes.len());
-    for (text, code) in codes {
-        let Some(group) = code.group.or_else(|| group_by_choice(*text, &state.readings)) else {
-            continue;
-        };
-        if let Some((_, other)) = met.iter().find(|(other, _)| *other == group) {
+    for (place, (text, code)) in codes.iter().enumerate() {
+        let Some(group) = code.group else { continue };
+        let before = codes.iter().take(place);
+        if let Some((other, _)) = before.clone().find(|(_, other)| other.group == Some(group)) {
             conflict(group, (*other, *text), words, state)?;
         }
-        met.push((group, *text));
     }
-    for rule in met.iter().filter_map(|(group, _)| group.rule()) {
+    let in_groups = || codes.iter().filter_map(|(_, code)| code.group);
+    for rule in in_groups().filter_map(ModalGroup::rule) {
         state.evidence.accepted(rule);
     }
-    if met.len() > 1 {
+    if in_groups().count() > 1 {
         state.evidence.accepted("modal-groups.one-of-each");
     }
     Ok(())
 }
 
-/// The group of a code of which it is a choice whether it belongs to one.
-fn group_by_choice(text: Written, readings: &Readings) -> Option<ModalGroup> {
-    let (group, belongs) = match text {
-        Written::M(50..=53) => {
-            (ModalGroup::Overrides, readings.is("modal-groups.override-members", "all"))
-        }
-        Written::M(62..=68) => {
-            (ModalGroup::InputsOutputs, readings.is("modal-groups.io-members", "exclusive"))
-        }
-        Written::G(_) | Written::M(_) => return None,
+/// The group of an M code of which it is a choice whether it belongs to one.
+fn group_by_choice(number: u32, readings: &Readings) -> Option<ModalGroup> {
+    let (group, belongs) = match number {
+        50..=53 => (ModalGroup::Overrides, readings.is("modal-groups.override-members", "all")),
+        62..=68 => (ModalGroup::InputsOutputs, readings.is("modal-groups.io-members", "exclusive")),
+        _ => return None,
     };
     belongs.then_some(group)
 }

@@ -7,18 +7,27 @@ use super::{Modes, Spindle};
 impl Modes {
     /// Everything that is in force, as it is recorded: every field is there.
     pub fn settings(&self) -> Settings {
-        self.recorded(None)
+        self.recorded::<true>(self)
     }
 
     /// What is in force and was not before, as it is recorded; nothing stands in the other fields.
     pub fn settings_since(&self, before: &Self) -> Settings {
-        self.recorded(Some(before))
+        self.recorded::<false>(before)
     }
 
-    fn recorded(&self, before: Option<&Self>) -> Settings {
+    /// What is in force and was not before; all of it where it is asked for.
+    fn recorded<const ALL: bool>(&self, before: &Self) -> Settings {
         macro_rules! of {
             ($mode:ident) => {
-                (before.map(|before| before.$mode) != Some(self.$mode)).then_some(self.$mode)
+                (ALL || Some(before.$mode) != Some(self.$mode)).then_some(self.$mode)
+            };
+        }
+        let spindles = ALL || before.spindles != self.spindles;
+        macro_rules! of_each {
+            ($value:expr) => {
+                spindles
+                    .then(|| self.of_each::<ALL, _>(before, $value))
+                    .filter(|values| ALL || !values.0.is_empty())
             };
         }
         Settings {
@@ -40,35 +49,30 @@ impl Modes {
             blend_tolerance: of!(blend_tolerance),
             naive_cam_tolerance: of!(naive_cam_tolerance),
             lathe: of!(lathe),
-            spindle_speed: self.of_each(before, |spindle| spindle.speed),
-            spindle_mode: self.of_each(before, |spindle| spindle.mode),
-            spindle_limit: self.of_each(before, |spindle| spindle.limit),
-            spindle: self.of_each(before, |spindle| spindle.turn),
+            spindle_speed: of_each!(|spindle: &Spindle| spindle.speed),
+            spindle_mode: of_each!(|spindle: &Spindle| spindle.mode),
+            spindle_limit: of_each!(|spindle: &Spindle| spindle.limit),
+            spindle: of_each!(|spindle: &Spindle| spindle.turn),
             mist: of!(mist),
             flood: of!(flood),
             feed_override: of!(feed_override),
-            speed_override: self.of_each(before, |spindle| spindle.speed_override),
+            speed_override: of_each!(|spindle: &Spindle| spindle.speed_override),
             adaptive_feed: of!(adaptive_feed),
             feed_stop: of!(feed_stop),
         }
     }
 
-    /// One value of each spindle, by its number; of those alone that had another one before.
-    fn of_each<T: PartialEq>(
+    /// One value of each spindle, by its number; of those that had another one before, or of all.
+    fn of_each<const ALL: bool, T: PartialEq>(
         &self,
-        before: Option<&Self>,
+        before: &Self,
         value: impl Fn(&Spindle) -> T,
-    ) -> Option<Indexed<u8, T>> {
-        if before.is_some_and(|before| before.spindles == self.spindles) {
-            return None;
-        }
-        let earlier = |place: usize| before.and_then(|before| before.spindles.get(place));
+    ) -> Indexed<u8, T> {
+        let earlier = |number: u8| before.spindles.get(usize::from(number)).map(&value);
         let values = (0..=u8::MAX).zip(self.spindles.iter()).filter_map(|(number, spindle)| {
             let now = value(spindle);
-            let same = earlier(usize::from(number)).is_some_and(|before| value(before) == now);
-            (!same).then_some((number, now))
+            (ALL || earlier(number).as_ref() != Some(&now)).then_some((number, now))
         });
-        let values: Indexed<u8, T> = values.collect();
-        (before.is_none() || !values.0.is_empty()).then_some(values)
+        values.collect()
     }
 }

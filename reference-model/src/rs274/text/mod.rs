@@ -153,7 +153,8 @@ fn with_line_feeds(text: &str, readings: &Readings) -> String {
 fn lines(text: &str) -> Vec<Range<usize>> {
     let mut lines = Vec::with_capacity(text.len() / 8 + 1);
     let mut begin = 0;
-    for (at, _) in text.match_indices('\n') {
+    let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+    for (at, _) in ends {
         let line = &text[begin..at];
         lines.push(begin..begin + line.strip_suffix('\r').unwrap_or(line).len());
         begin = at + 1;
