@@ -135,3 +135,14 @@ fn what_the_operator_may_not_ask_for_now_is_left_open() {
     }
     assert_eq!(ending(Start::Program, &[(0.5, Action::Mode(ControllerMode::Auto))]), "program_end");
 }
+
+#[test]
+fn a_percent_sign_that_the_operator_enters_is_left_open() {
+    let mut scenario = Scenario::of("m2\n");
+    scenario.operator = vec![OperatorEvent {
+        when: When { block: Block::new(Program::MAIN, 1), execution: 1, offset: 0.1 },
+        action: Action::Mdi("%".to_owned()),
+    }];
+    let ending = ending(&run(&scenario).0);
+    assert!(ending.starts_with("unspecified"), "{ending}");
+}

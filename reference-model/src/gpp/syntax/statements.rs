@@ -158,7 +158,14 @@ impl Reader<'_> {
     /// The condition of `IF_SET`: one variable, which is warned of when it is tested. The old GPP has conditions there, too.
     fn flag(&mut self) -> Result<Condition, Halt> {
         let warnings = self.warnings.len();
-        let tests = self.condition(true)?;
+        let tests = match self.condition(true) {
+            Err(Halt::Unspecified(open)) => {
+                // Whatever it would say, it is a condition.
+                self.old_word("a condition in IF_SET")?;
+                return Err(Halt::Unspecified(open));
+            }
+            tests => tests?,
+        };
         let all_alone = self.alone == tests.len();
         if let (true, [Test::Is(true, reference)]) = (all_alone, &tests[..]) {
             self.warnings.truncate(warnings);

@@ -98,7 +98,11 @@ impl Run<'_> {
         let entered = earlier.filter(|event| matches!(event.action, Action::Mdi(_))).count();
         let line = u32::try_from(entered).unwrap_or(u32::MAX).saturating_add(1);
         let back = self.control.place;
-        let end = self.by_hand(Place { line, ..self.entries })?;
+        let place = Place { line, ..self.entries };
+        if self.control.files.line(place, &mut self.state) == Some(Line::End) {
+            return Err(percent_by_hand());
+        }
+        let end = self.by_hand(place)?;
         self.control.place = back;
         Ok(end)
     }
@@ -139,7 +143,7 @@ impl Run<'_> {
             let done = match line {
                 Line::Nothing => Ok(None),
                 Line::Block(_) => self.by_hand(place).map(|end| Some(end.unwrap_or(End::Paused))),
-                Line::End => Err(Halt::Unspecified("a percent sign, entered by hand".to_owned())),
+                Line::End => Err(percent_by_hand()),
             };
             match done {
                 Ok(None) => {}
@@ -152,4 +156,9 @@ impl Run<'_> {
         }
         end
     }
+}
+
+/// What a percent sign does that is entered by hand, where a file ends with it, is left open.
+fn percent_by_hand() -> Halt {
+    Halt::Unspecified("a percent sign, entered by hand".to_owned())
 }
