@@ -99,8 +99,8 @@ impl Packer {
         into.ops.pop();
         match parameter_number(number) {
             Ok(number) => Ok(Place::Numbered(number)),
-            Err(_) if self.in_label => {
-                // The o-word is there all the same, also where nothing is executed.
+            Err(_) if self.in_label || !self.imitates => {
+                // Whether its value is ever asked for is not known yet; and an o-word is there all the same.
                 into.ops.push(Op::Number(number));
                 Ok(Place::Indirect)
             }
