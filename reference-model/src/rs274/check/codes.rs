@@ -105,8 +105,8 @@ fn unknown(rule: &'static str, text: Written) -> Halt {
 fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result<(), Halt> {
     for (place, (text, code)) in codes.iter().enumerate() {
         let Some(group) = code.group else { continue };
-        let before = codes.iter().take(place);
-        if let Some((other, _)) = before.clone().find(|(_, other)| other.group == Some(group)) {
+        let mut before = codes.iter().take(place);
+        if let Some((other, _)) = before.find(|(_, other)| other.group == Some(group)) {
             conflict(group, (*other, *text), words, state)?;
         }
     }
