@@ -98,11 +98,7 @@ impl Run<'_> {
         let entered = earlier.filter(|event| matches!(event.action, Action::Mdi(_))).count();
         let line = u32::try_from(entered).unwrap_or(u32::MAX).saturating_add(1);
         let back = self.control.place;
-        let place = Place { line, ..self.entries };
-        if self.control.files.line(place, &mut self.state) == Some(Line::End) {
-            return Err(percent_by_hand());
-        }
-        let end = self.by_hand(place)?;
+        let end = self.by_hand(Place { line, ..self.entries })?;
         self.control.place = back;
         Ok(end)
     }
@@ -142,8 +138,9 @@ impl Run<'_> {
         while let Some(line) = self.control.files.line(place, &mut self.state) {
             let done = match line {
                 Line::Nothing => Ok(None),
-                Line::Block(_) => self.by_hand(place).map(|end| Some(end.unwrap_or(End::Paused))),
-                Line::End => Err(percent_by_hand()),
+                Line::Block(_) | Line::End => {
+                    self.by_hand(place).map(|end| Some(end.unwrap_or(End::Paused)))
+                }
             };
             match done {
                 Ok(None) => {}
@@ -156,9 +153,4 @@ impl Run<'_> {
         }
         end
     }
-}
-
-/// What a percent sign does that is entered by hand, where a file ends with it, is left open.
-fn percent_by_hand() -> Halt {
-    Halt::Unspecified("a percent sign, entered by hand".to_owned())
 }

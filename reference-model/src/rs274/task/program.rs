@@ -34,6 +34,9 @@ impl Run<'_> {
                 let why = "a percent line that is reached in a subroutine".to_owned();
                 return Err(Halt::Unspecified(why));
             }
+            Some(Line::End) if self.by_hand => {
+                return Err(Halt::Unspecified("a percent sign, entered by hand".to_owned()));
+            }
             Some(Line::End) => {
                 self.between()?;
                 self.state.evidence.accepted("program-end.percent");
