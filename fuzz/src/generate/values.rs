@@ -1,6 +1,11 @@
 //! Numbers, parameters and expressions whose values are neither too large nor no number.
 
+use std::fmt::{Arguments, Write as _};
+
 use super::writer::Writer;
+
+/// Room for most values.
+const FEW_CHARACTERS: usize = 16;
 
 /// Numbers as people write them.
 const NUMBERS: &[&str] = &[
@@ -73,14 +78,31 @@ const NAMES: &[&str] = &["cut", "depth", "_far", "_total", "i", "a b", "_Speed"]
 const RELATIONS: &[&str] = &["eq", "ne", "gt", "ge", "lt", "le", "and", "or", "xor"];
 
 impl Writer<'_, '_> {
+    /// What is written by itself.
+    fn alone(&mut self, write: impl FnOnce(&mut Self, &mut String)) -> String {
+        let mut text = String::with_capacity(FEW_CHARACTERS);
+        write(self, &mut text);
+        text
+    }
+
     /// A number as it stands in a program.
     pub(crate) fn number(&mut self) -> String {
+        self.alone(Self::write_number)
+    }
+
+    fn one_of(&mut self, words: &[&'static str]) -> &'static str {
+        let word: &&str = self.dice.pick(words);
+        word
+    }
+
+    fn write_number(&mut self, text: &mut String) {
         if self.dice.chance(80) {
-            return (*self.dice.pick(NUMBERS)).to_owned();
+            text.push_str(self.one_of(NUMBERS));
+            return;
         }
         let sign = if self.dice.chance(40) { "-" } else { "" };
         let (whole, part) = (self.dice.below(200), self.dice.below(10_000));
-        format!("{sign}{whole}.{part:04}")
+        put(text, format_args!("{sign}{whole}.{part:04}"));
     }
 
     /// A whole number from `first` to `last`, sometimes calculated.
@@ -111,47 +133,74 @@ impl Writer<'_, '_> {
 
     /// A coordinate.
     pub(crate) fn coordinate(&mut self) -> String {
+        self.alone(Self::write_coordinate)
+    }
+
+    /// The same, behind what is written already.
+    pub(crate) fn write_coordinate(&mut self, text: &mut String) {
         match self.dice.below(10) {
-            0 | 1 => self.value(2),
-            2 => self.parameter(),
-            _ => self.number(),
+            0 | 1 => self.write_value(text, 2),
+            2 => self.write_parameter(text),
+            _ => self.write_number(text),
         }
     }
 
     /// Something that may stand after a letter or an equal sign.
     pub(crate) fn value(&mut self, depth: u32) -> String {
+        self.alone(|w, text| w.write_value(text, depth))
+    }
+
+    fn write_value(&mut self, text: &mut String, depth: u32) {
         match self.dice.below(if depth == 0 { 7 } else { 11 }) {
-            0..=3 => self.number(),
-            4 | 5 => self.parameter(),
-            6 => self.state_parameter(),
-            7 | 8 => ["[", self.expression(depth - 1).as_str(), "]"].concat(),
-            9 => self.function(depth - 1),
+            0..=3 => self.write_number(text),
+            4 | 5 => self.write_parameter(text),
+            6 => self.write_state_parameter(text),
+            7 | 8 => {
+                text.push('[');
+                self.write_expression(text, depth - 1);
+                text.push(']');
+            }
+            9 => self.write_function(text, depth - 1),
             _ => {
                 // Some documents have no sign but that of a number.
-                let sign = if self.dice.chance(30) { "-" } else { "" };
-                format!("{sign}{}", self.function(depth - 1))
+                if self.dice.chance(30) {
+                    text.push('-');
+                }
+                self.write_function(text, depth - 1);
             }
         }
     }
 
     /// What may stand between brackets.
     pub(crate) fn expression(&mut self, depth: u32) -> String {
-        let mut text = self.value(depth);
+        self.alone(|w, text| w.write_expression(text, depth))
+    }
+
+    fn write_expression(&mut self, text: &mut String, depth: u32) {
+        self.write_value(text, depth);
         for _ in 0..self.dice.below(3) {
-            match self.dice.below(12) {
-                0..=2 => text.push_str(&format!(" + {}", self.value(depth))),
-                3..=5 => text.push_str(&format!(" - {}", self.value(depth))),
-                6 => text.push_str(&format!(" * {}", self.dice.pick(&["2", "-1", "0.5", "1.5"]))),
-                7 => text.push_str(&format!(" / {}", self.dice.pick(&["2", "-4", "3", "0.5"]))),
-                8 => text.push_str(&format!(" mod {}", self.dice.pick(&["7", "2.5", "-3", "360"]))),
-                9 => text.push_str(&format!(" ** {}", self.dice.pick(&["2", "1", "0"]))),
+            let operator = self.dice.below(12);
+            match operator {
+                0..=2 => text.push_str(" + "),
+                3..=5 => text.push_str(" - "),
+                6 => text.push_str(" * "),
+                7 => text.push_str(" / "),
+                8 => text.push_str(" mod "),
+                9 => text.push_str(" ** "),
                 _ => {
-                    let relation = *self.dice.pick(RELATIONS);
-                    text.push_str(&format!(" {relation} {}", self.value(depth)));
+                    text.push(' ');
+                    text.push_str(self.one_of(RELATIONS));
+                    text.push(' ');
                 }
             }
+            match operator {
+                6 => text.push_str(self.one_of(&["2", "-1", "0.5", "1.5"])),
+                7 => text.push_str(self.one_of(&["2", "-4", "3", "0.5"])),
+                8 => text.push_str(self.one_of(&["7", "2.5", "-3", "360"])),
+                9 => text.push_str(self.one_of(&["2", "1", "0"])),
+                _ => self.write_value(text, depth),
+            }
         }
-        text
     }
 
     /// A condition of a branch or loop.
@@ -162,59 +211,85 @@ impl Writer<'_, '_> {
             2 => self.expression(1),
             _ => {
                 let relation = *self.dice.pick(RELATIONS);
-                format!("{} {relation} {}", self.value(1), self.value(1))
+                let mut text = self.value(1);
+                put(&mut text, format_args!(" {relation} "));
+                self.write_value(&mut text, 1);
+                text
             }
         }
     }
 
-    fn function(&mut self, depth: u32) -> String {
-        let value = self.value(depth);
-        match self.dice.below(17) {
-            0 => format!("sin[{value}]"),
-            1 => format!("cos[{value}]"),
-            2 => format!("atan[{value}]/[{}]", self.value(depth)),
-            3 => format!("sqrt[abs[{value}]]"),
-            4 => format!("exp[[{value}] mod 5]"),
-            5 => format!("ln[abs[{value}] + 1]"),
-            6 => format!("asin[[{value}] mod 1]"),
-            7 => format!("acos[[{value}] mod 1]"),
-            8 => format!("tan[[{value}] mod 45]"),
-            9 => format!("exists[#<{}>]", self.dice.pick(NAMES)),
-            10 | 11 => format!("fix[{value}]"),
-            12 => format!("fup[{value}]"),
-            13 | 14 => format!("round[{value}]"),
-            _ => format!("abs[{value}]"),
+    fn write_function(&mut self, text: &mut String, depth: u32) {
+        let start = text.len();
+        self.write_value(text, depth);
+        let function = self.dice.below(17);
+        let (before, behind) = match function {
+            0 => ("sin[", "]"),
+            1 => ("cos[", "]"),
+            2 => ("atan[", "]/["),
+            3 => ("sqrt[abs[", "]]"),
+            4 => ("exp[[", "] mod 5]"),
+            5 => ("ln[abs[", "] + 1]"),
+            6 => ("asin[[", "] mod 1]"),
+            7 => ("acos[[", "] mod 1]"),
+            8 => ("tan[[", "] mod 45]"),
+            9 => ("exists[#<", ">]"),
+            10 | 11 => ("fix[", "]"),
+            12 => ("fup[", "]"),
+            13 | 14 => ("round[", "]"),
+            _ => ("abs[", "]"),
+        };
+        if function == 9 {
+            text.truncate(start);
+            text.push_str(self.one_of(NAMES));
+        }
+        text.insert_str(start, before);
+        text.push_str(behind);
+        if function == 2 {
+            self.write_value(text, depth);
+            text.push(']');
         }
     }
 
     /// A parameter that can be read.
     pub(crate) fn parameter(&mut self) -> String {
+        self.alone(Self::write_parameter)
+    }
+
+    fn write_parameter(&mut self, text: &mut String) {
         if !self.state.names.is_empty() && self.dice.chance(35) {
-            return ["#<", self.dice.pick(&self.state.names).as_str(), ">"].concat();
+            let name: &String = self.dice.pick(&self.state.names);
+            return put_name(text, name);
         }
         match self.dice.below(12) {
-            0 => format!("#[{} + 1]", self.dice.pick(&["30", "31", "32"])),
-            1 => ["#<", *self.dice.pick(PREDEFINED), ">"].concat(),
-            _ => ["#", *self.dice.pick(NUMBERED)].concat(),
+            0 => put(text, format_args!("#[{} + 1]", self.dice.pick(&["30", "31", "32"]))),
+            1 => put_name(text, self.one_of(PREDEFINED)),
+            _ => put_number(text, self.one_of(NUMBERED)),
         }
     }
 
     /// A parameter that tells the state.
     pub(crate) fn state_parameter(&mut self) -> String {
+        self.alone(Self::write_state_parameter)
+    }
+
+    fn write_state_parameter(&mut self, text: &mut String) {
         if self.dice.chance(60) {
-            ["#<", *self.dice.pick(PREDEFINED), ">"].concat()
+            put_name(text, self.one_of(PREDEFINED));
         } else {
-            ["#", *self.dice.pick(STATE_NUMBERED)].concat()
+            put_number(text, self.one_of(STATE_NUMBERED));
         }
     }
 
     /// A parameter that a program may set, as it stands before the equal sign.
     pub(crate) fn settable(&mut self) -> String {
+        let mut text = String::with_capacity(FEW_CHARACTERS);
         if self.dice.chance(30) {
-            let name = *self.dice.pick(NAMES);
-            return ["#<", name, ">"].concat();
+            put_name(&mut text, self.one_of(NAMES));
+        } else {
+            put_number(&mut text, self.one_of(NUMBERED));
         }
-        ["#", *self.dice.pick(NUMBERED)].concat()
+        text
     }
 
     /// Remembers that a parameter was set.
@@ -225,4 +300,22 @@ impl Writer<'_, '_> {
             self.state.names.push(name.to_owned());
         }
     }
+}
+
+/// A named parameter.
+fn put_name(text: &mut String, name: &str) {
+    text.push_str("#<");
+    text.push_str(name);
+    text.push('>');
+}
+
+/// A numbered parameter.
+fn put_number(text: &mut String, number: &str) {
+    text.push('#');
+    text.push_str(number);
+}
+
+fn put(text: &mut String, what: Arguments<'_>) {
+    // A text takes whatever it is given.
+    let _ = text.write_fmt(what);
 }

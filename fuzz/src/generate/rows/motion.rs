@@ -119,7 +119,7 @@ impl Writer<'_, '_> {
                 used.push(axis);
                 text.push(' ');
                 text.push_str(axis);
-                text.push_str(&self.coordinate());
+                self.write_coordinate(&mut text);
             }
         }
         text
