@@ -17,9 +17,10 @@ use crate::error::Error;
 use crate::limits::Limits;
 use crate::modal::Modal;
 use crate::parameters::{ItemName, NameId, Named, Numbered};
+use crate::readings::Readings;
 use crate::source::Source;
 use crate::syntax::packed::{Block, Kind};
-use crate::syntax::{Choices, Packer, Segment};
+use crate::syntax::{Packer, Segment};
 use crate::words::Words;
 
 /// An interpreter of LinuxCNC's dialect of RS-274, with the options of a chosen edition.
@@ -52,7 +53,7 @@ use crate::words::Words;
 #[derive(Clone, Debug)]
 pub struct Interpreter {
     pub(crate) machine: Machine,
-    pub(crate) options: Options,
+    pub(crate) readings: Readings,
     pub(crate) limits: Limits,
     /// Names, and how lines become blocks.
     pub(crate) packer: Packer,
@@ -100,9 +101,9 @@ pub struct Interpreter {
     ended: Option<Result<End, Error>>,
 }
 
-/// Room for an interpreter's parameters. To make it costs more than to run a program of a few blocks.
+/// Room for an interpreter's parameters, and how it has read the documents. To make it costs more than to run a program of a few blocks.
 #[derive(Debug, Default)]
-pub struct Room(Option<Numbered>);
+pub struct Room(Option<(Numbered, Readings)>);
 
 /// Where a numbered subprogram begins.
 #[derive(Clone, Copy, Debug)]
@@ -147,16 +148,20 @@ impl Interpreter {
         limits: Limits,
         room: Room,
     ) -> Result<Self, Error> {
-        let choices = Choices::of(&options)?;
-        let mut numbered = room.0.unwrap_or_else(Numbered::new);
+        let (numbered, readings) = room.0.unzip();
+        let readings = match readings.filter(|readings| *readings.options() == options) {
+            Some(readings) => readings,
+            None => Readings::of(options)?,
+        };
+        let mut numbered = numbered.unwrap_or_else(Numbered::new);
         // DEBUG speaks unless the program turns it off (11.4.3.1).
         numbered.set(5599, 1.0);
-        let modal = Modal::new(&machine, &options, &mut numbered)?;
+        let modal = Modal::new(&machine, readings.modes.clone(), &mut numbered)?;
         numbered.take_changes(|_, _| ());
         Ok(Self {
-            packer: Packer::new(&machine, choices, &limits),
+            packer: Packer::new(&machine, readings.text.clone(), &limits),
             machine,
-            options,
+            readings,
             limits,
             reader: Reader::new(),
             segments: vec![Segment::default(); 3],
@@ -196,7 +201,7 @@ impl Interpreter {
     pub fn into_room(self) -> Room {
         let mut numbered = self.parameters.numbered;
         numbered.clear();
-        Room(Some(numbered))
+        Room(Some((numbered, self.readings)))
     }
 
     /// Whether blocks that begin with a slash are skipped; they are not unless this is called before the program begins.
@@ -455,7 +460,7 @@ impl Interpreter {
 
     /// The readings of the documents that apply.
     pub fn options(&self) -> &Options {
-        &self.options
+        self.readings.options()
     }
 }
 

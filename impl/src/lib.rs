@@ -88,6 +88,7 @@ pub mod path;
 pub mod plan;
 mod probing;
 mod quirks;
+mod readings;
 mod source;
 mod syntax;
 pub mod task;

@@ -52,14 +52,15 @@ use alloc::vec::Vec;
 
 use gaugeblock_trace::scenario::ToolChange;
 use gaugeblock_trace::{
-    Axis, ControllerMode, LengthUnit, Machine, Motion, Options, Retract, Rs274State, Settings, Tool,
+    Axis, ControllerMode, LengthUnit, Machine, Motion, Retract, Rs274State, Settings, Tool,
 };
 
 use crate::error::Error;
 use crate::parameters::Numbered;
 
 use ahead::Stands;
-use choices::{Choices, InitialMotion};
+pub(crate) use choices::Choices;
+use choices::InitialMotion;
 pub(crate) use coordinates::{Conversion, Coordinates};
 use cycles::{Series, Unfinished};
 pub(crate) use modes::Modes;
@@ -142,10 +143,9 @@ impl Modal {
     /// An unknown option, or a number of spindles other than 1 to 8.
     pub(crate) fn new(
         machine: &Machine,
-        options: &Options,
+        choices: Choices,
         numbered: &mut Numbered,
     ) -> Result<Self, Error> {
-        let choices = Choices::read(options)?;
         let spindles = usize::from(machine.spindles);
         if !(1..=SPINDLES).contains(&spindles) {
             return Err(Error::Configuration("a machine has 1 to 8 spindles"));

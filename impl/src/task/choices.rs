@@ -6,7 +6,7 @@ use crate::error::Error;
 
 /// Readings of the documents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Choices {
+pub(crate) struct Choices {
     /// `abort.read-ahead`: modes and parameters are those that the interpreter has made by reading ahead.
     pub(super) read_on: bool,
     /// `abort.spindle-and-coolant`: spindles go on, and those that are held at an angle stay so.
@@ -27,7 +27,7 @@ pub(super) struct Choices {
 
 impl Choices {
     /// Reads the options; a choice that is not listed has its first.
-    pub(super) fn read(options: &Options) -> Result<Self, Error> {
+    pub(crate) fn read(options: &Options) -> Result<Self, Error> {
         let second = |id: &str, first: &str, second: &str| match options.get(id) {
             None => Ok(false),
             Some(option) if option == first => Ok(false),

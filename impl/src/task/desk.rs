@@ -109,7 +109,7 @@ impl<M: Machine> Desk<M> {
             pause: None,
             broken: None,
             followed: Followed::new(&interpreter.settings()),
-            choices: Choices::read(interpreter.options())?,
+            choices: interpreter.readings.task,
             items: Vec::new(),
             items_are_new: false,
             digital: Outputs::new(of.digital_io),

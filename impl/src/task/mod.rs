@@ -45,6 +45,7 @@ use crate::source::Source;
 use by_hand::OneLine;
 use desk::{Desk, Doing};
 
+pub(crate) use choices::Choices;
 pub use desk::Stuck;
 pub use machine::{Happening, Input, Machine, Work, WorkState};
 

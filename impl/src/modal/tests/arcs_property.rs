@@ -15,7 +15,7 @@ use super::{Recorder, words};
 
 fn standing(place: [f64; 3], plane: Plane, units: &str) -> Modal {
     let mut numbered = Numbered::new();
-    let mut modal = Modal::new(&Machine::default(), &Options::default(), &mut numbered).unwrap();
+    let mut modal = super::modal(&Machine::default(), &Options::default(), &mut numbered).unwrap();
     let mut sink = Recorder { settings: modal.settings(), ..Recorder::default() };
     let head = words(1, &alloc::format!("{units} f100"));
     assert!(modal.execute(&head, &mut numbered, &mut sink).is_ok());

@@ -151,8 +151,7 @@ fn settings_at(program: &str, setting: &str) -> alloc::string::String {
         }
     }
     let mut numbered = crate::parameters::Numbered::new();
-    let mut modal =
-        super::Modal::new(&machine(), &super::Options::default(), &mut numbered).unwrap();
+    let mut modal = super::modal(&machine(), &super::Options::default(), &mut numbered).unwrap();
     let mut sink = Watch(setting, modal.settings(), alloc::vec![]);
     for (line, text) in (1..).zip(program.split(';')) {
         modal.execute(&super::words(line, text), &mut numbered, &mut sink).unwrap();
@@ -369,7 +368,7 @@ fn a_refusal_from_outside_undoes_the_cycle() {
     for effects in 1..90 {
         let mut numbered = crate::parameters::Numbered::new();
         let mut modal =
-            super::Modal::new(&machine(), &super::Options::default(), &mut numbered).unwrap();
+            super::modal(&machine(), &super::Options::default(), &mut numbered).unwrap();
         let mut sink = Refuses(effects);
         let mut execute = |modal: &mut super::Modal, text| {
             let mut flow = modal.execute(&super::words(1, text), &mut numbered, &mut sink);

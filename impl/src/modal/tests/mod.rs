@@ -112,6 +112,15 @@ pub(super) fn words(line: u32, text: &str) -> Words {
     words
 }
 
+/// The modes before a program.
+pub(super) fn modal(
+    machine: &Machine,
+    options: &Options,
+    numbered: &mut Numbered,
+) -> Result<Modal, crate::Error> {
+    Modal::new(machine, super::Choices::read(options)?, numbered)
+}
+
 /// A run of a program.
 pub(super) struct Run {
     pub(super) modal: Modal,
@@ -125,7 +134,7 @@ pub(super) struct Run {
 pub(super) fn run(machine: &Machine, options: &[(&str, &str)], program: &str) -> Run {
     let options = options.iter().map(|(id, option)| (id.to_string(), option.to_string()));
     let mut numbered = Numbered::new();
-    let modal = Modal::new(machine, &Options(options.collect()), &mut numbered).unwrap();
+    let modal = modal(machine, &Options(options.collect()), &mut numbered).unwrap();
     let sink = Recorder { settings: modal.settings(), ..Recorder::default() };
     let mut run = Run { modal, numbered, sink, last: (0, Ok(Flow::More)) };
     for (line, text) in (1..).zip(program.trim().split(';').map(str::trim)) {
@@ -219,7 +228,7 @@ pub(super) fn check(program: &str, expect: Expect) {
 #[test]
 fn a_sink_can_stop_after_a_block() {
     let mut numbered = Numbered::new();
-    let mut modal = Modal::new(&machine(), &Options::default(), &mut numbered).unwrap();
+    let mut modal = modal(&machine(), &Options::default(), &mut numbered).unwrap();
     let mut sink = Recorder { stop: true, ..Recorder::default() };
     let flow = modal.execute(&words(1, "m7 m0"), &mut numbered, &mut sink);
     assert_eq!(flow, Ok(Flow::Stopped));
@@ -230,7 +239,7 @@ fn a_sink_can_stop_after_a_block() {
 fn a_configuration_that_is_none_is_refused() {
     let refused = |machine: &Machine, id: &str, option: &str| {
         let options = Options([(id.into(), option.into())].into());
-        assert!(Modal::new(machine, &options, &mut Numbered::new()).is_err(), "{id} {option}");
+        assert!(modal(machine, &options, &mut Numbered::new()).is_err(), "{id} {option}");
     };
     refused(&machine(), "saved-state.places", "three");
     refused(&machine(), "modal-groups.initial-motion", "arc");

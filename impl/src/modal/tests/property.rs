@@ -8,7 +8,7 @@ use crate::parameters::Numbered;
 use crate::words::Words;
 
 use super::super::{Flow, Modal, Refusal};
-use super::{Recorder, machine};
+use super::{Recorder, machine, modal};
 
 /// Codes that are, more often than codes that are not.
 const G: &[u16] = &[
@@ -76,7 +76,7 @@ proptest! {
     fn no_words_panic(blocks in prop::collection::vec((block(), 0_u8..6), 0..20), options in options(), random: bool) {
         let machine = Machine { random_tool_changer: random, ..machine() };
         let mut numbered = Numbered::new();
-        let mut modal = Modal::new(&machine, &options, &mut numbered).unwrap();
+        let mut modal = modal(&machine, &options, &mut numbered).unwrap();
         let mut sink = Recorder { settings: modal.settings(), ..Recorder::default() };
         for (words, call) in blocks {
             match call {
@@ -146,7 +146,7 @@ proptest! {
     ) {
         let machine = Machine { random_tool_changer: random, ..machine() };
         let mut numbered = Numbered::new();
-        let mut modal = Modal::new(&machine, &options, &mut numbered).unwrap();
+        let mut modal = modal(&machine, &options, &mut numbered).unwrap();
         let mut sink = Refusing(0, every);
         if level {
             modal.enter_call();

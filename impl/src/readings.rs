@@ -1,0 +1,33 @@
+//! How the documents are read: what each part of the interpreter takes from the options, taken from them once.
+
+use gaugeblock_trace::Options;
+
+use crate::error::Error;
+use crate::{modal, syntax, task};
+
+/// The readings of the documents under some options.
+#[derive(Clone, Debug)]
+pub(crate) struct Readings {
+    options: Options,
+    pub(crate) text: syntax::Choices,
+    pub(crate) modes: modal::Choices,
+    pub(crate) task: task::Choices,
+}
+
+impl Readings {
+    /// Reads the options.
+    ///
+    /// # Errors
+    /// A choice has an option that its page does not name.
+    pub(crate) fn of(options: Options) -> Result<Self, Error> {
+        let text = syntax::Choices::of(&options)?;
+        let modes = modal::Choices::read(&options)?;
+        let task = task::Choices::read(&options)?;
+        Ok(Self { options, text, modes, task })
+    }
+
+    /// What they were read from.
+    pub(crate) fn options(&self) -> &Options {
+        &self.options
+    }
+}
