@@ -46,6 +46,18 @@ fn the_model_reads_exactly_the_choices_of_the_pages() {
     assert_eq!(quirks, known);
 }
 
+/// Those of trajectories are laws, which the model holds samples to; no run of it reaches them.
+#[test]
+fn the_model_knows_exactly_the_rules_of_the_pages() {
+    let suite = suite();
+    let rules = suite.rules.iter().map(|rule| rule.id.as_str());
+    let of_runs = rules.filter(|id| !id.starts_with("trajectory."));
+    assert_eq!(
+        of_runs.collect::<Vec<_>>(),
+        gaugeblock_reference::RULES.lines().collect::<Vec<_>>()
+    );
+}
+
 #[test]
 fn the_model_shows_each_option_that_it_is_given() {
     let suite = suite();

@@ -3,10 +3,11 @@
 use gaugeblock_fuzz::generate::pairs::pair;
 use gaugeblock_fuzz::generate::{Dice, Recipe, from_seed};
 use gaugeblock_fuzz::oracle;
-use gaugeblock_trace::{Effect, End, Event, Outcome, Scenario};
+use gaugeblock_reference::{Kept, run, run_with};
+use gaugeblock_trace::{Effect, End, Event, Options, Outcome, Scenario};
 
 fn reference(scenario: &Scenario) -> Option<Outcome> {
-    Some(gaugeblock_reference::run(scenario).0)
+    Some(run(scenario).0)
 }
 
 #[test]
@@ -69,4 +70,22 @@ fn a_cut_line_end_is_no_line_after_m99() {
         let mut dice = Dice::of_seed(6, number);
         oracle::arrives(&scenario, &mut dice).unwrap_or_else(|broken| panic!("{number}: {broken}"));
     }
+}
+
+/// What a run of the model keeps for the next one shows in nothing that it says, whatever was run before.
+#[test]
+fn what_the_model_keeps_does_not_show() {
+    let mut kept = Kept::default();
+    let other: Options =
+        Options([("units-planes.initial-unit".to_owned(), "machine".to_owned())].into());
+    for number in 0..400 {
+        let mut scenario = from_seed(11, number, &Recipe::default());
+        if number % 3 == 0 {
+            scenario.options = other.clone();
+        }
+        assert_eq!(run_with(&mut kept, &scenario), run(&scenario), "program {number}");
+    }
+    let none = Options([("no.such-choice".to_owned(), "each".to_owned())].into());
+    let refused = Scenario { options: none, ..Scenario::of("m2\n") };
+    assert_eq!(run_with(&mut kept, &refused), run(&refused));
 }

@@ -36,11 +36,6 @@ impl<T> ByName<T> {
         self.value_at(name, mixed(name))
     }
 
-    /// All names with their values, in the order in which they came.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = (&'static str, &T)> {
-        self.entries.iter().map(|(name, value)| (*name, value))
-    }
-
     fn value_at(&mut self, name: &'static str, mixed: usize) -> &mut T
     where
         T: Default,
@@ -149,6 +144,5 @@ mod tests {
             assert_eq!(*table.value(name), place, "{name}");
         }
         assert_eq!(table.get("absent"), None);
-        assert!(table.iter().map(|(name, _)| name).eq(names.iter().copied()));
     }
 }

@@ -1,6 +1,6 @@
 //! Evidence: which rules a run reached, and with which outcome. It is never part of what is compared.
 
-use crate::by_name::ByName;
+use crate::witness;
 
 /// What a rule said about a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -14,53 +14,35 @@ pub enum RuleOutcome {
 /// The rules that a run reached.
 #[derive(Clone, Debug, Default)]
 pub struct Evidence {
-    rules: ByName<Reached>,
-    /// Whether nothing is put down: what is only looked at reaches no rule.
-    deaf: bool,
+    /// Each of them once, in the order in which they were reached first.
+    reached: Vec<Reached>,
 }
 
-/// The outcomes with which a rule was reached.
-#[derive(Clone, Copy, Debug, Default)]
-struct Reached {
-    accepted: bool,
-    refused: bool,
+/// A rule that was reached, and with which outcomes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Reached {
+    /// Its place in the list of all rules.
+    pub(crate) rule: u16,
+    pub(crate) accepted: bool,
+    pub(crate) refused: bool,
 }
 
 impl Evidence {
-    /// Evidence of what is only looked at: nothing that is reached counts.
-    pub fn deaf() -> Self {
-        Self { deaf: true, ..Self::default() }
-    }
-
-    /// The rule decided what an accepted block does.
-    #[inline]
-    pub fn accepted(&mut self, rule: &'static str) {
-        if !self.deaf {
-            self.rules.value(rule).accepted = true;
-        }
-    }
-
-    /// The rule refused a block.
-    #[inline]
-    pub fn refused(&mut self, rule: &'static str) {
-        if !self.deaf {
-            self.rules.value(rule).refused = true;
-        }
+    pub(crate) fn new(reached: Vec<Reached>) -> Self {
+        Self { reached }
     }
 
     /// All that was reached, ordered by rule.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, RuleOutcome)> {
-        let mut all: Vec<_> = self.reached().collect();
-        all.sort_unstable();
-        all.into_iter()
-    }
-
-    fn reached(&self) -> impl Iterator<Item = (&'static str, RuleOutcome)> {
-        self.rules.iter().flat_map(|(rule, reached)| {
+        let outcomes = self.reached.iter().flat_map(|reached| {
+            let rule = witness::id(reached.rule);
             let accepted = reached.accepted.then_some((rule, RuleOutcome::Accepted));
             let refused = reached.refused.then_some((rule, RuleOutcome::Refused));
             [accepted, refused].into_iter().flatten()
-        })
+        });
+        let mut all: Vec<_> = outcomes.collect();
+        all.sort_unstable();
+        all.into_iter()
     }
 }
 
@@ -73,11 +55,14 @@ impl PartialEq for Evidence {
 impl Eq for Evidence {}
 
 /// In how many runs each outcome of a rule was reached.
-#[derive(Clone, Debug, Default)]
-pub struct Tally(ByName<Runs>);
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// By the place of the rule in the list of all rules; empty before anything was counted.
+    runs: Vec<Runs>,
+}
 
 /// How many runs reached each outcome of a rule.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Runs {
     accepted: u64,
     refused: u64,
@@ -86,8 +71,11 @@ struct Runs {
 impl Tally {
     /// Counts what a run reached.
     pub fn add(&mut self, evidence: &Evidence) {
-        for (rule, reached) in evidence.rules.iter() {
-            let runs = self.0.value(rule);
+        if self.runs.is_empty() {
+            self.runs.resize(witness::count(), Runs::default());
+        }
+        for reached in &evidence.reached {
+            let runs = &mut self.runs[usize::from(reached.rule)];
             runs.accepted += u64::from(reached.accepted);
             runs.refused += u64::from(reached.refused);
         }
@@ -95,8 +83,11 @@ impl Tally {
 
     /// Counts what other runs reached.
     pub fn merge(&mut self, other: &Self) {
-        for (rule, runs) in other.0.iter() {
-            let all = self.0.value(rule);
+        if self.runs.is_empty() {
+            self.runs.clone_from(&other.runs);
+            return;
+        }
+        for (all, runs) in self.runs.iter_mut().zip(&other.runs) {
             all.accepted += runs.accepted;
             all.refused += runs.refused;
         }
@@ -104,7 +95,8 @@ impl Tally {
 
     /// How many runs reached an outcome.
     pub fn runs_with(&self, rule: &str, outcome: RuleOutcome) -> u64 {
-        let runs = self.0.get(rule).copied().unwrap_or_default();
+        let place = witness::place(rule);
+        let runs = place.and_then(|place| self.runs.get(place)).copied().unwrap_or_default();
         match outcome {
             RuleOutcome::Accepted => runs.accepted,
             RuleOutcome::Refused => runs.refused,
@@ -113,25 +105,10 @@ impl Tally {
 
     /// Every outcome that was reached, and in how many runs; in no order that means anything.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, RuleOutcome, u64)> {
-        let outcomes = self.0.iter().flat_map(|(rule, runs)| {
-            [
-                (rule, RuleOutcome::Accepted, runs.accepted),
-                (rule, RuleOutcome::Refused, runs.refused),
-            ]
+        let outcomes = (0..).zip(&self.runs).flat_map(|(rule, runs)| {
+            let id = witness::id(rule);
+            [(id, RuleOutcome::Accepted, runs.accepted), (id, RuleOutcome::Refused, runs.refused)]
         });
         outcomes.filter(|(_, _, runs)| *runs > 0)
     }
 }
-
-impl PartialEq for Tally {
-    fn eq(&self, other: &Self) -> bool {
-        let sorted = |tally: &Self| {
-            let mut all: Vec<_> = tally.iter().collect();
-            all.sort_unstable();
-            all
-        };
-        sorted(self) == sorted(other)
-    }
-}
-
-impl Eq for Tally {}

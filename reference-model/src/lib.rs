@@ -16,9 +16,12 @@ mod math;
 pub mod motion;
 pub mod nct;
 pub mod rs274;
+mod witness;
 
 pub use evidence::{Evidence, RuleOutcome, Tally};
+pub use witness::{RULES, Witness};
 
+pub use rs274::Kept;
 pub use rs274::modes::Rounding;
 
 use gaugeblock_trace::{Language, Outcome, Scenario};
@@ -30,10 +33,19 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     run_rounded(scenario, Rounding::AsComputed)
 }
 
+/// The same, faster where many runs follow one another: each keeps what the next one need not make anew. Nothing of it shows in what a
+/// run says.
+pub fn run_with(kept: &mut Kept, scenario: &Scenario) -> (Outcome, Evidence) {
+    match scenario.program.language {
+        Language::Rs274 => rs274::run(kept, scenario, Rounding::AsComputed),
+        Language::Gpp | Language::Nct => run(scenario),
+    }
+}
+
 /// The same, with positions rounded in another way. Where that changes the answer, the documents have none.
 pub fn run_rounded(scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
     match scenario.program.language {
-        Language::Rs274 => rs274::run(scenario, rounding),
+        Language::Rs274 => rs274::run(&mut Kept::default(), scenario, rounding),
         Language::Gpp => gpp::run(scenario),
         Language::Nct => nct::run(scenario),
     }

@@ -1,7 +1,9 @@
 //! One scenario on both controllers.
 
+use std::cell::Cell;
+
 use gaugeblock_fuzz::generate::nudged;
-use gaugeblock_reference::{Evidence, Rounding};
+use gaugeblock_reference::{Evidence, Kept, Rounding};
 use gaugeblock_trace::{End, Language, Outcome, Scenario, Unsaid};
 
 use super::signature::Signature;
@@ -35,6 +37,11 @@ pub enum Came {
     Unspecified,
     /// Nothing can be said, and why: not run, not understood.
     NotJudged(String),
+}
+
+thread_local! {
+    /// What the model's run before has left for the next one.
+    static KEPT: Cell<Kept> = Cell::default();
 }
 
 /// What a side showed, and of the model its evidence too.
@@ -221,7 +228,9 @@ fn outcome(
     expected: Option<&Outcome>,
 ) -> (Result<Outcome, HarnessError>, Option<Evidence>) {
     if name(side) == "reference" {
-        let (outcome, evidence) = gaugeblock_reference::run(scenario);
+        let mut kept = KEPT.take();
+        let (outcome, evidence) = gaugeblock_reference::run_with(&mut kept, scenario);
+        KEPT.set(kept);
         return (Ok(outcome), Some(evidence));
     }
     let outcome = match expected {

@@ -10,13 +10,13 @@ use super::refusal::{Halt, Refusal};
 use super::syntax::{self, Action, Condition, Program, Statement};
 use super::toolpath::{self, Processed};
 use super::variables::Variables;
-use crate::Evidence;
+use crate::{Evidence, Witness};
 
 /// A program that runs.
 pub(super) struct Run<'a> {
     pub(super) program: &'a Program,
     pub(super) readings: Readings,
-    pub(super) evidence: &'a mut Evidence,
+    pub(super) evidence: &'a mut Witness,
     pub(super) variables: Variables,
     pub(super) record: Record,
     /// The newline procedure runs before the next thing that is printed.
@@ -27,7 +27,7 @@ pub(super) struct Run<'a> {
 
 /// What the documents say about a scenario in this language, and the rules that were reached.
 pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
-    let mut evidence = Evidence::default();
+    let mut evidence = Witness::default();
     let readings = Readings::new(&scenario.options);
     let toolpath = scenario.program.files.get(TOOLPATH).map_or("", String::as_str);
     let (steps, end) = match compiled(scenario, toolpath, readings, &mut evidence) {
@@ -47,14 +47,14 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
         }
         Err((at, halt)) => (Vec::new(), ended(halt, at, &mut evidence)),
     };
-    (outcome(steps, end), evidence)
+    (outcome(steps, end), evidence.take())
 }
 
 fn compiled(
     scenario: &Scenario,
     toolpath: &str,
     readings: Readings,
-    evidence: &mut Evidence,
+    evidence: &mut Witness,
 ) -> Result<(Program, Vec<Processed>), (Block, Halt)> {
     let of = |file: &'static str| move |(line, halt)| (Block::new(file, line), halt);
     let toolpath = toolpath::read(toolpath, &readings).map_err(of(TOOLPATH))?;
@@ -63,7 +63,7 @@ fn compiled(
     Ok((program.map_err(of(Files::MAIN))?, toolpath.blocks))
 }
 
-fn ended(halt: Halt, at: Block, evidence: &mut Evidence) -> End {
+fn ended(halt: Halt, at: Block, evidence: &mut Witness) -> End {
     match halt {
         Halt::Refused(Refusal { rule, kind, message }) => {
             if let Some(rule) = rule {

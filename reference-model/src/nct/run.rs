@@ -16,13 +16,13 @@ use super::refusal::{Halt, Refusal, open, refuse, refuse_form};
 use super::syntax::{Content, Expression, Word};
 use super::variables::Variables;
 use super::words::{self, Words, word};
-use crate::Evidence;
+use crate::{Evidence, Witness};
 
 /// A program that runs.
 pub(super) struct Run<'a> {
     pub(super) programs: &'a Programs,
     pub(super) readings: Readings,
-    pub(super) evidence: &'a mut Evidence,
+    pub(super) evidence: &'a mut Witness,
     pub(super) variables: Variables,
     /// The modal calls in force, the one that was commanded last at the end.
     pub(super) modal_calls: Vec<ModalCall>,
@@ -48,7 +48,7 @@ pub(super) enum Flow {
 
 /// What the documents say about a scenario in this language, and the rules that were reached.
 pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
-    let mut evidence = Evidence::default();
+    let mut evidence = Witness::default();
     let readings = Readings::new(&scenario.options);
     let block_delete = scenario.program.block_delete;
     let programs = Programs::read(&scenario.program.main, block_delete, &readings);
@@ -88,7 +88,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
         pins: Vec::new(),
         samples: Vec::new(),
     };
-    (outcome, evidence)
+    (outcome, evidence.take())
 }
 
 impl Run<'_> {

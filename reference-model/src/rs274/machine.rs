@@ -13,7 +13,7 @@ use super::step::cycles::Series;
 use super::step::splines::Curve;
 use super::syntax::Room;
 use super::task::Shown;
-use crate::Evidence;
+use crate::Witness;
 
 /// The whole state of a controller.
 #[derive(Clone, Debug)]
@@ -68,7 +68,7 @@ pub struct State {
     /// Room for what the parser makes of a line; nothing of it counts from one line to the next.
     pub room: Room,
     /// The rules reached so far.
-    pub evidence: Evidence,
+    pub evidence: Witness,
 }
 
 /// Switches and overrides that the operator sets, in every mode of the controller.
@@ -198,7 +198,7 @@ impl State {
             outside: Outside::new(&gaugeblock_trace::scenario::Bench::default(), 1, &readings),
             shown: None,
             room: Room::default(),
-            evidence: Evidence::default(),
+            evidence: Witness::default(),
             readings: readings.into(),
         }
     }

@@ -37,7 +37,9 @@ use gaugeblock_trace::{Outcome, Scenario};
 
 use crate::Evidence;
 
+pub use task::Kept;
+
 /// Runs a scenario as the documents say.
-pub fn run(scenario: &Scenario, rounding: modes::Rounding) -> (Outcome, Evidence) {
-    task::run(scenario, rounding)
+pub fn run(kept: &mut Kept, scenario: &Scenario, rounding: modes::Rounding) -> (Outcome, Evidence) {
+    task::run(kept, scenario, rounding)
 }

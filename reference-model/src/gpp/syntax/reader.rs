@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use gaugeblock_trace::FaultKind;
 
 use super::{DEEPEST, Heading, Program, Statement, is_keyword};
-use crate::Evidence;
+use crate::Witness;
 use crate::gpp::readings::Readings;
 use crate::gpp::refusal::{Halt, refuse, refuse_form};
 use crate::gpp::text::{Placed, Token, no_number, tokens};
@@ -19,7 +19,7 @@ pub fn read(
     text: &str,
     variables: Variables,
     readings: Readings,
-    evidence: &mut Evidence,
+    evidence: &mut Witness,
 ) -> Result<Program, (u32, Halt)> {
     let mut reader = Reader {
         tokens: tokens(text),
@@ -65,7 +65,7 @@ pub(super) struct Reader<'a> {
     pub(super) alone: usize,
     pub(super) variables: Variables,
     pub(super) readings: Readings,
-    pub(super) evidence: &'a mut Evidence,
+    pub(super) evidence: &'a mut Witness,
     pub(super) warnings: Vec<(u32, String)>,
 }
 

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use gaugeblock_trace::{Block, Program};
 
 use super::labels::Labels;
-use crate::Evidence;
 use crate::rs274::machine::State;
 use crate::rs274::text::{Line, Source};
 
@@ -77,7 +76,7 @@ impl Files {
             source = source.called_by(&main.source);
         }
         let mut labels = Labels::default();
-        let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
+        let before = state.evidence.set_deaf(true);
         let mut index = source.first;
         loop {
             match source.line(index, self.block_delete, state) {
@@ -87,7 +86,7 @@ impl Files {
             }
             index += 1;
         }
-        state.evidence = before;
+        state.evidence.set_deaf(before);
         labels.finish();
         self.opened.push(File { source: source.into(), labels });
         self.begin(self.opened.len() - 1)

@@ -81,8 +81,12 @@ impl Parameters {
     }
 
     /// The parameters that were given a value since this was asked last.
-    pub fn take_written(&mut self) -> BTreeSet<Name> {
-        std::mem::take(&mut self.written)
+    pub fn take_written(&mut self) -> Vec<Name> {
+        if self.written.is_empty() {
+            // Most blocks set none.
+            return Vec::new();
+        }
+        std::mem::take(&mut self.written).into_iter().collect()
     }
 
     /// All stored numbered parameters that are not zero. The local ones are not among them: they are in the

@@ -16,7 +16,6 @@ pub use block::*;
 use super::machine::State;
 use super::refusal::{Halt, Refusal};
 use super::text::condense;
-use crate::Evidence;
 use parser::Parser;
 pub use parser::Room;
 
@@ -44,10 +43,10 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
 /// # Errors
 /// The line is too long, a comment is not closed, or a line number, label or keyword is none.
 pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, Halt> {
-    let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
+    let before = state.evidence.set_deaf(true);
     let mut room = std::mem::take(&mut state.room);
     let condensed = condense(line, &mut room.glyphs, state);
-    state.evidence = before;
+    state.evidence.set_deaf(before);
     condensed?;
     Parser::new(room, &state.readings).passed_over()
 }
@@ -71,7 +70,7 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
     if !may_begin_with_o_word(line) {
         return None;
     }
-    let before = std::mem::replace(&mut state.evidence, Evidence::deaf());
+    let before = state.evidence.set_deaf(true);
     let mut room = std::mem::take(&mut state.room);
     let mut line = line;
     let mut condensed = condense(line, &mut room.glyphs, state);
@@ -87,7 +86,7 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
         broken = true;
         condensed = condense(&line[..span.start as usize], &mut room.glyphs, state);
     }
-    state.evidence = before;
+    state.evidence.set_deaf(before);
     condensed.ok()?;
     let mut parser = Parser::new(room, &state.readings);
     let word = parser.leading_o_word(with_arguments);

@@ -74,7 +74,7 @@ impl Run<'_> {
         let Some(mut state) = self.at_block.take().map(|state| *state) else {
             return End::Aborted;
         };
-        state.evidence = crate::Evidence::default();
+        state.evidence = crate::Witness::default();
         state.outside.answers_at_once();
         let control = self.control.clone();
         let mut ahead = Run {

@@ -24,8 +24,8 @@ mod wait;
 
 use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{
-    Block, Bound, ControllerMode, End, Fault, FaultKind, Indexed, Language, Outcome, Plane,
-    Program, Scenario, Settings, Shared,
+    Block, Bound, ControllerMode, End, Fault, FaultKind, Indexed, Language, Options, Outcome,
+    Plane, Program, Scenario, Settings, Shared,
 };
 
 pub use pins::Shown;
@@ -43,17 +43,44 @@ use super::readings::Readings;
 use super::refusal::{Halt, Refusal};
 use super::step;
 use super::syntax::Room;
-use crate::Evidence;
+use crate::{Evidence, Witness};
+
+/// What a run leaves for the next one.
+#[derive(Debug, Default)]
+pub struct Kept {
+    /// How the documents are read under some options.
+    readings: Option<(Options, Shared<Readings>)>,
+    /// Who looks on.
+    witness: Witness,
+    /// Room for what the parser makes of a line.
+    room: Room,
+}
+
+impl Kept {
+    /// How the documents are read under some options, which are most often those of the run before.
+    fn readings(&mut self, options: &Options) -> Result<Shared<Readings>, String> {
+        if let Some((known, readings)) = &self.readings
+            && known == options
+        {
+            return Ok(readings.clone());
+        }
+        let readings = Shared::from(Readings::new(options)?);
+        self.readings = Some((options.clone(), readings.clone()));
+        Ok(readings)
+    }
+}
 
 /// Runs a scenario as the documents say; how positions are rounded they leave open.
 ///
 /// Options that the model does not know end the run before its first block.
-pub fn run(scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
-    let readings = match Readings::new(&scenario.options) {
+pub fn run(kept: &mut Kept, scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
+    let readings = match kept.readings(&scenario.options) {
         Ok(readings) => readings,
         Err(what) => return (not_begun(what), Evidence::default()),
     };
-    let mut state = start(scenario, readings.into(), rounding);
+    let witness = std::mem::take(&mut kept.witness);
+    let mut state = start(scenario, readings, rounding, witness);
+    state.room = std::mem::take(&mut kept.room);
     state.evidence.accepted("modal-groups.initial-modes");
     state.evidence.accepted("offsets.start-system");
     let mut record = Record::new(&state);
@@ -66,7 +93,9 @@ pub fn run(scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
     run.leave_calls();
     let parameters = run.parameters();
     let pins = run.state.outside.changes().to_vec();
-    (run.record.finish(end, parameters, pins), run.state.evidence)
+    let evidence = run.state.evidence.take();
+    (kept.witness, kept.room) = (run.state.evidence, run.state.room);
+    (run.record.finish(end, parameters, pins), evidence)
 }
 
 /// Whether a block during which the run ends so has done nothing: one that is refused, or that asks for more effects than there are. A probe that
@@ -86,7 +115,12 @@ fn leaves_nothing(end: &End) -> bool {
 }
 
 /// The state before the first block.
-fn start(scenario: &Scenario, readings: Shared<Readings>, rounding: Rounding) -> State {
+fn start(
+    scenario: &Scenario,
+    readings: Shared<Readings>,
+    rounding: Rounding,
+    evidence: Witness,
+) -> State {
     let machine = scenario.machine.clone();
     let mut modes = Modes { rounding, ..Modes::new(&machine, &readings) };
     if scenario.program.start == Start::Mdi {
@@ -119,7 +153,7 @@ fn start(scenario: &Scenario, readings: Shared<Readings>, rounding: Rounding) ->
         curve: step::splines::Curve::default(),
         shown: None,
         room: Room::default(),
-        evidence: Evidence::default(),
+        evidence,
     }
 }
 
@@ -275,8 +309,8 @@ impl<'a> Run<'a> {
     fn again(&self) -> State {
         let mut scenario = self.scenario.clone();
         scenario.budget.steps = u32::try_from(self.record.steps()).unwrap_or(u32::MAX);
-        let mut state = start(&scenario, self.state.readings.clone(), self.state.modes.rounding);
-        state.evidence = Evidence::deaf();
+        let (readings, rounding) = (self.state.readings.clone(), self.state.modes.rounding);
+        let state = start(&scenario, readings, rounding, Witness::deaf());
         let mut record = Record::new(&state);
         record.allow(&scenario.budget);
         let mut again = Run::new(&scenario, state, record);

@@ -310,8 +310,7 @@ impl Record {
     /// The end of a block after which the state is recorded.
     pub fn step(&mut self, block: Block, state: &mut State) {
         self.settings(state);
-        let written = state.parameters.take_written();
-        let mut names: Vec<Name> = written.into_iter().collect();
+        let mut names = state.parameters.take_written();
         if std::mem::take(&mut self.elsewhere) {
             names.extend(self.local_names(state));
             self.state.call_level = None;

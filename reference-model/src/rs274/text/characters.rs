@@ -48,10 +48,13 @@ pub fn condense(
     let mut at = 0;
     while let Some(byte) = bytes.get(at) {
         let start = place(at);
-        at += 1;
         match byte {
+            b' ' | b'\t' | b'\r' => {
+                blanks = true;
+                at += 1;
+            }
             b';' | b'(' | b')' => {
-                let comment = comment_at(line, at - 1, &state.readings).inspect_err(|_| {
+                let comment = comment_at(line, at, &state.readings).inspect_err(|_| {
                     if !comments.is_empty() {
                         state.evidence.refused("text.comment-format-checked");
                     }
@@ -67,18 +70,22 @@ pub fn condense(
                 state.evidence.accepted("text.comment-verbatim");
                 comments.push(comment);
             }
-            b' ' | b'\t' | b'\r' => blanks = true,
-            b'A'..=b'Z' => {
-                upper_case = true;
-                let character = char::from(byte.to_ascii_lowercase());
-                glyphs.push(Glyph { character, start, end: start + 1 });
-            }
-            0..=127 => glyphs.push(Glyph { character: char::from(*byte), start, end: start + 1 }),
             128.. => {
-                let character =
-                    line[at - 1..].chars().next().unwrap_or(char::REPLACEMENT_CHARACTER);
-                at += character.len_utf8() - 1;
+                let character = line[at..].chars().next().unwrap_or(char::REPLACEMENT_CHARACTER);
+                at += character.len_utf8();
                 glyphs.push(Glyph { character, start, end: place(at) });
+            }
+            _ => {
+                // Up to the next one that is something else.
+                let rest = &bytes[at..];
+                let end = rest.iter().position(|byte| !is_plain(*byte)).unwrap_or(rest.len());
+                upper_case |= rest[..end].iter().any(u8::is_ascii_uppercase);
+                glyphs.extend((start..).zip(&rest[..end]).map(|(start, byte)| Glyph {
+                    character: char::from(byte.to_ascii_lowercase()),
+                    start,
+                    end: start + 1,
+                }));
+                at += end;
             }
         }
     }
@@ -93,6 +100,11 @@ pub fn condense(
         state.evidence.accepted("text.comment-format-checked");
     }
     Ok(comments)
+}
+
+/// Whether a character stands for itself: no blank, no part of a comment, and not longer than a byte.
+fn is_plain(byte: u8) -> bool {
+    byte.is_ascii() && !matches!(byte, b' ' | b'\t' | b'\r' | b';' | b'(' | b')')
 }
 
 /// Rule text.line-length. A line has at most 256 characters; a longer one is refused.

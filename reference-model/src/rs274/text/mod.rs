@@ -130,7 +130,7 @@ impl Source {
 pub(super) const BLANKS: [char; 3] = [' ', '\t', '\r'];
 
 fn is_blank(line: &str) -> bool {
-    line.chars().all(|character| BLANKS.contains(&character))
+    line.bytes().all(|byte| BLANKS.contains(&char::from(byte)))
 }
 
 /// Rule text.percent-line. A percent line holds nothing else than the percent sign and blanks.
