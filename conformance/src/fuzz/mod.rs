@@ -144,10 +144,12 @@ impl Plan<'_> {
                         .map(move |number| (*number, self.scenario_under(*number, options.clone())))
                 })
                 .collect();
-            let expected =
-                scenarios.iter().map(|(_, scenario)| self.expected(scenario, &mut statistics));
+            // Each time the one that was made last comes first: most of it is at hand yet.
+            let last_first = scenarios.iter().rev();
+            let expected = last_first.map(|(_, scenario)| self.expected(scenario, &mut statistics));
             let expected: Vec<_> = expected.collect();
-            for ((number, scenario), expected) in scenarios.into_iter().zip(expected) {
+            let first_last = expected.into_iter().rev();
+            for ((number, scenario), expected) in scenarios.into_iter().zip(first_last) {
                 let both =
                     expected.and_then(|expected| self.found(&scenario, expected, &mut statistics));
                 let came = both.map(|both| self.compared(&scenario, both, &mut statistics));
