@@ -97,6 +97,6 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
 /// Whether an O-word, or a comment that may stand before one, follows what can be a slash and a line number.
 fn may_begin_with_o_word(line: &str) -> bool {
     let before =
-        |character| matches!(character, ' ' | '\t' | '\r' | '/' | 'n' | 'N' | '0'..='9' | '.');
-    line.trim_start_matches(before).starts_with(['o', 'O', '('])
+        |byte: &u8| matches!(byte, b' ' | b'\t' | b'\r' | b'/' | b'n' | b'N' | b'0'..=b'9' | b'.');
+    matches!(line.bytes().find(|byte| !before(byte)), Some(b'o' | b'O' | b'('))
 }

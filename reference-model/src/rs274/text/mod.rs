@@ -47,7 +47,7 @@ impl Source {
     pub fn new(name: &str, text: &str, readings: &Readings) -> Self {
         let text = with_line_feeds(text, readings);
         let lines = lines(&text);
-        let begins = lines.iter().position(|line| !is_blank(&text[line.clone()]));
+        let begins = lines.iter().position(|line| first(&text[line.clone()]).is_some());
         let percent = begins.filter(|index| is_percent(&text[lines[*index].clone()]));
         Self {
             name: name.to_owned(),
@@ -74,11 +74,11 @@ impl Source {
     pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line<'_>> {
         let line = &self.text[self.lines.get(index)?.clone()];
         state.evidence.accepted("text.line-end");
-        if is_blank(line) {
+        let Some(first) = first(line) else {
             state.evidence.accepted("text.blank-lines");
             return Some(Line::Nothing);
-        }
-        if block_delete && line.trim_start_matches(BLANKS).starts_with('/') {
+        };
+        if block_delete && first == b'/' {
             state.evidence.accepted("text.block-delete-on");
             state.evidence.accepted("text.block-delete-place");
             return Some(Line::Nothing);
@@ -129,14 +129,14 @@ impl Source {
 /// What counts as blank within a line. A carriage return is one only where it does not end the line.
 pub(super) const BLANKS: [char; 3] = [' ', '\t', '\r'];
 
-fn is_blank(line: &str) -> bool {
-    line.bytes().all(|byte| BLANKS.contains(&char::from(byte)))
+/// The first byte of a line that is no blank.
+fn first(line: &str) -> Option<u8> {
+    line.bytes().find(|byte| !BLANKS.contains(&char::from(*byte)))
 }
 
 /// Rule text.percent-line. A percent line holds nothing else than the percent sign and blanks.
 fn is_percent(line: &str) -> bool {
-    let line = line.trim_start_matches(BLANKS);
-    line.starts_with('%') && line.trim_end_matches(BLANKS) == "%"
+    first(line) == Some(b'%') && line.trim_matches(BLANKS) == "%"
 }
 
 /// Rule text.line-end. A line ends with a carriage return, a line feed or both.
