@@ -49,45 +49,28 @@ pub fn condense(
     while let Some(byte) = bytes.get(at) {
         let start = place(at);
         match byte {
-            b' ' | b'\t' | b'\r' => {
-                blanks = true;
-                at += 1;
-            }
+            b' ' | b'\t' | b'\r' => blanks = true,
             b';' | b'(' | b')' => {
-                let comment = comment_at(line, at, &state.readings).inspect_err(|_| {
-                    if !comments.is_empty() {
-                        state.evidence.refused("text.comment-format-checked");
-                    }
-                })?;
+                let comment = checked_comment(line, at, !comments.is_empty(), state)?;
                 let (start, end) = (comment.span.start, comment.span.end);
-                at = end as usize;
                 glyphs.push(Glyph { character: Glyph::COMMENT, start, end });
-                state.evidence.accepted(if comment.semicolon {
-                    "text.comment-semicolon"
-                } else {
-                    "text.comment-parentheses"
-                });
-                state.evidence.accepted("text.comment-verbatim");
                 comments.push(comment);
+                at = end as usize;
+                continue;
+            }
+            0..=127 => {
+                upper_case |= byte.is_ascii_uppercase();
+                let character = char::from(byte.to_ascii_lowercase());
+                glyphs.push(Glyph { character, start, end: start + 1 });
             }
             128.. => {
                 let character = line[at..].chars().next().unwrap_or(char::REPLACEMENT_CHARACTER);
                 at += character.len_utf8();
                 glyphs.push(Glyph { character, start, end: place(at) });
-            }
-            _ => {
-                // Up to the next one that is something else.
-                let rest = &bytes[at..];
-                let end = rest.iter().position(|byte| !is_plain(*byte)).unwrap_or(rest.len());
-                upper_case |= rest[..end].iter().any(u8::is_ascii_uppercase);
-                glyphs.extend((start..).zip(&rest[..end]).map(|(start, byte)| Glyph {
-                    character: char::from(byte.to_ascii_lowercase()),
-                    start,
-                    end: start + 1,
-                }));
-                at += end;
+                continue;
             }
         }
+        at += 1;
     }
     if blanks {
         state.evidence.accepted("text.blanks");
@@ -102,9 +85,26 @@ pub fn condense(
     Ok(comments)
 }
 
-/// Whether a character stands for itself: no blank, no part of a comment, and not longer than a byte.
-fn is_plain(byte: u8) -> bool {
-    byte.is_ascii() && !matches!(byte, b' ' | b'\t' | b'\r' | b';' | b'(' | b')')
+/// The comment that begins somewhere in a line; `another` where there is one before it. Most lines have none.
+#[inline(never)]
+fn checked_comment(
+    line: &str,
+    at: usize,
+    another: bool,
+    state: &mut State,
+) -> Result<Comment, Halt> {
+    let comment = comment_at(line, at, &state.readings).inspect_err(|_| {
+        if another {
+            state.evidence.refused("text.comment-format-checked");
+        }
+    })?;
+    state.evidence.accepted(if comment.semicolon {
+        "text.comment-semicolon"
+    } else {
+        "text.comment-parentheses"
+    });
+    state.evidence.accepted("text.comment-verbatim");
+    Ok(comment)
 }
 
 /// Rule text.line-length. A line has at most 256 characters; a longer one is refused.
