@@ -71,7 +71,7 @@ struct Runs {
 impl Tally {
     /// Counts what a run reached.
     pub fn add(&mut self, evidence: &Evidence) {
-        if self.runs.is_empty() {
+        if self.runs.is_empty() && !evidence.reached.is_empty() {
             self.runs.resize(witness::count(), Runs::default());
         }
         for reached in &evidence.reached {

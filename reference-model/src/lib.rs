@@ -30,22 +30,23 @@ use gaugeblock_trace::{Language, Outcome, Scenario};
 ///
 /// Time and memory are linear in the executed blocks, which the scenario's budget bounds.
 pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
-    run_rounded(scenario, Rounding::AsComputed)
+    run_with(&mut Kept::default(), scenario)
 }
 
 /// The same, faster where many runs follow one another: each keeps what the next one need not make anew. Nothing of it shows in what a
 /// run says.
 pub fn run_with(kept: &mut Kept, scenario: &Scenario) -> (Outcome, Evidence) {
-    match scenario.program.language {
-        Language::Rs274 => rs274::run(kept, scenario, Rounding::AsComputed),
-        Language::Gpp | Language::Nct => run(scenario),
-    }
+    run_as(kept, scenario, Rounding::AsComputed)
 }
 
 /// The same, with positions rounded in another way. Where that changes the answer, the documents have none.
 pub fn run_rounded(scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
+    run_as(&mut Kept::default(), scenario, rounding)
+}
+
+fn run_as(kept: &mut Kept, scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
     match scenario.program.language {
-        Language::Rs274 => rs274::run(&mut Kept::default(), scenario, rounding),
+        Language::Rs274 => rs274::run(kept, scenario, rounding),
         Language::Gpp => gpp::run(scenario),
         Language::Nct => nct::run(scenario),
     }

@@ -41,7 +41,7 @@ pub enum Came {
 
 thread_local! {
     /// What the model's run before has left for the next one.
-    static KEPT: Cell<Kept> = Cell::default();
+    static MODEL: Cell<Kept> = Cell::default();
 }
 
 /// What a side showed, and of the model its evidence too.
@@ -228,9 +228,9 @@ fn outcome(
     expected: Option<&Outcome>,
 ) -> (Result<Outcome, HarnessError>, Option<Evidence>) {
     if name(side) == "reference" {
-        let mut kept = KEPT.take();
+        let mut kept = MODEL.take();
         let (outcome, evidence) = gaugeblock_reference::run_with(&mut kept, scenario);
-        KEPT.set(kept);
+        MODEL.set(kept);
         return (Ok(outcome), Some(evidence));
     }
     let outcome = match expected {

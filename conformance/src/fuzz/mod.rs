@@ -144,7 +144,7 @@ impl Plan<'_> {
                         .map(move |number| (*number, self.scenario_under(*number, options.clone())))
                 })
                 .collect();
-            // Each time the one that was made last comes first: most of it is at hand yet.
+            // Each time the one that was made last comes first: most of it is still at hand. What is counted are sums, whatever the order.
             let last_first = scenarios.iter().rev();
             let expected = last_first.map(|(_, scenario)| self.expected(scenario, &mut statistics));
             let expected: Vec<_> = expected.collect();

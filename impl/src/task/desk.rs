@@ -5,7 +5,6 @@ use alloc::vec::Vec;
 
 use gaugeblock_trace::{ControllerMode, Pin, Settings};
 
-use crate::error::Error;
 use crate::interpret::Interpreter;
 
 use super::choices::Choices;
@@ -99,7 +98,7 @@ pub(super) struct Desk<M> {
 }
 
 impl<M: Machine> Desk<M> {
-    pub(super) fn new(interpreter: &Interpreter, machine: M) -> Result<Self, Error> {
+    pub(super) fn new(interpreter: &Interpreter, machine: M) -> Self {
         let of = interpreter.machine();
         let mut desk = Self {
             machine,
@@ -138,7 +137,7 @@ impl<M: Machine> Desk<M> {
                 items::inputs(of.digital_io, of.analog_io).count().saturating_add(desk.pins.len())
             ];
         desk.renew_items();
-        Ok(desk)
+        desk
     }
 
     /// The values that all pins are to have, in the order of [`items::pins`].

@@ -110,7 +110,7 @@ pub enum Idle {
 /// }
 ///
 /// let interpreter = Interpreter::new(Default::default(), Default::default(), Limits::default())?;
-/// let mut task = Task::new(interpreter, Quick::default())?;
+/// let mut task = Task::new(interpreter, Quick::default());
 /// let mut source = Memory::new("m8\nm0\ng4 p2\nm2\n");
 /// task.start();
 /// let end = loop {
@@ -130,15 +130,12 @@ pub struct Task<M> {
 
 impl<M: Machine> Task<M> {
     /// A controller that is idle, in auto mode, with everything off and every override at 100 %.
-    ///
-    /// # Errors
-    /// [`Error::Configuration`]: an option that its choice does not have.
-    pub fn new(interpreter: impl Into<Box<Interpreter>>, machine: M) -> Result<Self, Error> {
+    pub fn new(interpreter: impl Into<Box<Interpreter>>, machine: M) -> Self {
         let mut interpreter = interpreter.into();
-        let desk = Desk::new(&interpreter, machine)?;
+        let desk = Desk::new(&interpreter, machine);
         let names = items::names(interpreter.machine());
         interpreter.declare_items(names);
-        Ok(Self { interpreter, desk })
+        Self { interpreter, desk }
     }
 
     /// The interpreter.

@@ -105,7 +105,7 @@ impl Machine for Script {
 fn task(script: Script, options: &[(&str, &str)]) -> Task<Script> {
     let options = options.iter().map(|(id, option)| ((*id).into(), (*option).into())).collect();
     let interpreter = Interpreter::new(Kind::default(), Options(options), Limits::default());
-    Task::new(interpreter.unwrap(), script).unwrap()
+    Task::new(interpreter.unwrap(), script)
 }
 
 /// Runs a program to its end, or until nothing will happen any more.

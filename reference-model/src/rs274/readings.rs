@@ -289,22 +289,21 @@ enum Known {
     Quirk(&'static str),
 }
 
+/// Slots of all choices and quirks.
+const SLOTS: usize = 1 << 12;
+
 /// Every choice and every quirk.
-static REGISTER: LazyLock<ByName<Option<Known>>> = LazyLock::new(|| {
-    let mut register = ByName::default();
-    for (place, (id, options)) in CHOICES.iter().enumerate() {
-        *register.value(id) = Some(Known::Choice(place, options));
-    }
-    for id in QUIRKS {
-        *register.value(id) = Some(Known::Quirk(id));
-    }
-    register
+static REGISTER: LazyLock<ByName<Known>> = LazyLock::new(|| {
+    let choices = (0..).zip(CHOICES);
+    let choices = choices.map(|(place, (id, options))| (*id, Known::Choice(place, options)));
+    let quirks = QUIRKS.iter().map(|id| (*id, Known::Quirk(id)));
+    ByName::new(SLOTS, choices.chain(quirks).collect())
 });
 
 /// What the model knows under an id, if anything.
 #[inline]
 fn known(id: &str) -> Option<Known> {
-    REGISTER.get(id).copied().flatten()
+    REGISTER.get(id).copied()
 }
 
 /// The options in force for a run.

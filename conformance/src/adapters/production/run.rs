@@ -36,7 +36,7 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     // Somebody may act at a line that holds a comment only.
     interpreter.set_comments_told(!scenario.operator.is_empty());
     let recorder = Recorder::new(&mut interpreter, Outside::new(scenario), scenario);
-    let task = Task::new(interpreter, recorder).map_err(not_run)?;
+    let task = Task::new(interpreter, recorder);
     let mut run = Run { scenario, task };
     let end = match scenario.program.start {
         Start::Program => run.program()?,

@@ -33,7 +33,7 @@ impl Run<'_> {
         // Only what is read ahead begins again where the block did, or where a block of it is refused.
         let may_be_broken_off = self.ahead || self.operator.may_abort();
         if may_be_broken_off && self.state.readings.is("abort.read-ahead", "read-on") {
-            self.at_block = Some(Box::new(self.state.clone()));
+            self.at_block = Some(Box::new(self.without_evidence()));
         }
         loop {
             self.meanwhile(self.state.outside.time(), false)?;

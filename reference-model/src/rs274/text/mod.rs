@@ -74,16 +74,16 @@ impl Source {
     pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line<'_>> {
         let line = &self.text[self.lines.get(index)?.clone()];
         state.evidence.accepted("text.line-end");
-        let Some(first) = first(line) else {
+        let Some(begins) = first(line) else {
             state.evidence.accepted("text.blank-lines");
             return Some(Line::Nothing);
         };
-        if block_delete && first == b'/' {
+        if block_delete && begins == b'/' {
             state.evidence.accepted("text.block-delete-on");
             state.evidence.accepted("text.block-delete-place");
             return Some(Line::Nothing);
         }
-        if is_percent(line) && !self.plain {
+        if begins == b'%' && is_percent(line) && !self.plain {
             if self.percent {
                 state.evidence.accepted("text.percent-file");
                 state.evidence.accepted("text.percent-line");
@@ -136,7 +136,7 @@ fn first(line: &str) -> Option<u8> {
 
 /// Rule text.percent-line. A percent line holds nothing else than the percent sign and blanks.
 fn is_percent(line: &str) -> bool {
-    first(line) == Some(b'%') && line.trim_matches(BLANKS) == "%"
+    line.trim_matches(BLANKS) == "%"
 }
 
 /// Rule text.line-end. A line ends with a carriage return, a line feed or both.
