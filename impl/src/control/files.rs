@@ -102,7 +102,7 @@ impl Interpreter {
     ) -> Result<u32, Error> {
         let (line, kind, message) = match self.gather_sub(label, file, source)? {
             Ok(segment) => return Ok(segment),
-            Err(Bad::Nested(line)) => (line, FaultKind::NestedSub, "a sub within a sub"),
+            Err(Bad::Nested { line, .. }) => (line, FaultKind::NestedSub, "a sub within a sub"),
             Err(Bad::Endless) => (head.line, FaultKind::UnknownLabel, "the sub does not end"),
         };
         let number = u32::try_from(self.segments.len()).unwrap_or(NONE);
@@ -155,16 +155,13 @@ impl Interpreter {
                 }
                 Next::Block(block) => {
                     let body = self.reader.place();
-                    self.sub_into(&block, source, &mut code)?;
-                    if block.refused == NONE
-                        && code.blocks.last().is_some_and(|head| head.refused != NONE)
-                    {
-                        // A sub that is none holds nothing: what follows its head can begin a program. Its head is refused, since it
-                        // stands in a called program.
+                    if !self.sub_into(&block, source, &mut code)? {
+                        // A sub that is none holds nothing: what follows its head can begin a program.
                         self.rewind(source, body)?;
-                        if let Some(head) = code.blocks.last_mut() {
-                            head.line = block.line;
-                        }
+                    }
+                    // The head is refused, since it stands in a called program.
+                    if let Some(head) = code.blocks.last_mut().filter(|head| head.refused != NONE) {
+                        head.line = block.line;
                     }
                     if let Some(Block { kind: Kind::Definition { label, .. }, .. }) =
                         code.blocks.last()

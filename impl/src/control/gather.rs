@@ -29,8 +29,8 @@ pub(super) enum Next {
 
 /// A sub that cannot be packed.
 pub(super) enum Bad {
-    /// Another one begins within it, at this line.
-    Nested(u32),
+    /// Another one begins within it, at this line. Whether it ends: who skips it skips the other one, too.
+    Nested { line: u32, ends: bool },
     /// It does not end.
     Endless,
 }
@@ -124,7 +124,9 @@ impl Interpreter {
                 {
                     return Ok(());
                 }
-                Next::Block(block) => self.sub_into(&block, source, code)?,
+                Next::Block(block) => {
+                    self.sub_into(&block, source, code)?;
+                }
             }
             self.check_size(code)?;
         }
@@ -162,30 +164,33 @@ impl Interpreter {
         true
     }
 
-    /// Where a sub begins among packed blocks, it gets a segment of its own.
+    /// Where a sub begins among packed blocks, it gets a segment of its own; one whose head is refused too, since who skips it looks at nothing else
+    /// of it. False where it begins and is none.
     pub(super) fn sub_into<S: Source>(
         &mut self,
         head: &Block,
         source: &mut S,
         code: &mut Segment,
-    ) -> Result<(), Error> {
-        let Kind::Control(oword) = head.kind else { return Ok(()) };
-        if oword.keyword != Keyword::Sub || head.refused != NONE {
-            return Ok(());
+    ) -> Result<bool, Error> {
+        let Kind::Control(oword) = head.kind else { return Ok(true) };
+        if oword.keyword != Keyword::Sub {
+            return Ok(true);
         }
         let gathered = self.gather_sub(oword.label, code.file, source)?;
         let is_it = |block: &Block| matches!(block.kind, Kind::Definition { label, .. } if label == oword.label);
         let known = oword.label != NONE;
         let defined =
             known && (self.segment_of(oword.label).is_some() || code.blocks.iter().any(is_it));
-        let Some(block) = code.blocks.last_mut() else { return Ok(()) };
+        let is_sub = matches!(gathered, Ok(_) | Err(Bad::Nested { ends: true, .. }));
+        let Some(block) = code.blocks.last_mut() else { return Ok(is_sub) };
         match gathered {
             Ok(segment) => block.kind = Kind::Definition { label: oword.label, segment },
+            Err(_) if block.refused != NONE => {}
             Err(bad) => {
                 let (kind, message) = match bad {
                     // Its head is come to before what is wrong within.
                     _ if defined => (FaultKind::DuplicateSub, "the sub is defined twice"),
-                    Bad::Nested(line) => {
+                    Bad::Nested { line, .. } => {
                         block.line = line;
                         (FaultKind::NestedSub, "a sub within a sub")
                     }
@@ -195,7 +200,7 @@ impl Interpreter {
                 code.refusals.push(Refused { kind, message, start: 0, end: 1 });
             }
         }
-        Ok(())
+        Ok(is_sub)
     }
 
     /// Packs the body of a sub whose head has just been read, up to its end.
@@ -206,24 +211,27 @@ impl Interpreter {
         source: &mut S,
     ) -> Result<Result<u32, Bad>, Error> {
         let mut code = Segment { file, ..Segment::default() };
+        // Where another one begins.
+        let mut inner = None;
         loop {
+            let endless = inner.map_or(Bad::Endless, |line| Bad::Nested { line, ends: false });
             match self.next_into(source, &mut code)? {
                 // A sub of a file is executed as far as it goes: it is refused where its endsub is missed.
                 Next::Over if file != 0 => break,
-                Next::Over => return Ok(Err(Bad::Endless)),
+                Next::Over => return Ok(Err(endless)),
                 Next::Percent(place) => {
                     if self.percent_into(place, &mut code) {
                         if file != 0 {
                             code.blocks.pop();
                             break;
                         }
-                        return Ok(Err(Bad::Endless));
+                        return Ok(Err(endless));
                     }
                 }
                 Next::Nothing => {}
                 Next::Block(Block { kind: Kind::Control(oword), line, .. }) => {
                     if oword.keyword == Keyword::Sub {
-                        return Ok(Err(Bad::Nested(line)));
+                        inner = inner.or(Some(line));
                     }
                     let ends = oword.keyword == Keyword::EndSub;
                     if ends && (label == NONE || self.written_label(&code, oword) == Some(label)) {
@@ -232,7 +240,13 @@ impl Interpreter {
                 }
                 Next::Block(_) => {}
             }
+            if inner.is_some() {
+                code.clear();
+            }
             self.check_size(&code)?;
+        }
+        if let Some(line) = inner {
+            return Ok(Err(Bad::Nested { line, ends: true }));
         }
         code.join_labels();
         let number = u32::try_from(self.segments.len()).unwrap_or(NONE);
@@ -284,7 +298,7 @@ impl Interpreter {
     ) -> Result<u32, Error> {
         match self.gather_sub(label, 0, source)? {
             Ok(segment) => Ok(segment),
-            Err(Bad::Nested(line)) => Err(self.fault(
+            Err(Bad::Nested { line, .. }) => Err(self.fault(
                 STREAM,
                 line,
                 FaultKind::NestedSub,

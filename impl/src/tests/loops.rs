@@ -1,5 +1,7 @@
 //! Conditions and loops (11.7.5 to 11.7.8) and their errors (11.7.11).
 
+use alloc::format;
+
 use super::{Case, check, check_all};
 
 #[test]
@@ -122,6 +124,27 @@ fn labels_can_be_computed() {
         ("o[1/0] if [1]\nm2\n", "refused at 1 divide_by_zero"),
         ("o[1 if [1]\nm2\n", "refused at 1 bad_expression"),
     ]);
+}
+
+/// Its blocks are a scope of their own, be its beginning refused or another sub within it.
+#[test]
+fn a_sub_that_is_skipped_is_skipped_in_a_loop_and_in_a_called_program_too() {
+    let skipped = [
+        "o5 sub !\no1 endwhile\n#31=1\no5 endsub\n",
+        "o5 sub\no6 sub\no1 endwhile\n#31=1\no6 endsub\no5 endsub\n",
+        "o5 sub\no6 sub\no1 endwhile\n#31=1\no5 endsub\n",
+        "o5 sub !\no5 sub !\no1 endwhile\n#31=1\no5 endsub\n",
+    ];
+    for sub in skipped {
+        let condition = format!("o1 while [0]\n{sub}o1 endwhile\n#32=2\n");
+        for program in [
+            format!("{condition}m2\n"),
+            format!("o7 do\n{condition}o7 while [0]\nm2\n"),
+            format!("m98 p100\nm2\no100\n{condition}m99\n"),
+        ] {
+            check(&program, "accepted; #31 = 0; #32 = 2");
+        }
+    }
 }
 
 /// Nothing says when the number of a sub is computed that is defined in a loop; in a called program it is refused whatever its number is.
