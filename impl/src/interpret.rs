@@ -270,7 +270,7 @@ impl Interpreter {
         Ok(Progress::More)
     }
 
-    /// Ends the program as an operator's abort does: saved states and call levels are gone, settings are reset.
+    /// Ends the program as an operator's abort does: call levels and what was saved in them are gone, settings are reset.
     ///
     /// The interpreter stands before another program's first block then, as after [`Self::begin`].
     pub fn abort<K: Sink>(&mut self, sink: &mut K) {
@@ -282,6 +282,7 @@ impl Interpreter {
     /// sub has returned is 0 then (11.4.3.5).
     pub fn begin(&mut self) {
         self.parameters.value = 0.0;
+        self.modal.end_run();
         self.begin_over();
     }
 

@@ -64,7 +64,10 @@ impl Interpreter {
                     self.done(at, block.line, Executed::OWord, sink);
                     Ok(Progress::More)
                 }
-                Kind::Percent => Ok(Progress::Ended(End::PercentEnd)),
+                Kind::Percent => {
+                    self.modal.end_run();
+                    Ok(Progress::Ended(End::PercentEnd))
+                }
             };
         }
     }
@@ -237,6 +240,7 @@ impl Interpreter {
                 }
                 Some((Taken::Percent, place, _)) => {
                     if let Some(end) = self.percent_line(place.line)? {
+                        self.modal.end_run();
                         return Ok(Some(end));
                     }
                 }

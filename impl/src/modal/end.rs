@@ -45,7 +45,7 @@ impl Modal {
             self.perform(line, &Effect::ChangeControllerMode { mode }, sink)?;
         }
         self.perform(line, &Effect::ProgramEnd {}, sink)?;
-        self.saved.clear();
+        self.end_run();
         Ok(true)
     }
 
@@ -82,9 +82,9 @@ impl Modal {
         }
     }
 
-    /// Another program begins: nothing is saved and no call is open. Modes stay as they are (11.4.24).
+    /// The program begins, whichever: no call is open. Modes stay as they are (11.4.24).
     pub(crate) fn begin(&mut self) {
-        self.saved.clear();
+        self.leave_saved_calls();
         self.stop_asked = false;
         self.abandon();
         self.controller_mode = ControllerMode::Auto;
@@ -92,7 +92,7 @@ impl Modal {
 
     /// An operator's abort: nothing is restored (11.6.22), no call is open any more.
     pub(crate) fn abort<K: Sink>(&mut self, _numbered: &mut Numbered, sink: &mut K, line: u32) {
-        self.saved.clear();
+        self.end_run();
         self.abandon();
         if !self.choices.abort_leaves_running {
             self.stop_running(self.all_spindles());

@@ -96,14 +96,27 @@ impl SavedStates {
         });
     }
 
-    /// Forgets everything: no call is open.
-    pub(super) fn clear(&mut self) {
+    /// No call is open any more; what was saved in one is gone.
+    fn leave_calls(&mut self) {
         self.level = 0;
-        self.places.clear();
+        self.places.retain(|place| place.level == 0);
     }
 }
 
 impl Modal {
+    /// No call is open any more: only what the main program has saved is there.
+    pub(super) fn leave_saved_calls(&mut self) {
+        self.saved.leave_calls();
+    }
+
+    /// The program has ended, or the next one begins: no call is open any more, and where the options say so nothing is saved either.
+    pub(crate) fn end_run(&mut self) {
+        self.saved.leave_calls();
+        if self.choices.saved_for_one_run {
+            self.saved.places.clear();
+        }
+    }
+
     /// Begins a call level.
     #[inline]
     pub(crate) fn enter_call(&mut self) {

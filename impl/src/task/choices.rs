@@ -17,6 +17,8 @@ pub(crate) struct Choices {
     pub(super) at_once_replaces: bool,
     /// `outputs.waiting-after-abort`: what waits for a motion when a program is aborted waits for the next one.
     pub(super) waits_after_abort: bool,
+    /// `outputs.waiting-after-end`: what waits for a motion when a program ends is forgotten.
+    pub(super) forgets_at_end: bool,
     /// `pause.cycle-start`: cycle start goes on after M0 and M1.
     pub(super) cycle_start_goes_on: bool,
     /// `pause.during-dwell`: a dwell of a program that is paused stands still.
@@ -40,6 +42,7 @@ impl Choices {
             brake_while_locked: second("orient.brake-otherwise", "while-standing", "while-locked")?,
             at_once_replaces: second("outputs.at-once-over-waiting", "kept", "replaces")?,
             waits_after_abort: second("outputs.waiting-after-abort", "forgotten", "kept")?,
+            forgets_at_end: second("outputs.waiting-after-end", "kept", "forgotten")?,
             cycle_start_goes_on: second("pause.cycle-start", "refused", "goes-on")?,
             dwell_stands: second("pause.during-dwell", "goes-on", "stands-still")?,
             enters_in_manual: second("task.mdi-in-manual", "refused", "executed")?,

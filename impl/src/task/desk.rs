@@ -204,6 +204,14 @@ impl<M: Machine> Desk<M> {
         self.analog.forget_waiting();
     }
 
+    /// The program has ended.
+    pub(super) fn ended(&mut self) {
+        if self.choices.forgets_at_end {
+            self.digital.forget_waiting();
+            self.analog.forget_waiting();
+        }
+    }
+
     pub(super) fn is_broken(&self) -> bool {
         self.broken.is_some()
     }

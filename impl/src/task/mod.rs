@@ -218,6 +218,9 @@ impl<M: Machine> Task<M> {
             Ok(Progress::More | Progress::Stopped) => Ok(Activity::More),
             Ok(Progress::Broken) => Ok(self.broken(source)),
             Ok(Progress::Ended(end)) => {
+                if matches!(end, End::ProgramEnd | End::PercentEnd) {
+                    self.desk.ended();
+                }
                 self.interpreter.set_controller_mode(self.desk.mode);
                 Ok(Activity::Ended(end))
             }

@@ -74,7 +74,7 @@ fn aborts() {
 #[test]
 fn another_program_begins() {
     check("call; m70; begin; m72", Refused(NothingSaved));
-    check("m70; begin; m72", Refused(NothingSaved));
+    check("f1; m70; f2; begin; m72", After("feed_rate = 1"));
     check(
         "g91 f5; begin; m5",
         After("distance = incremental, feed_rate = 5, controller_mode = auto"),

@@ -136,8 +136,17 @@ fn one_place_or_one_each() {
 #[test]
 fn ends_and_aborts_restore_nothing() {
     check("f1 g91; call; m73; g90 f2; abort", After("feed_rate = 2, distance = absolute"));
-    check("m70; abort; m72", Refused(NothingSaved));
     check("f1 m7; call; m73; f2 m9; m2", After("feed_rate = 2, mist = off"));
+}
+
+/// What a call has saved is gone with it; what the main program has saved is there for the next one, or not.
+#[test]
+fn what_is_saved_outlives_the_program_where_the_options_say_so() {
+    let forgotten: super::Chosen = &[("saved-state.after-run", "forgotten")];
+    let program = "f1; m70; f2; call; f3 m70; abort; m72";
+    check(program, After("feed_rate = 1"));
+    check_on(&machine(), forgotten, program, Refused(NothingSaved));
+    check("call; m70; abort; m72", Refused(NothingSaved));
 }
 
 #[test]

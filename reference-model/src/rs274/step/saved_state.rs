@@ -74,6 +74,19 @@ fn levels(state: &State) -> Vec<&'static str> {
     rules
 }
 
+/// Choice saved-state.after-run. A run is over, or the next one begins: what the main program has saved holds on, or it does not.
+pub fn run_is_over(state: &mut State) {
+    let choice = "saved-state.after-run";
+    let main = &state.frames[0];
+    if main.saved.is_none() {
+        return;
+    }
+    state.evidence.accepted(choice);
+    if state.readings.is(choice, "forgotten") {
+        state.frames[0].forget_saved();
+    }
+}
+
 /// M71.
 ///
 /// Rule saved-state.invalidated-level. The saved state of this level cannot be restored from any more; no other level is

@@ -10,6 +10,7 @@ use super::{Run, open_entries};
 use crate::rs274::control::{Control, Frame, MAIN, Place};
 use crate::rs274::quirks::task as quirks;
 use crate::rs274::refusal::Halt;
+use crate::rs274::step;
 use crate::rs274::text::Line;
 
 /// What comes after the controller was idle.
@@ -61,7 +62,7 @@ impl Run<'_> {
         }
         self.change_mode_to(ControllerMode::Auto);
         self.begin_anew();
-        self.state.frames[0].forget_saved();
+        step::saved_state::run_is_over(&mut self.state);
         if !quirks::keeps_value(&self.state) {
             self.state.parameters.returned = 0.0;
         }

@@ -40,6 +40,7 @@ impl Run<'_> {
             Some(Line::End) => {
                 self.between()?;
                 self.state.evidence.accepted("program-end.percent");
+                self.over();
                 return Ok(Some(End::PercentEnd));
             }
             None => {
@@ -295,8 +296,17 @@ impl Run<'_> {
             self.record.leads_elsewhere();
         }
         self.leave_calls();
-        self.state.frames[0].forget_saved();
+        self.over();
         Ok(())
+    }
+
+    /// Choice outputs.waiting-after-end. What waits for a motion waits for one of the next program, or is gone.
+    fn over(&mut self) {
+        step::saved_state::run_is_over(&mut self.state);
+        // What is only read ahead has not ended.
+        if !self.ahead {
+            self.forget_where("outputs.waiting-after-end");
+        }
     }
 }
 
