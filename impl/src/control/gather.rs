@@ -186,6 +186,10 @@ impl Interpreter {
         match gathered {
             Ok(segment) => block.kind = Kind::Definition { label: oword.label, segment },
             Err(_) if block.refused != NONE => {}
+            // What its number is counts before what is wrong within.
+            Err(Bad::Nested { .. }) if !known => {
+                block.kind = Kind::Definition { label: NONE, segment: NONE };
+            }
             Err(bad) => {
                 let (kind, message) = match bad {
                     // Its head is come to before what is wrong within.

@@ -146,7 +146,9 @@ impl Labels {
         let from = self.marks.partition_point(|mark| mark.line <= sub);
         let later = self.marks[from..].iter().filter(|mark| mark.keyword == Keyword::EndSub);
         let end = later.clone().find(|mark| mark.has(label, state)).map(|mark| mark.line)?;
-        let computed = later.clone().any(|mark| mark.line <= end && mark.label.is_none());
+        let own = self.marks[..from].last().into_iter();
+        let mut all = own.chain(later).filter(|mark| mark.line <= end);
+        let computed = all.any(|mark| mark.label.is_none());
         if computed && self.ends.get(&sub) != Some(&end) {
             self.ends.insert(sub, end);
             self.finish();
