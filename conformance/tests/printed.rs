@@ -52,12 +52,13 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Runs a command within a folder.
+/// Runs a command within a folder, with what `stdin` there holds.
 fn run(mut command: Command, folder: &Path) -> Printed {
     let out = folder.join("stdout");
     let file = fs::File::create(&out).expect("a file for the output");
     command.current_dir(folder).env("HOME", folder).env("LC_ALL", "C").env_remove("INI_FILE_NAME");
-    command.stdin(Stdio::null()).stdout(file).stderr(Stdio::null());
+    let input = fs::File::open(folder.join("stdin")).map_or_else(|_| Stdio::null(), Stdio::from);
+    command.stdin(input).stdout(file).stderr(Stdio::null());
     let child = command.spawn().expect("it starts");
     let status = wait(child);
     let text = String::from_utf8_lossy(&fs::read(out).expect("the output")).into_owned();
@@ -78,12 +79,18 @@ fn wait(mut child: Child) -> Option<i32> {
 
 /// What both print of the program `main.ngc`, in folders of their own with the same files.
 fn both(name: &str, files: &[(&str, &str)], options: &[&str]) -> (Printed, Printed) {
+    let arguments: Vec<&str> = options.iter().copied().chain(["-g", "main.ngc"]).collect();
+    both_called(name, files, &arguments)
+}
+
+/// The same of any call.
+fn both_called(name: &str, files: &[(&str, &str)], arguments: &[&str]) -> (Printed, Printed) {
     let printed = |mut command: Command, whose: &str| {
         let folder = folder(&format!("{name}-{whose}"));
         for (file, text) in files {
             fs::write(folder.join(file), text).expect("a file for the test");
         }
-        command.args(options).args(["-g", "main.ngc"]);
+        command.args(arguments);
         let printed = run(command, &folder);
         fs::remove_dir_all(folder).expect("the folder can be removed");
         printed
@@ -167,6 +174,36 @@ fn programs_are_printed_as_by_rs274() {
         }
     }
     assert!(wrong.is_empty(), "of {count} programs these are printed otherwise:\n{wrong}");
+}
+
+/// What is entered by hand, and files in which nothing stands.
+#[test]
+fn sessions_are_printed_as_by_rs274() {
+    if installed("sessions against rs274").is_none() {
+        return;
+    }
+    let sessions = [
+        "",
+        "\n",
+        "quit\n",
+        "g20\ng0 x1\nquit\n",
+        "g20\ng0 x1",
+        "m2\n",
+        "m30\ng0 x1\nquit\n",
+        "g0 x1\nm2\ng0 x2\nm2\nquit\ng0 x3\n",
+        "g0 x\ng0 x1\nquit\n",
+        "%\ng0 x1\n%\nquit\n",
+        "m0\n(msg, a)\n#1=3\ng1 f10 x#1\nm3 s100\nquit\n",
+        "g91\nm70\ng90\nm2\nm72\ng0 x1\ng0 x1\n",
+    ];
+    for session in sessions {
+        let (theirs, ours) = both_called("session", &[("stdin", session)], &["-g"]);
+        assert_eq!(theirs, ours, "{session:?}: {}", difference(&theirs, &ours));
+    }
+    for text in ["", "\n", "\n  \n", " "] {
+        let (theirs, ours) = both("empty", &[("main.ngc", text)], &[]);
+        assert_eq!(theirs, ours, "{text:?}: {}", difference(&theirs, &ours));
+    }
 }
 
 /// The INI file, tool table and parameter file of a machine; none where it is one that those files cannot tell.

@@ -119,6 +119,8 @@ pub(super) struct Fixed {
     pub(super) spindles: u8,
     /// Whether the program begins with a percent line and has no second one.
     pub(super) unclosed: bool,
+    /// Whether blocks come from standard input: the end of a program resets nothing there.
+    pub(super) by_hand: bool,
 }
 
 impl Fixed {
@@ -348,6 +350,8 @@ impl Printed<'_> {
         if self.machine.unclosed {
             self.out.note("percent sign missing from end of file");
         }
-        self.out.call("ON_RESET");
+        if !self.machine.by_hand {
+            self.out.call("ON_RESET");
+        }
     }
 }

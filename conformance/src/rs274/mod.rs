@@ -9,7 +9,7 @@
 //! `rs274` prints a block, and prints what was programmed again though it did not change. What is printed was learned by running the program.
 //!
 //! **Not imitated:** the menu that is shown without `-g`, and its prompts; plug-in interpreters, Python and remapped codes; programs that are
-//! named by a word. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever. Two codes of one block that change the
+//! named by a word; O-words from standard input. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever. Two codes of one block that change the
 //! same offset show its last value twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line
 //! of its own is printed as there: rounded F and S of saved state, switches that do not come back, subs that are defined behind their call,
 //! the way of cycles to the R plane, the passes of G76 (`threads`). A few that lead elsewhere the interpreter itself imitates
@@ -96,6 +96,7 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
         tools: machine.tools.iter().filter_map(|tool| i32::try_from(tool.number).ok()).collect(),
         spindles: machine.spindles,
         unclosed: program.as_deref().is_some_and(source::is_unclosed),
+        by_hand: program.is_none(),
     };
     let mut interpreter = Interpreter::new(machine, machine::options(), Limits::default())
         .map_err(|error| error.to_string())?;
@@ -104,6 +105,11 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     interpreter.set_comments_told(true);
     interpreter.set_imitation(true);
     let texts = Texts::default();
+    if let (Some(program), Some(output)) = (&arguments.program, &arguments.output)
+        && is_same(program, output)
+    {
+        return Err(format!("{}: the program would be written over", output.display()));
+    }
     let output = Output::new(sink(arguments.output.as_deref())?);
     let printer = Printer::new(output, texts.clone(), &interpreter.settings(), fixed);
     let mut run = Run { interpreter, printer, texts, goes_on: arguments.next == 0 };
@@ -113,6 +119,10 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
         None => run.by_hand(&folders),
     };
     run.printer.out.flush();
+    if let Some(error) = run.printer.out.failure() {
+        let name = arguments.output.as_ref().map(|path| path.display().to_string());
+        return Err(format!("{}: {error}", name.as_deref().unwrap_or("standard output")));
+    }
     if let Some(path) = &arguments.parameters {
         let now: BTreeMap<_, _> = run.interpreter.parameters().into_iter().collect();
         parameters::write(path, &stored, &now)
@@ -128,6 +138,14 @@ impl Run {
             self.printer.out.flush();
             complain("Command too long");
             complain(&String::from_utf8_lossy(line));
+            return 1;
+        }
+        if text.trim_ascii().is_empty() {
+            // It is not even opened. What was read last is shown, its end of line too.
+            self.printer.out.flush();
+            complain("File ended with no percent sign");
+            let last = text.split_inclusive(|byte| *byte == b'\n').next_back().unwrap_or_default();
+            complain(&String::from_utf8_lossy(last));
             return 1;
         }
         self.printer.out.call("ON_RESET");
@@ -205,6 +223,12 @@ impl Run {
             if line.trim_ascii() == b"quit" {
                 break;
             }
+            if line.trim_ascii() == b"%" {
+                self.printer.out.flush();
+                complain("Bad character '%' used");
+                complain("%");
+                continue;
+            }
             self.interpreter.begin();
             let mut source = Files::new(line, folders.to_vec(), self.texts.clone());
             loop {
@@ -225,6 +249,7 @@ impl Run {
             }
             self.printer.out.label(None);
         }
+        self.printer.out.call("ON_RESET");
         0
     }
 }
@@ -252,6 +277,11 @@ fn sink(path: Option<&Path>) -> Result<Box<dyn Write>, Trouble> {
         }
         None => Box::new(std::io::stdout()),
     })
+}
+
+/// Whether two names lead to one file.
+fn is_same(one: &Path, other: &Path) -> bool {
+    matches!((one.canonicalize(), other.canonicalize()), (Ok(one), Ok(other)) if one == other)
 }
 
 fn read_text(path: &Path) -> Result<String, Trouble> {

@@ -1,6 +1,6 @@
 //! Numbered lines of output, gathered and written in large pieces.
 
-use std::io::Write;
+use std::io::{self, Write};
 
 /// How much is gathered before it is written.
 const PIECE: usize = 1 << 16;
@@ -13,6 +13,8 @@ pub(super) struct Output {
     line: u64,
     /// What stands between the number and the call: the block's number.
     label: Vec<u8>,
+    /// The first error of writing; what comes behind it is not written.
+    failed: Option<io::Error>,
 }
 
 impl std::fmt::Debug for Output {
@@ -24,8 +26,8 @@ impl std::fmt::Debug for Output {
 impl Output {
     /// Nothing is written yet.
     pub(super) fn new(sink: Box<dyn Write>) -> Self {
-        let mut output =
-            Self { sink, buffer: Vec::with_capacity(2 * PIECE), line: 0, label: Vec::new() };
+        let buffer = Vec::with_capacity(2 * PIECE);
+        let mut output = Self { sink, buffer, line: 0, label: Vec::new(), failed: None };
         output.label(None);
         output
     }
@@ -109,15 +111,30 @@ impl Output {
         self.buffer.push(b'\n');
     }
 
-    /// Writes what was gathered; a reader that went away is no error.
+    /// Writes what was gathered.
     pub(super) fn flush(&mut self) {
         self.write_buffer();
-        let _closed_pipe = self.sink.flush();
+        let flushed = self.sink.flush();
+        self.keep(flushed);
+    }
+
+    /// Why not all was written, if so; a reader that went away is no error.
+    pub(super) fn failure(&mut self) -> Option<io::Error> {
+        self.failed.take().filter(|error| error.kind() != io::ErrorKind::BrokenPipe)
     }
 
     fn write_buffer(&mut self) {
-        let _closed_pipe = self.sink.write_all(&self.buffer);
+        if self.failed.is_none() {
+            let written = self.sink.write_all(&self.buffer);
+            self.keep(written);
+        }
         self.buffer.clear();
+    }
+
+    fn keep(&mut self, done: io::Result<()>) {
+        if let Err(error) = done {
+            self.failed.get_or_insert(error);
+        }
     }
 }
 

@@ -64,11 +64,16 @@ pub(super) fn write(
         name
     };
     let partial = beside(".partial");
-    std::fs::write(&partial, text(before, now))?;
-    if path.exists() {
-        std::fs::rename(path, beside(".bak"))?;
+    let written = std::fs::write(&partial, text(before, now)).and_then(|()| {
+        if path.exists() {
+            std::fs::rename(path, beside(".bak"))?;
+        }
+        std::fs::rename(&partial, path)
+    });
+    if written.is_err() {
+        let _none_was_made = std::fs::remove_file(&partial);
     }
-    std::fs::rename(partial, path)
+    written
 }
 
 #[cfg(test)]
