@@ -3,6 +3,7 @@
 mod common;
 
 use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
 
 use common::gaugeblock;
 
@@ -50,10 +51,89 @@ fn wrong_input_is_told_with_its_place() {
     );
     refused(&["run", &program, "--iut", "mill"], 2, &["mill", "reference"]);
     let scenario = file(&here, "scenario.toml", b"[machine]\nspindels = 2\n");
-    refused(&["run", &program, "--scenario", &scenario], 2, &["scenario.toml", "spindels"]);
+    refused(&["run", &program, "--scenario", &scenario], 2, &["scenario.toml: line 2", "spindels"]);
     refused(&["certify", "reference", "--only", "no-such-rule"], 2, &["no-such-rule", "rules"]);
     let one_of_two = ["certify", "reference", "--only", "text", "--only", "no-such-rule"];
     refused(&one_of_two, 2, &["no-such-rule"]);
+}
+
+#[test]
+fn a_hint_says_what_an_absent_file_is() {
+    let here = folder("absent");
+    let program = file(&here, "good.ngc", b"g21\nm2\n");
+    let absent = |arguments: &[&str], role: &str| {
+        refused(arguments, 2, &["nofile", &format!("hint: check the path of the {role}\n")]);
+    };
+    absent(&["run", "nofile.ngc"], "program");
+    absent(&["run", &program, "--scenario", "nofile.toml"], "scenario (--scenario)");
+    absent(&["fuzz", "--known", "nofile"], "earlier report (--known)");
+    absent(&["fuzz", "--options", "from:nofile"], "fingerprint (--options from:FILE)");
+    absent(&["rules", "--matrix", "--judged", "nofile"], "report (--judged)");
+}
+
+/// Runs the command where no file may be longer than some blocks, as on a disk that is nearly full.
+fn limited(folder: &Path, blocks: u32, arguments: &[&str], into: Stdio) -> Output {
+    // Whoever writes more is told, not killed.
+    let limit = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &limit, env!("CARGO_BIN_EXE_gaugeblock")]).args(arguments);
+    shell.current_dir(folder).stdout(into).output().expect("a shell")
+}
+
+#[test]
+fn output_that_is_cut_off_is_told() {
+    let here = folder("full");
+    let program = file(&here, "program.ngc", b"g21\nm2\n");
+    let calls: &[&[&str]] = &[
+        &["--help"],
+        &["rules"],
+        &["schema", "report"],
+        &["adapter", "protocol"],
+        &["run", &program],
+        &["serve", "--tcp", "0"],
+        &["certify", "reference", "--only", "coolant"],
+        &["certify", "reference", "--only", "coolant", "--format", "json"],
+    ];
+    for arguments in calls {
+        let out = std::fs::File::create(here.join("out")).expect("a file for the test");
+        let output = limited(&here, 0, arguments, out.into());
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(3), "{arguments:?}: {message}");
+        assert!(message.contains("error: standard output: "), "{arguments:?}: {message}");
+        assert!(message.contains("hint: "), "{arguments:?}: {message}");
+    }
+}
+
+#[test]
+fn a_reader_that_went_away_is_no_error() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gaugeblock"));
+    let piped = command.arg("rules").stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = piped.spawn().expect("the command runs");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("it ends");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!((output.status.code(), &*message), (Some(0), ""));
+}
+
+#[test]
+fn nothing_stays_of_a_file_that_cannot_be_written() {
+    let here = folder("cut-off");
+    let names = || {
+        let entries = std::fs::read_dir(&here).expect("a folder");
+        entries.map(|entry| entry.expect("an entry").file_name()).collect::<Vec<_>>()
+    };
+    let output = limited(&here, 4, &["adapter", "new", "adapter.py"], Stdio::piped());
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(3), "{message}");
+    assert!(message.contains("adapter.py: "), "{message}");
+    assert!(names().is_empty(), "{:?}", names());
+
+    let directory = folder("cut-off/directory");
+    let directory = directory.to_str().expect("UTF-8");
+    let call = ["certify", "reference", "--only", "coolant", "--write-expectations", directory];
+    refused(&call, 2, &["directory: ", "hint:"]);
+    assert_eq!(names(), ["directory"]);
+    std::fs::remove_dir(directory).expect("for the next time");
 }
 
 #[test]
@@ -87,6 +167,46 @@ fn a_wrong_suite_is_told_with_its_page() {
     let path = here.to_str().expect("UTF-8");
     refused(&["--suite", path, "certify", "reference"], 2, &["feed/odd.toml", "colour", "hint:"]);
     refused(&["--suite", "no-such-folder", "rules"], 2, &["no-such-folder", "hint:"]);
+}
+
+/// A ledger says of each sentence who carries it: a page that is deleted carries none.
+#[test]
+fn a_ledger_that_names_no_page_is_told_with_its_line() {
+    let here = folder("deleted-page");
+    let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("suite");
+    let gone = "coolant/off.toml";
+    for (path, text) in gaugeblock::suite::files::of_folder(&suite).expect("the suite") {
+        let file = here.join(&path);
+        std::fs::create_dir_all(file.parent().expect("a folder")).expect("a folder");
+        let _absent = std::fs::remove_file(&file);
+        if path != gone {
+            std::fs::write(&file, text).expect("a page");
+        }
+    }
+    let output = gaugeblock(&["--suite", here.to_str().expect("UTF-8"), "rules", "--check"]);
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    let told = said.lines().filter(|line| line.ends_with(": there is no rule `coolant.off`"));
+    let told: Vec<_> = told.collect();
+    assert!(!told.is_empty(), "{said}");
+    for line in told {
+        let mut place = line.splitn(3, ':');
+        let document = place.next().expect("a file");
+        let number: usize = place.next().and_then(|line| line.parse().ok()).expect("a line");
+        let ledger = std::fs::read_to_string(suite.join(document)).expect(document);
+        let named = ledger.lines().nth(number - 1).expect("the line");
+        assert!(named.contains("\"coolant.off\""), "{line}: {named}");
+    }
+}
+
+#[test]
+fn a_day_that_is_none_is_a_wrong_call() {
+    let call = ["certify", "reference", "--only", "coolant"];
+    refused(&[&call[..], &["--today", "2026-02-30"]].concat(), 2, &["2026-02-30", "is no day"]);
+    let waiver = b"[[waiver]]\nrule = \"coolant.off\"\nreason = \"a\"\nowner = \"b\"\nexpires = \"2027-02-31\"\n";
+    let waivers = file(&folder("no-day"), "waivers.toml", waiver);
+    let words = ["waivers.toml", "2027-02-31", "is no day", "hint:"];
+    refused(&[&call[..], &["--waivers", &waivers]].concat(), 2, &words);
 }
 
 #[test]

@@ -356,7 +356,7 @@ fn without_defaults(mut options: Options, suite: &Suite) -> Options {
 fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), Refused> {
     let name = file.display();
     let hint = "`gaugeblock fingerprint CONTROLLER --format json` writes such a file";
-    let text = place::program(file)?;
+    let text = place::text(file, "fingerprint (--options from:FILE)")?;
     let document: serde_json::Value = serde_json::from_str(&text)
         .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
     let shown = document["options"]

@@ -18,6 +18,7 @@ use super::{Refused, place, write_out};
 use crate::adapters::Adapter;
 use crate::adapters::production::Production;
 use crate::motion::rides::{Came, broken_by, compared, judged, ride, shrunk};
+use crate::report::inert;
 use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
@@ -30,7 +31,7 @@ Each program is planned, and its samples are held to the laws of motion. Then it
 is allowed to it: that changes its time by two servo cycles at most, or costs no more than two and a thousandth. A motion that nothing
 holds and that never ends is broken, too.
 
-Exit status: 0 nothing is broken, 1 something is, 2 the call is wrong, 3 programs could not be planned.";
+Exit status: 0 nothing is broken, 1 something is, 2 the call is wrong, 3 programs could not be planned, or there were none.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -56,7 +57,7 @@ pub(super) struct Arguments {
     /// Change each program in all seven ways, not in one
     #[arg(long)]
     every_change: bool,
-    /// Write the smallest program of each kind of breach, its machine and its script into this folder, and the changed one where times differ
+    /// Write report.txt into this folder, and the smallest program of each kind of breach, its machine and its script, with the changed one where times differ
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
 }
@@ -103,9 +104,44 @@ impl Tally {
             }
         }
     }
+
+    /// What was not planned or not judged, and how many there were.
+    fn counts(&self) -> String {
+        let mut text = String::new();
+        for (what, counts) in [("planned", &self.not_planned), ("judged", &self.not_judged)] {
+            for (why, (count, first)) in counts {
+                let _infallible =
+                    writeln!(text, "not {what}, {count} times, first program {first}: {why}");
+            }
+        }
+        let Self { programs, cycles, found, .. } = self;
+        let _infallible = writeln!(
+            text,
+            "{programs} programs, {cycles} servo cycles; {} kinds of breaches",
+            found.len()
+        );
+        if *programs == 0 {
+            text.push_str("nothing was judged\n");
+        }
+        text
+    }
+
+    /// 1 something is broken, 3 not everything was planned, or nothing was judged.
+    fn exit_status(&self) -> u8 {
+        if !self.found.is_empty() {
+            1
+        } else if !self.not_planned.is_empty() || self.programs == 0 {
+            3
+        } else {
+            0
+        }
+    }
 }
 
 pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    if let Some(folder) = &arguments.report {
+        place::folder(folder)?;
+    }
     let edition = super::edition(suite, crate::suite::DEFAULT_EDITION)?;
     let mut scenario = Scenario { options: suite.options(edition), ..Scenario::default() };
     scenario.bench.name.clone_from(&edition.bench);
@@ -142,7 +178,6 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
             smallest.text()
         );
         if let Some(folder) = &arguments.report {
-            place::folder(folder)?;
             let name = what.replace('.', "-");
             let call = write(folder, &name, &smallest, &scenario)?;
             let _infallible = writeln!(text, "{call}");
@@ -153,25 +188,12 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
             text.push('\n');
         }
     }
-    for (what, counts) in [("planned", &tally.not_planned), ("judged", &tally.not_judged)] {
-        for (why, (count, first)) in counts {
-            let _infallible =
-                writeln!(text, "not {what}, {count} times, first program {first}: {why}");
-        }
+    text.push_str(&tally.counts());
+    if let Some(folder) = &arguments.report {
+        place::write_whole(&folder.join("report.txt"), inert(&text).as_bytes())?;
     }
-    let _infallible = writeln!(
-        text,
-        "{} programs, {} servo cycles; {} kinds of breaches",
-        tally.programs,
-        tally.cycles,
-        tally.found.len()
-    );
     write_out(&text);
-    Ok(match (tally.found.is_empty(), tally.not_planned.is_empty()) {
-        (false, _) => 1,
-        (true, false) => 3,
-        (true, true) => 0,
-    })
+    Ok(tally.exit_status())
 }
 
 /// What production says a ride does.

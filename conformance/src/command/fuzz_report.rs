@@ -232,19 +232,23 @@ fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), Refused> {
 /// The divergences that an earlier report tells.
 pub(super) fn read(path: &Path) -> Result<Vec<Find>, Refused> {
     let (name, hint) = (path.display(), "`gaugeblock fuzz --report DIR` writes report.json");
-    let text = place::program(path)?;
+    let text = place::text(path, "earlier report (--known)")?;
     let wrong = |error: serde_json::Error| Refused::wrong(format!("{name}: {error}"), hint);
     let mut document: serde_json::Value = serde_json::from_str(&text).map_err(wrong)?;
     let divergences = document.get_mut("divergences").map(serde_json::Value::take);
     serde_json::from_value(divergences.unwrap_or_default()).map_err(wrong)
 }
 
-/// A divergence with its smallest program.
+/// A divergence with its smallest program, and in how many programs it was found.
 pub(super) fn describe(place: usize, find: &Find) -> String {
-    let mut text = format!(
-        "{place}. {} ({} programs, the smallest from {})\n",
-        find.signature, find.count, find.number
-    );
+    let programs = if find.count == 1 { "program" } else { "programs" };
+    let Find { signature, count, number, .. } = find;
+    format!("{place}. {signature} ({count} {programs}, the smallest from {number})\n{}", body(find))
+}
+
+/// The rules of a divergence, its smallest program and what differs there.
+pub(super) fn body(find: &Find) -> String {
+    let mut text = String::new();
     if !find.rules.is_empty() && find.rules.len() <= 8 {
         let _infallible = writeln!(text, "  rules: {}", find.rules.join(", "));
     }

@@ -32,7 +32,7 @@ pub(super) fn matrix(
 }
 
 fn read(path: &Path) -> Result<Judged, Refused> {
-    let text = place::program(path)?;
+    let text = place::text(path, "report (--judged)")?;
     Judged::read(&text).map_err(|error| {
         Refused::wrong(
             format!("{}: {error}", path.display()),

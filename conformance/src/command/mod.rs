@@ -25,12 +25,14 @@ mod run;
 mod schema;
 mod serve;
 mod shrink;
+mod streams;
 mod suite;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
+use streams::{write_error, write_error_in_colours, write_out, write_out_in_colours};
 
 use crate::report::inert;
 use crate::suite::{Edition, Suite, files};
@@ -138,46 +140,18 @@ pub fn understands(words: &[String]) -> Result<(), String> {
 
 /// Runs the command line and tells the exit status.
 pub fn main() -> ExitCode {
-    let call = match Call::try_parse() {
-        Ok(call) => call,
-        Err(error) => {
+    let done = match Call::try_parse() {
+        Ok(call) => execute(&call),
+        Err(error) if error.use_stderr() => {
             let _closed_pipe = error.print();
-            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+            Ok(2)
+        }
+        Err(help) => {
+            streams::write_help(&help);
+            Ok(0)
         }
     };
-    let done = match &call.command {
-        Command::Certify(arguments) => {
-            suite(&call).and_then(|suite| certify::certify(arguments, &suite))
-        }
-        Command::Run(arguments) => suite(&call).and_then(|suite| run::run(arguments, &suite)),
-        Command::Rs274(arguments) => rs274::rs274(arguments),
-        Command::Compare(arguments) => {
-            suite(&call).and_then(|suite| compare::compare(arguments, &suite))
-        }
-        Command::Fuzz(arguments) => suite(&call).and_then(|suite| fuzz::fuzz(arguments, &suite)),
-        Command::FuzzMotion(arguments) => {
-            suite(&call).and_then(|suite| fuzz_motion::fuzz_motion(arguments, &suite))
-        }
-        Command::Shrink(arguments) => {
-            suite(&call).and_then(|suite| shrink::shrink(arguments, &suite))
-        }
-        Command::Plan(arguments) => {
-            suite(&call).and_then(|suite| plan::plan_program(arguments, &suite))
-        }
-        Command::Judge(arguments) => {
-            suite(&call).and_then(|suite| judge::judge_samples(arguments, &suite))
-        }
-        Command::Fingerprint(arguments) => {
-            suite(&call).and_then(|suite| fingerprint::fingerprint(arguments, &suite))
-        }
-        Command::Report(command) => suite(&call).and_then(|suite| report::report(command, &suite)),
-        Command::Rules(arguments) => rules::rules(arguments, call.suite.as_deref()),
-        Command::Suite(command) => suite(&call).and_then(|suite| suite::offline(command, &suite)),
-        Command::Adapter(arguments) => adapter::adapter(arguments, || suite(&call)),
-        Command::Serve(arguments) => serve::serve(arguments),
-        Command::Schema(arguments) => schema::schema(arguments),
-    };
-    match done {
+    match done.and_then(|status| streams::written().map(|()| status)) {
         Ok(status) => ExitCode::from(status),
         Err(refused) => {
             let bold = anstyle::AnsiColor::Red.on_default().bold();
@@ -187,6 +161,42 @@ pub fn main() -> ExitCode {
             }
             ExitCode::from(refused.status)
         }
+    }
+}
+
+/// Does what is called for; the exit status.
+fn execute(call: &Call) -> Result<u8, Refused> {
+    match &call.command {
+        Command::Certify(arguments) => {
+            suite(call).and_then(|suite| certify::certify(arguments, &suite))
+        }
+        Command::Run(arguments) => suite(call).and_then(|suite| run::run(arguments, &suite)),
+        Command::Rs274(arguments) => rs274::rs274(arguments),
+        Command::Compare(arguments) => {
+            suite(call).and_then(|suite| compare::compare(arguments, &suite))
+        }
+        Command::Fuzz(arguments) => suite(call).and_then(|suite| fuzz::fuzz(arguments, &suite)),
+        Command::FuzzMotion(arguments) => {
+            suite(call).and_then(|suite| fuzz_motion::fuzz_motion(arguments, &suite))
+        }
+        Command::Shrink(arguments) => {
+            suite(call).and_then(|suite| shrink::shrink(arguments, &suite))
+        }
+        Command::Plan(arguments) => {
+            suite(call).and_then(|suite| plan::plan_program(arguments, &suite))
+        }
+        Command::Judge(arguments) => {
+            suite(call).and_then(|suite| judge::judge_samples(arguments, &suite))
+        }
+        Command::Fingerprint(arguments) => {
+            suite(call).and_then(|suite| fingerprint::fingerprint(arguments, &suite))
+        }
+        Command::Report(command) => suite(call).and_then(|suite| report::report(command, &suite)),
+        Command::Rules(arguments) => rules::rules(arguments, call.suite.as_deref()),
+        Command::Suite(command) => suite(call).and_then(|suite| suite::offline(command, &suite)),
+        Command::Adapter(arguments) => adapter::adapter(arguments, || suite(call)),
+        Command::Serve(arguments) => serve::serve(arguments),
+        Command::Schema(arguments) => schema::schema(arguments),
     }
 }
 
@@ -257,26 +267,6 @@ fn options_with(
         options.0.insert(id.to_owned(), option.to_owned());
     }
     Ok(options)
-}
-
-/// Writes to standard output; a reader that went away is no error. Whoever it is of, a terminal obeys nothing of it.
-fn write_out(text: &str) {
-    write_out_in_colours(&inert(text));
-}
-
-/// Writes a text whose orders to a terminal are our own.
-fn write_out_in_colours(text: &str) {
-    use std::io::Write as _;
-    let _closed_pipe = anstream::stdout().write_all(text.as_bytes());
-}
-
-fn write_error(text: &str) {
-    write_error_in_colours(&inert(text));
-}
-
-fn write_error_in_colours(text: &str) {
-    use std::io::Write as _;
-    let _closed_pipe = anstream::stderr().write_all(format!("{text}\n").as_bytes());
 }
 
 /// How many runs at once: the processors, unless it is said.

@@ -63,7 +63,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "FILE")]
     script: Option<PathBuf>,
     /// Where the machine stands before: X,Y,Z,A,B,C,U,V,W, millimetres and degrees; the program begins from its origin otherwise
-    #[arg(long, value_name = "NUMBERS", value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(long, value_name = "NUMBERS", value_delimiter = ',', allow_hyphen_values = true, value_parser = coordinate)]
     start: Vec<f64>,
     /// Write a sample for each servo cycle: a table, or the compact form where the name ends in .bin
     #[arg(long, value_name = "FILE")]
@@ -74,14 +74,13 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let outputs =
+        [("--samples", arguments.samples.as_deref()), ("--svg", arguments.svg.as_deref())];
+    place::spare(&inputs(arguments), &outputs)?;
     let limits = limits(&arguments.machine)?;
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
-    let mut start = [0.0; 9];
-    for (place, given) in start.iter_mut().zip(&arguments.start) {
-        *place = *given;
-    }
     let circumstances = Circumstances {
-        start: Position::from(start),
+        start: start(&arguments.start)?,
         every: arguments.every,
         script: script(arguments.script.as_deref())?,
     };
@@ -114,6 +113,34 @@ pub(super) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, R
     }
     write_out(&told(&summary, &arguments.file));
     Ok(u8::from(!summary.holds()))
+}
+
+/// The files that a call reads.
+fn inputs(arguments: &Arguments) -> Vec<PathBuf> {
+    let Arguments { file, machine, script, how, .. } = arguments;
+    let named = how.inputs(file).into_iter().chain([machine.clone()]).chain(script.clone());
+    named.chain(run::paths_beside(file)).collect()
+}
+
+/// A number of --start.
+fn coordinate(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    number.ok_or_else(|| "not a finite number".to_owned())
+}
+
+/// Where the machine stands before; axes that are not given stand at zero.
+fn start(given: &[f64]) -> Result<Position, Refused> {
+    let mut start = [0.0; 9];
+    match start.get_mut(..given.len()) {
+        Some(places) => places.copy_from_slice(given),
+        None => {
+            return Err(Refused::wrong(
+                format!("--start has {} numbers, and there are nine axes", given.len()),
+                "X,Y,Z,A,B,C,U,V,W; what is left out at the end is zero",
+            ));
+        }
+    }
+    Ok(Position::from(start))
 }
 
 /// What the laws say, with the name of the program file where the vocabulary calls it the main program.
@@ -171,23 +198,15 @@ fn recorded(
 
 /// What a machine's axes can do.
 pub(super) fn limits(file: &Path) -> Result<MotionLimits, Refused> {
-    let text = place::program(file)?;
-    MotionLimits::from_text(&text).map_err(|error| {
-        let line = error.line.map_or(String::new(), |line| format!("line {line}: "));
-        Refused::wrong(
-            format!("{}: {line}{}", file.display(), error.message.trim_end()),
-            "`gaugeblock plan --help` shows a machine file",
-        )
-    })
+    let hint = "`gaugeblock plan --help` shows a machine file";
+    place::form(file, "machine file (--machine)", hint, MotionLimits::from_text)
 }
 
 /// What the operator does; nothing without a file.
 pub(super) fn script(file: Option<&Path>) -> Result<MotionScript, Refused> {
     let Some(file) = file else { return Ok(MotionScript::default()) };
-    MotionScript::from_text(&place::program(file)?).map_err(|error| {
-        let message = format!("{}: {}", file.display(), error.message.trim_end());
-        Refused::wrong(message, "`gaugeblock plan --help` shows a script")
-    })
+    let hint = "`gaugeblock plan --help` shows a script";
+    place::form(file, "script (--script)", hint, MotionScript::from_text)
 }
 
 /// The outcome of a program that comes to its end.
@@ -197,18 +216,22 @@ fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<O
     let outcome = controller.run(scenario).map_err(|error| refused(error.to_string()))?;
     match &outcome.end {
         End::ProgramEnd | End::PercentEnd => Ok(outcome),
-        end @ (End::Endless
+        End::Endless
         | End::Paused
         | End::Aborted
         | End::Fault(_)
         | End::BudgetExhausted { .. }
         | End::Unsupported { .. }
-        | End::Unspecified { .. }) => {
-            if let Some(pointer) = run::point_at(&outcome, scenario, file) {
-                write_error_in_colours(&pointer);
-            }
+        | End::Unspecified { .. } => {
+            let why = match run::point_at(&outcome, scenario, file) {
+                Some(pointer) => {
+                    write_error_in_colours(&pointer);
+                    outcome.end.name().to_owned()
+                }
+                None => run::cause(&outcome, file),
+            };
             Err(Refused::wrong(
-                format!("{} does not come to its end: {}", file.display(), end.name()),
+                format!("{} does not come to its end: {why}", file.display()),
                 "only a program that ends has a path",
             ))
         }

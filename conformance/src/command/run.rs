@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use clap::Args;
 use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{End, Language, Outcome, Program, Scenario};
+use gaugeblock_trace::{Block, End, Language, Outcome, Program, Scenario, Span};
 
 use super::{Format, Refused, controller, place, write_error, write_error_in_colours, write_out};
 use crate::report::inert_line;
@@ -69,11 +69,8 @@ impl How {
         }
         let mut scenario = match &self.scenario {
             Some(path) => {
-                let text = place::program(path)?;
-                Scenario::from_text(&text).map_err(|error| {
-                    let message = format!("{}: {}", path.display(), error.message.trim_end());
-                    Refused::wrong(message, "`gaugeblock schema scenario` prints the form")
-                })?
+                let hint = "`gaugeblock schema scenario` prints the form";
+                place::form(path, "scenario (--scenario)", hint, Scenario::from_text)?
             }
             None => Scenario::default(),
         };
@@ -101,6 +98,12 @@ impl How {
         }
         Ok(scenario)
     }
+
+    /// The files that a program's scenario is read from, without subroutine files.
+    pub(super) fn inputs(&self, file: &Path) -> Vec<PathBuf> {
+        let named = [file.to_path_buf(), file.with_extension(TOOLPATH)];
+        named.into_iter().chain(self.scenario.clone()).collect()
+    }
 }
 
 /// The edition that a file's name stands for.
@@ -118,11 +121,20 @@ fn toolpath(file: &Path, program: &Program) -> Result<BTreeMap<String, String>, 
     if !beside.exists() {
         return Ok(program.files.clone());
     }
-    Ok(BTreeMap::from([(TOOLPATH.to_owned(), place::program(&beside)?)]))
+    Ok(BTreeMap::from([(TOOLPATH.to_owned(), place::text(&beside, "toolpath")?)]))
 }
 
 /// The other programs of the same folder; what is no readable text is left out, since it may never be called.
 fn beside(file: &Path) -> BTreeMap<String, String> {
+    let named = |path: PathBuf| {
+        let name = path.file_name()?.to_str()?.to_owned();
+        Some((name, place::program(&path).ok()?))
+    };
+    paths_beside(file).filter_map(named).collect()
+}
+
+/// Where the other programs of the same folder are.
+pub(super) fn paths_beside(file: &Path) -> impl Iterator<Item = PathBuf> {
     let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
     let entries =
         std::fs::read_dir(folder.unwrap_or(Path::new("."))).into_iter().flatten().flatten();
@@ -130,11 +142,6 @@ fn beside(file: &Path) -> BTreeMap<String, String> {
         .map(|entry| entry.path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "ngc"))
         .filter(|path| path.file_name() != file.file_name())
-        .filter_map(|path| {
-            let name = path.file_name()?.to_str()?.to_owned();
-            Some((name, place::program(&path).ok()?))
-        })
-        .collect()
 }
 
 pub(super) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
@@ -167,22 +174,8 @@ pub(super) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
 
 /// Where a run did not go on, with the line of the program.
 pub(super) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> Option<String> {
-    let (block, span, message) = match &outcome.end {
-        End::Fault(fault) => (fault.block.as_ref()?, fault.span, fault.message.clone()),
-        End::Unsupported { block, what } => (block, None, format!("not supported: {what}")),
-        End::Unspecified { block, why } => (block, None, format!("not specified: {why}")),
-        End::ProgramEnd
-        | End::PercentEnd
-        | End::Endless
-        | End::Paused
-        | End::Aborted
-        | End::BudgetExhausted { .. } => return None,
-    };
-    let name = if block.file == Program::MAIN {
-        file.display().to_string()
-    } else {
-        inert_line(&block.file)
-    };
+    let (block, span, message) = stopped(outcome)?;
+    let block = block?;
     let line = usize::try_from(block.line).ok()?;
     let source = scenario.program.line(block)?;
     let whole = 0..source.len();
@@ -193,8 +186,43 @@ pub(super) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> O
     let range = if source.get(range.clone()).is_some() { range } else { whole };
     let snippet = Snippet::source(source)
         .line_start(line)
-        .path(name)
+        .path(name(block, file))
         .annotation(AnnotationKind::Primary.span(range));
     let group = Level::ERROR.primary_title(inert_line(&message)).element(snippet);
     Some(Renderer::styled().render(&[group]))
+}
+
+/// Where and why a run did not go on, in one line: the place may lie behind the last line of the program.
+pub(super) fn cause(outcome: &Outcome, file: &Path) -> String {
+    match stopped(outcome) {
+        Some((Some(block), _, message)) => {
+            format!("{}:{}: {}", name(block, file), block.line, inert_line(&message))
+        }
+        Some((None, _, message)) => inert_line(&message),
+        None => outcome.end.name().to_owned(),
+    }
+}
+
+/// The block at which a run did not go on, the part of it, and why.
+fn stopped(outcome: &Outcome) -> Option<(Option<&Block>, Option<Span>, String)> {
+    match &outcome.end {
+        End::Fault(fault) => Some((fault.block.as_ref(), fault.span, fault.message.clone())),
+        End::Unsupported { block, what } => {
+            Some((Some(block), None, format!("not supported: {what}")))
+        }
+        End::Unspecified { block, why } => {
+            Some((Some(block), None, format!("not specified: {why}")))
+        }
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::Endless
+        | End::Paused
+        | End::Aborted
+        | End::BudgetExhausted { .. } => None,
+    }
+}
+
+/// A block's file, as the caller knows it.
+fn name(block: &Block, file: &Path) -> String {
+    if block.file == Program::MAIN { file.display().to_string() } else { inert_line(&block.file) }
 }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use clap::Args;
 use gaugeblock_trace::{Language, Scenario};
 
-use super::{Refused, controller};
+use super::{Refused, controller, streams, write_out};
 use crate::adapters::Adapter;
 use crate::protocol::{self, Offer, Patience, Served};
 
@@ -91,7 +91,8 @@ fn listen(served: &Served, address: &str) -> Result<u8, Refused> {
     let address = format!("{host}{address}");
     let listener = TcpListener::bind(&address).map_err(refused)?;
     let own = listener.local_addr().map_err(refused)?;
-    super::write_out(&format!("{own}\n"));
+    write_out(&format!("{own}\n"));
+    streams::written()?;
     for connection in listener.incoming() {
         // Whose connection is gone by now asks again.
         let Ok(connection) = connection else { continue };

@@ -7,7 +7,7 @@ use gaugeblock_fuzz::generate::Recipe;
 use gaugeblock_fuzz::generate::splice::Seeds;
 use serde_json::json;
 
-use super::fuzz_report::describe;
+use super::fuzz_report::body;
 use super::run::How;
 use super::{Format, Refused, controller, place, write_out};
 use crate::fuzz::groups::{Find, shrunk};
@@ -50,6 +50,8 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let inputs = arguments.how.inputs(&arguments.file);
+    place::spare(&inputs, &[("--output", arguments.output.as_deref())])?;
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
     let iut = controller::controller(&arguments.iut)?;
     let against = controller::controller(&arguments.against)?;
@@ -96,7 +98,7 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
         place::write_whole(output, &find.scenario.program.main)?;
     }
     match arguments.format {
-        Format::Text => write_out(&describe(1, &find)),
+        Format::Text => write_out(&format!("{}\n{}", find.signature, body(&find))),
         Format::Json => write_out(&format!(
             "{:#}\n",
             json!({

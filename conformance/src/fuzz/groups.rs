@@ -113,12 +113,22 @@ impl Groups {
     }
 }
 
-/// Shrinks a find to the smallest program that still differs in the same way, and names the rules of its block.
+/// Whether a block of this shape can be what is left of one of that shape: nothing stands in it that did not stand there. So a smaller program
+/// shows its difference where the larger one does, and is not another one that happens to look alike.
+fn is_left_of(shape: &str, larger: &str) -> bool {
+    shape.split(' ').all(|word| larger.split(' ').any(|known| known == word))
+}
+
+/// Shrinks a find to the smallest program that still differs in the same way and at the same block, and names the rules of that.
 pub fn shrunk(plan: &Plan<'_>, find: &Find, attempts: u32) -> Find {
     let mut unused = Statistics::default();
     let mut differs = |scenario: &Scenario| {
         let Came::Differs(difference) = plan.judge(scenario, &mut unused) else { return None };
-        (difference.signature == find.signature).then_some(*difference)
+        let same = difference.signature == find.signature && {
+            let block = source(scenario, &difference.divergence).map(shape).unwrap_or_default();
+            find.shape.is_empty() || is_left_of(&block, &find.shape)
+        };
+        same.then_some(*difference)
     };
     let mut holds = |scenario: &Scenario| differs(scenario).is_some();
     let smallest = shrink(&find.scenario, &plan.options, attempts, &mut holds);
@@ -154,4 +164,18 @@ pub fn merged(finds: Vec<Find>) -> Vec<Find> {
     }
     merged.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.number.cmp(&b.number)));
     merged
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smaller_program_shows_it_at_what_is_left_of_the_block() {
+        let of = |small: &str, large: &str| is_left_of(&shape(small), &shape(large));
+        assert!(of("f1", "n10 g1 x1.5 f12"));
+        assert!(of("m72", "f2 m72"));
+        assert!(!of("m2", "m72"));
+        assert!(!of("g0 x1", "g1 x1"));
+    }
 }

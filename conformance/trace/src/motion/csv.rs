@@ -12,7 +12,7 @@
 
 use std::fmt::Write as _;
 
-use super::samples::{Column, Samples, SamplesError};
+use super::samples::{Column, Samples, SamplesError, can_be};
 
 /// What the first line begins with.
 const HEAD: &str = "# gaugeblock samples 0 ";
@@ -49,11 +49,12 @@ impl Samples {
         let (period, resolution) = head.strip_prefix(HEAD).and_then(settings).ok_or_else(|| {
             SamplesError::at("line 1", format!("not `{HEAD}period=… resolution=…`"))
         })?;
-        let (_, names) = next("the line of the columns")?;
-        let columns = columns(names)?;
         let at = |line: usize| {
             move |error: SamplesError| SamplesError::at(line_name(line), error.message)
         };
+        can_be(period, resolution).map_err(at(1))?;
+        let (_, names) = next("the line of the columns")?;
+        let columns = columns(names)?;
         let mut samples = Self::new(period, resolution, columns).map_err(at(2))?;
         let mut row = Vec::new();
         for (number, line) in lines {

@@ -85,6 +85,18 @@ impl fmt::Display for SamplesError {
 
 impl std::error::Error for SamplesError {}
 
+/// Refuses a period that is not above zero, and a resolution below it.
+pub(super) fn can_be(period: f64, resolution: f64) -> Result<(), SamplesError> {
+    let wrong = |message: String| Err(SamplesError::at("header", message));
+    if !(period.is_finite() && period > 0.0) {
+        return wrong(format!("a period of {period} seconds"));
+    }
+    if !(resolution.is_finite() && resolution >= 0.0) {
+        return wrong(format!("a resolution of {resolution}"));
+    }
+    Ok(())
+}
+
 /// What a controller commanded, sample by sample, evenly in time.
 ///
 /// **Invariant:** every number is finite, every row has a value for each column, no column stands twice.
@@ -106,12 +118,7 @@ impl Samples {
     /// A period that is not above zero, a resolution below it, no column at all, or one that stands twice.
     pub fn new(period: f64, resolution: f64, columns: Vec<Column>) -> Result<Self, SamplesError> {
         let wrong = |message: String| Err(SamplesError::at("header", message));
-        if !(period.is_finite() && period > 0.0) {
-            return wrong(format!("a period of {period} seconds"));
-        }
-        if !(resolution.is_finite() && resolution >= 0.0) {
-            return wrong(format!("a resolution of {resolution}"));
-        }
+        can_be(period, resolution)?;
         if columns.is_empty() {
             return wrong("no column".to_owned());
         }

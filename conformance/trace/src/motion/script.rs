@@ -61,13 +61,25 @@ impl MotionScript {
     /// Reads the text form.
     ///
     /// # Errors
-    /// Not TOML, an unknown key, a value of the wrong kind, a number that is not finite, or events out of order.
+    /// Not TOML, an unknown key, a value of the wrong kind, a number that is not finite, events out of order, or an override
+    /// below zero.
     pub fn from_text(text: &str) -> Result<Self, TextError> {
         let script: Self = crate::text::from_toml(text)?;
         let places = script.events.windows(2).enumerate();
         for (place, pair) in places {
             if pair[1].cycle < pair[0].cycle {
                 let message = format!("event {} comes before the one above it", place + 2);
+                return Err(TextError::new(message));
+            }
+        }
+        for (place, event) in script.events.iter().enumerate() {
+            let (MotionAction::FeedOverride(factor) | MotionAction::RapidOverride(factor)) =
+                event.action
+            else {
+                continue;
+            };
+            if factor < 0.0 {
+                let message = format!("event {}: an override of {factor}, below zero", place + 1);
                 return Err(TextError::new(message));
             }
         }

@@ -75,7 +75,12 @@ fn what_no_limits_or_script_can_be_is_refused() {
     assert!(limits("period = 0.001\naxes = { q = {} }").contains("line"));
     let events =
         "[[events]]\ncycle = 5\naction = \"abort\"\n[[events]]\ncycle = 4\naction = \"abort\"\n";
-    assert!(MotionScript::from_text(events).unwrap_err().to_string().contains("event 2"));
+    let script = |text: &str| MotionScript::from_text(text).unwrap_err().to_string();
+    assert!(script(events).contains("event 2"));
+    let single = |action: &str| script(&format!("events = [{{ cycle = 5, action = {action} }}]"));
+    assert!(single("{ feed_override = -3.0 }").contains("event 1: an override of -3"));
+    assert!(single("{ rapid_override = -0.1 }").contains("event 1"));
+    assert!(single("{ feed_override = nan }").contains("finite"));
 }
 
 fn columns() -> Vec<Column> {
@@ -135,7 +140,7 @@ fn a_table_that_is_none_says_where() {
     let refused = [
         (String::new(), "end of file: "),
         ("x,y\n".to_owned(), "line 1: "),
-        (head.replace("0.001", "0") + "x\n", "line 2: a period of 0"),
+        (head.replace("0.001", "0") + "x\n", "line 1: a period of 0"),
         (head.to_owned(), "end of file: the line of the columns"),
         (format!("{head}x,q\n"), "line 2: there is no column named q"),
         (format!("{head}x,x\n"), "line 2: the column x stands twice"),
