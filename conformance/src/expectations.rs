@@ -53,7 +53,7 @@ pub enum Trouble {
         /// What is found.
         found: String,
     },
-    /// A listed divergence that is another one now.
+    /// A listed divergence that is another one now, or a case that passed in the baseline and is not judged any more.
     Changed {
         /// The rule.
         rule: String,

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::certify::Run;
 use crate::expectations::Trouble;
+use crate::suite::Suite;
 
 /// A day of the calendar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -34,6 +35,16 @@ impl Day {
     }
 }
 
+/// How many days a month has, from 1.
+fn days_of(year: u32, month: u32) -> u32 {
+    let is_leap = year.is_multiple_of(4) && !year.is_multiple_of(100) || year.is_multiple_of(400);
+    match month {
+        2 => 28 + u32::from(is_leap),
+        4 | 6 | 9 | 11 => 30,
+        _ => 31,
+    }
+}
+
 impl fmt::Display for Day {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:04}-{:02}-{:02}", self.year, self.month, self.day)
@@ -48,7 +59,7 @@ impl FromStr for Day {
         let parts: Vec<u32> = text.split('-').filter_map(|part| part.parse().ok()).collect();
         let [year, month, day] = parts[..] else { return Err(wrong()) };
         let read = Self { year, month, day };
-        let exists = (1..=12).contains(&month) && (1..=31).contains(&day);
+        let exists = (1..=12).contains(&month) && (1..=days_of(year, month)).contains(&day);
         if exists && read.to_string() == text { Ok(read) } else { Err(wrong()) }
     }
 }
@@ -81,6 +92,12 @@ pub struct Waiver {
     pub owner: String,
     /// The last day on which it counts.
     pub expires: Day,
+}
+
+impl Waiver {
+    fn is_of(&self, rule: &str, case: &str) -> bool {
+        self.rule == rule && self.case.as_deref().is_none_or(|own| own == case)
+    }
 }
 
 /// A case whose divergence is waived.
@@ -127,8 +144,24 @@ impl Waivers {
         }
     }
 
+    /// The first waiver of a rule, or of a case of one, that the suite does not have, in a sentence.
+    pub fn unknown(&self, suite: &Suite) -> Option<String> {
+        self.waiver.iter().find_map(|waiver| {
+            let Waiver { rule, case, owner, .. } = waiver;
+            let Some(known) = suite.rule(rule) else {
+                return Some(format!("a waiver of {owner} names {rule}: there is no such rule"));
+            };
+            let case = case.as_deref()?;
+            let has = known.case_names().any(|name| name == case);
+            let names =
+                || format!("a waiver of {owner} names {rule} / {case}: the rule has no such case");
+            (!has).then(names)
+        })
+    }
+
     /// What is wrong in spite of the waivers, and what is waived: of `troubles`, or of all divergences of the run where it was held
-    /// against nothing else.
+    /// against nothing else. A waiver waives what departs, never what was not judged. One of a rule or case that the run was not asked
+    /// for is left alone.
     pub fn hold(
         &self,
         run: &Run<'_>,
@@ -136,15 +169,18 @@ impl Waivers {
         today: Day,
     ) -> (Vec<Trouble>, Vec<Waived>) {
         let troubles = troubles.unwrap_or_else(|| divergences(run));
+        let departs = |rule: &str, case: &str| {
+            let mut of_place = run.cases.iter().filter(|it| it.rule.id == rule && it.name == case);
+            of_place.any(|result| result.verdict.departure().is_some())
+        };
         let (mut left, mut held) = (Vec::new(), Vec::new());
         let mut used = vec![false; self.waiver.len()];
         for trouble in troubles {
             let (rule, case) = trouble.place();
-            let waived = self.waiver.iter().zip(&mut used).find(|(waiver, _)| {
-                waiver.rule == rule && waiver.case.as_deref().is_none_or(|own| own == case)
-            });
+            let mut all = self.waiver.iter().zip(&mut used);
+            let waived = all.find(|(waiver, _)| waiver.is_of(rule, case));
             match waived {
-                Some((waiver, used)) if !matches!(trouble, Trouble::Stale { .. }) => {
+                Some((waiver, used)) if departs(rule, case) => {
                     *used = true;
                     let Waiver { owner, reason, expires, .. } = waiver;
                     let (rule, case) = (rule.to_owned(), case.to_owned());
@@ -160,7 +196,12 @@ impl Waivers {
                 _ => left.push(trouble),
             }
         }
-        for (waiver, _) in self.waiver.iter().zip(used).filter(|(_, used)| !used) {
+        let was_asked = |waiver: &Waiver| {
+            run.cases.iter().any(|result| waiver.is_of(&result.rule.id, result.name))
+                || run.void.iter().any(|(rule, _)| rule.id == waiver.rule)
+        };
+        let unused = self.waiver.iter().zip(used).filter(|(_, used)| !used);
+        for (waiver, _) in unused.filter(|(waiver, _)| was_asked(waiver)) {
             let case = waiver.case.clone().unwrap_or_else(|| "every case".to_owned());
             let why = format!("waived by {}, and there is nothing to waive", waiver.owner);
             left.push(Trouble::Stale { rule: waiver.rule.clone(), case, why });
@@ -200,8 +241,13 @@ mod tests {
             assert_eq!(Day::after_epoch(days).to_string(), expected);
         }
         assert_eq!("2026-11-23".parse::<Day>().unwrap(), Day::after_epoch(20_780));
-        for wrong in ["2026-13-01", "2026-1-1", "tomorrow", "2026-11", "2026-11-32", "-2026-11-01"]
-        {
+        for day in ["2024-02-29", "2000-02-29", "2026-12-31", "2026-04-30"] {
+            assert_eq!(day.parse::<Day>().unwrap().to_string(), day);
+        }
+        let odd = ["2026-13-01", "2026-1-1", "tomorrow", "2026-11", "2026-11-32", "-2026-11-01"];
+        let absent =
+            ["2026-02-30", "2027-02-31", "2026-02-29", "2100-02-29", "2026-04-31", "2026-11-00"];
+        for wrong in odd.into_iter().chain(absent) {
             assert!(wrong.parse::<Day>().is_err(), "{wrong}");
         }
     }

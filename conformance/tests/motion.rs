@@ -128,8 +128,74 @@ fn the_feed_that_is_asked_for_has_overrides_in_it() {
 #[test]
 fn random_motions_keep_the_laws() {
     let folder = folder("random");
-    let fuzzed = gaugeblock(&folder, "fuzz-motion --seed 4 --first 2100 --programs 40 --jobs 2");
+    let call = "fuzz-motion --seed 4 --first 2100 --programs 40 --jobs 2 --report fuzzed";
+    let fuzzed = gaugeblock(&folder, call);
     says(&fuzzed, 0, &["40 programs", "0 kinds of breaches"]);
+    let report = std::fs::read(folder.join("fuzzed/report.txt")).expect("a report");
+    assert_eq!(report, fuzzed.stdout);
+}
+
+#[test]
+fn no_random_motions_show_nothing() {
+    let folder = folder("none");
+    let none = gaugeblock(&folder, "fuzz-motion --programs 0");
+    says(&none, 3, &["0 programs", "nothing was judged"]);
+    // The folder is tried first.
+    let unwritable = gaugeblock(&folder, "fuzz-motion --programs 0 --report part.ngc/report");
+    says(&unwritable, 2, &["part.ngc/report", "hint: --report"]);
+    assert!(unwritable.stdout.is_empty());
+}
+
+#[test]
+fn what_is_read_is_not_written_over() {
+    let folder = folder("over");
+    let script = "events = []\n";
+    std::fs::write(folder.join("script.toml"), script).expect("a file");
+    std::fs::write(folder.join("sub.ngc"), "o<sub> sub\no<sub> endsub\n").expect("a file");
+    std::fs::hard_link(folder.join("part.ngc"), folder.join("linked.svg"))
+        .or_else(|error| if folder.join("linked.svg").exists() { Ok(()) } else { Err(error) })
+        .expect("a link");
+    for written in [
+        "--svg part.ngc",
+        "--svg ./part.ngc",
+        "--svg linked.svg",
+        "--samples part.ngc",
+        "--samples mill.toml",
+        "--samples script.toml",
+        "--svg sub.ngc",
+    ] {
+        let call = format!("plan part.ngc --machine mill.toml --script script.toml {written}");
+        let (option, name) = written.split_once(' ').expect("an option and a file");
+        let output = gaugeblock(&folder, &call);
+        assert!(output.stdout.is_empty(), "{call}");
+        says(&output, 2, &[name, &format!("hint: name another file with {option}")]);
+    }
+    says(
+        &gaugeblock(
+            &folder,
+            "judge script.toml --program part.ngc --machine mill.toml --svg mill.toml",
+        ),
+        2,
+        &["mill.toml: --svg would write over"],
+    );
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).expect("a file");
+    assert_eq!([read("part.ngc"), read("mill.toml"), read("script.toml")], [PART, MILL, script]);
+    // What is written is written again.
+    for _ in 0..2 {
+        let planned = gaugeblock(&folder, "plan part.ngc --machine mill.toml --svg part.svg");
+        says(&planned, 0, &[]);
+    }
+}
+
+#[test]
+fn a_file_that_cannot_be_written_leaves_nothing() {
+    let folder = folder("unwritten");
+    std::fs::create_dir_all(folder.join("there")).expect("a folder");
+    for option in ["--samples", "--svg"] {
+        let call = format!("plan part.ngc --machine mill.toml {option} there");
+        says(&gaugeblock(&folder, &call), 2, &["there: ", "hint:"]);
+        assert!(!folder.join("there.partial").exists());
+    }
 }
 
 #[test]
@@ -168,14 +234,54 @@ fn wrong_calls_are_told_with_their_place() {
     .expect("a file");
     std::fs::write(folder.join("far.ngc"), "g1 f1 a5\nm2\n").expect("a file");
     std::fs::write(folder.join("torn.ngc"), "g1 f1 x5\ng1 x\nm2\n").expect("a file");
-    let says = |arguments, status, words: &[&str]| {
+    let says = |arguments: &str, status, words: &[&str]| {
         let output = gaugeblock(&folder, arguments);
         assert!(output.stdout.is_empty());
         says(&output, status, words);
     };
     says("plan part.ngc --machine bad.toml", 2, &["bad.toml", "velocity"]);
-    says("plan part.ngc --machine none.toml", 2, &["none.toml", "hint"]);
+    let hint = "hint: check the path of the machine file (--machine)";
+    says("plan part.ngc --machine none.toml", 2, &["none.toml", hint]);
+    std::fs::write(folder.join("zero.csv"), "# gaugeblock samples 0 period=0 resolution=0\nx\n1\n")
+        .expect("a file");
+    says(
+        "judge zero.csv --program part.ngc --machine mill.toml",
+        2,
+        &["zero.csv: line 1: a period"],
+    );
+    std::fs::write(folder.join("empty.ngc"), "").expect("a file");
+    let ends =
+        "empty.ngc does not come to its end: empty.ngc:1: the file ends without a program end";
+    says("plan empty.ngc --machine mill.toml", 2, &[ends]);
+    for start in ["nan,0,0", "0,inf", "1,2,3,4,5,6,7,8,9,10"] {
+        says(&format!("plan part.ngc --machine mill.toml --start {start}"), 2, &["--start"]);
+    }
     says("plan far.ngc --machine mill.toml", 3, &["far.ngc", "main.ngc:1", "limits are not known"]);
     says("plan torn.ngc --machine mill.toml", 2, &["torn.ngc", "does not come to its end"]);
+    for (action, words) in [
+        ("{ feed_override = -3.0 }", "odd.toml: event 1: an override of -3"),
+        ("{ feed_override = inf }", "odd.toml: line 2: not a finite number"),
+        ("{ feed_override = \"fast\" }", "odd.toml: line 2: "),
+    ] {
+        let script = format!("events = [\n  {{ cycle = 3, action = {action} }},\n]\n");
+        std::fs::write(folder.join("odd.toml"), script).expect("a file");
+        says("plan part.ngc --machine mill.toml --script odd.toml", 2, &[words, "hint: "]);
+    }
     says("judge bad.csv --program part.ngc --machine mill.toml", 2, &["bad.csv", "line 3"]);
+    let head = "# gaugeblock samples 0 period=0.001 resolution=0\nx,y,z,line\n";
+    std::fs::write(folder.join("empty.csv"), head).expect("a file");
+    let words = ["empty.csv", "no sample", "hint"];
+    says("judge empty.csv --program part.ngc --machine mill.toml", 2, &words);
+}
+
+#[test]
+fn an_axis_without_a_limit_leaves_a_law_open_and_the_others_are_judged() {
+    let folder = folder("without-limit");
+    let open = MILL.replace(", acceleration = 2000", "");
+    std::fs::write(folder.join("open.toml"), open).expect("a file");
+    std::fs::write(folder.join("line.ngc"), "g21 g90 f600\ng1 x1\nm2\n").expect("a file");
+    says(&gaugeblock(&folder, "plan line.ngc --machine mill.toml --samples line.csv"), 0, &[]);
+    let judged = gaugeblock(&folder, "judge line.csv --program line.ngc --machine open.toml");
+    let open = "not judged  trajectory.acceleration: x moves and no limit of it is stated";
+    says(&judged, 0, &[open, "holds       trajectory.velocity"]);
 }

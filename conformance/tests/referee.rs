@@ -4,7 +4,7 @@ use std::num::NonZero;
 
 use gaugeblock::adapters::reference::Reference;
 use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
-use gaugeblock::certify::{Plan, Run, Verdict, certify};
+use gaugeblock::certify::{CaseResult, Plan, Run, Verdict, certify};
 use gaugeblock::compare::compare;
 use gaugeblock::expectations::{Expectations, Trouble};
 use gaugeblock::fingerprint::{Shown, fingerprint};
@@ -60,6 +60,23 @@ fn diverging(run: &Run<'_>) -> usize {
 
 fn faulty(fault: fn(Outcome) -> Result<Outcome, HarnessError>) -> Faulty {
     Faulty { model: Reference::default(), fault }
+}
+
+/// It tells nothing of what it does.
+fn silent(mut outcome: Outcome) -> Result<Outcome, HarnessError> {
+    outcome.steps.iter_mut().for_each(|step| step.events.clear());
+    Ok(outcome)
+}
+
+/// It does not have what the program asks for.
+fn without(outcome: Outcome) -> Result<Outcome, HarnessError> {
+    let (block, what) = (Block::new(Program::MAIN, 1), "it has none".to_owned());
+    Ok(Outcome { end: End::Unsupported { block, what }, ..outcome })
+}
+
+/// It does not have what it should refuse.
+fn without_faults(outcome: Outcome) -> Result<Outcome, HarnessError> {
+    if matches!(outcome.end, End::Fault(_)) { without(outcome) } else { Ok(outcome) }
 }
 
 #[test]
@@ -137,13 +154,13 @@ fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
         (passed, Report { run: &run, header, notes, profiles, troubles: None }.exit_status())
     };
     let (modal_save, task) = ("modal-save".to_owned(), "task".to_owned());
-    let modest = faulty(|mut outcome| {
-        let block = Block::new("main.ngc", 1);
-        outcome.end = End::Unsupported { block, what: "M70".to_owned() };
-        Ok(outcome)
-    });
+    let modest = faulty(without_faults);
     assert_eq!(status(&modest, &[]), (vec![], 0));
     assert_eq!(status(&modest, std::slice::from_ref(&modal_save)), (vec![], 1));
+    // Where nothing is judged nobody has to claim anything.
+    let mute = faulty(without);
+    assert_eq!(status(&mute, &[]), (vec![], 3));
+    assert_eq!(status(&mute, std::slice::from_ref(&modal_save)), (vec![], 1));
     let model = Reference::default();
     assert_eq!(status(&model, std::slice::from_ref(&modal_save)), (vec![modal_save.clone()], 0));
     // What was not run is not passed.
@@ -356,13 +373,9 @@ fn the_page_of_a_controller_without_fault_says_so() {
 }
 
 #[test]
-fn a_baseline_knows_what_was_and_a_waiver_what_somebody_answers_for() {
+fn a_baseline_knows_what_was() {
     let suite = suite();
     let only = ["saved-state".to_owned()];
-    let silent = |mut outcome: Outcome| {
-        outcome.steps.iter_mut().for_each(|step| step.events.clear());
-        Ok(outcome)
-    };
     let (silent, whole) = (faulty(silent), Reference::default());
     let stored = |controller: &dyn Adapter| {
         let run = run(&suite, controller, &only, 2);
@@ -380,43 +393,69 @@ fn a_baseline_knows_what_was_and_a_waiver_what_somebody_answers_for() {
     assert_eq!(mended.len(), diverging(&after));
     assert_eq!(stored(&silent).hold(&after), (Vec::new(), Vec::new()));
 
-    // Who does not answer any more has neither mended nor broken anything, and that is told.
-    let without = faulty(|outcome: Outcome| {
-        let (block, what) = (Block::new(Program::MAIN, 1), "it has none".to_owned());
-        Ok(Outcome { end: End::Unsupported { block, what }, ..outcome })
-    });
-    let without = run(&suite, &without, &only, 2);
+    // Unknown is no pass: what passed and is not judged any more has changed. What departed is neither mended nor broken, and told.
+    let without = run(&suite, &faulty(without), &only, 2);
     let (troubles, told) = stored(&whole).hold(&without);
-    assert!(troubles.is_empty() && told.len() == 1, "{told:?}");
-    assert!(told[0].starts_with("not judged any more: ") && told[0].contains("that passed"));
-    let (troubles, told) = stored(&silent).hold(&without);
-    assert!(troubles.is_empty());
-    let of_one = told.iter().filter(|told| told.contains(": was ")).count();
-    assert_eq!(of_one, diverging(&after));
-
-    let Some(Trouble::New { rule, .. }) = stored(&whole).hold(&after).0.into_iter().next() else {
-        panic!("nothing is new");
+    assert!(told.is_empty() && troubles.len() == before.cases.len(), "{told:?}");
+    let is_lost = |trouble: &Trouble| {
+        let Trouble::Changed { listed, found, .. } = trouble else { return false };
+        listed == "pass" && found == "unsupported: it has none"
     };
+    assert!(troubles.iter().all(is_lost), "{}", troubles[0]);
+    let (lost, told) = stored(&silent).hold(&without);
+    assert!(lost.iter().all(is_lost));
+    assert_eq!(told.len(), diverging(&after));
+    assert!(
+        told.iter().all(|told| told.contains("not judged any more") && told.contains(": was "))
+    );
+    assert_eq!(lost.len() + told.len(), before.cases.len());
+}
+
+#[test]
+fn a_waiver_is_what_somebody_answers_for_until_a_day() {
+    let suite = suite();
+    let only = ["saved-state".to_owned()];
+    let (before, after) =
+        (run(&suite, &Reference::default(), &only, 2), run(&suite, &faulty(silent), &only, 2));
+    let departs = |result: &&CaseResult<'_>| matches!(result.verdict, Verdict::Diverges(_));
+    let rule = after.cases.iter().find(departs).expect("it departs").rule.id.clone();
+    let today = "2026-11-23".parse().expect("a day");
     let waiver = |rule: &str, expires: &str| {
         let text = format!(
             "[[waiver]]\nrule = {rule:?}\nreason = \"as agreed\"\nowner = \"Ann\"\nexpires = {expires:?}\n"
         );
         Waivers::read(&text).expect("waivers")
     };
-    let today = "2026-11-23".parse().expect("a day");
     let of_rule =
         |troubles: &[Trouble]| troubles.iter().filter(|trouble| trouble.place().0 == rule).count();
-    let (left, waived) = waiver(&rule, "2026-11-23").hold(&after, None, today);
+    let hold = |waivers: Waivers, run: &Run<'_>| waivers.hold(run, None, today);
+    let (left, waived) = hold(waiver(&rule, "2026-11-23"), &after);
     assert_eq!((of_rule(&left), waived.is_empty()), (0, false), "its last day counts");
-    let (left, waived) = waiver(&rule, "2026-11-22").hold(&after, None, today);
+    let (left, waived) = hold(waiver(&rule, "2026-11-22"), &after);
     assert!(
         waived.is_empty()
             && left.iter().any(|trouble| trouble.to_string().contains("which is over"))
     );
-    let (left, _) = waiver(&rule, "2027-01-01").hold(&before, None, today);
+    let (left, _) = hold(waiver(&rule, "2027-01-01"), &before);
     assert!(left[0].to_string().contains("nothing to waive"), "{}", left[0]);
+    let elsewhere = hold(waiver("coolant.off", "2027-01-01"), &before);
+    assert_eq!(elsewhere, (Vec::new(), Vec::new()), "nobody has asked for that rule");
+    // What is not judged any more does not depart: nobody can answer for it.
+    let without = run(&suite, &faulty(without), &only, 2);
+    let lost = without.cases.iter().filter(|result| result.rule.id == rule).map(|result| {
+        let (rule, case) = (rule.clone(), result.name.to_owned());
+        let (listed, found) = ("pass".to_owned(), result.verdict.to_string());
+        Trouble::Changed { rule, case, listed, found }
+    });
+    let lost: Vec<_> = lost.collect();
+    let (left, waived) = waiver(&rule, "2027-01-01").hold(&without, Some(lost.clone()), today);
+    assert!(waived.is_empty() && left.len() == lost.len() + 1, "and there is nothing to waive");
+    assert_eq!(waiver(&rule, "2027-01-01").unknown(&suite), None);
+    let unknown = waiver("saved-state.no-such", "2027-01-01").unknown(&suite).expect("why");
+    assert!(unknown.contains("saved-state.no-such: there is no such rule"), "{unknown}");
     for wrong in [
         "[[waiver]]\nrule = \"a\"\n",
+        "[[waiver]]\nrule = \"a\"\nreason = \"c\"\nowner = \"b\"\nexpires = \"2027-02-31\"\n",
         "[[waiver]]\nrule = \"a\"\nreason = \" \"\nowner = \"b\"\nexpires = \"2026-01-01\"\n",
     ] {
         assert!(Waivers::read(wrong).is_err());

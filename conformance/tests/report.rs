@@ -275,6 +275,152 @@ fn what_is_known_or_waived_is_named_so_and_does_not_fail() {
     assert_eq!(verdicts(&merged), verdicts(&before));
 }
 
+/// The template, with all that it can do left out where it is mute.
+fn template(name: &str, mute: bool) -> String {
+    const RUN: &str = "def run(scenario):\n";
+    let adapter = Path::new(env!("CARGO_MANIFEST_DIR")).join("adapters/template.py");
+    let text = std::fs::read_to_string(&adapter).expect("the template");
+    assert!(text.contains(RUN));
+    let without = format!("{RUN}    raise Unsupported('everything')\n");
+    let toy = folder(name).join("adapter.py");
+    std::fs::write(&toy, if mute { text.replace(RUN, &without) } else { text }).expect("a toy");
+    format!("exec:python3 {}", toy.display())
+}
+
+/// Calls `certify` on one rule, with a report: the exit status, what is printed, and the text of a file of the report.
+fn certified(controller: &str, into: &Path, more: &[&str]) -> (Option<i32>, String, [String; 3]) {
+    let into_path = into.to_str().expect("UTF-8");
+    let only = "modal-groups.g-code-out-of-range";
+    let call = ["certify", controller, "--edition", "linuxcnc-2.9", "--only", only];
+    let output = gaugeblock(&[&call[..], &["--report", into_path], more].concat());
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    let read = |name: &str| std::fs::read_to_string(into.join(name)).expect("a report");
+    let files = ["report.html", "summary.md", "report.json"].map(read);
+    (output.status.code(), said, files)
+}
+
+#[test]
+fn of_a_controller_of_which_nothing_was_judged_nothing_is_certified() {
+    const SAYS: &str = "Nothing was judged: nothing is certified.";
+    let (mute, into) = (template("mute", true), folder("nothing-judged"));
+    let own = folder("nothing-judged-before");
+    let (status, said, [page, summary, json]) = certified(&mute, &own, &[]);
+    assert_eq!(status, Some(3), "{said}");
+    assert!(said.ends_with("nothing was judged: nothing is certified\n"), "{said}");
+    assert!(summary.starts_with(&format!("## {SAYS}\n")), "{summary}");
+    assert!(page.contains(&format!("<p class=\"says inconclusive\">{SAYS}</p>")), "{page}");
+    assert!(!page.contains("<p class=\"pass\">"), "nothing on the page is green");
+    let json: Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!((&json["exit_status"], &json["counts"]["diverges"]), (&3.into(), &0.into()));
+    assert_eq!(json["counts"]["unsupported"], json["counts"]["cases"]);
+
+    // That it was so before makes it no better.
+    let own = own.to_str().expect("UTF-8");
+    let (status, said, [page, ..]) = certified(&mute, &into, &["--baseline", own]);
+    assert_eq!(status, Some(3), "{said}");
+    assert!(page.contains(SAYS) && !page.contains("<p class=\"pass\">"));
+    // One case that is judged is something; that others are unsupported is counted.
+    let (status, said, _) = certified(&template("some", false), &into, &[]);
+    assert_eq!(status, Some(0), "{said}");
+    assert!(said.ends_with("as the documents say\n"), "{said}");
+}
+
+#[test]
+fn what_passed_in_the_baseline_and_is_not_judged_now_has_changed() {
+    let (before, now) = (folder("passed"), folder("passed-no-more"));
+    let (status, ..) = certified(&template("whole", false), &before, &[]);
+    assert_eq!(status, Some(0));
+    let passed = verdicts(&before).into_iter().filter(|(_, _, word)| word == "pass");
+    let passed: Vec<_> = passed.collect();
+    assert!(!passed.is_empty());
+    let path = before.to_str().expect("UTF-8");
+    let call = ["--baseline", path];
+    let (status, said, [page, summary, _]) = certified(&template("gone", true), &now, &call);
+    assert_eq!(status, Some(1), "{said}");
+    let count = format!("0 new, {} changed, 0 mended", passed.len());
+    assert!(summary.contains(&count), "{summary}");
+    for (rule, case, _) in &passed {
+        let told = format!("**changed** ` {rule} / {case} `: was ` pass `, now ` unsupported: ");
+        assert!(summary.contains(&told), "{told:?} is not in: {summary}");
+    }
+    assert!(!page.contains("nothing that is known has changed"), "{page}");
+}
+
+#[test]
+fn a_baseline_is_of_the_same_controller_and_edition_in_any_version() {
+    let suite = suite();
+    let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
+    let only = ["coolant.off".to_owned()];
+    let plan = Plan { suite: &suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
+    let model = Reference::default();
+    let run = certify(plan, &model, &|| {});
+    let header = Header::of(plan, &model, Shard::WHOLE);
+    let (notes, profiles) = (Vec::new(), Vec::new());
+    let report = Report { run: &run, header: header.clone(), notes, profiles, troubles: None };
+    let stored = Stored::read(&json::json(&report).to_string()).expect("a report");
+    assert_eq!(stored.fits(&header), Ok(None));
+    let newer = Header { version: "2".to_owned(), only: Vec::new(), ..header.clone() };
+    let note = stored.fits(&newer).expect("what a baseline is for").expect("a note");
+    assert!(note.ends_with("this is version 2"), "{note}");
+    for other in [
+        Header { controller: "mill".to_owned(), ..header.clone() },
+        Header { edition: "emc2-2.5".to_owned(), ..header.clone() },
+    ] {
+        let why = stored.fits(&other).expect_err("it is of something else");
+        let (now, then) = (&other, &header);
+        for name in [&now.controller, &now.edition, &then.controller, &then.edition] {
+            assert!(why.contains(name.as_str()), "{name} is not in: {why}");
+        }
+    }
+}
+
+#[test]
+fn what_a_run_cannot_be_held_against_is_a_wrong_call() {
+    let (here, now) = (folder("coolant"), folder("coolant-now"));
+    let [path, now_path] = [&here, &now].map(|folder| folder.to_str().expect("UTF-8"));
+    let call = ["certify", "reference", "--only", "coolant"];
+    let certify = |more: &[&str]| {
+        let output = gaugeblock(&[&call[..], more].concat());
+        let [said, why] =
+            [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text).into_owned());
+        (output.status.code(), said, why)
+    };
+    assert_eq!(certify(&["--report", path]).0, Some(0));
+    assert_eq!(certify(&["--baseline", path]).0, Some(0));
+    let (status, _, why) = certify(&["--baseline", path, "--edition", "linuxcnc-2.9"]);
+    assert_eq!(status, Some(2), "{why}");
+    assert!(
+        why.contains("not of reference held to linuxcnc-2.9") && why.contains("hint:"),
+        "{why}"
+    );
+    let output = gaugeblock(&["report", "merge", path, "--baseline", path, "--report", now_path]);
+    assert_eq!(output.status.code(), Some(0));
+    let json = std::fs::read_to_string(here.join("report.json")).expect("a report");
+    let versions = json.replacen("\"version\": \"", "\"version\": \"older than ", 1);
+    assert_ne!(versions, json);
+    std::fs::write(now.join("report.json"), versions).expect("a report");
+    let (status, said, why) = certify(&["--baseline", now_path]);
+    assert_eq!(status, Some(0), "{why}");
+    assert!(said.contains("note the baseline is of version older than "), "{said}");
+
+    let waivers = now.join("waivers.toml");
+    let waives = |rule: &str| {
+        let text = format!(
+            "[[waiver]]\nrule = \"{rule}\"\nreason = \"a\"\nowner = \"Ann\"\nexpires = \"2027-01-31\"\n"
+        );
+        std::fs::write(&waivers, text).expect("waivers");
+        certify(&["--waivers", waivers.to_str().expect("UTF-8"), "--today", "2027-01-01"])
+    };
+    let (status, _, why) = waives("coolant.no-such");
+    assert_eq!(status, Some(2), "{why}");
+    assert!(
+        why.contains("coolant.no-such: there is no such rule") && why.contains("hint:"),
+        "{why}"
+    );
+    assert_eq!(waives("saved-state.feed").0, Some(0), "nobody has asked for that rule");
+    assert_eq!(waives("coolant.off").0, Some(1), "there is nothing to waive");
+}
+
 #[test]
 fn the_page_of_two_thousand_divergences_is_small_enough() {
     let suite = suite();

@@ -9,6 +9,7 @@ use crate::certify::{BASELINE, EXPECTATIONS, Run};
 use crate::expectations::{Expectations, Trouble};
 use crate::report::Header;
 use crate::report::merge::Stored;
+use crate::suite::Suite;
 use crate::waivers::{Day, Waivers};
 
 #[derive(Debug, Args)]
@@ -16,7 +17,7 @@ pub(super) struct Against {
     /// What the controller is known to do otherwise; anything else fails
     #[arg(long, value_name = "FILE")]
     expectations: Option<PathBuf>,
-    /// An earlier report: only divergences that are new or have changed since fail
+    /// An earlier report of this controller and edition, in any version: only what is new or has changed since fails, such as a case that passed and is not judged now
     #[arg(long, value_name = "REPORT", conflicts_with = "expectations")]
     baseline: Option<PathBuf>,
     /// Divergences that somebody answers for until a day: rule, case, reason, owner, expires (TOML)
@@ -50,9 +51,20 @@ impl Against {
 }
 
 impl Known {
-    /// Refuses what is of another controller.
-    pub(super) fn fits(&self, header: &Header) -> Result<(), Refused> {
-        let Some(expectations) = &self.expectations else { return Ok(()) };
+    /// Refuses what is of another controller, and a waiver of what the suite does not have. A note where a baseline is of another version.
+    pub(super) fn fits(&self, header: &Header, suite: &Suite) -> Result<Option<String>, Refused> {
+        let waivers = self.waivers.as_ref();
+        if let Some(unknown) = waivers.and_then(|(waivers, _)| waivers.unknown(suite)) {
+            return Err(Refused::wrong(
+                unknown,
+                "`gaugeblock rules` lists the rules' ids, and with --format json their cases",
+            ));
+        }
+        if let Some(baseline) = &self.baseline {
+            let hint = "name the report.json of this controller, held to this edition";
+            return baseline.fits(header).map_err(|why| Refused::wrong(why, hint));
+        }
+        let Some(expectations) = &self.expectations else { return Ok(None) };
         let Header { controller, version, edition, .. } = header;
         if expectations.controller != *controller || expectations.edition != *edition {
             return Err(Refused::wrong(
@@ -72,7 +84,7 @@ impl Known {
                 "look at what the new version does, then --write-expectations",
             ));
         }
-        Ok(())
+        Ok(None)
     }
 
     /// Where a run disagrees with what is known of it, and a note for each divergence that is mended. In the run what is known or

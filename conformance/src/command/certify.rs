@@ -42,7 +42,11 @@ const EXAMPLES: &str = "Examples:
   gaugeblock certify rs274 --as offline:campaign
       hold it to no more than those sheets of paper tell, so that the verdicts of both can be compared
   gaugeblock certify reference --edition m70-draft --only saved-state
-      hold the specification to one chapter of an edition";
+      hold the specification to one chapter of an edition
+
+Exit status: 0 where at least one case is judged, and each that is comes to what the documents say, or to what is known or waived; 1 where one
+does not, or a claimed profile is not passed; 2 for a wrong call; 3 where a case could not be judged, or all that was asked is unsupported: of a
+controller of which nothing was judged nothing is certified.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -157,7 +161,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     }
     let twice = arguments.twice;
     let header = Header { twice, ..Header::of(plan, controller.as_ref(), shard) };
-    known.fits(&header)?;
+    let newer = known.fits(&header, suite)?;
     let mut run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
     if is_fingerprinted(arguments, controller.as_ref()) {
         let options = options_of(suite, edition, controller.as_ref());
@@ -167,6 +171,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
     let (troubles, mended) = known.hold(&mut run, whole);
     let mut notes = controller.notes();
+    notes.extend(newer);
     notes.extend(mended);
     // What a profile comes to is known of the whole alone.
     let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };

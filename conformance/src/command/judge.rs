@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use gaugeblock_reference::motion::laws::Verdict;
 use gaugeblock_trace::Position;
 use gaugeblock_trace::motion::Samples;
 
 use super::pictures::Drawing;
-use super::{Refused, plan, run, write_out};
+use super::{Refused, place, plan, run, write_out};
 use crate::motion::Summary;
 use crate::suite::Suite;
 
@@ -22,7 +23,8 @@ Samples are a table with a line that says how long a servo cycle is, and a line 
   0,0,0,1
 or the compact form that `gaugeblock plan --samples part.bin` writes. What they do not show is not judged.
 
-Exit status: 0 where all laws of motion hold that can be judged, 1 where one is broken.";
+Exit status: 0 where at least one law of motion is judged, and each that is holds; 1 where one is broken; 2 where there is no sample; 3 where
+no law can be judged. Which ones cannot, and why, is told; a law of what the program does not ask for is none of them.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -47,6 +49,10 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn judge_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let mut inputs = arguments.how.inputs(&arguments.program);
+    inputs.extend([arguments.samples.clone(), arguments.machine.clone()]);
+    inputs.extend(arguments.script.clone());
+    place::spare(&inputs, &[("--svg", arguments.svg.as_deref())])?;
     let limits = plan::limits(&arguments.machine)?;
     let samples = read(&arguments.samples)?;
     let script = plan::script(arguments.script.as_deref())?;
@@ -62,7 +68,19 @@ pub(super) fn judge_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
         Drawing { title, samples, path, limits, script, told: None }.write(file)?;
     }
     write_out(&plan::told(&summary, &arguments.program));
-    Ok(u8::from(!summary.holds()))
+    Ok(exit_status(&summary))
+}
+
+/// A law that cannot be judged is no failure, since a machine need not have every limit; that nothing was judged is no success.
+pub(super) fn exit_status(summary: &Summary) -> u8 {
+    let mut laws = summary.judgement.0.iter();
+    if !summary.holds() {
+        1
+    } else if laws.any(|(_, verdict)| matches!(verdict, Verdict::Held { .. })) {
+        0
+    } else {
+        3
+    }
 }
 
 fn read(file: &Path) -> Result<Samples, Refused> {
@@ -74,7 +92,46 @@ fn read(file: &Path) -> Result<Samples, Refused> {
         Ok(text) if text.starts_with('#') => Samples::from_csv(text),
         Ok(_) | Err(_) => Samples::from_bytes(&bytes),
     };
-    samples.map_err(|error| {
+    let samples = samples.map_err(|error| {
         Refused::wrong(format!("{name}: {error}"), "`gaugeblock judge --help` shows the form")
-    })
+    })?;
+    if samples.is_empty() {
+        return Err(Refused::wrong(
+            format!("{name}: it holds no sample: nothing comes after its head"),
+            "record the motion of the program, a sample for each servo cycle; `gaugeblock judge --help` shows the form",
+        ));
+    }
+    Ok(samples)
+}
+
+#[cfg(test)]
+mod tests {
+    use gaugeblock_reference::motion::laws::{Judgement, Law, Violation};
+
+    use super::*;
+
+    #[test]
+    fn a_law_that_is_not_judged_neither_fails_nor_passes() {
+        let held = Verdict::Held { share: None };
+        let broken = Verdict::Broken(vec![Violation {
+            law: Law::Feed,
+            cycle: 0,
+            cycles: 1,
+            axis: None,
+            measured: 2.0,
+            allowed: 1.0,
+            words: "too fast".to_owned(),
+        }]);
+        let open = Verdict::NotJudged("x moves and is not recorded".to_owned());
+        for (verdicts, status) in [
+            (vec![held.clone(), open.clone()], 0),
+            (vec![held, broken], 1),
+            (vec![open.clone(), Verdict::NothingAsked], 3),
+            (vec![open], 3),
+        ] {
+            let judgement = Judgement(Law::ALL.iter().copied().zip(verdicts).collect());
+            let summary = Summary { time: 0.0, least: Ok(0.0), kinds: Vec::new(), judgement };
+            assert_eq!(exit_status(&summary), status, "{summary}");
+        }
+    }
 }

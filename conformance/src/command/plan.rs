@@ -9,7 +9,7 @@ use gaugeblock_trace::{End, Outcome, Position, Scenario};
 
 use super::controller::linuxcnc;
 use super::pictures::Drawing;
-use super::{Refused, place, run, write_error_in_colours, write_out};
+use super::{Refused, judge, place, run, write_error_in_colours, write_out};
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::{Adapter, NotMoved};
@@ -40,7 +40,8 @@ A script tells what the operator and the machine's inputs do, in order, each fro
   ]
 Others: rapid_override, adaptive_feed, feed_stop, and spindle_speed = { spindle = 0, turns = 10 }.
 
-Exit status: 0 where all laws of motion hold that can be judged, 1 where one is broken.";
+Exit status: 0 where at least one law of motion is judged, and each that is holds; 1 where one is broken; 2 for a wrong call; 3 where the
+program cannot be planned, or no law can be judged.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -112,7 +113,7 @@ pub(super) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, R
         Drawing { title, samples, path, limits, script, told }.write(file)?;
     }
     write_out(&told(&summary, &arguments.file));
-    Ok(u8::from(!summary.holds()))
+    Ok(judge::exit_status(&summary))
 }
 
 /// The files that a call reads.

@@ -64,7 +64,7 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, Refused> {
     }
     let edition = super::edition(suite, &header.edition)?;
     let known = arguments.against.read()?;
-    known.fits(header)?;
+    let newer = known.fits(header, suite)?;
     let plan = Plan { suite, edition, only: &header.only, jobs: NonZero::<usize>::MIN };
     let all = cases(plan, header.laws, Shard::WHOLE);
     let mut cases = in_order(&whole.cases, &all, suite).map_err(wrong)?;
@@ -76,7 +76,7 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, Refused> {
     let report = Report {
         run: &run,
         header: header.clone(),
-        notes: [whole.notes.clone(), mended].concat(),
+        notes: [whole.notes.clone(), newer.into_iter().collect(), mended].concat(),
         profiles,
         troubles,
     };

@@ -74,7 +74,7 @@ pub(super) fn rules(arguments: &Arguments, folder: Option<&Path>) -> Result<u8, 
         return check(&suite, folder, &arguments.document);
     }
     if arguments.matrix {
-        let (ledgers, faults) = ledgers(folder)?;
+        let (ledgers, faults) = ledgers(&suite, folder)?;
         if let Some(fault) = faults.into_iter().next() {
             return Err(Refused::wrong(fault, "`gaugeblock rules --check` lists all"));
         }
@@ -183,8 +183,8 @@ fn choices(suite: &Suite, format: Format) {
 
 fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u8, Refused> {
     let mut faults = catalogue::faults(suite);
-    let (ledgers, unreadable) = ledgers(folder)?;
-    faults.extend(unreadable);
+    let (ledgers, wrong) = ledgers(suite, folder)?;
+    faults.extend(wrong);
     for named in documents {
         faults.extend(check_document(&ledgers, named)?);
     }
@@ -207,8 +207,8 @@ fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u
     Ok(u8::from(!faults.is_empty()))
 }
 
-/// The sentence ledgers, and what is wrong with those that are none.
-fn ledgers(folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<String>), Refused> {
+/// The sentence ledgers, and what is wrong with those that are none, or that name pages that the suite does not have.
+fn ledgers(suite: &Suite, folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<String>), Refused> {
     let files = match folder {
         Some(folder) => files::of_folder(folder).map_err(|error| {
             Refused::wrong(error, "--suite takes a folder like conformance/suite")
@@ -219,7 +219,8 @@ fn ledgers(folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<String>), Refused>
     for (path, text) in files.iter().filter(|(path, _)| path.starts_with("documents/")) {
         match Ledger::parse(text) {
             Ok(ledger) => {
-                faults.extend(ledger.faults().into_iter().map(|fault| format!("{path}: {fault}")));
+                let absent = ledger::absent(text, suite).into_iter();
+                faults.extend(absent.map(|(line, fault)| format!("{path}:{line}: {fault}")));
                 ledgers.push(ledger);
             }
             Err(error) => faults.push(format!("{path}: {error}")),
@@ -239,7 +240,7 @@ fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, Refuse
             format!("one of: {}", known.join(", ")),
         )
     })?;
-    let text = place::program(&PathBuf::from(file))?;
+    let text = place::text(&PathBuf::from(file), "document (--document)")?;
     Ok(match ledger::check(&text, ledger) {
         Ok(()) => Vec::new(),
         Err(mismatches) => mismatches.iter().map(|mismatch| format!("{id}: {mismatch}")).collect(),
@@ -261,7 +262,7 @@ fn bless(suite: &Suite, folder: &Path, arguments: &Arguments) -> Result<u8, Refu
     }
     for rule in rules {
         let path = folder.join(&suite.paths[&rule.id]);
-        let text = place::program(&path)?;
+        let text = place::text(&path, "page")?;
         let blessed = with_goldens(suite, rule, &text).map_err(|error| {
             Refused::wrong(format!("{}: {error}", path.display()), "mend the page")
         })?;

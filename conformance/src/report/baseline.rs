@@ -1,39 +1,46 @@
 //! A run against an earlier report: what is new, what has changed, and what is mended.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
+use super::Header;
 use super::merge::Stored;
-use super::stored::{StoredDeparture, StoredVerdict};
+use super::stored::StoredVerdict;
 use crate::certify::{Run, Verdict};
 use crate::expectations::Trouble;
 
 impl Stored {
-    /// Divergences that the earlier report does not have, or has otherwise; and a sentence for each that is mended, or that is not judged any more, and
-    /// one for the passes that are not.
+    /// What a report has to be of so that a run can be held against it: the same controller, and the same edition. Another version of
+    /// the controller is what a baseline is for, and worth a note.
+    ///
+    /// # Errors
+    /// It is of another controller or edition, with both names.
+    pub fn fits(&self, now: &Header) -> Result<Option<String>, String> {
+        let Header { controller, version, edition, .. } = &self.header;
+        if (controller, edition) != (&now.controller, &now.edition) {
+            return Err(format!(
+                "this baseline is of {controller} held to {edition}, not of {} held to {}",
+                now.controller, now.edition
+            ));
+        }
+        let now = &now.version;
+        Ok((version != now)
+            .then(|| format!("the baseline is of version {version}, this is version {now}")))
+    }
+
+    /// Divergences that the earlier report does not have, or has otherwise, and cases that passed there of which nothing is known any more;
+    /// and a sentence for each divergence that is mended, or that is not judged any more.
     pub fn hold(&self, run: &Run<'_>) -> (Vec<Trouble>, Vec<String>) {
-        let before: BTreeMap<(&str, &str), &StoredDeparture> = self
+        let before: BTreeMap<(&str, &str), &StoredVerdict> = self
             .cases
             .iter()
-            .filter_map(|case| {
-                Some(((case.rule.as_str(), case.case.as_str()), case.verdict.departure()?))
-            })
+            .map(|case| ((case.rule.as_str(), case.case.as_str()), &case.verdict))
             .collect();
-        let passed: BTreeSet<(&str, &str)> = self
-            .cases
-            .iter()
-            .filter(|case| matches!(case.verdict, StoredVerdict::Pass))
-            .map(|case| (case.rule.as_str(), case.case.as_str()))
-            .collect();
-        let (mut troubles, mut told, mut lost) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut troubles, mut told) = (Vec::new(), Vec::new());
         for result in &run.cases {
             let (rule, case) = (result.rule.id.clone(), result.name.to_owned());
             let before = before.get(&(result.rule.id.as_str(), result.name));
-            match (result.verdict.departure(), before) {
-                (None, None) => {
-                    let is_lost = result.verdict != Verdict::Pass
-                        && passed.contains(&(result.rule.id.as_str(), result.name));
-                    lost.extend(is_lost.then(|| format!("{rule} / {case}")));
-                }
+            let known = before.and_then(|before| before.departure());
+            match (result.verdict.departure(), known) {
                 (Some(departure), None) => {
                     troubles.push(Trouble::New { rule, case, found: departure.line() });
                 }
@@ -42,18 +49,17 @@ impl Stored {
                     let (listed, found) = (before.found.clone(), departure.line());
                     troubles.push(Trouble::Changed { rule, case, listed, found });
                 }
-                (None, Some(before)) if result.verdict == Verdict::Pass => {
-                    told.push(format!("mended: {rule} / {case}: was {}", before.found));
+                (None, before) if result.verdict == Verdict::Pass => told.extend(
+                    before.map(|before| format!("mended: {rule} / {case}: was {}", before.found)),
+                ),
+                (None, _) if before.is_some_and(|before| before.is_pass()) => {
+                    let (listed, found) = ("pass".to_owned(), result.verdict.to_string());
+                    troubles.push(Trouble::Changed { rule, case, listed, found });
                 }
-                (None, Some(before)) => {
-                    let found = &before.found;
-                    told.push(format!("not judged any more: {rule} / {case}: was {found}"));
-                }
+                (None, before) => told.extend(before.map(|before| {
+                    format!("not judged any more: {rule} / {case}: was {}", before.found)
+                })),
             }
-        }
-        if let Some(first) = lost.first() {
-            let count = lost.len();
-            told.push(format!("not judged any more: {count} that passed, the first {first}"));
         }
         (troubles, told)
     }

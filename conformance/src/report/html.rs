@@ -45,6 +45,8 @@ struct Page<'a> {
     status: &'static str,
     notes: &'a [String],
     counts: Vec<Count>,
+    /// Whether anything is known of it.
+    judged: bool,
     troubles: Option<Vec<String>>,
     profiles: Vec<JudgedProfile>,
     fingerprint: Option<Fingerprint<'a>>,
@@ -83,6 +85,7 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
         status,
         notes: &report.notes,
         counts: counts(report),
+        judged: report.counts().judged() > 0,
         troubles: troubles.map(|all| all.iter().map(ToString::to_string).collect()),
         profiles: json::profiles(report),
         fingerprint: fingerprint(report),
@@ -196,6 +199,9 @@ pub(super) fn says(report: &Report<'_>) -> (&'static str, &'static str) {
         }
         0 => ("pass", "It does what the documents say, in everything that was judged."),
         1 => ("diverges", "It departs from what it is held to."),
+        _ if report.counts().judged() == 0 => {
+            ("inconclusive", "Nothing was judged: nothing is certified.")
+        }
         _ => ("inconclusive", "Something could not be judged: this is no certificate."),
     }
 }

@@ -164,6 +164,11 @@ impl Counts {
         self.unjudged().into_iter().map(|(_, count)| count).sum()
     }
 
+    /// Cases of which something is known: they pass, or they depart, whoever knows of it.
+    pub fn judged(self) -> usize {
+        self.pass + self.charged_elsewhere + self.diverges + self.known + self.waived
+    }
+
     fn verdict(self) -> RuleVerdict {
         if self.diverges + self.known + self.waived > 0 {
             RuleVerdict::Diverges
@@ -225,8 +230,8 @@ impl<'a> Report<'a> {
         reasons
     }
 
-    /// The exit status: 0 all as documented or known, 1 a divergence, a wrong expectation or a claimed profile that
-    /// it does not pass, 3 not finished.
+    /// The exit status: 0 all that was judged is as documented or known, 1 a divergence, a wrong expectation or a claimed
+    /// profile that it does not pass, 3 not finished, or nothing was judged at all.
     pub fn exit_status(&self) -> u8 {
         let counts = self.counts();
         let wrong = match &self.troubles {
@@ -236,7 +241,7 @@ impl<'a> Report<'a> {
         let fails = self.profiles.iter().any(|profile| profile.claimed && !profile.passes());
         if wrong || fails {
             1
-        } else if counts.not_judged() > 0 || counts.all() == 0 || !self.leaks().is_empty() {
+        } else if counts.not_judged() > 0 || counts.judged() == 0 || !self.leaks().is_empty() {
             3
         } else {
             0

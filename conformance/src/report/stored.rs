@@ -154,6 +154,11 @@ impl StoredVerdict {
         }
     }
 
+    /// Whether it says that the controller does what the documents say.
+    pub fn is_pass(&self) -> bool {
+        matches!(self, Self::Pass | Self::ChargedElsewhere(_))
+    }
+
     /// What the controller does otherwise, whoever knows of it.
     pub fn departure(&self) -> Option<&StoredDeparture> {
         match self {

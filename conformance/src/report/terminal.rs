@@ -316,7 +316,8 @@ fn verdict(text: &mut String, report: &Report<'_>) {
             (RED, "departs from its documents")
         }
         (1, _) => (RED, "does not pass what it claims"),
-        _ if counts.not_judged() == 0 && counts.all() > 0 => {
+        _ if counts.judged() == 0 => (YELLOW, "nothing was judged: nothing is certified"),
+        _ if counts.not_judged() == 0 => {
             (YELLOW, "not clean: programs leave something there that fails others")
         }
         _ => (YELLOW, "not finished: some cases were not judged"),

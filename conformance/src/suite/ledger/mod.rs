@@ -6,6 +6,7 @@
 //! a ledger for another document.
 
 mod asciidoc;
+mod carriers;
 mod check;
 mod digest;
 mod manual;
@@ -21,6 +22,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+pub use carriers::absent;
 pub use check::{Mismatch, check};
 pub use digest::{digest, file_digest, words};
 pub use split::{Form, Kind, TextItem, TextSection, extract};

@@ -1,0 +1,95 @@
+//! The pages that a ledger names are there: a sentence that nobody carries any more is not carried.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::suite::{ChoiceKind, Suite};
+
+/// As much of a ledger as names pages, each name with its place.
+#[derive(Deserialize)]
+struct Names {
+    #[serde(default, rename = "section")]
+    sections: Vec<Section>,
+}
+
+#[derive(Deserialize)]
+struct Section {
+    items: Vec<Item>,
+}
+
+#[derive(Deserialize)]
+struct Item {
+    #[serde(default)]
+    rules: Vec<Spanned<String>>,
+    #[serde(default)]
+    choices: Vec<Spanned<String>>,
+    #[serde(default)]
+    quirks: Vec<Spanned<String>>,
+}
+
+/// Each rule, choice or quirk that the text of a ledger names and the suite does not have, with its line. A text that is no ledger names none.
+pub fn absent(text: &str, suite: &Suite) -> Vec<(usize, String)> {
+    let Ok(names) = toml::from_str::<Names>(text) else { return Vec::new() };
+    let is_choice = |id: &str, kind: ChoiceKind| {
+        suite.choices.iter().any(|choice| choice.kind == kind && choice.id == id)
+    };
+    // A choice of motion carries a sentence as a rule does.
+    let is_rule = |id: &str| {
+        suite.rule(id).is_some() || suite.motion_choices.iter().any(|choice| choice.id == id)
+    };
+    let mut absent = Vec::new();
+    let mut look = |what: &str, ids: &[Spanned<String>], is_there: &dyn Fn(&str) -> bool| {
+        for id in ids.iter().filter(|id| !is_there(id.get_ref())) {
+            let line = text[..id.span().start].matches('\n').count() + 1;
+            absent.push((line, format!("there is no {what} `{}`", id.get_ref())));
+        }
+    };
+    for item in names.sections.iter().flat_map(|section| &section.items) {
+        look("rule", &item.rules, &is_rule);
+        look("choice", &item.choices, &|id| is_choice(id, ChoiceKind::Choice));
+        look("quirk", &item.quirks, &|id| is_choice(id, ChoiceKind::Quirk));
+    }
+    absent
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::suite::files;
+
+    #[test]
+    fn a_page_that_is_not_there_carries_nothing_and_the_line_says_where() {
+        let suite = Suite::read(&files::built_in()).expect("the suite");
+        let text = r#"
+[[section]]
+name = "Feed"
+items = [
+  { n = 1, rules = ["saved-state.feed", "trajectory.motion-start"] },
+  { n = 2, rules = ["saved-state.feed", "no.such"], choices = ["pause.pallet-codes"] },
+  { n = 3, choices = ["rs274.feed-zero-at-end"], quirks = ["rs274.feed-zero-at-end", "pause.pallet-codes"] },
+]
+"#;
+        let found = absent(text, &suite);
+        let expected = [
+            (6, "there is no rule `no.such`"),
+            (7, "there is no choice `rs274.feed-zero-at-end`"),
+            (7, "there is no quirk `pause.pallet-codes`"),
+        ];
+        assert_eq!(found, expected.map(|(line, fault)| (line, fault.to_owned())));
+    }
+
+    #[test]
+    fn a_page_that_is_deleted_leaves_its_sentences_without_a_carrier() {
+        let files = files::built_in();
+        let mut suite = Suite::read(&files).expect("the suite");
+        let ledgers = || files.iter().filter(|(path, _)| path.starts_with("documents/"));
+        let absent = |suite: &Suite| -> Vec<(usize, String)> {
+            ledgers().flat_map(|(_, text)| absent(text, suite)).collect()
+        };
+        assert_eq!(absent(&suite), []);
+        suite.rules.retain(|rule| rule.id != "saved-state.feed");
+        let left = absent(&suite);
+        assert!(!left.is_empty());
+        assert!(left.iter().all(|(_, fault)| fault == "there is no rule `saved-state.feed`"));
+    }
+}
