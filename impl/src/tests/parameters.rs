@@ -1,8 +1,9 @@
 //! Numbered and named parameters (11.4.3, 11.4.4).
 
+use alloc::vec;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Machine, Options};
+use gaugeblock_trace::{Machine, Options, Tool};
 
 use super::{Case, Recorder, check, check_all};
 use crate::{Interpreter, Limits, Memory, Room};
@@ -136,4 +137,39 @@ fn nothing_is_left_in_room_that_was_used() {
     assert!(ran.is_err(), "{ran:?}");
     assert_ne!(all(&used), fresh);
     assert_eq!(all(&new(used.into_room())), fresh);
+}
+
+#[test]
+fn options_are_not_those_of_room_that_was_used() {
+    let (machine, limits) = (Machine::default(), Limits::default());
+    let of = |option: &str| -> Options {
+        Options([("expressions.true-value".into(), option.into())].into_iter().collect())
+    };
+    let mut room = Room::default();
+    for (option, truth) in [("minus-one", -1.0), ("one", 1.0), ("minus-one", -1.0)] {
+        let mut interpreter =
+            Interpreter::with_room(machine.clone(), of(option), limits, room).expect("a machine");
+        assert_eq!(*interpreter.options(), of(option));
+        let mut program = Memory::new("#31=[1 eq 1]\nm2\n");
+        let ran = interpreter.run(&mut program, &mut Recorder::default(), 100);
+        assert!(ran.is_ok(), "{ran:?}");
+        assert_eq!(interpreter.parameters().first(), Some(&(31, truth)), "{option}");
+        room = interpreter.into_room();
+    }
+}
+
+#[test]
+fn tools_are_as_the_program_has_changed_them() {
+    let (options, limits) = (Options::default(), Limits::default());
+    let tools = vec![Tool { number: 3, ..Tool::default() }];
+    let machine = Machine { tools, ..Machine::default() };
+    let mut interpreter = Interpreter::new(machine, options, limits).expect("a machine");
+    let mut program = Memory::new("g10 l1 p3 z5\nm2\n");
+    let ran = interpreter.run(&mut program, &mut Recorder::default(), 100);
+    assert!(ran.is_ok(), "{ran:?}");
+    let tools = interpreter.tools();
+    assert_eq!(
+        tools.iter().map(|tool| (tool.number, tool.offset.z)).collect::<Vec<_>>(),
+        [(3, 5.0)]
+    );
 }
