@@ -34,6 +34,8 @@ const SIZE: (u32, u32) = (1200, 1180);
 const LINE: i32 = 22;
 const VIEWS: i32 = 520;
 const CURVE: i32 = 300;
+/// Room to the right of the curves, for the end of a number and for what colour is which axis.
+const MARGIN: u32 = 56;
 const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
 const GREY: RGBColor = RGBColor(0xb0, 0xb0, 0xb0);
 const LIMIT: RGBColor = RGBColor(0xb0, 0x1e, 0x1e);
@@ -139,13 +141,15 @@ impl Picture<'_> {
     fn draw_speed(&self, area: &Area<'_>) -> Drawn {
         let highest =
             self.speed.iter().chain(self.asked).copied().filter(|speed| speed.is_finite());
-        let highest = highest.fold(1e-9, f64::max) * 1.05;
+        let highest =
+            Some(highest.fold(0.0, f64::max) * 1.05).filter(|it| *it > 0.0).unwrap_or(1.0);
         let mut chart = ChartBuilder::on(area)
             .caption(
                 "speed along the path, mm/s (red: the feed that is asked for, overrides counted)",
                 ("sans-serif", 14).into_font().color(&INK),
             )
             .margin(10)
+            .margin_right(MARGIN)
             .x_label_area_size(26)
             .y_label_area_size(54)
             .build_cartesian_2d(0.0..self.duration(), 0.0..highest)?;
@@ -174,6 +178,7 @@ impl Picture<'_> {
                 ("sans-serif", 14).into_font().color(&INK),
             )
             .margin(10)
+            .margin_right(MARGIN)
             .x_label_area_size(26)
             .y_label_area_size(54)
             .build_cartesian_2d(0.0..self.duration(), -1.2..1.2)?;
@@ -186,20 +191,26 @@ impl Picture<'_> {
             let line = [(0.0, limit), (self.duration(), limit)];
             chart.draw_series(LineSeries::new(line, LIMIT.stroke_width(1)))?;
         }
-        for (place, (axis, shares)) in self.acceleration.iter().enumerate() {
+        for (place, (_, shares)) in self.acceleration.iter().enumerate() {
             let colour = AXES[place % AXES.len()];
             let curve =
                 LineSeries::new(self.over_time(shares, 0..shares.len()), colour.stroke_width(1));
-            chart.draw_series(curve)?.label(axis.to_string()).legend(move |(x, y)| {
-                PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(2))
-            });
+            chart.draw_series(curve)?;
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
-            .background_style(WHITE.mix(0.8))
-            .border_style(GREY)
-            .draw()?;
+        self.draw_legend(area)
+    }
+
+    /// Which colour is which axis, beside the curves and not above them.
+    fn draw_legend(&self, area: &Area<'_>) -> Drawn {
+        let left = i32::try_from(area.dim_in_pixel().0.saturating_sub(MARGIN))? + 10;
+        let mut row = 34;
+        for (place, (axis, _)) in self.acceleration.iter().enumerate() {
+            let line = [(left, row), (left + 16, row)];
+            area.draw(&PathElement::new(line, AXES[place % AXES.len()].stroke_width(2)))?;
+            let style = ("sans-serif", 14).into_font().color(&INK);
+            area.draw(&Text::new(axis.to_string(), (left + 22, row - 7), style))?;
+            row += LINE;
+        }
         Ok(())
     }
 
@@ -242,7 +253,9 @@ fn span(numbers: impl Iterator<Item = f64>) -> Range<f64> {
 
 /// Both ranges with some room around, and so that a millimetre is as long across as it is up; `shape` is width over height.
 fn same_scale(across: Range<f64>, up: Range<f64>, shape: f64) -> (Range<f64>, Range<f64>) {
-    let high = (up.end - up.start).max((across.end - across.start) / shape).max(1e-6) * 1.1;
+    let high = (up.end - up.start).max((across.end - across.start) / shape) * 1.1;
+    // Where nothing moves the room around it is a millimetre.
+    let high = if high > 1e-6 { high } else { 1.0 };
     let around = |range: &Range<f64>, size: f64| {
         let middle = f64::midpoint(range.start, range.end);
         middle - size / 2.0..middle + size / 2.0
