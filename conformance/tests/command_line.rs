@@ -52,6 +52,11 @@ fn wrong_input_is_told_with_its_place() {
     refused(&["run", &program, "--iut", "mill"], 2, &["mill", "reference"]);
     let scenario = file(&here, "scenario.toml", b"[machine]\nspindels = 2\n");
     refused(&["run", &program, "--scenario", &scenario], 2, &["scenario.toml: line 2", "spindels"]);
+    let procedures = file(&here, "post.gpp", b"START:\n");
+    file(&here, "post.toolpath", b"system X_CURPOS change COORDINATES\nblock START: Y=1\n");
+    let output = gaugeblock(&["run", &procedures]);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(told.contains("post.toolpath:2:"), "{told}");
     refused(&["certify", "reference", "--only", "no-such-rule"], 2, &["no-such-rule", "rules"]);
     let one_of_two = ["certify", "reference", "--only", "text", "--only", "no-such-rule"];
     refused(&one_of_two, 2, &["no-such-rule"]);

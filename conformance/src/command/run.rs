@@ -224,5 +224,9 @@ fn stopped(outcome: &Outcome) -> Option<(Option<&Block>, Option<Span>, String)> 
 
 /// A block's file, as the caller knows it.
 fn name(block: &Block, file: &Path) -> String {
-    if block.file == Program::MAIN { file.display().to_string() } else { inert_line(&block.file) }
+    match &*block.file {
+        Program::MAIN => file.display().to_string(),
+        TOOLPATH => file.with_extension(TOOLPATH).display().to_string(),
+        other => inert_line(other),
+    }
 }
