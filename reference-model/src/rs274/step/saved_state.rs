@@ -76,13 +76,7 @@ fn levels(state: &State) -> Vec<&'static str> {
 
 /// Choice saved-state.after-run. A run is over, or the next one begins: what the main program has saved holds on, or it does not.
 pub fn run_is_over(state: &mut State) {
-    let choice = "saved-state.after-run";
-    let main = &state.frames[0];
-    if main.saved.is_none() {
-        return;
-    }
-    state.evidence.accepted(choice);
-    if state.readings.is(choice, "forgotten") {
+    if state.readings.is("saved-state.after-run", "forgotten") {
         state.frames[0].forget_saved();
     }
 }

@@ -39,12 +39,8 @@ impl Run<'_> {
 
     /// Choice outputs.waiting-after-abort. What waits for a motion is gone with the motions that were queued, or waits for the next one.
     pub(super) fn forget_waiting(&mut self) {
-        self.forget_where("outputs.waiting-after-abort");
-    }
-
-    /// Where the choice says so, what waits for a motion is forgotten.
-    pub(super) fn forget_where(&mut self, choice: &'static str) {
         if self.state.outside.awaits_motion() {
+            let choice = "outputs.waiting-after-abort";
             self.state.evidence.accepted(choice);
             if self.state.readings.is(choice, "forgotten") {
                 self.state.outside.forget_all_with_motion();

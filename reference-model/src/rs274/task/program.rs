@@ -304,8 +304,8 @@ impl Run<'_> {
     fn over(&mut self) {
         step::saved_state::run_is_over(&mut self.state);
         // What is only read ahead has not ended.
-        if !self.ahead {
-            self.forget_where("outputs.waiting-after-end");
+        if !self.ahead && self.state.readings.is("outputs.waiting-after-end", "forgotten") {
+            self.state.outside.forget_all_with_motion();
         }
     }
 }
