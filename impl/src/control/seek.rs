@@ -209,14 +209,15 @@ impl Interpreter {
         Ok(())
     }
 
-    /// A block that is skipped defines its label too, where the option says so.
+    /// A block that is skipped defines its label too, where the option says so, whatever else stands in it; one that must be computed it has where it
+    /// is come to.
     fn define_skipped(&mut self, at: Cursor, block: &Block, oword: OWord) {
         let head =
             matches!(oword.keyword, Keyword::If | Keyword::While | Keyword::Repeat | Keyword::Do);
-        if self.packer.choices.skipped_free || !head || block.refused != NONE {
+        let label = oword.label;
+        if self.packer.choices.skipped_free || !head || label == NONE {
             return;
         }
-        let Ok(label) = self.label(at, block, oword) else { return };
         if self.scopes.find(label).is_none() {
             let definition = self.definition(at, block, label, oword.keyword);
             self.scopes.define(Definition { ended: true, ..definition });
