@@ -200,6 +200,12 @@ fn sessions_are_printed_as_by_rs274() {
         let (theirs, ours) = both_called("session", &[("stdin", session)], &["-g"]);
         assert_eq!(theirs, ours, "{session:?}: {}", difference(&theirs, &ours));
     }
+    // Behind a sub that is refused it goes on within it.
+    for text in ["o5 sub\no6 sub\ng0x1\no5 endsub\ng0x3\nm2\n", "o5 sub\no6 sub\ng0x1\ng0x2\nm2\n"]
+    {
+        let (theirs, ours) = both("within", &[("main.ngc", text)], &["-n", "0"]);
+        assert_eq!(theirs, ours, "{text:?}: {}", difference(&theirs, &ours));
+    }
     for text in ["", "\n", "\n  \n", " "] {
         let (theirs, ours) = both("empty", &[("main.ngc", text)], &[]);
         assert_eq!(theirs, ours, "{text:?}: {}", difference(&theirs, &ours));

@@ -270,7 +270,8 @@ impl Interpreter {
         Ok(Progress::More)
     }
 
-    /// Ends the program as an operator's abort does: call levels and what was saved in them are gone, settings are reset.
+    /// Ends the program as an operator's abort does: call levels and what was saved in them are gone, what the main program has saved as the
+    /// options say, settings are reset.
     ///
     /// The interpreter stands before another program's first block then, as after [`Self::begin`].
     pub fn abort<K: Sink>(&mut self, sink: &mut K) {
@@ -278,8 +279,8 @@ impl Interpreter {
         self.begin_over();
     }
 
-    /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it set stays. The value that a
-    /// sub has returned is 0 then (11.4.3.5).
+    /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it set stays, and what it
+    /// has saved as the options say. The value that a sub has returned is 0 then (11.4.3.5).
     pub fn begin(&mut self) {
         self.parameters.value = 0.0;
         self.modal.end_run();
@@ -331,8 +332,8 @@ impl Interpreter {
         self.ended = None;
     }
 
-    /// Makes it ready for a block that is entered by hand, as line `number` of a file of this name, in MDI mode. The states that blocks by hand
-    /// have saved stay; what the last program has defined is forgotten. The source holds that one line.
+    /// Makes it ready for a block that is entered by hand, as line `number` of a file of this name, in MDI mode. The states that are saved
+    /// at the level of the main program stay; what the last program has defined is forgotten. The source holds that one line.
     pub fn begin_by_hand(&mut self, file: &str, number: u32) {
         self.forget_program();
         self.reader.begin_at(number);
@@ -342,6 +343,7 @@ impl Interpreter {
         {
             *main = file.into();
         }
+        self.modal.leave_saved_calls();
         self.modal.set_controller_mode(ControllerMode::Mdi);
     }
 

@@ -37,6 +37,7 @@ mod threads;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufRead, Write};
+use std::os::unix::fs::MetadataExt as _;
 use std::path::Path;
 
 pub use arguments::Arguments;
@@ -105,10 +106,15 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     interpreter.set_comments_told(true);
     interpreter.set_imitation(true);
     let texts = Texts::default();
-    if let (Some(program), Some(output)) = (&arguments.program, &arguments.output)
-        && is_same(program, output)
-    {
-        return Err(format!("{}: the program would be written over", output.display()));
+    let read = [&arguments.program, &arguments.ini, &arguments.tools, &arguments.parameters];
+    let written = [(&arguments.output, &read[..]), (&arguments.parameters, &read[..3])];
+    for (name, others) in written {
+        let others = others.iter().copied().flatten();
+        if let Some(name) = name
+            && others.into_iter().any(|other| is_same(other, name))
+        {
+            return Err(format!("{}: a file that is read would be written over", name.display()));
+        }
     }
     let output = Output::new(sink(arguments.output.as_deref())?);
     let printer = Printer::new(output, texts.clone(), &interpreter.settings(), fixed);
@@ -279,9 +285,10 @@ fn sink(path: Option<&Path>) -> Result<Box<dyn Write>, Trouble> {
     })
 }
 
-/// Whether two names lead to one file.
+/// Whether two names lead to one file, by whichever links.
 fn is_same(one: &Path, other: &Path) -> bool {
-    matches!((one.canonicalize(), other.canonicalize()), (Ok(one), Ok(other)) if one == other)
+    let file = |path: &Path| path.metadata().ok().map(|found| (found.dev(), found.ino()));
+    file(one).is_some() && file(one) == file(other)
 }
 
 fn read_text(path: &Path) -> Result<String, Trouble> {

@@ -84,6 +84,12 @@ impl Interpreter {
                 Err(self.fault(at.segment, block.line, FaultKind::DuplicateSub, message, None))
             }
             None => {
+                if let Some(line) =
+                    crate::interpret::segment(&self.segments, segment).and_then(|code| code.inner)
+                {
+                    let message = "a sub within a sub".into();
+                    return Err(self.fault(at.segment, line, FaultKind::NestedSub, message, None));
+                }
                 self.defined_lines.insert(label, block.line);
                 self.set_segment(label, segment);
                 Ok(())

@@ -6,10 +6,10 @@ use alloc::string::String;
 use gaugeblock_trace::FaultKind;
 
 use crate::control::flow::{Halt, refuse};
-use crate::control::gather::{Bad, Next};
+use crate::control::gather::{Bad, Ends, Next, refuse_endless};
 use crate::control::{PROGRAMS, Reader};
 use crate::error::Error;
-use crate::interpret::{Interpreter, NumberedProgram};
+use crate::interpret::{Interpreter, NumberedProgram, segment};
 use crate::parameters::NameId;
 use crate::source::Source;
 use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord, Op};
@@ -100,14 +100,40 @@ impl Interpreter {
         file: u32,
         source: &mut S,
     ) -> Result<u32, Error> {
-        let (line, kind, message) = match self.gather_sub(label, file, source)? {
+        let (line, kind, message) = match self.gather_sub(label, file, source, false)? {
             Ok(segment) => return Ok(segment),
-            Err(Bad::Nested { line, .. }) => (line, FaultKind::NestedSub, "a sub within a sub"),
+            Err(Bad::Nested(line)) => (line, FaultKind::NestedSub, "a sub within a sub"),
             Err(Bad::Endless) => (head.line, FaultKind::UnknownLabel, "the sub does not end"),
         };
         let number = u32::try_from(self.segments.len()).unwrap_or(NONE);
         self.segments.push(Segment { file, ..Segment::default() });
         Err(self.fault(number, line, kind, message.into(), None))
+    }
+
+    /// Where a sub begins among numbered subprograms, it gets a segment of its own. One that does not end holds nothing: what follows its head can
+    /// begin a program. That none ends is found out once, so that the text is not read again for each.
+    fn called_sub_into<S: Source>(
+        &mut self,
+        head: &Block,
+        ends: &mut Option<Ends>,
+        source: &mut S,
+        code: &mut Segment,
+    ) -> Result<bool, Error> {
+        if let (Some(ends), Kind::Control(OWord { keyword: Keyword::Sub, label, .. })) =
+            (ends.as_ref(), head.kind)
+            && !ends.end(label, head.line)
+        {
+            refuse_endless(code);
+            return Ok(false);
+        }
+        let body = self.reader.place();
+        let is_sub = self.sub_into(head, source, code)?;
+        if !is_sub {
+            self.rewind(source, body)?;
+            *ends = Some(self.ends(code.file, source)?);
+            self.rewind(source, body)?;
+        }
+        Ok(is_sub)
     }
 
     /// Looks for the numbered subprograms in what follows of the main program (11.7.4.1), once, and packs them together, since one that does
@@ -129,7 +155,7 @@ impl Interpreter {
             return Ok(false);
         }
         let mut code = Segment::default();
-        let mut programs = BTreeMap::new();
+        let (mut programs, mut ends) = (BTreeMap::new(), None);
         loop {
             if programs.is_empty() {
                 code.clear();
@@ -154,17 +180,11 @@ impl Interpreter {
                     programs.entry(label).or_insert(begun);
                 }
                 Next::Block(block) => {
-                    let body = self.reader.place();
-                    if !self.sub_into(&block, source, &mut code)? {
-                        // A sub that is none holds nothing: what follows its head can begin a program.
-                        self.rewind(source, body)?;
-                    }
-                    // The head is refused, since it stands in a called program.
-                    if let Some(head) = code.blocks.last_mut().filter(|head| head.refused != NONE) {
-                        head.line = block.line;
-                    }
-                    if let Some(Block { kind: Kind::Definition { label, .. }, .. }) =
-                        code.blocks.last()
+                    if self.called_sub_into(&block, &mut ends, source, &mut code)?
+                        && block.refused == NONE
+                        && let Some(Block { kind: Kind::Definition { label, segment: at }, .. }) =
+                            code.blocks.last()
+                        && segment(&self.segments, *at).is_some_and(|code| code.inner.is_none())
                     {
                         self.subs_ahead.push(*label);
                     }

@@ -1,5 +1,7 @@
 //! What can run again is packed whole: loops and subs. Files and numbered subprograms: [`super::files`].
 
+use alloc::collections::BTreeMap;
+
 use gaugeblock_trace::{End, FaultKind};
 
 use crate::control::flow::Halt;
@@ -29,10 +31,38 @@ pub(super) enum Next {
 
 /// A sub that cannot be packed.
 pub(super) enum Bad {
-    /// Another one begins within it, at this line. Whether it ends: who skips it skips the other one, too.
-    Nested { line: u32, ends: bool },
+    /// Another one begins within it, at this line.
+    Nested(u32),
     /// It does not end.
     Endless,
+}
+
+/// Where the last endsub of each label stands behind a place.
+pub(super) struct Ends(BTreeMap<NameId, u32>);
+
+impl Ends {
+    /// Whether a sub with this label, whose head is at this line, ends; one whose label is not known ends at any endsub.
+    pub(super) fn end(&self, label: NameId, head: u32) -> bool {
+        if label == NONE {
+            self.0.values().any(|line| *line > head)
+        } else {
+            self.0.get(&label).is_some_and(|line| *line > head)
+        }
+    }
+}
+
+fn set_kind(code: &mut Segment, kind: Kind) {
+    if let Some(block) = code.blocks.last_mut() {
+        block.kind = kind;
+    }
+}
+
+/// Refuses the last block, the head of a sub that does not end, unless it is refused anyway.
+pub(super) fn refuse_endless(code: &mut Segment) {
+    let Some(block) = code.blocks.last_mut().filter(|block| block.refused == NONE) else { return };
+    block.refused = u32::try_from(code.refusals.len()).unwrap_or(NONE);
+    let (kind, message) = (FaultKind::UnknownLabel, "the sub does not end");
+    code.refusals.push(Refused { kind, message, start: 0, end: 1 });
 }
 
 impl Interpreter {
@@ -165,60 +195,46 @@ impl Interpreter {
     }
 
     /// Where a sub begins among packed blocks, it gets a segment of its own; one whose head is refused too, since who skips it looks at nothing else
-    /// of it. False where it begins and is none.
+    /// of it. False where it begins and is none, since it does not end.
     pub(super) fn sub_into<S: Source>(
         &mut self,
         head: &Block,
         source: &mut S,
         code: &mut Segment,
     ) -> Result<bool, Error> {
-        let Kind::Control(oword) = head.kind else { return Ok(true) };
-        if oword.keyword != Keyword::Sub {
+        let Kind::Control(OWord { keyword: Keyword::Sub, label, .. }) = head.kind else {
             return Ok(true);
-        }
-        let gathered = self.gather_sub(oword.label, code.file, source)?;
-        let is_it = |block: &Block| matches!(block.kind, Kind::Definition { label, .. } if label == oword.label);
-        let known = oword.label != NONE;
-        let defined =
-            known && (self.segment_of(oword.label).is_some() || code.blocks.iter().any(is_it));
-        let is_sub = matches!(gathered, Ok(_) | Err(Bad::Nested { ends: true, .. }));
-        let Some(block) = code.blocks.last_mut() else { return Ok(is_sub) };
-        match gathered {
-            Ok(segment) => block.kind = Kind::Definition { label: oword.label, segment },
-            Err(_) if block.refused != NONE => {}
-            // What its number is counts before what is wrong within.
-            Err(Bad::Nested { .. }) if !known => {
-                block.kind = Kind::Definition { label: NONE, segment: NONE };
+        };
+        let (inner, segment) = match self.gather_sub(label, code.file, source, true)? {
+            Ok(segment) => {
+                set_kind(code, Kind::Definition { label, segment });
+                return Ok(true);
             }
-            Err(bad) => {
-                let (kind, message) = match bad {
-                    // Its head is come to before what is wrong within.
-                    _ if defined => (FaultKind::DuplicateSub, "the sub is defined twice"),
-                    Bad::Nested { line, .. } => {
-                        block.line = line;
-                        (FaultKind::NestedSub, "a sub within a sub")
-                    }
-                    Bad::Endless => (FaultKind::UnknownLabel, "the sub does not end"),
-                };
-                block.refused = u32::try_from(code.refusals.len()).unwrap_or(NONE);
-                code.refusals.push(Refused { kind, message, start: 0, end: 1 });
-            }
+            Err(Bad::Nested(inner)) => (Some(inner), u32::try_from(self.segments.len())),
+            Err(Bad::Endless) => (None, Ok(NONE)),
+        };
+        if inner.is_none() {
+            refuse_endless(code);
+        } else {
+            // Whether it is defined twice counts before what is wrong within.
+            self.segments.push(Segment { file: code.file, inner, ..Segment::default() });
+            set_kind(code, Kind::Definition { label, segment: segment.unwrap_or(NONE) });
         }
-        Ok(is_sub)
+        Ok(false)
     }
 
-    /// Packs the body of a sub whose head has just been read, up to its end.
+    /// Packs the body of a sub whose head has just been read, up to its end. Where another one begins within it that is as far as it is read, unless
+    /// it is gathered through: then that one belongs to it, for who skips it.
     pub(super) fn gather_sub<S: Source>(
         &mut self,
         label: NameId,
         file: u32,
         source: &mut S,
+        through: bool,
     ) -> Result<Result<u32, Bad>, Error> {
         let mut code = Segment { file, ..Segment::default() };
-        // Where another one begins.
-        let mut inner = None;
         loop {
-            let endless = inner.map_or(Bad::Endless, |line| Bad::Nested { line, ends: false });
+            let endless = code.inner.map_or(Bad::Endless, Bad::Nested);
             match self.next_into(source, &mut code)? {
                 // A sub of a file is executed as far as it goes: it is refused where its endsub is missed.
                 Next::Over if file != 0 => break,
@@ -235,7 +251,10 @@ impl Interpreter {
                 Next::Nothing => {}
                 Next::Block(Block { kind: Kind::Control(oword), line, .. }) => {
                     if oword.keyword == Keyword::Sub {
-                        inner = inner.or(Some(line));
+                        if !through {
+                            return Ok(Err(Bad::Nested(line)));
+                        }
+                        code.inner = code.inner.or(Some(line));
                     }
                     let ends = oword.keyword == Keyword::EndSub;
                     if ends && (label == NONE || self.written_label(&code, oword) == Some(label)) {
@@ -244,19 +263,36 @@ impl Interpreter {
                 }
                 Next::Block(_) => {}
             }
-            if inner.is_some() {
-                code.clear();
-            }
             self.check_size(&code)?;
-        }
-        if let Some(line) = inner {
-            return Ok(Err(Bad::Nested { line, ends: true }));
         }
         code.join_labels();
         let number = u32::try_from(self.segments.len()).unwrap_or(NONE);
         self.packed = self.packed.saturating_add(code.bytes());
         self.segments.push(code);
         Ok(Ok(number))
+    }
+
+    /// Where subs end in what follows; the source has been read to its end then.
+    pub(super) fn ends<S: Source>(&mut self, file: u32, source: &mut S) -> Result<Ends, Error> {
+        let mut code = Segment { file, ..Segment::default() };
+        let mut ends = BTreeMap::new();
+        loop {
+            code.clear();
+            match self.next_of(source, &mut code, true)? {
+                Next::Over => return Ok(Ends(ends)),
+                Next::Percent(place) if self.percent_into(place, &mut code) => {
+                    return Ok(Ends(ends));
+                }
+                Next::Block(Block { kind: Kind::Control(oword), line, .. })
+                    if oword.keyword == Keyword::EndSub =>
+                {
+                    if let Some(label) = self.written_label(&code, oword) {
+                        ends.insert(label, line);
+                    }
+                }
+                Next::Block(_) | Next::Nothing | Next::Percent(_) => {}
+            }
+        }
     }
 
     /// The label of the last block of a segment, computed where it is not written out; none where it has none.
@@ -300,9 +336,9 @@ impl Interpreter {
         label: NameId,
         source: &mut S,
     ) -> Result<u32, Error> {
-        match self.gather_sub(label, 0, source)? {
+        match self.gather_sub(label, 0, source, false)? {
             Ok(segment) => Ok(segment),
-            Err(Bad::Nested { line, .. }) => Err(self.fault(
+            Err(Bad::Nested(line)) => Err(self.fault(
                 STREAM,
                 line,
                 FaultKind::NestedSub,

@@ -110,7 +110,7 @@ choices! {
     feed_kept_at_end: "program-end.feed-after-mode-change", "zero", "kept";
     /// The program end stops spindle 0 only.
     end_stops_first: "program-end.spindles", "all", "first";
-    /// What the main program has saved is gone when it ends, and when the next one begins.
+    /// What the main program has saved is gone when it ends or is aborted, and when the next one begins.
     saved_for_one_run: "saved-state.after-run", "kept", "forgotten";
     /// M71 needs a saved state.
     invalidate_needs_save: "saved-state.invalidate-nothing", "accepted", "refused";

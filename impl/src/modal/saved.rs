@@ -105,7 +105,7 @@ impl SavedStates {
 
 impl Modal {
     /// No call is open any more: only what the main program has saved is there.
-    pub(super) fn leave_saved_calls(&mut self) {
+    pub(crate) fn leave_saved_calls(&mut self) {
         self.saved.leave_calls();
     }
 

@@ -315,6 +315,8 @@ pub(crate) struct Segment {
     pub(crate) computed: bool,
     /// The file's number.
     pub(crate) file: u32,
+    /// The line of another sub that begins within this one, which therefore cannot be defined.
+    pub(crate) inner: Option<u32>,
 }
 
 impl Segment {
@@ -328,6 +330,7 @@ impl Segment {
         self.constants.clear();
         self.refusals.clear();
         self.computed = false;
+        self.inner = None;
     }
 
     /// A block by its place.

@@ -147,6 +147,25 @@ fn a_sub_that_is_skipped_is_skipped_in_a_loop_and_in_a_called_program_too() {
     }
 }
 
+/// Whether it is defined twice is seen where it is come to, before what is wrong within.
+#[test]
+fn a_sub_in_a_loop_that_holds_another_one_is_refused_where_it_is_come_to() {
+    let within = "o5 sub\no6 sub\no5 endsub\n";
+    check_all(&[
+        (&format!("o7 do\n{within}o7 while [0]\nm2\n"), "refused at 3 nested_sub"),
+        (
+            &format!("o7 do\no1 if [0]\no5 sub !\no5 endsub\no1 endif\n{within}o7 while [0]\nm2\n"),
+            "refused at 7 nested_sub",
+        ),
+        (
+            &format!("o5 sub\no5 endsub\no7 do\n{within}o7 while [0]\nm2\n"),
+            "refused at 4 duplicate_sub",
+        ),
+        (&format!("{within}m2\n"), "refused at 2 nested_sub"),
+        ("o5 sub\no6 sub\n", "refused at 2 nested_sub"),
+    ]);
+}
+
 /// Nothing says when the number of a sub is computed that is defined in a loop; in a called program it is refused whatever its number is.
 #[test]
 fn a_sub_in_a_loop_has_no_computed_label() {

@@ -300,7 +300,8 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Choice outputs.waiting-after-end. What waits for a motion waits for one of the next program, or is gone.
+    /// Choices outputs.waiting-after-end, saved-state.after-run. What waits for a motion waits for one of the next program, or is gone; so it is
+    /// with what is saved.
     fn over(&mut self) {
         step::saved_state::run_is_over(&mut self.state);
         // What is only read ahead has not ended.
