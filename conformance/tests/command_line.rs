@@ -63,6 +63,28 @@ fn wrong_input_is_told_with_its_place() {
 }
 
 #[test]
+fn rs274_writes_over_nothing_that_it_reads() {
+    let here = folder("rs274-over");
+    let program = file(&here, "part.ngc", b"g0 x1\nm2\n");
+    let table = file(&here, "tools.tbl", b"T1 P1 Z1\n");
+    let linked = here.join("linked.txt");
+    let _there_already = std::fs::hard_link(&program, &linked);
+    let linked = linked.to_str().expect("UTF-8");
+    for call in [
+        ["-t", &table, &program, &program],
+        ["-t", &table, &program, linked],
+        ["-t", &table, &program, &table],
+        ["-t", &table, "-v", &program],
+    ] {
+        let words = [["rs274", "-g"].as_slice(), &call].concat();
+        let words = if call[2] == "-v" { [words.as_slice(), &[&program]].concat() } else { words };
+        refused(&words, 1, &["would be written over"]);
+    }
+    assert_eq!(std::fs::read(&program).expect("a file"), b"g0 x1\nm2\n");
+    assert_eq!(std::fs::read(&table).expect("a file"), b"T1 P1 Z1\n");
+}
+
+#[test]
 fn a_hint_says_what_an_absent_file_is() {
     let here = folder("absent");
     let program = file(&here, "good.ngc", b"g21\nm2\n");

@@ -9,8 +9,8 @@
 //! `rs274` prints a block, and prints what was programmed again though it did not change. What is printed was learned by running the program.
 //!
 //! **Not imitated:** the menu that is shown without `-g`, and its prompts; plug-in interpreters, Python and remapped codes; programs that are
-//! named by a word; O-words from standard input. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever. Two codes of one block that change the
-//! same offset show its last value twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line
+//! named by a word; O-words from standard input. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever. Two codes
+//! of one block that change the same offset show its last value twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line
 //! of its own is printed as there: rounded F and S of saved state, switches that do not come back, subs that are defined behind their call,
 //! the way of cycles to the R plane, the passes of G76 (`threads`). A few that lead elsewhere the interpreter itself imitates
 //! (`Interpreter::set_imitation`). The others are not: tool offsets of saved state, the position after probing.
@@ -109,9 +109,9 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     let read = [&arguments.program, &arguments.ini, &arguments.tools, &arguments.parameters];
     let written = [(&arguments.output, &read[..]), (&arguments.parameters, &read[..3])];
     for (name, others) in written {
-        let others = others.iter().copied().flatten();
+        let mut others = others.iter().copied().flatten();
         if let Some(name) = name
-            && others.into_iter().any(|other| is_same(other, name))
+            && others.any(|other| is_same(other, name))
         {
             return Err(format!("{}: a file that is read would be written over", name.display()));
         }
