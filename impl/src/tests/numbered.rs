@@ -1,8 +1,12 @@
 //! Numbered programs: M98 and M99 (11.7.4.1).
 
-use gaugeblock_trace::Machine;
+use alloc::format;
+use alloc::string::String;
 
-use super::{Case, check, check_all};
+use gaugeblock_trace::{Machine, Options};
+
+use super::{Case, Recorder, check, check_all};
+use crate::{Interpreter, Limits, Memory, Progress, Source, Unreadable};
 
 #[test]
 fn the_manuals_example_gives_five_and_a_quarter() {
@@ -78,12 +82,68 @@ fn what_does_not_fit_is_refused() {
 #[test]
 fn levels_count_for_both_styles() {
     let chain = |depth: u32| {
-        let mut text = alloc::string::String::from("m98 p1\nm2\n");
+        let mut text = String::from("m98 p1\nm2\n");
         for level in 1..depth {
-            text += &alloc::format!("o{level}\nm98 p{}\nm99\n", level + 1);
+            text += &format!("o{level}\nm98 p{}\nm99\n", level + 1);
         }
-        text + &alloc::format!("o{depth}\n#31=1\nm99\n")
+        text + &format!("o{depth}\n#31=1\nm99\n")
     };
     check(&chain(10), "accepted; #31 = 1");
     check(&chain(11), "refused too_many_levels");
+}
+
+/// A program in memory that counts how many bytes of it are read, those that are read again too.
+struct Counted<'a> {
+    memory: Memory<'a>,
+    read: usize,
+}
+
+impl Source for Counted<'_> {
+    fn text(&mut self) -> Result<&[u8], Unreadable> {
+        self.memory.text()
+    }
+
+    fn consume(&mut self, bytes: usize) {
+        self.read += bytes;
+        self.memory.consume(bytes);
+    }
+
+    fn rewind(&mut self, offset: u64) -> Result<bool, Unreadable> {
+        self.memory.rewind(offset)
+    }
+
+    fn open(&mut self, name: &str) -> Result<bool, Unreadable> {
+        self.memory.open(name)
+    }
+
+    fn close(&mut self) {
+        self.memory.close();
+    }
+}
+
+/// How often the text was read, in the mean of its bytes, when its program had ended.
+fn times_read(program: &str) -> f64 {
+    let mut source = Counted { memory: Memory::new(program), read: 0 };
+    let options = Options::default();
+    let mut interpreter = Interpreter::new(Machine::default(), options, Limits::default()).unwrap();
+    let progress = interpreter.run(&mut source, &mut Recorder::default(), u64::MAX);
+    assert!(matches!(progress, Ok(Progress::Ended(_))), "{progress:?}");
+    source.read as f64 / program.len() as f64
+}
+
+#[test]
+fn what_follows_a_call_is_read_a_few_times_however_much_it_holds() {
+    for count in [500, 4_000] {
+        let program = |sub: fn(usize) -> String| {
+            let subs: String = (1_000..1_000 + count).map(sub).collect();
+            format!("m98 p100\nm2\n{subs}o100\nm99\n")
+        };
+        let without_ends = program(|number| format!("o{number} sub\n#31=1\n"));
+        let within_each_other =
+            program(|number| format!("o{number} sub\n#31=1\no{number} if [1]\n"));
+        let ended = program(|number| format!("o{number} sub\n#31=1\no{number} endsub\n"));
+        for program in [without_ends, within_each_other, ended] {
+            assert!(times_read(&program) < 6.0, "{}: {}", times_read(&program), &program[..60]);
+        }
+    }
 }
