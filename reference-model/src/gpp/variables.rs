@@ -45,6 +45,8 @@ pub struct Variable {
     pub format: usize,
     /// Whether it is modal.
     pub modal: bool,
+    /// Whether a declaration has said so; otherwise its format may.
+    pub modality_is_declared: bool,
     /// What turns it on, where it is a system variable.
     pub class: Option<Class>,
     /// Whether FORMAT has named it.
@@ -114,6 +116,7 @@ impl Variables {
             cell: self.cells.len(),
             format,
             modal: readings.modality_by_format && self.formats[format].modal,
+            modality_is_declared: false,
             class,
             is_declared: class.is_none(),
         });

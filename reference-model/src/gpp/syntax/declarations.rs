@@ -101,7 +101,7 @@ impl Reader<'_> {
         }
         variable.is_declared = true;
         variable.format = format;
-        if by_format {
+        if by_format && !variable.modality_is_declared {
             variable.modal = is_modal;
         }
         Ok(())
@@ -124,7 +124,8 @@ impl Reader<'_> {
                 let message = "all members of an array have one modality";
                 return Err(refuse("gpp.array-modality", FaultKind::Declaration, message));
             }
-            self.variables.all[place].modal = modal;
+            let variable = &mut self.variables.all[place];
+            (variable.modal, variable.modality_is_declared) = (modal, true);
             self.evidence.accepted("gpp.modal-declaration");
             if self.variables.all[place].size.is_some() {
                 self.evidence.accepted("gpp.array-modality");
