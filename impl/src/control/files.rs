@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::interpret::{Interpreter, NumberedProgram, segment};
 use crate::parameters::NameId;
 use crate::source::Source;
-use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord, Op};
+use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord};
 use crate::syntax::{LinePlace, Segment};
 
 impl Interpreter {
@@ -69,9 +69,7 @@ impl Interpreter {
                 Next::Nothing => {}
                 Next::Block(block) => {
                     self.percent = self.percent.or(Some(false));
-                    if code.ops.iter().any(|op| matches!(op, Op::MCode(2 | 30))) {
-                        return Ok(found);
-                    }
+                    // A program end that is not executed ends nothing.
                     match block.kind {
                         Kind::Control(OWord { keyword: Keyword::Sub, label: other, .. }) => {
                             if found.is_some() || other != label {
