@@ -6,7 +6,7 @@ use crate::rs274::read::Words;
 /// A phase of a block. The order of the list is the order of execution.
 ///
 /// The document's list leaves out the spindle mode, the lathe mode and the arc distance mode. The spindle mode goes with
-/// its S word, the others with the distance mode.
+/// its S word, the lathe mode with the length unit, since both say how long a word is, and the arc distance mode with the distance mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Phase {
     /// The comment, when it is active.
@@ -37,7 +37,7 @@ pub enum Phase {
     Dwell,
     /// G17 to G19.1.
     Plane,
-    /// G20, G21.
+    /// G20, G21, G7, G8.
     Units,
     /// G40 to G42.1.
     Compensation,
@@ -47,7 +47,7 @@ pub enum Phase {
     WorkOffset,
     /// G61, G61.1, G64.
     Path,
-    /// G90, G91, G90.1, G91.1, G7, G8.
+    /// G90, G91, G90.1, G91.1.
     Distance,
     /// G98, G99.
     Retract,
@@ -118,14 +118,12 @@ impl Phase {
             ModalGroup::Spindle => Some(Self::Spindle),
             ModalGroup::Coolant => Some(Self::Coolant),
             ModalGroup::Plane => Some(Self::Plane),
-            ModalGroup::Units => Some(Self::Units),
+            ModalGroup::Units | ModalGroup::Lathe => Some(Self::Units),
             ModalGroup::Compensation => Some(Self::Compensation),
             ModalGroup::ToolLength => Some(Self::ToolLength),
             ModalGroup::WorkOffset => Some(Self::WorkOffset),
             ModalGroup::Path => Some(Self::Path),
-            ModalGroup::Distance | ModalGroup::ArcDistance | ModalGroup::Lathe => {
-                Some(Self::Distance)
-            }
+            ModalGroup::Distance | ModalGroup::ArcDistance => Some(Self::Distance),
             ModalGroup::Retract => Some(Self::Retract),
             ModalGroup::Motion => Some(Self::Motion),
             ModalGroup::Stopping => Some(Self::Stop),

@@ -36,10 +36,31 @@ pub fn select_plane(words: &Words, state: &mut State) -> Result<(), Halt> {
 }
 
 /// Rule units-planes.units. G20 makes inches and G21 millimetres the length unit.
+///
+/// Rules units-planes.diameter and units-planes.radius. G7 makes X words diameters, and G8 radii.
 pub fn select_units(words: &Words, state: &mut State) {
-    state.evidence.accepted("units-planes.units");
-    let inch = words.g.contains(&200);
-    use_units(if inch { LengthUnit::Inch } else { LengthUnit::Millimetre }, state);
+    for code in &words.g {
+        let rule = match code {
+            200 => {
+                use_units(LengthUnit::Inch, state);
+                "units-planes.units"
+            }
+            210 => {
+                use_units(LengthUnit::Millimetre, state);
+                "units-planes.units"
+            }
+            70 => {
+                state.modes.lathe = Lathe::Diameter;
+                "units-planes.diameter"
+            }
+            80 => {
+                state.modes.lathe = Lathe::Radius;
+                "units-planes.radius"
+            }
+            _ => continue,
+        };
+        state.evidence.accepted(rule);
+    }
 }
 
 /// Tells everything that is a length in another unit; nothing moves and nothing is longer or shorter than before.
@@ -84,9 +105,8 @@ fn convert_feed(before: LengthUnit, state: &mut State) {
     }
 }
 
-/// Rules units-planes.absolute, units-planes.incremental, units-planes.arc-distance, units-planes.diameter and
-/// units-planes.radius: what axis words and arc offsets count from. The distance mode and the arc distance mode do not
-/// influence each other, and changing them keeps the position.
+/// Rules units-planes.absolute, units-planes.incremental and units-planes.arc-distance: what axis words and arc offsets count from. The
+/// distance mode and the arc distance mode do not influence each other, and changing them keeps the position.
 pub fn select_distance(words: &Words, state: &mut State) {
     for code in &words.g {
         let rule = match code {
@@ -105,14 +125,6 @@ pub fn select_distance(words: &Words, state: &mut State) {
             911 => {
                 state.modes.arc_distance = Distance::Incremental;
                 "units-planes.arc-distance"
-            }
-            70 => {
-                state.modes.lathe = Lathe::Diameter;
-                "units-planes.diameter"
-            }
-            80 => {
-                state.modes.lathe = Lathe::Radius;
-                "units-planes.radius"
             }
             _ => continue,
         };
