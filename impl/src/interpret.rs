@@ -231,7 +231,7 @@ impl Interpreter {
     ///
     /// # Errors
     /// A refused block, a bound of [`Limits`], or a source that cannot be read. After an error the state is that after the
-    /// block before, and [`Self::abort`] makes it ready for another program.
+    /// block before, unless its probe has moved and found nothing, and [`Self::abort`] makes it ready for another program.
     pub fn step<S: Source, K: Sink>(
         &mut self,
         source: &mut S,

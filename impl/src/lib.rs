@@ -45,7 +45,8 @@
 //!   can always stop.
 //! * In steady state a block allocates nothing, unless it shows a message. Memory is bounded by [`Limits`], whatever the length of the program.
 //! * Where a program is cut into pieces by its source changes nothing.
-//! * A refused block changes nothing: modes, tools and parameters are those after the block before.
+//! * A refused block changes nothing: modes, tools and parameters are those after the block before. A probe that finds nothing has moved, though:
+//!   what its block did up to there stays.
 //! * The short way has the outcome of the long one, and leaves to it whatever is unusual or refused.
 //! * Names are looked up when a line is read, and never when a packed block runs.
 #![no_std]

@@ -20,7 +20,7 @@ impl Interpreter {
         line: u32,
         refusal: Refusal,
     ) -> Result<Progress, Error> {
-        if refusal != Refusal::Broken {
+        if refusal.undoes() {
             self.calculator.take_back(&mut self.parameters);
         }
         self.refuse(at, line, refusal)
@@ -41,6 +41,10 @@ impl Interpreter {
             }
             Refusal::Unspecified(why) => {
                 Ok(Progress::Ended(End::Unspecified { block: self.place(at.segment, line), why }))
+            }
+            Refusal::Missed => {
+                let message = "the probe did not change".into();
+                Err(self.fault(at.segment, line, FaultKind::Probe, message, None))
             }
             Refusal::Broken => Ok(Progress::Broken),
         }

@@ -7,7 +7,7 @@
 //!
 //! **Invariants.**
 //! * The codes stand in one table, [`codes`]; no other file says which group a code is in or which words it takes.
-//! * A refused block leaves the modes as they were, [`undo`].
+//! * A refused block leaves the modes as they were, [`undo`], unless its probe has moved and found nothing.
 //! * The sink hears of a setting when it changed, and before the next effect.
 //! * Positions are program coordinates in the active length unit; only an offset, a unit or G53 goes through machine coordinates.
 
@@ -108,8 +108,6 @@ pub(crate) struct Modal {
     saved: SavedStates,
     /// The sink asked to stop within this block.
     stop_asked: bool,
-    /// Where a straight probe of this block came to that had to change and did not.
-    missed: Option<Coordinates>,
     /// Letters of the axes that the machine has.
     axes: u32,
     /// Highest velocity of each axis, machine unit per second; infinite where none is given.
@@ -176,7 +174,6 @@ impl Modal {
             controller_mode: ControllerMode::Auto,
             saved: SavedStates::default(),
             stop_asked: false,
-            missed: None,
             axes: axis_letters(&machine.axes),
             velocities: threads::velocities(machine),
             imitates: false,

@@ -59,8 +59,10 @@ impl Modal {
             && reply != Reply::Stop
             && !planted(Fault::MissAccepted)
         {
-            self.missed = Some(end);
-            return refuse(FaultKind::Probe, "the probe did not change");
+            // The parameters hold the same after an unsuccessful probe, whichever code it is.
+            self.position = end;
+            offsets::store_probe(numbered, end, false);
+            return Err(Refusal::Missed);
         }
         self.position = contact.map_or(end, Into::into);
         let changed = contact.is_some() && !planted(Fault::NoProbeResult);

@@ -29,11 +29,18 @@ pub(crate) enum Refusal {
     Unsupported(String),
     /// The documents leave open what it does; the message is for people.
     Unspecified(String),
+    /// Its probe has moved and found nothing: what it did before stays.
+    Missed,
     /// It was broken off from outside: what it did before stays.
     Broken,
 }
 
 impl Refusal {
+    /// Whether the block has done nothing.
+    pub(crate) fn undoes(&self) -> bool {
+        !matches!(self, Self::Missed | Self::Broken)
+    }
+
     /// A refusal by the documents. It is cold: a program is refused once.
     #[cold]
     pub(crate) fn fault(kind: FaultKind, message: impl Into<String>) -> Self {

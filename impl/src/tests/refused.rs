@@ -11,6 +11,7 @@ fn settings_of_parameters() {
         ("#<_g>=1\n#<_g>=2 #<_h>=3 f-1\n", "refused at 2; #<_g> = 1; no #<_h>"),
         ("#31=1\n#31=2 (abort, no)\n", "refused at 2 aborted_by_program; #31 = 1"),
         ("#31=1\n#31=2 m98 p7\nm2\n", "refused at 2 unknown_sub; #31 = 1"),
+        ("f1\n#31=2 g38.2 x0\n", "refused at 2 probe; #31 = 0"),
         // The settings of the block before stay, whatever is refused behind it.
         ("#31=1\n#31=2\no1 endsub\n", "refused at 3; #31 = 2"),
         ("#31=1\n#31=2\n#31=[1/0]\n", "refused at 3; #31 = 2"),

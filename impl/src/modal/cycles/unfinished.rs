@@ -4,7 +4,6 @@ use crate::canon::Sink;
 use crate::parameters::Numbered;
 
 use super::super::Modal;
-use super::super::offsets;
 use super::super::refusal::{Flow, Refusal};
 use super::super::undo::Before;
 use super::strokes::Drilling;
@@ -90,14 +89,10 @@ impl Modal {
                     self.motion = before.motion();
                 }
             }
+            Err(Refusal::Missed) => {}
             Err(_) => {
                 self.unfinished = None;
                 self.take_back(&before, numbered);
-                if let Some(programmed) = self.missed.take() {
-                    // 11.5.24 says what they hold after an unsuccessful probe, whichever code it is.
-                    offsets::store_probe(numbered, programmed, false);
-                    self.position = programmed;
-                }
             }
             Ok(Flow::Within { .. }) => {
                 if let Some(unfinished) = &mut self.unfinished {

@@ -184,6 +184,8 @@ pub(super) enum Expect {
     Effects(&'static str),
     /// Its last line is refused.
     Refused(FaultKind),
+    /// The probe of its last line finds nothing.
+    Missed,
     /// Its last line is of a later round.
     Unsupported,
 }
@@ -200,6 +202,10 @@ pub(super) fn check_on(machine: &Machine, chosen: Chosen, program: &str, expect:
         Expect::Refused(kind) => {
             let refused = matches!(&run.last.1, Err(Refusal::Fault(found, _)) if *found == kind);
             assert!(refused && run.last.0 == lines, "{place}: {:?}", run.last);
+            return;
+        }
+        Expect::Missed => {
+            assert_eq!(run.last, (lines, Err(Refusal::Missed)), "{place}");
             return;
         }
         Expect::Unsupported => {

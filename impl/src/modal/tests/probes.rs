@@ -4,7 +4,7 @@ use gaugeblock_trace::FaultKind::{
     AxisWords, CompensationActive, MissingWord, Probe, UnusedWord, ZeroFeed,
 };
 
-use super::Expect::{After, Effects, Refused};
+use super::Expect::{After, Effects, Missed, Refused};
 use super::check;
 
 #[test]
@@ -28,12 +28,14 @@ fn contact() {
 fn no_contact() {
     check("f10; g38.3 x4", After("#5061 = 4, #5063 = 0, #5070 = 0, position = (x4)"));
     check("f10; g38.5 x4", After("#5061 = 4, #5070 = 0, motion = probe_away"));
-    check("f10; g38.2 x4", Refused(Probe));
-    check("f10; g38.4 x4", Refused(Probe));
-    let run = super::run(&super::machine(), &[], "f10; g0 x1; g38.2 x4");
+    check("f10; g38.2 x4", Missed);
+    check("f10; g38.4 x4", Missed);
+    let run = super::run(&super::machine(), &[], "f10; g0 x1; g59.3 g38.2 x4");
     // What the parameters hold after an unsuccessful probe is said of every code.
     assert_eq!((run.value("#5061"), run.value("position")), ("4".into(), "(x4)".into()));
-    assert_eq!(run.value("motion"), "traverse");
+    // The block has been executed as far as that.
+    assert_eq!(run.value("motion"), "probe_toward_error");
+    assert_eq!(run.value("#5220"), "9");
 }
 
 #[test]

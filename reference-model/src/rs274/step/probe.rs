@@ -28,6 +28,11 @@ pub(crate) fn is_probing(motion: Motion) -> bool {
     matches!(motion, M::ProbeTowardError | M::ProbeToward | M::ProbeAwayError | M::ProbeAway)
 }
 
+/// Whether a rule is one of those that a block breaks as the machine comes to it, and not as it is read ahead.
+pub(crate) fn is_found_out_by_machine(rule: &str) -> bool {
+    ["probe.already-there", "probe.failure"].contains(&rule)
+}
+
 /// Moves toward a point until the probe changes.
 ///
 /// Rule probe.toward. G38.2 and G38.3 stop where the probe begins to touch; rule probe.away: G38.4 and G38.5 where it ceases.

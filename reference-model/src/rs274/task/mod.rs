@@ -24,8 +24,8 @@ mod wait;
 
 use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{
-    Block, Bound, ControllerMode, End, Fault, FaultKind, Indexed, Language, Options, Outcome,
-    Plane, Program, Scenario, Settings, Shared,
+    Block, Bound, ControllerMode, End, Fault, Indexed, Language, Options, Outcome, Plane, Program,
+    Scenario, Settings, Shared,
 };
 
 pub use pins::Shown;
@@ -98,11 +98,10 @@ pub fn run(kept: &mut Kept, scenario: &Scenario, rounding: Rounding) -> (Outcome
     (run.record.finish(end, parameters, pins), evidence)
 }
 
-/// Whether a block during which the run ends so has done nothing: one that is refused, or that asks for more effects than there are. A probe that
-/// fails is not meant: the documents say what it leaves behind.
+/// Whether a block during which the run ends so has done nothing: one that is refused, or that asks for more effects than there are.
 fn leaves_nothing(end: &End) -> bool {
     match end {
-        End::Fault(fault) => fault.kind != Some(FaultKind::Probe),
+        End::Fault(_) => true,
         End::BudgetExhausted { bound } => *bound == Bound::Effects,
         End::ProgramEnd
         | End::PercentEnd
@@ -349,6 +348,10 @@ impl<'a> Run<'a> {
                     self.state.evidence.refused("subroutines.file-fault");
                 }
                 step::saved_state::broken_off(&mut self.state);
+                // It has moved, and the documents say what it leaves behind.
+                if rule == "probe.failure" {
+                    self.is_within_block = false;
+                }
                 let message = format!("{message} ({rule})");
                 End::Fault(Fault { kind: Some(kind), block: Some(block), span, message })
             }

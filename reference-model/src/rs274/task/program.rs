@@ -233,7 +233,7 @@ impl Run<'_> {
         let mut state = self.state.clone();
         let mut record = Record::new(&state);
         match order::execute(phase, words, &mut state, &mut record) {
-            Err(Halt::Refused(refused)) if refused.kind != FaultKind::Probe => {
+            Err(Halt::Refused(refused)) if !step::probe::is_found_out_by_machine(refused.rule) => {
                 return Halt::Refused(refused);
             }
             Ok(_) | Err(_) => {}
