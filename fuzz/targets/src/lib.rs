@@ -96,8 +96,12 @@ fn of(controller: &dyn Adapter, scenario: &Scenario) -> Option<Outcome> {
     }
 }
 
+/// Model and production do the same with a scenario, where both say what that is.
+///
+/// # Panics
+/// They differ, or one of them crashes.
 #[track_caller]
-fn agree(scenario: &Scenario) {
+pub fn agree(scenario: &Scenario) {
     let (reference, production) = (Reference::default(), Production::default());
     let sides = (of(&reference, scenario), of(&production, scenario));
     let (Some(expected), Some(found)) = sides else { return };
