@@ -85,10 +85,11 @@ impl Packer {
                     Ok(self.number_label(&text))
                 }
             }
-            b'.' | b'+' | b'-' => self.value(cursor, into, self.bracket_depth).map(|()| NONE),
+            b'.' | b'+' | b'-' | b'#' | b'a'..=b'z' => {
+                self.value(cursor, into, self.bracket_depth).map(|()| NONE)
+            }
             b'<' => self.read_name(cursor, &mut text).map(|()| self.labels.intern(text.as_bytes())),
             b'[' => self.expression(cursor, into, self.bracket_depth).map(|()| NONE),
-            b'#' => self.value(cursor, into, self.bracket_depth).map(|()| NONE),
             _ => cursor.refuse(FaultKind::BadBlock, "a label is missing"),
         };
         self.in_label = false;

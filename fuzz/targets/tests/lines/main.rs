@@ -107,6 +107,13 @@ proptest! {
         agree(&scenario(Program { main, block_delete, ..Program::default() }, &picked));
     }
 
+    /// Tokens that make a line or none.
+    #[test]
+    fn tokens_do_the_same(tokens in rs274::tokens(), block_delete in any::<bool>(), picked in picked()) {
+        let main = format!("{tokens}\nm9\nm2\n");
+        agree(&scenario(Program { main, block_delete, ..Program::default() }, &picked));
+    }
+
     /// Values that are computed.
     #[test]
     fn expressions_do_the_same(

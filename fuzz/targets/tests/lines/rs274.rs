@@ -4,7 +4,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
 
-const LABELS: &[&str] = &["1", "1", "2", "2", "3", "100", "#2", "<x>", "<x>"];
+const LABELS: &[&str] = &["1", "1", "2", "2", "3", "100", "#2", "[#2]", "abs[1]", "<x>", "<x>"];
 const KEYWORDS: &[&str] = &[
     "sub",
     "endsub",
@@ -93,4 +93,16 @@ pub(super) fn expression() -> impl Strategy<Value = String> {
         let closing = text.matches('[').count().saturating_sub(text.matches(']').count());
         format!("#31=[{text}{}]", "]".repeat(closing))
     })
+}
+
+/// Tokens, apart by blanks.
+const TOKENS: &str = "o o o1 o1 o2 o<x> <x> <y> [ ] [1] [0] [2] #1 #2 # #<n> #<_n> = 1 2 0 -1 0.5 . - + * / ** sub endsub call return if else elseif endif \
+    do while endwhile repeat endrepeat break continue tan[ abs[ sin[0] atan[1]/[1] exists[#1] or and xor mod eq gt g m n x y p l f s t q r m98 m99 m2 m30 \
+    m70 m72 m73 g0 g1 g20 g91 p1 l2 x1 n5 % / ( ) (a) (debug,#1) (msg ; ! é #1=1 #2=[ #<n>=3 m9 f10";
+
+/// Tokens one behind the other, lines as they come.
+pub(super) fn tokens() -> impl Strategy<Value = String> {
+    let mut tokens: Vec<_> = TOKENS.split(' ').collect();
+    tokens.extend([" "; 6].into_iter().chain(["\n"; 24]).chain(["\r", "\r\n", "\t", "\u{0}"]));
+    vec(select(tokens), 1..24).prop_map(|tokens| tokens.concat())
 }
