@@ -256,6 +256,24 @@ fn values_of_pins_are_compared_and_their_times_are_not() {
 }
 
 #[test]
+fn a_field_that_is_not_told_differs_where_all_of_them_are() {
+    let run = |state: &str| {
+        let text = format!(
+            "gaugeblock outcome 0\nlanguage nct\nstart\nblock main.ngc:1\n  state {state}\nend program_end\n"
+        );
+        Observed::of(&Outcome::from_text(&text).unwrap_or_else(|error| panic!("{error}")))
+    };
+    let (expected, found) = (run("macro_level=0 motion=feed"), run("macro_level=0"));
+    let all = Capabilities::everything("any", "0");
+    let said = compare(&expected, &found, &all).divergence.map(|divergence| divergence.to_string());
+    assert_eq!(said.as_deref(), Some("main.ngc:1: motion: expected feed, found nothing"));
+
+    let some = Capabilities { tells_all_fields: false, ..all };
+    let comparison = compare(&expected, &found, &some);
+    assert!(comparison.divergence.is_none() && comparison.masked.contains("motion"));
+}
+
+#[test]
 fn assertions_on_pins() {
     let all = Capabilities::everything("any", "0");
     let changes = [(0.0, "analog_out[2]", 1.5), (0.0, "analog_out[2]", -1.0)];

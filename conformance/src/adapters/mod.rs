@@ -40,6 +40,8 @@ pub struct Capabilities {
     pub fields: BTreeSet<String>,
     /// Those of them whose value is also known at each effect, not only after the block, and after the program's end.
     pub fields_at_effects: BTreeSet<String>,
+    /// Whether it tells each of them that has a value, so that one that it does not tell is not as it must be. Where not, nothing is known of it.
+    pub tells_all_fields: bool,
     /// Names of the effects that it shows.
     pub effects: BTreeSet<String>,
     /// Whether it shows a straight move whose end is where the controlled point is.
@@ -76,6 +78,7 @@ impl Capabilities {
             carried: BTreeMap::new(),
             fields: fields(),
             fields_at_effects: fields(),
+            tells_all_fields: true,
             effects: Effect::NAMES.iter().map(|name| (*name).to_owned()).collect(),
             moves_in_place: true,
             blocks: true,
@@ -111,6 +114,7 @@ impl Capabilities {
             carried,
             fields: both(&self.fields, &other.fields),
             fields_at_effects: both(&self.fields_at_effects, &other.fields_at_effects),
+            tells_all_fields: self.tells_all_fields && other.tells_all_fields,
             effects: both(&self.effects, &other.effects),
             moves_in_place: self.moves_in_place && other.moves_in_place,
             blocks: self.blocks && other.blocks,

@@ -247,6 +247,7 @@ fn nothing(control: &Control) -> Capabilities {
         carried: BTreeMap::new(),
         fields: BTreeSet::new(),
         fields_at_effects: BTreeSet::new(),
+        tells_all_fields: false,
         effects: BTreeSet::new(),
         moves_in_place: true,
         blocks: false,

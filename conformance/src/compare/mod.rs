@@ -218,7 +218,13 @@ impl Walk<'_> {
             let fits = |other: &&Entry| other.field == entry.field && other.index == entry.index;
             // Most fields stand at the same place on both sides.
             let other = found.get(place).filter(fits).or_else(|| found.iter().find(fits));
-            let (true, Some(other)) = (shown.contains(entry.field), other) else {
+            let is_shown = shown.contains(entry.field);
+            let (true, Some(other)) = (is_shown, other) else {
+                if is_shown && self.shows.tells_all_fields {
+                    let (expected, found) = (rounded(&entry.value), "nothing".to_owned());
+                    let (block, field) = (Some(block.clone()), entry.name());
+                    return Some(Divergence { block, field, expected, found });
+                }
                 self.comparison.masked.insert(entry.field.to_owned());
                 continue;
             };

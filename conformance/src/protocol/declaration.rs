@@ -202,6 +202,7 @@ impl Observables {
             carried: shows.carried.clone(),
             fields: shows.fields.clone(),
             fields_at_effects: shows.fields_at_effects.clone(),
+            tells_all_fields: false,
             effects: shows.effects.clone(),
             moves_in_place: shows.moves_in_place,
             blocks: shows.blocks,

@@ -325,6 +325,7 @@ fn capabilities(version: String) -> Capabilities {
         resolution: 5.0e-6,
         carried: BTreeMap::new(),
         fields: owned(&fields, HIDDEN_FIELDS),
+        tells_all_fields: false,
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
         pins: Pin::names().map(str::to_owned).collect(),
         pin_period: PIN_PERIOD,

@@ -238,6 +238,7 @@ fn capabilities(version: String) -> Capabilities {
         resolution: RESOLUTION,
         carried: BTreeMap::new(),
         fields: owned(&fields, HIDDEN_FIELDS),
+        tells_all_fields: false,
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
         moves_in_place: true,
         blocks: true,
