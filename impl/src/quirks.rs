@@ -4,6 +4,7 @@
 //!
 //! * `rs274.exists-numbered`: EXISTS takes a numbered parameter (`syntax::expression`). A function may stand behind a number sign
 //!   (`syntax::parameter`), and a name alone behind an O (`syntax::oword`): no page, since no document speaks of them.
+//! * `rs274.file-with-two-subs`: `control::files`, but for calls of those other subs.
 //! * `rs274.unpassed-arguments-zero`: `control::calls`.
 //! * `rs274.orient-without-angle` and `rs274.orient-without-timeout`: `modal::spindle`.
 //! * `rs274.cycle-retract-from-initial`: `modal::cycles`.

@@ -40,7 +40,7 @@ pub struct Capabilities {
     pub fields: BTreeSet<String>,
     /// Those of them whose value is also known at each effect, not only after the block, and after the program's end.
     pub fields_at_effects: BTreeSet<String>,
-    /// Whether it tells each of them that has a value, so that one that it does not tell is not as it must be. Where not, nothing is known of it.
+    /// Whether it tells every field that it shows whenever that has a value: one that is missing then differs. Where not, it is not judged.
     pub tells_all_fields: bool,
     /// Names of the effects that it shows.
     pub effects: BTreeSet<String>,

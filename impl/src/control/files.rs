@@ -73,6 +73,9 @@ impl Interpreter {
                     match block.kind {
                         Kind::Control(OWord { keyword: Keyword::Sub, label: other, .. }) => {
                             if found.is_some() || other != label {
+                                if self.packer.imitates {
+                                    continue;
+                                }
                                 return refuse(
                                     FaultKind::BadFile,
                                     "a file holds one sub, of its own name",

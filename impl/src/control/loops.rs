@@ -100,7 +100,7 @@ impl Interpreter {
         }
         let near = math::near_integer(count);
         let turns = match self.packer.choices.repeat_fraction {
-            RepeatFraction::Rounded => math::floor(count + 0.5),
+            RepeatFraction::Rounded => math::round_away(count),
             RepeatFraction::RoundedToEven => math::round_even(count),
             RepeatFraction::RoundedDown => math::floor(count),
             RepeatFraction::RoundedUp => math::ceil(count),

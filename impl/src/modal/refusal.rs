@@ -20,7 +20,7 @@ pub(crate) enum Flow {
     Ended,
 }
 
-/// Why a block was not executed; its place is known to the caller.
+/// Why a block was not executed, or not to its end; its place is known to the caller.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Refusal {
     /// The documents refuse it; the message is for people.

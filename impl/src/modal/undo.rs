@@ -1,4 +1,5 @@
-//! A refused block changes nothing: what it had changed until it was refused is taken back.
+//! A refused block changes nothing: what it had changed until it was refused is taken back. Only one whose probe finds nothing has been executed so
+//! far.
 //!
 //! What the sink was told and did stays told and done; a caller that records looks at whole blocks.
 

@@ -225,6 +225,9 @@ impl Packer {
                 return Ok(());
             }
         }
+        if self.in_label && depth == self.bracket_depth {
+            return cursor.refuse_from(start, FaultKind::BadBlock, "a label is missing");
+        }
         cursor.refuse_from(start, FaultKind::BadExpression, "no such function")
     }
 

@@ -68,7 +68,7 @@ impl Packer {
         Ok(())
     }
 
-    /// A number, a name in angle brackets, or an expression (11.7.8), whose operations are emitted.
+    /// A number, a name in angle brackets, or what is computed (11.7.8): a parameter, an expression or a function of one, whose operations are emitted.
     fn label(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<NameId> {
         let mut text = core::mem::take(&mut self.scratch);
         text.clear();
@@ -78,7 +78,8 @@ impl Packer {
         let result = match cursor.peek() {
             b'0'..=b'9' => {
                 number::digits(cursor, &mut text);
-                if cursor.peek() == b'.' {
+                // A number of more digits than are told apart is the nearest one that there is.
+                if cursor.peek() == b'.' || text.trim_start_matches('0').len() > 15 {
                     *cursor = start;
                     self.value(cursor, into, self.bracket_depth).map(|()| NONE)
                 } else {

@@ -228,7 +228,7 @@ impl<M: Machine> Task<M> {
         }
     }
 
-    /// Executes a block that is entered by hand, as line `number` of the file [`BY_HAND`]; subs are found where `source` finds them. The mode is
+    /// Executes a block that is entered by hand, the first line of a text, as line `number` of the file [`BY_HAND`]; subs are found where `source` finds them. The mode is
     /// MDI mode then. It comes back with [`Activity::Entered`] or with an end.
     ///
     /// # Errors
@@ -239,11 +239,28 @@ impl<M: Machine> Task<M> {
         number: u32,
         source: &mut S,
     ) -> Result<Activity, Error> {
+        self.enter_while(text, number, source, |_| true)
+    }
+
+    /// The same, as long as it may go on: that is asked between blocks, of which a call of a sub has many. It comes back with [`Activity::More`] where it
+    /// may not; what was entered is then over.
+    ///
+    /// # Errors
+    /// As for [`Interpreter::step`].
+    pub fn enter_while<S: Source>(
+        &mut self,
+        text: &str,
+        number: u32,
+        source: &mut S,
+        mut may_go_on: impl FnMut(&Self) -> bool,
+    ) -> Result<Activity, Error> {
         self.begin_entry(number);
+        let text = text.split(['\r', '\n']).next().unwrap_or_default();
         let mut line = OneLine::new(text.as_bytes(), source);
         loop {
             match self.step_entry(&mut line)? {
-                Activity::More => {}
+                Activity::More if may_go_on(self) => {}
+                Activity::More => return Ok(Activity::More),
                 over @ (Activity::Entered | Activity::Ended(_) | Activity::Stuck(_)) => {
                     return Ok(over);
                 }
@@ -265,7 +282,9 @@ impl<M: Machine> Task<M> {
             Ok(Activity::More) => self.interpreter.needs_text() && line.is_over(),
             // A line without a block in it.
             Err(Error::Fault(fault)) => {
-                fault.kind == Some(FaultKind::MissingEnd) && fault.block.is_none()
+                let file_is_over =
+                    fault.kind == Some(FaultKind::MissingEnd) && fault.block.is_none();
+                file_is_over && line.is_over() && self.interpreter.call_level() == 0
             }
             Ok(_) | Err(_) => false,
         };

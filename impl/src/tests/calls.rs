@@ -96,6 +96,10 @@ fn what_is_no_sub_is_refused() {
         ("o1 sub x1\no1 endsub\nm2\n", "refused at 1 bad_block"),
         ("o1 call x1\nm2\n", "refused at 1 bad_block"),
         ("o1 call 5\nm2\n", "refused at 1 bad_block"),
+        ("o call\nm2\n", "refused at 1 bad_block"),
+        ("o foo[1] call\nm2\n", "refused at 1 bad_block"),
+        // Only letters of ASCII are capital or not.
+        ("o<\u{c9}> sub\no<\u{c9}> endsub\no<\u{e9}> call\nm2\n", "refused at 3 unknown_sub"),
     ]);
 }
 

@@ -30,7 +30,7 @@ pub(super) struct Recorder<'a> {
     events: Vec<Event>,
     /// Whether nothing is being executed: what happens now belongs to the last block.
     idle: bool,
-    /// Whether each line of the program is entered by hand.
+    /// Whether what is entered by hand now are the lines of the program.
     by_hand: bool,
     /// The block that is being executed, where somebody acts at blocks.
     block: Block,
@@ -123,6 +123,11 @@ impl<'a> Recorder<'a> {
         self.idle = false;
         self.outside.begin_block(&block);
         self.block = block;
+    }
+
+    /// All lines of the program have been entered by hand.
+    pub(super) fn lines_are_over(&mut self) {
+        self.by_hand = false;
     }
 
     /// Nothing is executed now: what follows belongs to the block before.

@@ -42,6 +42,7 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
         Start::Program => run.program()?,
         Start::Mdi => run.lines()?,
     };
+    run.task.machine_mut().lines_are_over();
     let end = run.idle(end)?;
     let (mut interpreter, recorder) = run.task.into_parts();
     // With the run every call is over.
@@ -62,8 +63,14 @@ fn before_last(
     scenario: &Scenario,
     outcome: &Outcome,
 ) -> Result<Option<Indexed<u32, f64>>, HarnessError> {
+    let steps = u32::try_from(outcome.steps.len()).unwrap_or(u32::MAX);
+    if steps >= scenario.budget.steps {
+        return Err(HarnessError::NotRun(
+            "a block asks for too much, whatever is executed before it".to_owned(),
+        ));
+    }
     let mut scenario = scenario.clone();
-    scenario.budget.steps = u32::try_from(outcome.steps.len()).unwrap_or(u32::MAX);
+    scenario.budget.steps = steps;
     Ok(run(&scenario)?.parameters)
 }
 
@@ -73,7 +80,7 @@ impl Run<'_> {
         self.task.start();
         let mut source = source(&self.scenario.program);
         loop {
-            if let Some(bound) = self.exhausted() {
+            if let Some(bound) = exhausted(self.scenario, &self.task) {
                 return Ok(End::BudgetExhausted { bound });
             }
             if self.task.machine().has_operator() {
@@ -105,7 +112,7 @@ impl Run<'_> {
         let mut end = End::Paused;
         let program = &self.scenario.program;
         for (line, text) in (1..).zip(program.language.lines(&program.main)) {
-            if let Some(bound) = self.exhausted() {
+            if let Some(bound) = exhausted(self.scenario, &self.task) {
                 return Ok(End::BudgetExhausted { bound });
             }
             let deleted = program.block_delete && text.trim().starts_with('/');
@@ -124,8 +131,15 @@ impl Run<'_> {
 
     /// A block by hand, after a run that ended so.
     fn enter(&mut self, text: &str, number: u32, before: End) -> Result<End, HarnessError> {
-        let mut source = source(&self.scenario.program);
-        let activity = self.task.enter(text, number, &mut source);
+        let (scenario, mut used_up) = (self.scenario, None);
+        let mut source = source(&scenario.program);
+        let activity = self.task.enter_while(text, number, &mut source, |task| {
+            used_up = exhausted(scenario, task);
+            used_up.is_none()
+        });
+        if let (Ok(Activity::More), Some(bound)) = (&activity, used_up) {
+            return Ok(End::BudgetExhausted { bound });
+        }
         Ok(self.end_of(activity)?.unwrap_or(before))
     }
 
@@ -186,20 +200,20 @@ impl Run<'_> {
         };
         Ok(Some(end))
     }
+}
 
-    /// The bound of the budget that is used up. It is looked at between blocks, so that a short run is a prefix of a longer one; within a
-    /// block only whether it asks for more effects than there are.
-    fn exhausted(&self) -> Option<Bound> {
-        let (budget, recorder) = (&self.scenario.budget, self.task.machine());
-        if recorder.steps() >= budget.steps {
-            Some(Bound::Steps)
-        } else if recorder.effects() >= budget.effects {
-            Some(Bound::Effects)
-        } else if !self.task.is_within_block() && recorder.elapsed() >= budget.time {
-            Some(Bound::Time)
-        } else {
-            None
-        }
+/// The bound of the budget that is used up. It is looked at between blocks, so that a short run is a prefix of a longer one; within a block only
+/// whether it asks for more effects than there are.
+fn exhausted(scenario: &Scenario, task: &Task<Recorder<'_>>) -> Option<Bound> {
+    let (budget, recorder) = (&scenario.budget, task.machine());
+    if recorder.steps() >= budget.steps {
+        Some(Bound::Steps)
+    } else if recorder.effects() >= budget.effects {
+        Some(Bound::Effects)
+    } else if !task.is_within_block() && recorder.elapsed() >= budget.time {
+        Some(Bound::Time)
+    } else {
+        None
     }
 }
 

@@ -1,6 +1,6 @@
 //! What the adapter itself decides: the outside's answers, pauses, and bounds.
 
-use gaugeblock_trace::scenario::{Budget, InputChange, OrientAnswer, UserProgram};
+use gaugeblock_trace::scenario::{Budget, InputChange, OrientAnswer, Start, UserProgram};
 use gaugeblock_trace::{Bound, End, FaultKind, Options};
 
 use super::*;
@@ -44,6 +44,34 @@ fn a_bound_is_met_between_blocks() {
     assert_eq!(outcome(&scenario).end, End::BudgetExhausted { bound: Bound::Effects });
     scenario.budget = Budget { time: 3.0, ..Budget::default() };
     assert_eq!(outcome(&scenario).end, End::BudgetExhausted { bound: Bound::Time });
+}
+
+/// A sub that is called by hand has many blocks, and an entry is over where the bound is.
+#[test]
+fn a_bound_is_met_within_an_entry() {
+    let by_hand = |body: &str, budget: Budget| {
+        let file = format!("o<x> sub\n{body}\no<x> endsub\n");
+        let mut scenario = Scenario::of("o<x> call\n");
+        scenario.program.start = Start::Mdi;
+        scenario.program.files.insert("x.ngc".to_owned(), file);
+        scenario.budget = budget;
+        outcome(&scenario)
+    };
+    let steps = Budget { steps: 100, ..Budget::default() };
+    let run = by_hand("o1 while [1]\n#31=1\no1 endwhile", steps);
+    assert_eq!((run.end, run.steps.len()), (End::BudgetExhausted { bound: Bound::Steps }, 100));
+    let effects = Budget { effects: 1, ..Budget::default() };
+    let run = by_hand("m64 p1 g0 x1", effects);
+    assert_eq!(run.end, End::BudgetExhausted { bound: Bound::Effects });
+}
+
+/// A file that ends too early is no line without a block.
+#[test]
+fn an_entry_whose_file_has_no_end_is_refused() {
+    let mut scenario = Scenario::of("o<x> call\n#32=6\n");
+    scenario.program.start = Start::Mdi;
+    scenario.program.files.insert("x.ngc".to_owned(), "o<x> sub\n#31=5\n".to_owned());
+    assert_eq!(ends(&scenario), "missing_end");
 }
 
 /// However many strokes the interpreter executes at a time, and whatever the block did: the parameters are those before it.

@@ -31,13 +31,13 @@ type Picked = Vec<(Index, Index)>;
 
 /// None for half of the programs.
 fn picked() -> impl Strategy<Value = Picked> {
-    prop_oneof![Just(Picked::new()), vec((any::<Index>(), any::<Index>()), 1..6),]
+    prop_oneof![Just(Picked::new()), vec((any::<Index>(), any::<Index>()), 1..6)]
 }
 
 /// The options of the language's first edition, and others instead of some.
 fn options(language: Language, picked: &Picked) -> Options {
     let edition = SUITE.editions.iter().find(|edition| edition.language == language);
-    let mut options = edition.map(|edition| SUITE.options(edition)).unwrap_or_default();
+    let mut options = SUITE.options(edition.expect("each language has an edition"));
     let is_choice =
         |choice: &&Choice| choice.language == language && choice.kind == ChoiceKind::Choice;
     let choices: Vec<_> = SUITE.choices.iter().filter(is_choice).collect();

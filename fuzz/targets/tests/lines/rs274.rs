@@ -68,7 +68,8 @@ const WORDS: &str = "\
     m51 m52 m53 m61 m62 m63 m64 m65 m67 m68 m70 m71 m72 m73 x1 y2 z-1 a5 u1 i1 j1 k1 k0.5 r1 r2 p0 p1 p0.5 q1 q0 l1 l2 l3 l10 l11 l20 e1 d1 \
     d100 f10 f0 s100 t1 h1 $0 $1 @5 ^30 n5 n5 o1 x#1 x[1] x#<n> x[#1+1] x-#1 #1=1 #1=[#1+1] #<n>=2 #<_n>=3 #[1]=2 ##1=3 #5=#1 #5220=2 #5221=1 \
     #0=1 #-1=1 x[1 x1] x[1/0] xabs[-1] xatan[1]/[2] x1.2.3 x. x xx (a) (b ) (print,#1) (debug,#<n>) (log,d) ;e / % ! [ ] = # < 1 - é";
-const WITH_BLANKS: &[&str] = &["x[0 or 1]", "x[2 ** 3]", "x[1 lt 2]", "(msg, c)", " ", "\t", "\r"];
+const WITH_BLANKS: &[&str] =
+    &["x[0 or 1]", "x[2 ** 3]", "x[1 lt 2]", "(b )", "(msg, c)", " ", "\t", "\r"];
 
 /// Up to five words.
 pub(super) fn block() -> impl Strategy<Value = String> {

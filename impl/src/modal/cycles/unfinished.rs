@@ -89,6 +89,7 @@ impl Modal {
                     self.motion = before.motion();
                 }
             }
+            // The block has been executed up to its probe.
             Err(Refusal::Missed) => {}
             Err(_) => {
                 self.unfinished = None;

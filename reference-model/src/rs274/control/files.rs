@@ -50,8 +50,10 @@ impl Files {
 
     /// Opens a file, when there is one of this name; its first block.
     pub(super) fn open(&mut self, name: &str, state: &mut State) -> Option<Place> {
-        if let Some(file) = self.opened.iter().position(|file| file.source.name == name) {
-            return Some(self.begin(file));
+        // The main program is opened already, and is no file that is called.
+        let called = self.opened.iter().skip(1).position(|file| file.source.name == name);
+        if let Some(file) = called {
+            return Some(self.begin(file + 1));
         }
         let text = self.texts.get(name)?.clone();
         Some(self.add(name, &text, state))

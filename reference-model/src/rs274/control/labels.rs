@@ -289,7 +289,7 @@ impl Labels {
 /// The label, or none where it depends on parameters; nothing at all where it can be no label, so that nothing leads there.
 fn written_label(label: &Label, state: &mut State) -> Option<Option<String>> {
     match label {
-        Label::Name(name) => Some(Some(name.to_lowercase())),
+        Label::Name(name) => Some(Some(name.clone())),
         Label::Number(expression) if is_constant(expression) => {
             label_of(label, state).ok().map(Some)
         }

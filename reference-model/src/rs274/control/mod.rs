@@ -260,7 +260,7 @@ pub(crate) fn label_of(label: &Label, state: &mut State) -> Result<String, Halt>
     match label {
         Label::Name(name) => {
             state.evidence.accepted("subroutines.named-o-words");
-            Ok(name.to_lowercase())
+            Ok(name.clone())
         }
         Label::Number(Expression::Number(number)) => {
             state.evidence.accepted("subroutines.numbered-o-words");

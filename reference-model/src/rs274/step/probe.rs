@@ -28,7 +28,13 @@ pub(crate) fn is_probing(motion: Motion) -> bool {
     matches!(motion, M::ProbeTowardError | M::ProbeToward | M::ProbeAwayError | M::ProbeAway)
 }
 
-/// Whether a rule is one of those that a block breaks as the machine comes to it, and not as it is read ahead.
+/// Whether a rule is one that a block breaks when its probe has moved: what it has done by then stays.
+pub(crate) fn has_moved(rule: &str) -> bool {
+    rule == "probe.failure"
+}
+
+/// Whether a rule is one of those that a block breaks as the machine comes to it. That the point is the programmed one already
+/// (probe.same-point) the words tell, and it is found out as the block is read ahead.
 pub(crate) fn is_found_out_by_machine(rule: &str) -> bool {
     ["probe.already-there", "probe.failure"].contains(&rule)
 }

@@ -348,8 +348,7 @@ impl<'a> Run<'a> {
                     self.state.evidence.refused("subroutines.file-fault");
                 }
                 step::saved_state::broken_off(&mut self.state);
-                // It has moved, and the documents say what it leaves behind.
-                if rule == "probe.failure" {
+                if step::probe::has_moved(rule) {
                     self.is_within_block = false;
                 }
                 let message = format!("{message} ({rule})");
@@ -377,7 +376,7 @@ fn open_entries(scenario: &Scenario, control: &mut Control, state: &mut State) -
     let mut text = String::new();
     for event in &scenario.operator {
         if let Action::Mdi(block) = &event.action {
-            text.push_str(block.lines().next().unwrap_or_default());
+            text.push_str(block.split(['\r', '\n']).next().unwrap_or_default());
             text.push('\n');
         }
     }
