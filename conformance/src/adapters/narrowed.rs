@@ -156,6 +156,7 @@ mod tests {
             faults_have_blocks: false,
             faults_have_kinds: false,
             effects: ["straight_traverse".to_owned()].into(),
+            tells_all_fields: false,
             ..Capabilities::everything("a control", "1")
         }
     }
