@@ -228,7 +228,8 @@ impl<M: Machine> Task<M> {
         }
     }
 
-    /// Executes a block that is entered by hand, the first line of a text, as line `number` of the file [`BY_HAND`]; subs are found where `source` finds them. The mode is
+    /// Executes a block that is entered by hand, the first line of a text, as line `number` of the file [`BY_HAND`]; subs are found where `source`
+    /// finds them. The mode is
     /// MDI mode then. It comes back with [`Activity::Entered`] or with an end.
     ///
     /// # Errors
@@ -243,7 +244,7 @@ impl<M: Machine> Task<M> {
     }
 
     /// The same, as long as it may go on: that is asked between blocks, of which a call of a sub has many. It comes back with [`Activity::More`] where it
-    /// may not; what was entered is then over.
+    /// may not; what begins next forgets the rest.
     ///
     /// # Errors
     /// As for [`Interpreter::step`].
