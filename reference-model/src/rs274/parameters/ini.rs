@@ -28,7 +28,7 @@ pub(super) fn entry(name: &str, state: &State) -> Option<f64> {
         let machine = Some(&state.machine).filter(|_| !state.outside.is_stand_alone())?;
         return Item::of(item, machine).map(|item| state.outside.item(item));
     }
-    ini_value(&ini_key(name)?, state)
+    ini_value(ini_key(name)?, state)
 }
 
 /// Rule parameters.ini-absent. Reading an absent INI entry or HAL item is refused.
@@ -56,9 +56,10 @@ pub(super) fn is_enabled(name: &str, state: &State) -> bool {
     ini_value(key, state) != Some(0.0)
 }
 
+/// Of letters only those of ASCII have a case, as everywhere in the language.
 fn ini_value(key: &str, state: &State) -> Option<f64> {
     let entries = &state.machine.ini;
-    let value = entries.iter().find(|(entry, _)| entry.to_uppercase() == key);
+    let value = entries.iter().find(|(entry, _)| entry.eq_ignore_ascii_case(key));
     value.map(|(_, value)| *value).filter(|value| value.is_finite())
 }
 
@@ -67,8 +68,7 @@ fn hal_item(name: &str) -> Option<&str> {
     name.strip_prefix("_hal[")?.strip_suffix(']')
 }
 
-/// The key of an entry, `[SECTION]NAME`.
-fn ini_key(name: &str) -> Option<String> {
-    let key = name.strip_prefix("_ini")?;
-    (key.starts_with('[') && key.contains(']')).then(|| key.to_uppercase())
+/// The key of an entry, `[section]name`.
+fn ini_key(name: &str) -> Option<&str> {
+    name.strip_prefix("_ini").filter(|key| key.starts_with('[') && key.contains(']'))
 }

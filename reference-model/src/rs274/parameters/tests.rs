@@ -102,6 +102,18 @@ fn ini_entries_have_values() {
 }
 
 #[test]
+fn only_letters_of_ascii_have_a_case_in_ini_entries() {
+    let entries = [("[a]b", 1.0), ("[A]É", 2.0), ("[Two]same", 4.0), ("[TWO]Same", 3.0)];
+    let mut state = State::under(&[]);
+    state.machine.ini = entries.map(|(key, value)| (key.to_owned(), value)).into();
+    check(&named("_ini[a]b"), &state, 1.0);
+    check(&named("_ini[a]É"), &state, 2.0);
+    assert_eq!(rule(value(&named("_ini[a]é"), &state)), "parameters.ini-absent");
+    // Of two keys that differ by case alone it is the first.
+    check(&named("_ini[two]same"), &state, 3.0);
+}
+
+#[test]
 fn tool_parameters_are_those_of_the_tool_in_the_spindle() {
     let mut state = State::under(&[]);
     let tool =
