@@ -32,6 +32,15 @@ fn a_budget_ends_what_does_not_end() {
 }
 
 #[test]
+fn repeats_of_a_cycle_are_bounded_by_the_budget_alone() {
+    for repeats in ["2147483648", "4294967296", "1000000000000000000000"] {
+        let cycle = outcome(&format!("g81 x1 z-1 r1 l{repeats} f1\nm2\n"));
+        assert_eq!(ending(&cycle), "budget of effects");
+    }
+    refuses("g81 x1 z-1 r1 l-2147483649 f1\nm2\n", "word_out_of_range at main.ngc:1");
+}
+
+#[test]
 fn a_short_run_is_a_prefix_of_a_longer_one() {
     let mut scenario = Scenario::of("o1 while [1]\n#31 = [#31 + 1]\ng0 x#31\no1 endwhile\nm2\n");
     scenario.budget.steps = 50;

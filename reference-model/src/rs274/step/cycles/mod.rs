@@ -11,7 +11,8 @@ mod tapping;
 use gaugeblock_trace::{Axis, Distance, Effect, FaultKind, Motion, Path, Plane, Position};
 
 use super::target::{moved, polar};
-use super::{whole, word};
+use super::word;
+use crate::math::near_integer;
 use crate::rs274::machine::State;
 use crate::rs274::modes::motion_mode;
 use crate::rs274::quirks::cycles as quirks;
@@ -153,18 +154,18 @@ pub(super) fn perform(
     Ok(())
 }
 
-/// Rule cycles.repeat-count. L is a positive integer.
+/// Rule cycles.repeat-count. L is a positive integer, however large: the budget bounds what is executed of it.
 /// Rule cycles.repeat-not-sticky. Without it the cycle is executed once.
-fn repeats(words: &Words, state: &mut State) -> Result<u32, Halt> {
+fn repeats(words: &Words, state: &mut State) -> Result<u64, Halt> {
     let rule = "cycles.repeat-count";
     let Some(value) = word(words, 'l') else {
         state.evidence.accepted("cycles.repeat-not-sticky");
         return Ok(1);
     };
-    let number = whole(value).ok_or_else(|| {
+    let number = near_integer(value).ok_or_else(|| {
         refuse(rule, FaultKind::NotAnInteger, format!("L{value} is no number of repeats"))
     })?;
-    let count = u32::try_from(number).ok().filter(|count| *count > 0).ok_or_else(|| {
+    let count = u64::try_from(number).ok().filter(|count| *count > 0).ok_or_else(|| {
         refuse(rule, FaultKind::WordOutOfRange, format!("{number} repeats of a cycle"))
     })?;
     state.evidence.accepted(rule);
@@ -182,7 +183,7 @@ fn places(
     words: &Words,
     state: &mut State,
     cycle: &Cycle,
-    repeats: u32,
+    repeats: u64,
 ) -> Result<impl Iterator<Item = [f64; 2]> + use<>, Halt> {
     let incremental = state.modes.distance == Distance::Incremental;
     let [first, second, _] = cycle.axes;
