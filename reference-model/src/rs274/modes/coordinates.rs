@@ -123,9 +123,9 @@ impl Modes {
         self.rotation = stored(first + 9);
     }
 
-    /// Rule offsets.local-parameters. #5211 to #5219 are the local offset while #5210 is 1.
+    /// Rule offsets.local-parameters. #5211 to #5219 are the local offset unless #5210 is 0.
     pub(crate) fn load_local_offset(&mut self, stored: impl Fn(u32) -> f64, unit: LengthUnit) {
-        self.local_applies = math::near_integer(stored(5210)) == Some(1);
+        self.local_applies = stored(5210).abs() > 0.0;
         let offset = if self.local_applies {
             nine(|place| stored(5211 + place))
         } else {

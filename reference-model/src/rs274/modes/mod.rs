@@ -21,6 +21,7 @@ use gaugeblock_trace::{
 
 use super::quirks::settings::initial_tolerance;
 use super::readings::Readings;
+use crate::math::near_integer;
 
 /// The mode in force of each modal group, with all values that stay in force until they are set again.
 ///
@@ -142,7 +143,7 @@ impl Modes {
     /// The documents say no more. Everything else begins as the README of this crate tells: absolute distance, feed per
     /// minute, nothing on but overrides and feed stop.
     pub fn new(machine: &Machine, readings: &Readings) -> Self {
-        let stored = |number: u32| machine.parameters.0.get(&number).copied().unwrap_or(0.0);
+        let stored = |number: u32| stored(machine, number).unwrap_or(0.0);
         // Choice units-planes.initial-unit.
         let initial_unit = match readings.choice("units-planes.initial-unit") {
             "machine" => machine.length_unit,
@@ -197,7 +198,42 @@ impl Modes {
 }
 
 /// Rule offsets.start-system. #5220 names the coordinate system at the start; without a number from 1 to 9 it is the first.
+/// Rule numbers.near-integer. What is stored is such a number where it is close to one.
 pub fn start_system(machine: &Machine) -> u32 {
-    let named = machine.parameters.0.get(&5220);
-    (1..=9).find(|system| named == Some(&f64::from(*system))).unwrap_or(1)
+    let named = stored(machine, 5220).and_then(near_integer);
+    let system = named.and_then(|named| u32::try_from(named).ok());
+    system.filter(|system| (1..=9).contains(system)).unwrap_or(1)
+}
+
+/// A parameter as it is stored, if it has a value.
+fn stored(machine: &Machine, number: u32) -> Option<f64> {
+    machine.parameters.0.get(&number).copied().filter(|value| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at_start(parameters: &[(u32, f64)]) -> Modes {
+        let parameters = parameters.iter().copied().collect();
+        Modes::new(&Machine { parameters, ..Machine::default() }, &Readings::default())
+    }
+
+    #[test]
+    fn a_stored_number_close_to_that_of_a_system_names_it() {
+        let unknown = [1.4, 2.000_2, 0.5, 9.5, 10.0, -2.0, f64::INFINITY].map(|stored| (stored, 1));
+        for (stored, system) in [(2.000_05, 2), (8.999_95, 9)].into_iter().chain(unknown) {
+            assert_eq!(at_start(&[(5220, stored)]).work_offset, system, "{stored}");
+        }
+    }
+
+    #[test]
+    fn a_stored_local_offset_applies_unless_zero_says_that_it_does_not() {
+        let unknown = [f64::NAN, f64::INFINITY, 0.0].map(|stored| (stored, 0.0));
+        let known = [1.0, 2.0, -1.0, 0.5].map(|stored| (stored, 7.0));
+        for (stored, offset) in known.into_iter().chain(unknown) {
+            let modes = at_start(&[(5210, stored), (5211, 7.0)]);
+            assert!((modes.g92_offset.x - offset).abs() < 1e-9, "{stored}");
+        }
+    }
 }
