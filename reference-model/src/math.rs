@@ -71,6 +71,22 @@ pub(crate) fn hypotenuse(first: f64, second: f64) -> f64 {
     libm::hypot(first, second)
 }
 
+/// The other leg of a right triangle with this hypotenuse and this leg; none is left where the leg is as long as the hypotenuse.
+///
+/// It is worked out at the size of 1, which changes no bit, so that no square of a finite number is too great.
+pub(crate) fn other_leg(hypotenuse: f64, leg: f64) -> f64 {
+    let (_, size) = libm::frexp(hypotenuse);
+    let (hypotenuse, leg) = (libm::ldexp(hypotenuse, -size), libm::ldexp(leg, -size));
+    let square = (hypotenuse - leg) * (hypotenuse + leg);
+    libm::ldexp(libm::sqrt(square.max(0.0)), size)
+}
+
+/// As much of a whole as a part is of something that is no shorter: no more than the whole on the way there either.
+pub(crate) fn portion(whole: f64, part: f64, of: f64) -> f64 {
+    let (_, size) = libm::frexp(of);
+    whole / libm::ldexp(of, 1 - size) * libm::ldexp(part, 1 - size)
+}
+
 /// e raised to a power.
 pub(crate) fn exponential(power: f64) -> f64 {
     libm::exp(power)
@@ -119,6 +135,27 @@ mod tests {
         assert_eq!(near_integer(f64::NAN), None);
         assert_eq!(near_integer(f64::INFINITY), None);
         assert_eq!(near_integer(1e300), Some(i64::MAX));
+    }
+
+    #[test]
+    fn a_leg_is_found_at_any_size() {
+        for size in [1.0, 1e-300, 1e300, f64::MAX / 5.0, f64::from_bits(1)] {
+            let found = other_leg(5.0 * size, 3.0 * size);
+            assert!((found / size - 4.0).abs() < 1e-14, "{found} at {size}");
+            assert_eq!(other_leg(size, size).to_bits(), 0);
+        }
+        assert_eq!(other_leg(0.0, 0.0).to_bits(), 0);
+        assert_eq!(other_leg(1.0, 2.0).to_bits(), 0);
+        let nearly_the_hypotenuse = other_leg(100_000.0 + 1e-7, 100_000.0);
+        assert!((nearly_the_hypotenuse - 0.02_f64.sqrt()).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_portion_is_found_at_any_size() {
+        for (whole, of) in [(5.0, 4.0), (1e200, 1e-200), (f64::MAX, 1e300), (f64::MAX, 1e-310)] {
+            let found = portion(whole, of / -2.0, of);
+            assert!((found / whole + 0.5).abs() < 1e-12, "{found} of {whole}");
+        }
     }
 
     #[test]

@@ -40,6 +40,22 @@ fn repeats_of_a_cycle_are_bounded_by_the_budget_alone() {
     refuses("g81 x1 z-1 r1 l-2147483649 f1\nm2\n", "word_out_of_range at main.ngc:1");
 }
 
+/// What is finite in the end does not overflow on the way there.
+#[test]
+fn an_arc_has_a_centre_and_a_radius_that_are_numbers() {
+    let zeros = "0".repeat(155);
+    gives(&format!("g2 x1 i1{zeros} f1\nm2\n"), &[(5420, 1.0)]);
+    let zeros = "0".repeat(200);
+    gives(&format!("g2 x1 y1 r1{zeros} f1\nm2\n"), &[(5420, 1.0), (5421, 1.0)]);
+    let zeros = "0".repeat(154);
+    let far = format!("#1=1{zeros} #1=[#1*#1] #2=1.7 #3=[#1*#2]\n");
+    let far = far.replace(" #", "\n#");
+    gives(&format!("{far}f1 g0 x-#1\ng2 x#1 r#3\nm2\n"), &[]);
+    for arc in ["g2 y1 i#3", "g2 y#3 i#3 j#3", "g90.1 g2 x1 i-#3 j0", "g91 g2 x#3 r#3"] {
+        refuses(&format!("{far}f1 g0 x#3\n{arc}\nm2\n"), "bad_arc at main.ngc:6");
+    }
+}
+
 #[test]
 fn a_short_run_is_a_prefix_of_a_longer_one() {
     let mut scenario = Scenario::of("o1 while [1]\n#31 = [#31 + 1]\ng0 x#31\no1 endwhile\nm2\n");

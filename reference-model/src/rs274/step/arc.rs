@@ -195,6 +195,15 @@ fn tolerances(state: &State) -> (f64, f64) {
     })
 }
 
+/// Rule arcs.unequal-radii. There is a centre that has a distance from the ends of the arc; what is no finite number is none.
+fn has_numbers(centre: InPlane, radius: f64) -> Result<(), Halt> {
+    if [centre.0, centre.1, radius].into_iter().all(f64::is_finite) {
+        return Ok(());
+    }
+    let message = "an arc whose centre or radius is beyond all numbers";
+    Err(refuse("arcs.unequal-radii", FaultKind::BadArc, message))
+}
+
 /// Rule arcs.unequal-radii. The centre is as far from the end as from the start, but for a tolerance.
 /// Rule arcs.zero-radius. Whether there is an arc about the point itself is a choice.
 fn same_radius(
@@ -204,6 +213,7 @@ fn same_radius(
     state: &mut State,
 ) -> Result<(), Halt> {
     let (to_start, to_end) = (distance(centre, start), distance(centre, end));
+    has_numbers(centre, to_start.max(to_end))?;
     let (large, small) = tolerances(state);
     let apart = (to_start - to_end).abs();
     if apart > large || apart > small && apart > 0.001 * to_start.max(to_end) {
@@ -248,12 +258,12 @@ fn centre_of_radius(
         return Err(refuse("arcs.radius-needs-axis", FaultKind::MissingWord, message));
     }
     let (start, end) = (axes.in_plane(state.position), axes.in_plane(end));
-    let chord = distance(start, end);
-    if chord == 0.0 {
+    if start == end {
         let message = "an arc with a radius that ends where it starts";
         return Err(refuse("arcs.radius-same-point", FaultKind::BadArc, message));
     }
-    let half = chord / 2.0;
+    let chord = half_chord(start, end);
+    let (half, _) = chord;
     let short = half - radius.abs();
     if short > 0.0 {
         let tolerance = match state.modes.units {
@@ -265,18 +275,35 @@ fn centre_of_radius(
             if short <= tolerance {
                 state.evidence.refused("arcs.radius-just-too-small");
             }
-            let message = format!("a radius of {radius} for points {chord} apart");
+            let message = format!("a radius of {radius} for points {} apart", 2.0 * half);
             return Err(refuse("arcs.radius-too-small", FaultKind::BadArc, message));
         }
         state.evidence.accepted("arcs.radius-just-too-small");
     }
+    let centre = centre_beside_chord(start, chord, radius, clockwise);
+    has_numbers(centre, radius)?;
     state.evidence.accepted("arcs.radius");
     state.evidence.accepted("arcs.radius-sign");
-    // The centre lies beside the middle of the chord: at the left when the shorter arc goes counterclockwise.
-    let beside = (radius * radius - half * half).max(0.0).sqrt() / chord;
+    Ok(centre)
+}
+
+/// Half of the way from a start to an end: how long it is, and its parts along the axes. The whole may be too long for a number.
+fn half_chord(start: InPlane, end: InPlane) -> (f64, InPlane) {
+    let half = (end.0 / 2.0 - start.0 / 2.0, end.1 / 2.0 - start.1 / 2.0);
+    (math::hypotenuse(half.0, half.1), half)
+}
+
+/// The centre lies beside the middle of the chord: at the left when the shorter arc goes counterclockwise.
+fn centre_beside_chord(
+    start: InPlane,
+    (half, (along, across)): (f64, InPlane),
+    radius: f64,
+    clockwise: bool,
+) -> InPlane {
+    let beside = math::other_leg(radius.abs(), half);
     let left = if clockwise == (radius < 0.0) { beside } else { -beside };
-    let (along, across) = (end.0 - start.0, end.1 - start.1);
-    Ok((start.0 + along / 2.0 - left * across, start.1 + across / 2.0 + left * along))
+    let aside = |part: f64| math::portion(left, part, half);
+    (start.0 + along - aside(across), start.1 + across + aside(along))
 }
 
 /// The rules that an accepted arc follows.
