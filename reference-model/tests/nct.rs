@@ -197,3 +197,61 @@ fn what_is_long_or_deep_ends_soon() {
     steps("O1\nN1 G66 P1\nGOTO1\n");
     steps("O1\nG65 P2 L9999\nM30\nO2\nG65 P3 L9999\nM99\nO3\nG65 P4 L9999\nM99\nO4\nM99\n");
 }
+
+/// How a program ends, in a word or two, under block delete or not.
+fn ending(program: &str, block_delete: bool) -> String {
+    let mut scenario = Scenario::of(program);
+    scenario.program.language = Language::Nct;
+    scenario.program.block_delete = block_delete;
+    let end = run(&scenario).0.end;
+    if let End::Fault(fault) = &end {
+        let line = fault.block.as_ref().expect("a fault of this language has a block").line;
+        let kind = fault.kind.expect("a fault of the model has a kind");
+        return format!("{kind} at {line}");
+    }
+    if let End::Unspecified { block, .. } = &end {
+        return format!("open at {}", block.line);
+    }
+    if end == End::ProgramEnd { "accepted".to_owned() } else { format!("{end:?}") }
+}
+
+fn ends(expected: &[(&str, &str)]) {
+    for (program, wanted) in expected {
+        assert_eq!(ending(program, false), *wanted, "{program:?}");
+    }
+}
+
+#[test]
+fn a_program_number_counts_whatever_is_wrong_behind_it() {
+    ends(&[
+        ("M98P2\nM30\nO2N", "bad_number at 3"),
+        ("M98P2\nM30\nO2N#1", "statement at 3"),
+        ("M98P2\nM30\nO2.", "unknown_sub at 1"),
+        ("M98P2\nM30\nO2?", "unknown_sub at 1"),
+    ]);
+}
+
+#[test]
+fn a_slash_may_stand_behind_a_comment() {
+    for program in ["(a)/?\nM30", " (a) (/) / (b\nM30", "(a)/G0X\nM30"] {
+        assert_eq!(ending(program, true), "accepted", "{program:?}");
+    }
+    for (program, wanted) in [
+        ("(a /\nM30", "bad_comment at 1"),
+        ("(a(b)/?\nM30", "bad_comment at 1"),
+        ("?/\nM30", "bad_character at 1"),
+    ] {
+        assert_eq!(ending(program, true), wanted, "{program:?}");
+    }
+}
+
+#[test]
+fn one_carriage_return_belongs_to_the_end_of_a_line() {
+    ends(&[
+        ("O1\r\nM30\r\n", "accepted"),
+        ("O1\nM30\r", "accepted"),
+        ("O1\r\r\nM30", "bad_character at 1"),
+        ("O1\nM30\r\r", "bad_character at 2"),
+        ("O1\n\r\r\nM30", "bad_character at 2"),
+    ]);
+}

@@ -12,7 +12,7 @@ const MOST_DIGITS: usize = 8;
 pub struct Line {
     /// Its number, from 1.
     pub number: u32,
-    /// Whether it begins with a slash.
+    /// Whether a slash comes first, behind blanks and comments.
     pub is_optional: bool,
     /// The program that begins here.
     pub program: Option<u32>,
@@ -31,66 +31,52 @@ pub fn lines(text: &str) -> Vec<Line> {
 }
 
 /// A line that begins with a percent sign is none.
+///
+/// Rule nct.block-delete. The slash counts whatever is wrong behind it.
 fn line(number: u32, text: &str) -> Option<Line> {
-    let begin = text.trim_start_matches([' ', '\t']);
-    if begin.starts_with('%') {
+    if text.trim_start_matches([' ', '\t']).starts_with('%') {
         return None;
     }
-    let mut line = Line {
-        number,
-        is_optional: begin.starts_with('/'),
-        program: None,
-        sequence: None,
-        rest: String::new(),
-        fault: None,
-    };
-    let plain = match plain(text) {
-        Ok(plain) => plain,
-        Err(fault) => {
-            line.fault = Some(fault);
-            return Some(line);
-        }
-    };
-    if plain.is_empty() {
+    let (plain, fault) = plain(text);
+    if plain.is_empty() && fault.is_none() {
         return None;
     }
-    let mut rest = plain.as_str();
-    if let Some(after) = rest.strip_prefix('/') {
-        line.is_optional = true;
-        rest = after;
-    }
-    match numbers(rest) {
-        Ok((program, sequence, rest)) => {
-            (line.program, line.sequence) = (program, sequence);
-            line.rest = rest.to_owned();
-        }
-        Err(fault) => line.fault = Some(fault),
+    let (is_optional, rest) = match plain.strip_prefix('/') {
+        Some(rest) => (true, rest),
+        None => (false, plain.as_str()),
+    };
+    let (program, sequence) = (None, None);
+    let mut line = Line { number, is_optional, program, sequence, rest: String::new(), fault };
+    if line.fault.is_none() {
+        line.fault = line.split(rest).err();
     }
     Some(line)
 }
 
-/// The program number and the sequence number that a block begins with, and what follows.
-fn numbers(mut rest: &str) -> Result<(Option<u32>, Option<u32>, &str), Halt> {
-    let mut numbers = [None, None];
-    for (letter, place) in ['O', 'N'].into_iter().zip(&mut numbers) {
-        if let Some(after) = rest.strip_prefix(letter) {
-            let (number, after) = number_of(letter, after)?;
-            *place = Some(number);
-            rest = after;
+impl Line {
+    /// Splits off the program number and the sequence number that a block begins with. A number counts whatever is wrong behind it.
+    fn split(&mut self, mut rest: &str) -> Result<(), Halt> {
+        for (letter, place) in [('O', &mut self.program), ('N', &mut self.sequence)] {
+            if let Some(after) = rest.strip_prefix(letter) {
+                let (number, after) = number_of(letter, after)?;
+                *place = Some(number);
+                rest = after;
+            }
         }
+        rest.clone_into(&mut self.rest);
+        Ok(())
     }
-    let [program, sequence] = numbers;
-    Ok((program, sequence, rest))
 }
 
-/// A line in capitals, without blanks and comments.
-fn plain(text: &str) -> Result<String, Halt> {
+/// A line in capitals, without blanks and comments, up to what is wrong with it. One carriage return belongs to its end.
+fn plain(text: &str) -> (String, Option<Halt>) {
     let mut plain = String::new();
     let mut in_comment = false;
-    for character in text.trim_end_matches('\r').chars() {
+    for character in text.strip_suffix('\r').unwrap_or(text).chars() {
         match character {
             '(' if in_comment => {
-                return Err(refuse_form(FaultKind::BadComment, "a comment within a comment"));
+                let message = "a comment within a comment";
+                return (plain, Some(refuse_form(FaultKind::BadComment, message)));
             }
             '(' => in_comment = true,
             ')' if in_comment => in_comment = false,
@@ -110,14 +96,13 @@ fn plain(text: &str) -> Result<String, Halt> {
             | '=' => plain.push(character.to_ascii_uppercase()),
             _ => {
                 let message = format!("{character:?} stands for nothing");
-                return Err(refuse_form(FaultKind::BadCharacter, message));
+                return (plain, Some(refuse_form(FaultKind::BadCharacter, message)));
             }
         }
     }
-    if in_comment {
-        return Err(refuse_form(FaultKind::BadComment, "a comment that is not closed"));
-    }
-    Ok(plain)
+    let message = "a comment that is not closed";
+    let fault = in_comment.then(|| refuse_form(FaultKind::BadComment, message));
+    (plain, fault)
 }
 
 /// Rule nct.plain-numbers. O and N take no variable, and neither does the slash.
