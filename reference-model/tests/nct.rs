@@ -255,3 +255,13 @@ fn one_carriage_return_belongs_to_the_end_of_a_line() {
         ("O1\n\r\r\nM30", "bad_character at 2"),
     ]);
 }
+
+#[test]
+fn the_number_of_a_variable_may_begin_with_a_point() {
+    ends(&[
+        ("G0X1\nX#.0\nM30", "accepted"),
+        ("#.0=1\nM30", "read_only_parameter at 1"),
+        ("X#.5\nM30", "open at 1"),
+        ("X#.\nM30", "bad_number at 1"),
+    ]);
+}

@@ -199,7 +199,7 @@ impl Reader<'_> {
                 self.close()?;
                 Ok(number)
             }
-            Some('0'..='9') => self.number().map(Expression::Number),
+            Some('0'..='9' | '.') => self.number().map(Expression::Number),
             Some('#') => {
                 let message = "the number of a variable is computed in brackets";
                 let kind = gaugeblock_trace::FaultKind::Statement;
