@@ -265,3 +265,77 @@ fn the_number_of_a_variable_may_begin_with_a_point() {
         ("X#.\nM30", "bad_number at 1"),
     ]);
 }
+
+#[test]
+fn a_position_that_the_other_unit_has_no_number_for_is_refused_where_the_unit_changes() {
+    ends(&[
+        ("#1=EXP[709]\nG0X#1G20\nX#1\nG21\nY1\nM30", "out_of_domain at 4"),
+        ("#1=EXP[709]\nG0A#1G20\nA#1\nG21\nY1\nM30", "accepted"),
+        ("#1=EXP[709]\nG0X#1\nG20\nG21\nM30", "accepted"),
+    ]);
+}
+
+/// The centre of the only arc of a program, in the first and the second axis.
+fn centre(program: &str) -> (f64, f64) {
+    let outcome = outcome(program);
+    assert_eq!(outcome.end, End::ProgramEnd, "{program:?}");
+    let events = outcome.steps.iter().flat_map(|step| &step.events);
+    let arcs: Vec<_> = events
+        .filter_map(|event| {
+            let Event::Do(Effect::ArcFeed { first_centre, second_centre, .. }) = event else {
+                return None;
+            };
+            Some((*first_centre, *second_centre))
+        })
+        .collect();
+    assert_eq!(arcs.len(), 1, "{program:?}");
+    arcs[0]
+}
+
+fn assert_centre(program: &str, wanted: (f64, f64)) {
+    let found = centre(program);
+    let close = |one: f64, other: f64| (one - other).abs() <= 1e-12 * other.abs().max(1.0);
+    assert!(
+        close(found.0, wanted.0) && close(found.1, wanted.1),
+        "{program:?} goes round {found:?}"
+    );
+}
+
+#[test]
+fn an_arc_is_one_whose_centre_and_radius_are_numbers() {
+    let large = 1.403_592_217_852_837_5e217;
+    assert_centre("#1=EXP[500]\nG2X1R#1F1\nM30", (0.5, -large));
+    assert_centre("#1=EXP[500]\nG2X1I#1F1\nM30", (large, 0.0));
+    assert_centre("#1=EXP[500]\nG2X1J#1F1\nM30", (0.0, large));
+    assert_centre("#1=EXP[-500]\nG2X#1R1F1\nM30", (0.0, -1.0));
+    assert_centre("#1=EXP[709.5]\nG0X-#1\nG2X#1R#1F1\nM30", (0.0, 0.0));
+    ends(&[
+        ("#1=EXP[709.5]\nG0X#1\nG2X0I#1F1\nM30", "bad_arc at 3"),
+        ("#1=EXP[709.5]\nG2X1I#1J#1F1\nM30", "bad_arc at 2"),
+        ("#1=EXP[709.5]\nG0Y#1\nG3X1R#1F1\nM30", "bad_arc at 3"),
+        ("#1=EXP[709]\nG2X#1I-#1F1\nM30", "open at 2"),
+    ]);
+}
+
+#[test]
+fn half_a_circle_does_not_hang_on_the_last_bit() {
+    assert_centre("G2 X23.7 Y10.4 R12.940730273056461 F100\nM30", (11.85, 5.2));
+    for (x, y) in (1..40).flat_map(|x| (1..40).map(move |y| (x, y))) {
+        let program = format!("#1={x}.7\n#2={y}.1\n#3=SQRT[#1*#1+#2*#2]/2\nG2X#1Y#2R#3F1\nM30");
+        assert_eq!(ending(&program, false), "accepted", "{program:?}");
+    }
+    ends(&[
+        ("G2X2R0.9999999995F1\nM30", "accepted"),
+        ("G2X2R0.999999998F1\nM30", "bad_arc at 1"),
+        ("G2X2R-0.999999998F1\nM30", "bad_arc at 1"),
+        ("G2X2R0F1\nM30", "bad_arc at 1"),
+    ]);
+}
+
+#[test]
+fn the_centre_of_a_flat_arc_is_exact() {
+    let (first, second) = centre("G2X200000R100000.0000001F1\nM30");
+    // r - d is what the number of R leaves of 1e-7.
+    let expected = -((100_000.000_000_1_f64 - 100_000.0) * 200_000.000_000_1_f64).sqrt();
+    assert!((first - 100_000.0).abs() < 1e-9 && (second - expected).abs() < 1e-12, "{second}");
+}

@@ -105,7 +105,7 @@ impl Modes {
     /// Rule nct.modes. One code of a group may stand in a block.
     ///
     /// # Errors
-    /// Two codes of a group, or one that this edition does not hold.
+    /// Two codes of a group, one that this edition does not hold, or a position that the other unit has no number for.
     pub fn set(&mut self, codes: &Codes) -> Result<Block, Halt> {
         let mut block = Block::default();
         let mut groups = std::collections::BTreeSet::new();
@@ -113,7 +113,7 @@ impl Modes {
             codes.g.iter().map(|g| (*g, 'G')).chain(codes.m.iter().map(|m| (*m, 'M')))
         {
             let group = if letter == 'G' {
-                self.set_g(code, &mut block)
+                self.set_g(code, &mut block)?
             } else {
                 self.set_m(code, &mut block)
             };
@@ -134,7 +134,7 @@ impl Modes {
     }
 
     /// The group of a G code in tenths, which takes effect.
-    fn set_g(&mut self, code: i64, block: &mut Block) -> Option<u32> {
+    fn set_g(&mut self, code: i64, block: &mut Block) -> Result<Option<u32>, Halt> {
         match code {
             0 => block.motion = Some(Motion::Traverse),
             10 => block.motion = Some(Motion::Feed),
@@ -144,8 +144,8 @@ impl Modes {
             170 => self.plane = Plane::Xy,
             180 => self.plane = Plane::Zx,
             190 => self.plane = Plane::Yz,
-            200 => self.set_units(LengthUnit::Inch),
-            210 => self.set_units(LengthUnit::Millimetre),
+            200 => self.set_units(LengthUnit::Inch)?,
+            210 => self.set_units(LengthUnit::Millimetre)?,
             900 => self.distance = Distance::Absolute,
             910 => self.distance = Distance::Incremental,
             940 => self.set_feed_mode(FeedMode::PerMinute),
@@ -153,9 +153,9 @@ impl Modes {
             540 | 550 | 560 | 570 | 580 | 590 => {
                 self.work_offset = u32::try_from(code / 10 - 53).unwrap_or_default();
             }
-            _ => return None,
+            _ => return Ok(None),
         }
-        Some(match code {
+        Ok(Some(match code {
             0..=30 => 1,
             40 => 0,
             170..=190 => 2,
@@ -163,7 +163,7 @@ impl Modes {
             900..=910 => 3,
             940..=950 => 5,
             _ => 12,
-        })
+        }))
     }
 
     /// The group of an M code, which takes effect.
@@ -190,9 +190,9 @@ impl Modes {
     }
 
     /// A feed in another unit would be another feed: it has to be programmed again.
-    fn set_units(&mut self, units: LengthUnit) {
+    fn set_units(&mut self, units: LengthUnit) -> Result<(), Halt> {
         if self.units == units {
-            return;
+            return Ok(());
         }
         self.units = units;
         self.feed_rate = 0.0;
@@ -203,6 +203,7 @@ impl Modes {
                 LengthUnit::Millimetre => *coordinate * INCH,
             };
         }
+        within_reach(&self.position)
     }
 
     fn set_feed_mode(&mut self, feed_mode: FeedMode) {
@@ -217,6 +218,17 @@ impl Default for Modes {
     fn default() -> Self {
         Self::new()
     }
+}
+
+/// A position is made of numbers, in whichever unit.
+///
+/// # Errors
+/// A coordinate is not finite.
+pub(super) fn within_reach(position: &Position) -> Result<(), Halt> {
+    if position.to_array().iter().all(|coordinate| coordinate.is_finite()) {
+        return Ok(());
+    }
+    Err(refuse_form(FaultKind::OutOfDomain, "a position that is too far away"))
 }
 
 fn tenths(code: i64) -> String {

@@ -2,13 +2,15 @@
 
 use gaugeblock_trace::{Axis, Distance, Effect, FaultKind, Motion, Plane, Position};
 
-use super::modes::Modes;
-use super::refusal::{Halt, open, refuse, refuse_form};
+use super::modes::{Modes, within_reach};
+use super::refusal::{Halt, open, refuse};
 use super::words::{Words, word};
 use crate::math;
 
 /// How far the radii of an arc may be apart, active length unit.
 const RADIUS_TOLERANCE: f64 = 0.01;
+/// How much longer than the radius half the chord may be, as a part of it: half a circle does not hang on the last bit of its numbers.
+const CHORD_TOLERANCE: f64 = 1e-9;
 
 /// An axis by its letter.
 pub(super) fn axis(letter: char) -> Option<Axis> {
@@ -41,9 +43,7 @@ pub(super) fn perform(modes: &mut Modes, words: &Words, axes: &[Axis]) -> Result
             Distance::Incremental => *coordinate + value,
         };
     }
-    if end.to_array().iter().any(|coordinate| !coordinate.is_finite()) {
-        return Err(refuse_form(FaultKind::OutOfDomain, "a position that is too far away"));
-    }
+    within_reach(&end)?;
     let is_feed = modes.motion != Motion::Traverse;
     if modes.motion == Motion::None {
         return Err(open("axis words before any of G0 to G3"));
@@ -98,38 +98,73 @@ fn arc(modes: &Modes, end: Position, words: &Words) -> Result<Effect, Halt> {
         (Some(_), (Some(_), _) | (_, Some(_))) => {
             return Err(open("an arc with a centre and a radius"));
         }
-        (None, (along, across)) => (from.0 + along.unwrap_or(0.0), from.1 + across.unwrap_or(0.0)),
+        (None, (along, across)) => {
+            of_offsets(from, to, (along.unwrap_or(0.0), across.unwrap_or(0.0)))?
+        }
         (Some(radius), (None, None)) => {
             of_radius(from, to, radius, modes.motion == Motion::ArcClockwise)?
         }
     };
-    let radius =
-        |point: (f64, f64)| math::hypotenuse(point.0 - first_centre, point.1 - second_centre);
-    if (radius(from) - radius(to)).abs() > RADIUS_TOLERANCE {
-        return Err(open("an arc whose ends are not equally far from its centre"));
-    }
     let turns = if modes.motion == Motion::ArcClockwise { -1 } else { 1 };
     Ok(Effect::ArcFeed { end, first_centre, second_centre, turns })
 }
 
+/// The centre by its offsets from the start.
+fn of_offsets(from: (f64, f64), to: (f64, f64), offsets: (f64, f64)) -> Result<(f64, f64), Halt> {
+    let centre = (from.0 + offsets.0, from.1 + offsets.1);
+    let radius = |point: (f64, f64)| math::hypotenuse(point.0 - centre.0, point.1 - centre.1);
+    let (at_start, at_end) = (radius(from), radius(to));
+    // No point is at a finite distance from a centre that is not finite.
+    if !at_start.is_finite() {
+        return Err(bad_arc("a centre that is too far away"));
+    }
+    if (at_start - at_end).abs() > RADIUS_TOLERANCE {
+        return Err(open("an arc whose ends are not equally far from its centre"));
+    }
+    Ok(centre)
+}
+
+/// The centre by the radius: beside the middle of the chord.
+///
+/// All is computed at a quarter of its size, so that no length on the way to a finite centre is too large for a number; that rounds
+/// nothing but what is close to the smallest numbers.
 fn of_radius(
     from: (f64, f64),
     to: (f64, f64),
     radius: f64,
     clockwise: bool,
 ) -> Result<(f64, f64), Halt> {
+    let quarter = |point: (f64, f64)| (point.0 / 4.0, point.1 / 4.0);
+    let (from, to) = (quarter(from), quarter(to));
     let (along, across) = (to.0 - from.0, to.1 - from.1);
     let chord = math::hypotenuse(along, across);
     if chord.to_bits() == 0 {
         return Err(open("an arc with a radius that ends where it begins"));
     }
-    let square = radius * radius - chord * chord / 4.0;
-    if chord > 2.0 * radius.abs() {
-        let message = format!("a radius of {radius} for points {chord} apart");
-        return Err(refuse("nct.arc", FaultKind::BadArc, message));
-    }
-    // The centre lies beside the middle of the chord: at the left when the shorter arc goes counterclockwise.
-    let beside = math::square_root(square.max(0.0)) / chord;
+    let too_small = || bad_arc(format!("a radius of {radius} for points {} apart", 4.0 * chord));
+    let beside = beside_chord(radius.abs() / 4.0, chord / 2.0).ok_or_else(too_small)?;
+    // At the left when the shorter arc goes counterclockwise.
     let left = if clockwise == (radius < 0.0) { beside } else { -beside };
-    Ok((from.0 + along / 2.0 - left * across, from.1 + across / 2.0 + left * along))
+    let centre = (
+        4.0 * (from.0 + along / 2.0 - left * (across / chord)),
+        4.0 * (from.1 + across / 2.0 + left * (along / chord)),
+    );
+    if centre.0.is_finite() && centre.1.is_finite() {
+        return Ok(centre);
+    }
+    Err(bad_arc("a centre that is too far away"))
+}
+
+/// How far the centre is from the middle of the chord; none where the radius is too small for it.
+///
+/// r² - d² in factors: a difference of squares would cancel, and a square overflow.
+fn beside_chord(radius: f64, half: f64) -> Option<f64> {
+    if half - radius > radius * CHORD_TOLERANCE {
+        return None;
+    }
+    Some(math::square_root((radius - half).max(0.0)) * math::square_root(radius + half))
+}
+
+fn bad_arc(message: impl Into<String>) -> Halt {
+    refuse("nct.arc", FaultKind::BadArc, message)
 }
