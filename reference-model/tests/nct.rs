@@ -339,3 +339,18 @@ fn the_centre_of_a_flat_arc_is_exact() {
     let expected = -((100_000.000_000_1_f64 - 100_000.0) * 200_000.000_000_1_f64).sqrt();
     assert!((first - 100_000.0).abs() < 1e-9 && (second - expected).abs() < 1e-12, "{second}");
 }
+
+#[test]
+fn a_word_that_is_zero_has_no_sign() {
+    let outcome = outcome("G0X1\nX[0*-1]\nM30");
+    let ends: Vec<u64> = outcome
+        .steps
+        .iter()
+        .flat_map(|step| &step.events)
+        .filter_map(|event| {
+            let Event::Do(Effect::StraightTraverse { end }) = event else { return None };
+            Some(end.to_array()[0].to_bits())
+        })
+        .collect();
+    assert_eq!(ends, [1.0_f64.to_bits(), 0.0_f64.to_bits()]);
+}

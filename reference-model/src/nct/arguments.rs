@@ -97,7 +97,7 @@ impl Run<'_> {
                     None => continue,
                 },
             };
-            locals[number - 1] = Some(value + 0.0);
+            locals[number - 1] = Some(*value);
             self.evidence.accepted("nct.arguments");
         }
         Ok(locals)

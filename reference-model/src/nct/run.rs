@@ -325,7 +325,6 @@ impl Run<'_> {
                 let message = format!("{letter} below zero");
                 return Err(refuse_form(FaultKind::WordOutOfRange, message));
             }
-            let value = value + 0.0;
             if letter == 'F' {
                 self.modes.feed_rate = value;
             } else {

@@ -27,12 +27,12 @@ pub struct Codes {
 impl Run<'_> {
     /// The words of a block, evaluated from the left.
     ///
-    /// Rule nct.vacant-word. A word with a vacant value is left out.
+    /// Rule nct.vacant-word. A word with a vacant value is left out. Zero has no sign.
     pub(super) fn words(&mut self, words: &[Word]) -> Result<Words, Halt> {
         let mut valued = Vec::new();
         for word in words {
             match self.value(&word.value)? {
-                Some(value) => valued.push((word.letter, value)),
+                Some(value) => valued.push((word.letter, value + 0.0)),
                 None => self.evidence.accepted("nct.vacant-word"),
             }
         }
