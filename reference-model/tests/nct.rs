@@ -354,3 +354,13 @@ fn a_word_that_is_zero_has_no_sign() {
         .collect();
     assert_eq!(ends, [1.0_f64.to_bits(), 0.0_f64.to_bits()]);
 }
+
+/// M99 is executed where blocks are taken as arguments: it calls nothing, with a motion or without.
+#[test]
+fn a_return_is_executed_where_modal_calls_are_by_block() {
+    ends(&[
+        ("G66.1P2\nM99X1G0\nO2\nM99", "Endless"),
+        ("G66P2\nM99X1G0\nO2\nM99", "open at 2"),
+        ("G66.1P2\nG66.1P3\nX1\nG67\nG67\nM30\nO2\nGOTO9\nO3\nM99X1G0", "accepted"),
+    ]);
+}

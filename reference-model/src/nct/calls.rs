@@ -265,6 +265,16 @@ impl Run<'_> {
         }
     }
 
+    /// How many modal calls a motion reaches: those by block are called in place of a block, and by nothing else.
+    pub(super) fn reached_by_motion(&self) -> Result<usize, Halt> {
+        if self.calls_by_block() { Ok(0) } else { self.reached() }
+    }
+
+    /// Whether the modal calls in force take blocks as arguments.
+    pub(super) fn calls_by_block(&self) -> bool {
+        self.modal_calls.last().is_some_and(|call| call.by_block)
+    }
+
     /// After a motion, or in place of a block: the last of the modal calls that the block reaches.
     ///
     /// Rule nct.modal-order. The macro's own blocks reach those that were commanded before it.

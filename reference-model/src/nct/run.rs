@@ -217,8 +217,7 @@ impl Run<'_> {
 
     /// Whether a block is taken as the arguments of a modal call. One without words is not, and neither is M99.
     fn is_taken(&mut self, words: &Words, m: &[i64]) -> Result<bool, Halt> {
-        let by_block = self.modal_calls.last().is_some_and(|call| call.by_block);
-        if !by_block || words.is_empty() || m.contains(&99) || self.reached()? == 0 {
+        if !self.calls_by_block() || words.is_empty() || m.contains(&99) || self.reached()? == 0 {
             return Ok(false);
         }
         if m.iter().any(|code| matches!(code, 2 | 30 | 98)) {
@@ -245,7 +244,7 @@ impl Run<'_> {
         if let Some(motion) = block.motion {
             self.modes.motion = motion;
         }
-        let reached = if moves { self.reached()? } else { 0 };
+        let reached = if moves { self.reached_by_motion()? } else { 0 };
         if moves {
             if reached > 0 && (block.sub || block.back || block.end) {
                 return Err(open("M2, M30, M98 or M99 in a block after which a modal call comes"));
