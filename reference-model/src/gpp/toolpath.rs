@@ -237,7 +237,7 @@ fn few() -> Halt {
 fn digits(text: &str) -> Option<(usize, usize)> {
     let (fewest, most) = text.split_once("..")?;
     let number = |text: &str| {
-        let is_plain = text.len() <= 2 && text.chars().all(|c| c.is_ascii_digit());
+        let is_plain = text.chars().all(|c| c.is_ascii_digit());
         text.parse::<usize>().ok().filter(|_| is_plain)
     };
     let (fewest, most) = (number(fewest)?, number(most)?);
