@@ -22,6 +22,11 @@ fn ending(program: &str, toolpath: &str, options: &[(&str, &str)]) -> String {
     if end == End::ProgramEnd { "accepted".to_owned() } else { format!("{end:?}") }
 }
 
+fn condition(statement: &str, options: &[(&str, &str)]) -> String {
+    let program = format!("FORMAT (USER_1) A B AR[2];\nMODAL A B;\nSTART:\n{statement}\n");
+    ending(&program, "", options)
+}
+
 #[test]
 fn numbers_of_digits_are_digits_alone() {
     for (bound, wanted) in [
@@ -35,5 +40,36 @@ fn numbers_of_digits_are_digits_alone() {
     ] {
         let toolpath = format!("format REAL fraction={bound}");
         assert_eq!(ending("START:", &toolpath, &[]), wanted, "{bound}");
+    }
+}
+
+/// A variable alone is all that UNTIL tests, and no test that `||` could stand behind.
+#[test]
+fn nothing_stands_behind_a_variable_alone_in_until() {
+    for (tests, wanted) in [
+        ("A", "accepted"),
+        ("A && B", "statement at 4"),
+        ("A || B", "statement at 4"),
+        ("A && B || A == 1", "statement at 4"),
+        ("A == 1 || B", "open at 4"),
+        ("VAR_SET(A) || B", "open at 4"),
+    ] {
+        let statement = format!("REPEAT UNTIL ({tests});");
+        assert_eq!(condition(&statement, &[]), wanted, "{tests}");
+    }
+}
+
+/// `IF_SET` tests a reference: what would be open in a condition is none of it, and the index of a member is an expression.
+#[test]
+fn what_is_open_in_a_condition_is_refused_where_there_is_none() {
+    for (tested, wanted, in_old) in [
+        ("NOPE(1)", "statement at 4", "open at 4"),
+        ("A || B", "statement at 4", "open at 4"),
+        ("AR[NOPE(1)]", "open at 4", "open at 4"),
+    ] {
+        let statement = format!("IF_SET ({tested}) END_IF;");
+        assert_eq!(condition(&statement, &[]), wanted, "{tested}");
+        let old = [("gpp.old-words", "accepted")];
+        assert_eq!(condition(&statement, &old), in_old, "{tested}");
     }
 }

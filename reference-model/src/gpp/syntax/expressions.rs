@@ -26,9 +26,8 @@ impl Reader<'_> {
         self.alone = 0;
         self.expect("(")?;
         self.in_condition = true;
-        let tests = self.tests(lone);
+        let tests = self.tests(lone)?;
         self.in_condition = false;
-        let tests = tests?;
         self.expect(")")?;
         Ok(tests)
     }

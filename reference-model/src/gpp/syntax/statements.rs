@@ -159,8 +159,8 @@ impl Reader<'_> {
     fn flag(&mut self) -> Result<Condition, Halt> {
         let warnings = self.warnings.len();
         let tests = match self.condition(true) {
-            Err(Halt::Unspecified(open)) => {
-                // Whatever it would say, it is a condition.
+            // Whatever it would say, it is a condition; but an index is an expression of its own.
+            Err(Halt::Unspecified(open)) if self.in_condition => {
                 self.old_word("a condition in IF_SET")?;
                 return Err(Halt::Unspecified(open));
             }
@@ -187,10 +187,12 @@ impl Reader<'_> {
         self.ends(line, "UNTIL")?;
         let until_line = self.begun;
         self.take();
-        let until = self.condition(true)?;
-        if self.alone > 0 && until.len() > 1 {
-            return Err(lone_variable());
-        }
+        let until = match self.condition(true) {
+            // A variable alone is all of a condition, so that nothing stands behind it.
+            Err(Halt::Unspecified(_)) if self.alone > 0 => return Err(lone_variable()),
+            Ok(tests) if self.alone > 0 && tests.len() > 1 => return Err(lone_variable()),
+            tests => tests?,
+        };
         self.expect(";")?;
         self.nesting -= 1;
         Ok(Action::Repeat { body, line: until_line, until })
