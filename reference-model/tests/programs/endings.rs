@@ -139,6 +139,28 @@ fn a_spindle_that_comes_to_its_angle_in_the_last_moment_is_in_time() {
     assert_eq!(ending(&run(&scenario).0), "program_end");
 }
 
+/// What a program has defined is its own; that of a file is there for everybody.
+#[test]
+fn whether_the_subs_of_an_ended_program_can_be_called_by_hand_is_left_open() {
+    let program = "o9 sub\n#31=[#31+1]\no9 endsub\no9 call\nm2\no8 sub\no8 endsub\n";
+    let ending = |by_hand: &str| {
+        let mut scenario = Scenario::of(program);
+        let file = |body: &str| format!("o<cave> sub\n{body}\no<cave> endsub\n");
+        let files = &mut scenario.program.files;
+        files.insert("cave.ngc".to_owned(), file("#31=7"));
+        files.insert("den.ngc".to_owned(), file("o9 call").replace("cave", "den"));
+        let when = When { block: Block::new(Program::MAIN, 5), execution: 1, offset: 1.0 };
+        let action = Action::Mdi(by_hand.to_owned());
+        scenario.operator.push(OperatorEvent { when, action });
+        ending(&run(&scenario).0)
+    };
+    assert_eq!(ending("o9 call"), "unspecified at mdi:1");
+    assert_eq!(ending("o<den> call"), "unspecified at den.ngc:2");
+    assert_eq!(ending("o<cave> call"), "program_end");
+    assert_eq!(ending("o8 call"), "unknown_sub at mdi:1");
+    assert_eq!(ending("#32=[100/#31]"), "program_end");
+}
+
 #[test]
 fn what_the_operator_may_not_ask_for_now_is_left_open() {
     let ending = |start, asked: &[(f64, Action)]| {

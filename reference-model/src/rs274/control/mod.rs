@@ -71,6 +71,8 @@ pub struct Control {
     pub(crate) numbers_called: BTreeMap<String, Place>,
     /// Whether a block with words, or an O-word that does something, was executed.
     begun: bool,
+    /// Whether what is executed was entered by hand, after the program that defined the subs of the main file.
+    program_is_over: bool,
 }
 
 /// Which block comes next.
@@ -103,7 +105,14 @@ impl Control {
             has_called: false,
             numbers_called: BTreeMap::new(),
             begun: false,
+            program_is_over: false,
         }
+    }
+
+    /// What is executed from here on was entered by hand: its first block stands here.
+    pub fn begin_by_hand(&mut self, place: Place) {
+        self.place = place;
+        self.program_is_over = true;
     }
 
     /// A block without control: a numbered program cannot begin after it.

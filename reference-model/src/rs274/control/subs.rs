@@ -2,7 +2,7 @@
 
 use gaugeblock_trace::FaultKind;
 
-use super::{Call, Control, Frame, Next, Place, Style, evaluated, o_word};
+use super::{Call, Control, Frame, MAIN, Next, Place, Style, evaluated, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::quirks::skipping::Sought;
@@ -170,8 +170,14 @@ impl Control {
     /// Rule subroutines.unknown-sub. Calling what neither the program nor a file defines is refused.
     ///
     /// Rule fanuc-subs.mixed-o-call. A numbered subprogram is called by M98 only.
+    ///
+    /// Whether the subs of a program that has ended are still there for what is entered by hand no document says.
     fn found(&mut self, label: &str, arguments: &[f64], state: &mut State) -> Result<Place, Halt> {
         if let Some(sub) = self.subs.get(label) {
+            if self.program_is_over && sub.file == MAIN {
+                let why = format!("{} of a program that has ended, called by hand", o_word(label));
+                return Err(Halt::Unspecified(why));
+            }
             state.evidence.accepted("subroutines.defined-before-call");
             state.evidence.accepted("subroutines.unknown-sub");
             return Ok(*sub);

@@ -110,7 +110,7 @@ impl Run<'_> {
     fn by_hand(&mut self, place: Place) -> Result<Option<End>, Halt> {
         self.begin_anew();
         self.by_hand = true;
-        self.control.place = place;
+        self.control.begin_by_hand(place);
         let after = Place { line: place.line + 1, ..place };
         let end = loop {
             if let Some(bound) = self.exhausted() {
