@@ -161,6 +161,21 @@ fn whether_the_subs_of_an_ended_program_can_be_called_by_hand_is_left_open() {
     assert_eq!(ending("#32=[100/#31]"), "program_end");
 }
 
+/// Of a word that is missing the block alone tells, before it waits.
+#[test]
+fn a_block_without_a_word_that_it_needs_waits_for_nothing() {
+    let options = [("inputs.without-timeout", "accepted")];
+    let ending = |code: &str| {
+        let program = format!("m66 p0 l1 {code}\nm2\n");
+        ending(&outcome_under(&options, &program))
+    };
+    for code in ["g43.1", "g52", "g92"] {
+        assert_eq!(ending(code), "missing_word at main.ngc:1", "{code}");
+    }
+    assert_eq!(ending("g43.1 x1"), "budget of time");
+    refuses("m6 g4\nm2\n", "missing_word at main.ngc:1");
+}
+
 #[test]
 fn what_the_operator_may_not_ask_for_now_is_left_open() {
     let ending = |start, asked: &[(f64, Action)]| {

@@ -3,6 +3,7 @@
 //! What depends on the modes in force is refused by the phase that meets it (`step`).
 
 mod codes;
+mod needed;
 mod words;
 
 use super::machine::State;
@@ -15,5 +16,6 @@ use super::refusal::Halt;
 /// The rule that refuses it, or a code that this edition of the model does not specify.
 pub fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
     codes::check(words, state)?;
-    words::check(words, state)
+    words::check(words, state)?;
+    needed::check(words, state)
 }

@@ -14,11 +14,12 @@ use crate::rs274::task::Record;
 /// Rule dwell.changes-nothing. Nothing else is affected.
 ///
 /// # Errors
-/// Rules dwell.needs-time and dwell.negative-time.
+/// Rule dwell.negative-time.
+///
+/// # Panics
+/// There is no P, which the check asks for: a fault of the model.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
-    let Some(seconds) = word(words, 'p') else {
-        return Err(refuse("dwell.needs-time", FaultKind::MissingWord, "G4 needs P, the seconds"));
-    };
+    let seconds = word(words, 'p').expect("check: G4 has P");
     let any = whole(seconds) != Some(-1) && state.readings.quirk("rs274.negative-dwell");
     if seconds < 0.0 && !any {
         let message = format!("a dwell of {seconds} seconds");

@@ -1,14 +1,13 @@
 //! G52 and the G92 codes: an offset of every coordinate system.
 
-use gaugeblock_trace::{Axis, FaultKind, Position};
+use gaugeblock_trace::{Axis, Position};
 
 use super::offsets::{in_force_changes, store_length};
 use super::target::offset_words;
 use crate::rs274::machine::State;
 use crate::rs274::modes::each;
-use crate::rs274::order::has_axis_words;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::Halt;
 
 /// The parameter that tells whether the offset applies; those of the axes follow, machine unit.
 const APPLIES: u32 = 5210;
@@ -41,12 +40,8 @@ pub(super) fn change(words: &Words, state: &mut State) -> Result<(), Halt> {
 /// Rule offsets.local-parameters. #5211 to #5219 hold the offset, #5210 tells that it applies.
 ///
 /// # Errors
-/// Rule offsets.local-needs-axes.
+/// Rule offsets.change-under-compensation.
 fn shift(words: &Words, state: &mut State) -> Result<(), Halt> {
-    if !has_axis_words(words) {
-        let message = "G52 needs an axis word";
-        return Err(refuse("offsets.local-needs-axes", FaultKind::MissingWord, message));
-    }
     in_force_changes(state)?;
     for rule in [
         "offsets.local",
@@ -73,12 +68,8 @@ fn shift(words: &Words, state: &mut State) -> Result<(), Halt> {
 /// Rule offsets.position-parameters. #5211 to #5219 hold the offset.
 ///
 /// # Errors
-/// Rule offsets.position-needs-axes.
+/// Rule offsets.change-under-compensation.
 fn name_point(words: &Words, state: &mut State) -> Result<(), Halt> {
-    if !has_axis_words(words) {
-        let message = "G92 needs an axis word";
-        return Err(refuse("offsets.position-needs-axes", FaultKind::MissingWord, message));
-    }
     in_force_changes(state)?;
     for rule in [
         "offsets.position",

@@ -28,7 +28,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
         state.evidence.accepted("tool.length-off");
         None
     } else if words.g.contains(&431) {
-        Some(dynamic(words, state)?)
+        Some(dynamic(words, state))
     } else if words.g.contains(&432) {
         Some(additional(words, state)?)
     } else {
@@ -81,18 +81,13 @@ fn of_tool(words: &Words, state: &mut State) -> Result<Position, Halt> {
 }
 
 /// Rule tool.dynamic-length. G43.1 replaces the offset of the axes that it names.
-fn dynamic(words: &Words, state: &mut State) -> Result<Position, Halt> {
-    let any = state.readings.quirk("rs274.dynamic-length-without-axes");
-    if !has_axis_words(words) && !any {
-        let message = "G43.1 needs an axis word";
-        return Err(refuse("tool.dynamic-length-needs-axes", FaultKind::MissingWord, message));
-    }
+fn dynamic(words: &Words, state: &mut State) -> Position {
     state.evidence.accepted("tool.dynamic-length");
     let mut offset = state.modes.tool_offset;
     for (axis, value) in offset_words(words, state) {
         *offset.get_mut(axis) = value;
     }
-    Ok(offset)
+    offset
 }
 
 /// Rule tool.additional-length. G43.2 adds the offset of tool H, or axis values.
