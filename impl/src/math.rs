@@ -73,6 +73,16 @@ pub(crate) fn remainder(left: f64, right: f64) -> f64 {
 pub(crate) fn hypotenuse(x: f64, y: f64) -> f64 {
     libm::sqrt(x * x + y * y)
 }
+/// The length of the third side, also where the squares of the others are too large or too small.
+pub(crate) fn hypotenuse_of_any_size(x: f64, y: f64) -> f64 {
+    libm::hypot(x, y)
+}
+/// The other short side of a triangle with a right angle, of any size.
+pub(crate) fn other_leg(hypotenuse: f64, leg: f64) -> f64 {
+    let (less, more) = (hypotenuse - leg, hypotenuse + leg);
+    let square = less * more;
+    if square.is_normal() { libm::sqrt(square) } else { libm::sqrt(less) * libm::sqrt(more) }
+}
 /// Sine and cosine of an angle in degrees, exact for right angles.
 pub(crate) fn direction(degrees: f64) -> (f64, f64) {
     let within = libm::fmod(degrees, 360.0);

@@ -133,7 +133,7 @@ impl Compiler<'_> {
             | Token::Bad(_)
             | Token::End => {}
         }
-        let (left, left_is_text) = self.operand(!simple)?;
+        let (left, left_is_text) = if simple { self.named()? } else { self.operand(true)? };
         let compare = match self.peek()? {
             Token::Sign(sign) => Compare::of_sign(sign),
             Token::Word(word) => match words::keyword(&word.to_ascii_uppercase()) {
@@ -206,6 +206,13 @@ impl Compiler<'_> {
         };
         let warning = format!("{} is not modal", variable.name);
         self.program.warnings.push((self.line, warning));
+    }
+
+    /// A variable, and whether it is a text.
+    fn named(&mut self) -> Result<(Source, bool), Stop> {
+        let Token::Word(word) = self.take()? else { return Err(NO_STATEMENT) };
+        let (place, is_text) = self.reference(word, false)?;
+        Ok((Source::Variable(place), is_text))
     }
 
     /// Something that is compared or assigned, and whether it is a text.

@@ -86,6 +86,9 @@ fn what_asks_for_too_much_is_refused_at_once() {
     named("FORMAT (USER_1) A[99999999999999999999999];\nSTART:\n", start, "TooManyVariables");
     named("START:\n", "format USER_1 fraction=0..1000000000\n", "BadFile");
     named("START:\n", "format USER_1 integer=1..99999999999999999999\n", "BadFile");
+    let systems: String =
+        (0..25_001).map(|number| alloc::format!("system V_{number} change USER_1\n")).collect();
+    named("START:\n", &systems, "BadFile");
     let deep = |open: &str, close: &str| {
         let (open, close) = (open.repeat(100_000), close.repeat(100_000));
         alloc::format!("FORMAT (USER_1) A;\nSTART:\nA = {open}1{close};\n")
@@ -96,6 +99,31 @@ fn what_asks_for_too_much_is_refused_at_once() {
     named(&alloc::format!("START:\nOUTPUT \"{}\";\n", "a".repeat(1 << 20)), start, "TextTooLong");
     let number = "9".repeat(1 << 20);
     named(&alloc::format!("FORMAT (USER_1) A;\nSTART:\nA = {number};\n"), start, "BadNumber");
+}
+
+#[test]
+fn a_line_of_a_toolpath_ends_with_a_line_feed() {
+    let end = |toolpath: &str| run("START:\n", toolpath, &Options::default(), 100).1;
+    assert_eq!(end("block START:\r\n"), "program_end");
+    assert_eq!(end("block START:"), "program_end");
+    for toolpath in ["block START:\r", "block START:\r\r\n", "\r"] {
+        assert!(end(toolpath).contains("BadFile"), "{toolpath:?}");
+    }
+}
+
+#[test]
+fn what_if_set_tests_is_a_variable() {
+    let end = |test: &str, old: bool| {
+        let choice = ("gpp.old-words".into(), "accepted".into());
+        let options = Options(old.then_some(choice).into_iter().collect());
+        let program = alloc::format!("FORMAT (USER_1) A;\nSTART:\nIF_SET ({test}) END_IF;\n");
+        run(&program, "block START:\n", &options, 100).1
+    };
+    assert_eq!(end("A", false), "program_end");
+    for test in ["NOPE(1)", "A + NOPE(1)", "1", "(A)", "A && A", "A > 1"] {
+        assert!(end(test, false).contains("Fault"), "{test}");
+    }
+    assert!(end("NOPE(1)", true).contains("Unspecified"));
 }
 
 #[test]

@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 
 use super::formats::{self, Format, MOST_DIGITS};
 use super::lexer::{self, LONGEST_NUMBER, LONGEST_TEXT};
+use super::variables;
 
 /// Most characters of a name.
 pub(super) const LONGEST_NAME: usize = 31;
@@ -62,9 +63,9 @@ impl Toolpath {
             Self { formats: formats::defaults(), systems: Vec::new(), blocks: Vec::new() };
         let mut reader =
             Reader { toolpath, told: [false; 19], names: BTreeMap::new(), set_in: Vec::new() };
-        for (line, text) in (1..).zip(text.split('\n')) {
-            let text = text.strip_suffix('\r').unwrap_or(text);
-            reader.line(text, line).map_err(|Wrong| line)?;
+        for (line, text) in (1..).zip(text.split_inclusive('\n')) {
+            let whole = text.strip_suffix('\n').map(|text| text.strip_suffix('\r').unwrap_or(text));
+            reader.line(whole.unwrap_or(text), line).map_err(|Wrong| line)?;
         }
         Ok(reader.toolpath)
     }
@@ -169,7 +170,7 @@ impl Reader {
             return Err(Wrong);
         }
         let place = self.toolpath.systems.len();
-        if self.names.insert(name.clone(), place).is_some() {
+        if place >= variables::MOST || self.names.insert(name.clone(), place).is_some() {
             return Err(Wrong);
         }
         self.set_in.push(0);

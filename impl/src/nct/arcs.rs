@@ -11,6 +11,9 @@ use crate::modal::Coordinates;
 /// By how much the distances of both ends from the centre may differ.
 const TOLERANCE: f64 = 0.01;
 
+/// By which part of it a radius may be shorter than half the way between the ends: half a circle does not hang on the last bit.
+const CHORD_TOLERANCE: f64 = 1e-9;
+
 /// A point in the selected plane: along the first and the second axis.
 type InPlane = (f64, f64);
 
@@ -40,7 +43,7 @@ impl Runner {
             None => return refuse(FaultKind::MissingWord, "an arc without centre and radius"),
         };
         if !(first_centre.is_finite() && second_centre.is_finite()) {
-            return refuse(FaultKind::OutOfDomain, "a centre that is too far away");
+            return refuse(FaultKind::BadArc, "a centre that is too far away");
         }
         let turns = if counterclockwise { 1 } else { -1 };
         Ok(Effect::ArcFeed { end: self.position.position(), first_centre, second_centre, turns })
@@ -48,11 +51,15 @@ impl Runner {
 }
 
 fn distance(one: InPlane, other: InPlane) -> f64 {
-    math::hypotenuse(one.0 - other.0, one.1 - other.1)
+    math::hypotenuse_of_any_size(one.0 - other.0, one.1 - other.1)
 }
 
 fn round_centre(from: InPlane, to: InPlane, centre: InPlane) -> Result<InPlane, Stop> {
-    let difference = (distance(from, centre) - distance(to, centre)).abs();
+    let radius = distance(from, centre);
+    if !radius.is_finite() {
+        return refuse(FaultKind::BadArc, "a radius that is too large");
+    }
+    let difference = (radius - distance(to, centre)).abs();
     // Not a number is no difference that may be.
     if difference <= TOLERANCE {
         return Ok(centre);
@@ -67,18 +74,22 @@ fn round_radius(
     signed: f64,
     counterclockwise: bool,
 ) -> Result<InPlane, Stop> {
+    // At a quarter of the size nothing on the way is too large where the centre is not.
+    let quarter = |(first, second): InPlane| (first / 4.0, second / 4.0);
+    let (from, to, radius) = (quarter(from), quarter(to), signed.abs() / 4.0);
     let (across, along) = (to.0 - from.0, to.1 - from.1);
-    let chord = math::hypotenuse(across, along);
+    let chord = math::hypotenuse_of_any_size(across, along);
     if chord <= 0.0 {
         return Err(Stop::Open("an arc with a radius back to its start"));
     }
-    let (half, radius) = (chord / 2.0, signed.abs());
-    if half > radius {
+    let half = chord / 2.0;
+    if half - radius > radius * CHORD_TOLERANCE {
         return refuse(FaultKind::BadArc, "a radius that is too small for the ends");
     }
-    let height = math::sqrt((radius - half) * (radius + half));
+    let height = math::other_leg(radius.max(half), half);
     // The centre of the shorter counterclockwise arc is on the left of the chord.
-    let left = counterclockwise == (signed > 0.0);
-    let part = if left { height / chord } else { -height / chord };
-    Ok((from.0 + across / 2.0 - along * part, from.1 + along / 2.0 + across * part))
+    let left = if counterclockwise == (signed > 0.0) { height } else { -height };
+    let first = f64::midpoint(from.0, to.0) - along / chord * left;
+    let second = f64::midpoint(from.1, to.1) + across / chord * left;
+    Ok((first * 4.0, second * 4.0))
 }

@@ -100,8 +100,8 @@ impl Runner {
             170 => modes.plane = Plane::Xy,
             180 => modes.plane = Plane::Zx,
             190 => modes.plane = Plane::Yz,
-            200 => self.select_units(LengthUnit::Inch),
-            210 => self.select_units(LengthUnit::Millimetre),
+            200 => self.select_units(LengthUnit::Inch)?,
+            210 => self.select_units(LengthUnit::Millimetre)?,
             900 => modes.distance = Distance::Absolute,
             910 => modes.distance = Distance::Incremental,
             940 => self.select_feed_mode(FeedMode::PerMinute),
@@ -136,13 +136,21 @@ impl Runner {
     }
 
     /// Another unit tells lengths otherwise and needs another feed.
-    fn select_units(&mut self, units: LengthUnit) {
+    fn select_units(&mut self, units: LengthUnit) -> Result<(), Stop> {
         if self.modes.units != units {
             let conversion = Conversion::between(self.modes.units, units);
-            self.position = self.position.converted(conversion);
+            let position = self.position.converted(conversion);
+            if !position.0.iter().all(|coordinate| coordinate.is_finite()) {
+                return refuse(
+                    FaultKind::OutOfDomain,
+                    "a position that is too far away to be told in this unit",
+                );
+            }
+            self.position = position;
             self.modes.units = units;
             self.modes.feed = 0.0;
         }
+        Ok(())
     }
 
     fn select_feed_mode(&mut self, mode: FeedMode) {

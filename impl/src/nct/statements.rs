@@ -72,10 +72,7 @@ impl Reader<'_> {
 
     /// The m of DO and END.
     fn number_of_loop(&mut self) -> Result<u32, Stop> {
-        let number = match self.cursor.plain() {
-            Ok(number @ 1..=3) => number,
-            Ok(_) | Err(_) => return bad_statement(),
-        };
+        let Some(number) = self.cursor.number_of_loop() else { return bad_statement() };
         self.end()?;
         Ok(number)
     }

@@ -19,6 +19,8 @@ struct Recorder {
     main: std::collections::BTreeMap<u32, Option<u64>>,
     level: u32,
     steps: u32,
+    /// That of the last arc.
+    centre: Option<(f64, f64)>,
 }
 
 impl Sink for Recorder {
@@ -28,6 +30,9 @@ impl Sink for Recorder {
 
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply {
         self.heard.push(alloc::format!("{line} {}", effect.name()));
+        if let Effect::ArcFeed { first_centre, second_centre, .. } = effect {
+            self.centre = Some((*first_centre, *second_centre));
+        }
         Reply::Done
     }
 
@@ -81,6 +86,67 @@ fn what_never_ends_can_be_left_after_any_step() {
     ] {
         assert_eq!(run(text, 9_000).1, None, "{text}");
     }
+}
+
+#[test]
+fn the_number_of_a_loop_may_begin_with_zeros() {
+    let (_, end) = run("O1\nWHILE[1EQ2]DO000000001\nEND01\nM30\n", 10);
+    assert_eq!(end, Some(End::ProgramEnd));
+    for number in ["0", "04", "", "1.", "#1"] {
+        let (_, end) = run(&alloc::format!("O1\nWHILE[1EQ2]DO{number}\nEND1\nM30\n"), 10);
+        assert!(matches!(end, Some(End::Fault(_))), "{number}: {end:?}");
+    }
+}
+
+/// Where an arc's centre is, or why there is none.
+fn centre(blocks: &str) -> Result<(f64, f64), Option<FaultKind>> {
+    let mut recorder = Recorder::default();
+    let text = alloc::format!("O1\nF1\n{blocks}\nM30\n");
+    let mut run = CustomMacros::new(&text, &AXES, false, &Options::default()).unwrap();
+    loop {
+        if let Err(end) = run.step(&mut recorder) {
+            return recorder.centre.ok_or(kind(Some(*end)));
+        }
+    }
+}
+
+#[test]
+fn arcs_of_any_size_have_a_centre() {
+    let near = |blocks: &str, wanted: (f64, f64)| {
+        let found = centre(blocks).unwrap();
+        let is_near =
+            |found: f64, wanted: f64| (found - wanted).abs() <= 1e-9 * wanted.abs().max(1.0);
+        assert!(is_near(found.0, wanted.0) && is_near(found.1, wanted.1), "{blocks}: {found:?}");
+    };
+    near("G2X3Y4R2.5", (1.5, 2.0));
+    near("G2X23.7Y10.4R12.940730273056461", (11.85, 5.2));
+    near("G2X2R0.9999999995", (1.0, 0.0));
+    near("G2X200000R100000.0000001", (100_000.0, -0.141_421_894_662));
+    near("#1=EXP[-500]\nG2X#1R1", (0.0, -1.0));
+    near("#1=EXP[709]\nG0X-#1\nG2X#1R#1", (0.0, 0.0));
+    near("#1=EXP[500]\nG2X1R#1", (0.5, -1.403_592_217_852_837_4e217));
+    near("#1=EXP[500]\nG2X1I#1", (1.403_592_217_852_837_4e217, 0.0));
+}
+
+#[test]
+fn an_arc_without_a_centre_is_refused() {
+    for blocks in [
+        "G2X2R0.999999998",
+        "#1=EXP[709.5]\nG0X#1\nG2X0I#1",
+        "#1=EXP[709.5]\n#2=EXP[709.7]\nG0X#1\nG2Y#1R#2",
+        "#1=EXP[709.7]\nG2X1I#1J#1",
+    ] {
+        assert_eq!(centre(blocks), Err(Some(FaultKind::BadArc)), "{blocks}");
+    }
+}
+
+#[test]
+fn a_unit_in_which_the_position_is_too_large_is_refused() {
+    let far = "O1\n#1=EXP[709]\nG0X#1G20\nX#1\nG21\nY1\nM30\n";
+    let (recorder, end) = run(far, 10);
+    assert_eq!(kind(end), Some(FaultKind::OutOfDomain));
+    assert_eq!(recorder.heard.last().unwrap(), "4 straight_traverse");
+    assert_eq!(run(&far.replace("709", "700"), 10).1, Some(End::ProgramEnd));
 }
 
 #[test]

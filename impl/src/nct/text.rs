@@ -112,7 +112,19 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The number behind an O or N, or the m of a loop: digits alone.
+    /// The m of a loop: 1 to 3, behind any number of zeros.
+    pub(super) fn number_of_loop(&mut self) -> Option<u32> {
+        let run = self.run();
+        let zeros = run.iter().take_while(|digit| **digit == b'0').count();
+        match run.get(zeros..)? {
+            b"1" => Some(1),
+            b"2" => Some(2),
+            b"3" => Some(3),
+            _ => None,
+        }
+    }
+
+    /// The number behind an O or N: digits alone.
     pub(super) fn plain(&mut self) -> Result<u32, Stop> {
         if self.begins_variable() {
             return refuse(FaultKind::Statement, "O and N take no variable");

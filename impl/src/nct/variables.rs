@@ -151,7 +151,9 @@ impl Variables {
     /// The macro of this level begins again with what it was called with.
     pub(super) fn reload(&mut self) {
         if let Some(level) = self.levels.get_mut(self.level) {
-            level.changed = level.locals.present | level.arguments.present;
+            let (left, given) = (&level.locals, &level.arguments);
+            let differs = |place: &u8| !same(left.get(*place), given.get(*place));
+            level.changed = (0..33).filter(differs).fold(0, |bits, place| bits | bit(place));
             level.locals = level.arguments;
         }
     }
