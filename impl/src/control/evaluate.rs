@@ -47,8 +47,14 @@ impl Parameters {
             Own::Task => f64::from(u8::from(self.drives)),
             Own::RemapLevel | Own::VersionMinor => 0.0,
             Own::VersionMajor => VERSION,
-            Own::Item(place) => self.items.get(usize::from(place)).copied().unwrap_or(0.0),
+            Own::Item(place) => self.item(place),
         }
+    }
+
+    /// The value of a HAL item, by its place.
+    fn item(&self, place: u32) -> f64 {
+        let item = usize::try_from(place).ok().and_then(|place| self.items.get(place));
+        item.copied().unwrap_or(0.0)
     }
 
     /// The values of HAL items.

@@ -24,7 +24,7 @@ pub(crate) enum Own {
     /// `_vminor`.
     VersionMinor,
     /// `_hal[…]`: a HAL item, by its place among those that the caller has declared.
-    Item(u16),
+    Item(u32),
 }
 
 impl Own {

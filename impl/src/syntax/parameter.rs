@@ -196,14 +196,11 @@ impl Packer {
         if !name.starts_with('_') {
             return Place::Local(id);
         }
-        if let Some(entry) = name.strip_prefix("_ini") {
-            if entry.starts_with('[') {
-                let entry = entry.to_ascii_uppercase();
-                return self.ini.get(&entry).map_or(Place::Absent, |value| Place::Entry(*value));
-            }
-        } else if let Some(item) = name.strip_prefix("_hal[") {
-            let place = item.strip_suffix(']').and_then(|item| self.place_of_item(item));
-            return place.map_or(Place::Absent, |place| Place::Own(Own::Item(place)));
+        if let Some(entry) = bracketed(name, "_ini") {
+            return self.entry(entry).map_or(Place::Absent, Place::Entry);
+        }
+        if let Some(item) = bracketed(name, "_hal") {
+            return self.place_of_item(item).map_or(Place::Absent, |at| Place::Own(Own::Item(at)));
         }
         if let Some(own) = Own::from_name(name) {
             return Place::Own(own);
@@ -214,11 +211,22 @@ impl Packer {
         }
     }
 
-    /// The place of a HAL item that has been declared.
-    fn place_of_item(&self, name: &str) -> Option<u16> {
-        let place = self.items.iter().position(|item| item.is(name))?;
-        u16::try_from(place).ok()
+    /// The value of the INI entry `[section]name`: the first one of that name, whose ASCII letters have no case.
+    fn entry(&self, name: &str) -> Option<f64> {
+        self.ini.iter().find(|(entry, _)| entry.eq_ignore_ascii_case(name)).map(|(_, value)| *value)
     }
+
+    /// The place of the HAL item `[item]`, where that has been declared.
+    fn place_of_item(&self, name: &str) -> Option<u32> {
+        let name = name.strip_prefix('[')?.strip_suffix(']')?;
+        let place = self.items.iter().position(|item| item.is(name))?;
+        u32::try_from(place).ok()
+    }
+}
+
+/// What stands behind such a word in a name, brackets included; a name without brackets there is one like any other.
+fn bracketed<'a>(name: &'a str, word: &str) -> Option<&'a str> {
+    name.strip_prefix(word).filter(|rest| rest.starts_with('[') && rest.contains(']'))
 }
 
 /// `#` with a plain number, which is what nearly every parameter is; nothing is taken otherwise. Position is not plain.

@@ -190,6 +190,16 @@ fn what_was_read_ahead_counts_where_documents_are_read_so() {
 }
 
 #[test]
+fn every_item_of_a_large_machine_is_found() {
+    let machine = Kind { digital_io: u16::MAX, analog_io: u16::MAX, ..Kind::default() };
+    let interpreter = Interpreter::new(machine, Options::default(), Limits::default());
+    let mut task = Task::new(interpreter.unwrap(), Script::default());
+    let program = "m64 p10\nm66 e0 l0\n#31=#<_hal[motion.digital-out-10]>\nm2\n";
+    assert_eq!(run(&mut task, program), Activity::Ended(End::ProgramEnd));
+    assert!(task.interpreter_mut().parameters().contains(&(31, 1.0)));
+}
+
+#[test]
 fn edges_of_inputs_are_awaited() {
     let read = |program: &str| {
         let script = Script { input: [(1.0, 1.0), (2.0, 0.0)].into(), ..Script::default() };

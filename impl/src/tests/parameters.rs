@@ -96,6 +96,38 @@ fn ini_entries_are_read() {
 }
 
 #[test]
+fn ini_entries_have_no_case() {
+    let mut machine = Machine::default();
+    for (entry, value) in [("[A]\u{c9}", 1.0), ("[a]b", 5.0), ("[A]twice", 2.0), ("[a]TWICE", 3.0)]
+    {
+        machine.ini.insert(entry.into(), value);
+    }
+    let case = Case { machine: Some(machine), ..Case::default() };
+    case.check("#31=#<_ini[a]b> #32=#<_ini[A]B>\nm2\n", "#31 = 5; #32 = 5");
+    case.check("#31=#<_ini[a]Twice>\nm2\n", "#31 = 2");
+    case.check("#31=#<_ini[a]\u{c9}>\nm2\n", "#31 = 1");
+    case.check("#31=#<_ini[a]\u{e9}>\nm2\n", "refused at 1 no_such_parameter");
+}
+
+#[test]
+fn only_ascii_letters_have_a_case() {
+    check("#<A\u{c9}>=1 #<a\u{e9}>=2\n#31=#<a\u{c9}>\nm2\n", "#31 = 1");
+    check("#<_\u{c9}>=1 #<_\u{e9}>=2\n#31=#<_\u{c9}>\nm2\n", "#31 = 1");
+    let program = "o<\u{c9}> sub\n#31=1\no<\u{c9}> endsub\no<\u{e9}> call\nm2\n";
+    check(program, "refused at 4 unknown_sub");
+}
+
+#[test]
+fn a_name_without_a_closing_bracket_is_one_like_any_other() {
+    check_all(&[
+        ("#<_hal[x>=5\n#31=#<_hal[x>\nm2\n", "#31 = 5"),
+        ("#<_ini[x>=5\n#31=#<_INI[X>\nm2\n", "#31 = 5"),
+        ("#<_hal[x]>=5\nm2\n", "refused at 1 read_only_parameter"),
+        ("#<_hal[x]y>=5\nm2\n", "refused at 1 read_only_parameter"),
+    ]);
+}
+
+#[test]
 fn names_are_bounded() {
     let limits = Limits { named_parameters: 2, ..Limits::default() };
     let case = Case { limits, ..Case::default() };
