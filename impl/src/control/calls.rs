@@ -279,11 +279,11 @@ impl Interpreter {
             return refuse(FaultKind::MissingWord, "M98 needs P");
         };
         let number = count(number)?;
-        let turns = count(self.words.get(b'L').unwrap_or(1.0))?;
+        let turns = math::to_count(count(self.words.get(b'L').unwrap_or(1.0))?);
         if turns == 0 && self.packer.choices.uncalled_free {
             return Ok(Progress::More);
         }
-        let label = self.packer.label_of(format_args!("{number}"));
+        let label = self.packer.computed_label(number).unwrap_or(NONE);
         let entry = self.find_program(label, (at, block), turns != 0, source)?;
         if turns == 0 {
             return Ok(Progress::More);
@@ -359,13 +359,14 @@ impl Interpreter {
     }
 }
 
-/// A number of a program or of turns.
-fn count(value: f64) -> Result<u64, Halt> {
-    let Some(number) = math::near_integer(value) else {
+/// A number of a program or of turns: a whole number of any size.
+fn count(value: f64) -> Result<f64, Halt> {
+    let number = math::round_even(value);
+    if (number - value).abs() > math::CLOSE || !number.is_finite() {
         return refuse(FaultKind::NotAnInteger, "P and L of M98 are integers");
-    };
-    match u64::try_from(number) {
-        Ok(number) => Ok(number),
-        Err(_) => refuse(FaultKind::WordOutOfRange, "P and L of M98 are not negative"),
     }
+    if number < 0.0 {
+        return refuse(FaultKind::WordOutOfRange, "P and L of M98 are not negative");
+    }
+    Ok(number)
 }

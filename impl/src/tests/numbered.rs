@@ -80,6 +80,18 @@ fn what_does_not_fit_is_refused() {
 }
 
 #[test]
+fn numbers_of_programs_and_turns_are_of_any_size() {
+    check_all(&[
+        ("m98 p1 l9000000000000001\nm2\no1\n#31=1\nm2\n", "accepted; #31 = 1"),
+        ("m98 p100000000000000000\nm2\no100000000000000000\n#31=1\nm99\n", "accepted; #31 = 1"),
+        ("m98 p100000000000000000\nm2\n", "refused at 1 unknown_sub"),
+        ("m98 p-100000000000000000\nm2\n", "refused at 1 word_out_of_range"),
+        ("m98 p1.00005\nm2\no1\n#31=1\nm99\n", "#31 = 1"),
+        ("m98 p-0.00005\nm2\no0\n#31=1\nm99\n", "#31 = 1"),
+    ]);
+}
+
+#[test]
 fn levels_count_for_both_styles() {
     let chain = |depth: u32| {
         let mut text = String::from("m98 p1\nm2\n");
