@@ -56,7 +56,7 @@ use gaugeblock_trace::{
 };
 
 use crate::error::Error;
-use crate::parameters::Numbered;
+use crate::parameters::{Numbered, is_stored};
 
 use ahead::Stands;
 pub(crate) use choices::Choices;
@@ -148,7 +148,7 @@ impl Modal {
         if !(1..=SPINDLES).contains(&spindles) {
             return Err(Error::Configuration("a machine has 1 to 8 spindles"));
         }
-        for (number, value) in &machine.parameters.0 {
+        for (number, value) in machine.parameters.0.iter().filter(|(at, _)| is_stored(**at)) {
             numbered.set(*number, *value);
         }
         let in_spindle = initial_tool(machine);

@@ -8,4 +8,4 @@ mod numbered;
 pub use item::ItemName;
 pub(crate) use named::{Named, Own, ScopeMark, Slot};
 pub(crate) use names::{NameId, Names};
-pub(crate) use numbered::{LAST, Numbered};
+pub(crate) use numbered::{LAST, Numbered, is_stored};

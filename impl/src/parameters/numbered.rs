@@ -2,9 +2,14 @@
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use core::ops::RangeInclusive;
 
 /// Highest number of a parameter.
 pub(crate) const LAST: u32 = 5602;
+/// User parameters, which may be stored (11.4.3.1).
+const USER: RangeInclusive<u32> = 31..=5000;
+/// The persistent parameters (11.4.3): positions, offsets and coordinate systems.
+const PERSISTENT: RangeInclusive<u32> = 5161..=5390;
 /// Values, one for each number from 0; 0 is no parameter and stays 0.
 const COUNT: usize = 5603;
 /// Room for what one block sets beside its settings.
@@ -153,6 +158,11 @@ impl Numbered {
             self.marked |= 1;
         }
     }
+}
+
+/// Whether a parameter is stored while the machine is off. All others are volatile, and begin as if nothing were stored (11.4.3).
+pub(crate) fn is_stored(number: u32) -> bool {
+    USER.contains(&number) || PERSISTENT.contains(&number)
 }
 
 /// The numbers of the parameters whose bits are set in a word of marks, in ascending order.

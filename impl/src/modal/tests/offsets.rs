@@ -69,6 +69,21 @@ fn stored_parameters_are_taken_over() {
 }
 
 #[test]
+fn what_is_volatile_begins_as_if_it_were_not_stored() {
+    let numbers = [
+        1, 5, 30, 31, 5000, 5001, 5061, 5070, 5160, 5161, 5390, 5391, 5399, 5400, 5420, 5429, 5598,
+        5599, 5602,
+    ];
+    let stored = numbers.into_iter().map(|number| (number, 7.0));
+    let machine = Machine { parameters: Indexed(stored.collect()), ..inch_machine() };
+    let kept = "#31 = 7, #5000 = 7, #5161 = 7, #5390 = 7";
+    check_on(&machine, &[], "m5", After(kept));
+    let volatile = "#1 = 0, #5 = 0, #30 = 0, #5001 = 0, #5061 = 0, #5070 = 0, #5160 = 0, #5391 = 0, \
+        #5399 = 0, #5400 = 0, #5420 = 0, #5429 = 0, #5598 = 0, #5599 = 0, #5602 = 0";
+    check_on(&machine, &[], "m5", After(volatile));
+}
+
+#[test]
 fn tool_length_offsets() {
     check("g43 h1", After("tool_length = on, tool_offset = (z10), position = (z-10)"));
     check("t2 m6; g43", After("tool_offset = (z20)"));
