@@ -103,6 +103,7 @@ pub(super) fn compile(
         depth: 0,
         line: 1,
     };
+    // There is room for them: a toolpath has no more.
     for system in systems {
         compiler.name(system.name.clone(), system.format, None);
     }

@@ -122,6 +122,19 @@ impl Compiler<'_> {
         }
     }
 
+    /// What an `IF_SET` of GPP2 tests: a variable, perhaps in parentheses, and no expression.
+    pub(super) fn tested(&mut self) -> Result<Place, Stop> {
+        if !self.takes("(")? {
+            let Token::Word(word) = self.take()? else { return Err(NO_STATEMENT) };
+            return Ok(self.reference(word, false)?.0);
+        }
+        self.enter()?;
+        let place = self.tested()?;
+        self.expect(")")?;
+        self.leave();
+        Ok(place)
+    }
+
     /// Whether what comes next belongs to a condition and to no expression.
     fn is_of_condition(&self) -> Result<bool, Stop> {
         Ok(match self.peek()? {

@@ -2,6 +2,8 @@
 
 use alloc::format;
 
+use gaugeblock_trace::FaultKind;
+
 use super::compile::{Compiler, NO_STATEMENT, SYMBOLS, Stop, old_word};
 use super::expressions::{Node, WRONG_TYPE};
 use super::lexer::Token;
@@ -116,12 +118,12 @@ impl Compiler<'_> {
 
     /// A test; whether it is the one of an `IF_SET`, of a variable that is not modal.
     fn test_of(&mut self, keyword: Keyword, is_first: bool) -> Result<bool, Stop> {
-        let sets = keyword == Keyword::IfSet;
-        let simple = sets && !self.choices.old_words;
+        if keyword == Keyword::IfSet && !self.choices.old_words {
+            return self.test_of_set();
+        }
         match self.peek()? {
-            Token::Sign("!") if !simple => return Err(Stop::Open("! in a condition")),
+            Token::Sign("!") => return Err(Stop::Open("! in a condition")),
             Token::Word(word) => match words::keyword(&word.to_ascii_uppercase()) {
-                Some(Keyword::VarSet | Keyword::VarNotSet) if simple => return Err(old_word()),
                 Some(Keyword::VarSet) => return self.flag(true).map(|()| false),
                 Some(Keyword::VarNotSet) => return self.flag(false).map(|()| false),
                 _ => {}
@@ -133,7 +135,7 @@ impl Compiler<'_> {
             | Token::Bad(_)
             | Token::End => {}
         }
-        let (left, left_is_text) = if simple { self.named()? } else { self.operand(true)? };
+        let (left, left_is_text) = self.operand(true)?;
         let compare = match self.peek()? {
             Token::Sign(sign) => Compare::of_sign(sign),
             Token::Word(word) => match words::keyword(&word.to_ascii_uppercase()) {
@@ -148,9 +150,6 @@ impl Compiler<'_> {
             let alone = is_first && self.peek()? == Token::Sign(")");
             return self.variable_alone(left, keyword, alone);
         };
-        if simple {
-            return Err(old_word());
-        }
         self.take()?;
         let (right, right_is_text) = self.operand(true)?;
         if left_is_text != right_is_text {
@@ -167,6 +166,17 @@ impl Compiler<'_> {
         Ok(false)
     }
 
+    /// The test of an `IF_SET` of GPP2; whether its variable is not modal.
+    fn test_of_set(&mut self) -> Result<bool, Stop> {
+        let place = self.tested()?;
+        if self.peek()? != Token::Sign(")") {
+            let why = "an IF_SET that tests more than a variable";
+            return Err(Stop::Refused(FaultKind::Statement, why));
+        }
+        self.program.tests.push(Test::Flag { place, on: true });
+        Ok(self.variable(place).is_some_and(|variable| !variable.modal))
+    }
+
     /// A variable where a test belongs.
     fn variable_alone(
         &mut self,
@@ -176,7 +186,7 @@ impl Compiler<'_> {
     ) -> Result<bool, Stop> {
         let Source::Variable(place) = left else { return Err(NO_STATEMENT) };
         let sets = keyword == Keyword::IfSet;
-        if !(alone && keyword == Keyword::Until || sets && (alone || self.choices.old_words)) {
+        if !(sets || alone && keyword == Keyword::Until) {
             return Err(NO_STATEMENT);
         }
         self.program.tests.push(Test::Flag { place, on: true });
@@ -206,13 +216,6 @@ impl Compiler<'_> {
         };
         let warning = format!("{} is not modal", variable.name);
         self.program.warnings.push((self.line, warning));
-    }
-
-    /// A variable, and whether it is a text.
-    fn named(&mut self) -> Result<(Source, bool), Stop> {
-        let Token::Word(word) = self.take()? else { return Err(NO_STATEMENT) };
-        let (place, is_text) = self.reference(word, false)?;
-        Ok((Source::Variable(place), is_text))
     }
 
     /// Something that is compared or assigned, and whether it is a text.

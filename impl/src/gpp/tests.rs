@@ -86,9 +86,6 @@ fn what_asks_for_too_much_is_refused_at_once() {
     named("FORMAT (USER_1) A[99999999999999999999999];\nSTART:\n", start, "TooManyVariables");
     named("START:\n", "format USER_1 fraction=0..1000000000\n", "BadFile");
     named("START:\n", "format USER_1 integer=1..99999999999999999999\n", "BadFile");
-    let systems: String =
-        (0..25_001).map(|number| alloc::format!("system V_{number} change USER_1\n")).collect();
-    named("START:\n", &systems, "BadFile");
     let deep = |open: &str, close: &str| {
         let (open, close) = (open.repeat(100_000), close.repeat(100_000));
         alloc::format!("FORMAT (USER_1) A;\nSTART:\nA = {open}1{close};\n")
@@ -99,31 +96,6 @@ fn what_asks_for_too_much_is_refused_at_once() {
     named(&alloc::format!("START:\nOUTPUT \"{}\";\n", "a".repeat(1 << 20)), start, "TextTooLong");
     let number = "9".repeat(1 << 20);
     named(&alloc::format!("FORMAT (USER_1) A;\nSTART:\nA = {number};\n"), start, "BadNumber");
-}
-
-#[test]
-fn a_line_of_a_toolpath_ends_with_a_line_feed() {
-    let end = |toolpath: &str| run("START:\n", toolpath, &Options::default(), 100).1;
-    assert_eq!(end("block START:\r\n"), "program_end");
-    assert_eq!(end("block START:"), "program_end");
-    for toolpath in ["block START:\r", "block START:\r\r\n", "\r"] {
-        assert!(end(toolpath).contains("BadFile"), "{toolpath:?}");
-    }
-}
-
-#[test]
-fn what_if_set_tests_is_a_variable() {
-    let end = |test: &str, old: bool| {
-        let choice = ("gpp.old-words".into(), "accepted".into());
-        let options = Options(old.then_some(choice).into_iter().collect());
-        let program = alloc::format!("FORMAT (USER_1) A;\nSTART:\nIF_SET ({test}) END_IF;\n");
-        run(&program, "block START:\n", &options, 100).1
-    };
-    assert_eq!(end("A", false), "program_end");
-    for test in ["NOPE(1)", "A + NOPE(1)", "1", "(A)", "A && A", "A > 1"] {
-        assert!(end(test, false).contains("Fault"), "{test}");
-    }
-    assert!(end("NOPE(1)", true).contains("Unspecified"));
 }
 
 #[test]
@@ -140,6 +112,96 @@ fn identical_variables_in_a_ring_are_one() {
     let (recorder, end) = run(&program, "block START:\n", &Options::default(), 100);
     assert_eq!((end.as_str(), recorder.output.as_str()), ("program_end", "1"));
     assert_eq!(recorder.costs, [1, 5001, 2]);
+}
+
+#[test]
+fn what_is_told_of_a_step_has_changed_in_it() {
+    let program = "IDENTICAL X_A X_B X_C;\nSTART:\n";
+    let told = |sets: &str| {
+        let head = "system X_A change USER_1\nsystem X_B change USER_1\nsystem X_C change USER_1\n";
+        let toolpath = alloc::format!("{head}block NONE: X_A=1\nblock NONE: {sets}\n");
+        let (recorder, end) = run(program, &toolpath, &Options::default(), 100);
+        assert_eq!(end, "program_end", "{sets}");
+        let mut told = recorder.told[3..].to_vec();
+        told.sort();
+        told.join(" ")
+    };
+    assert_eq!(told("X_A=2 X_B=1"), "");
+    assert_eq!(told("X_A=2 X_B=1 X_C=1"), "");
+    let changed = "X_A Some(\"3\") None X_B Some(\"3\") None X_C Some(\"3\") None";
+    assert_eq!(told("X_A=2 X_B=1 X_C=3"), changed);
+    assert_eq!(told("X_A=2 X_B=3"), changed);
+}
+
+#[test]
+fn a_toolpath_has_room_for_so_many_system_variables() {
+    let systems = |number: u32| {
+        let lines = (0..number).map(|place| alloc::format!("system S_{place} change REAL\n"));
+        lines.collect::<String>()
+    };
+    let end = |program: &str, number| run(program, &systems(number), &Options::default(), 1).1;
+    assert_eq!(end("START:\n", 25_000), "program_end");
+    let full = end("START:\n", 25_001);
+    assert!(full.contains("BadFile") && full.contains("line: 25001"), "{full}");
+    let full = end("FORMAT (REAL) A;\nSTART:\n", 25_000);
+    assert!(full.contains("TooManyVariables"), "{full}");
+}
+
+#[test]
+fn a_line_of_a_toolpath_ends_with_a_line_feed_or_nothing() {
+    let end = |toolpath: &str| run("START:\n", toolpath, &Options::default(), 100).1;
+    for toolpath in ["block START:\r\nblock START:\r\n", "\r\nblock START:", "# x\n\n", ""] {
+        assert_eq!(end(toolpath), "program_end", "{toolpath:?}");
+    }
+    for toolpath in [
+        "block START:\r\nblock START:\r",
+        "\n\r",
+        "\n# x\r",
+        "\nformat REAL plus=\r",
+        "\nblock START:\r\r\n",
+    ] {
+        let end = end(toolpath);
+        assert!(end.contains("BadFile") && end.contains("line: 2"), "{toolpath:?}: {end}");
+    }
+}
+
+#[test]
+fn what_if_set_and_until_test_is_a_variable() {
+    let head = "FORMAT (USER_1) A AR[2];\nFORMAT (CHARACTER) T;\nMODAL A AR T;\nSTART:\nREPEAT\n";
+    let end = |statement: &str, options: &Options| {
+        let program = alloc::format!("{head}{statement} END_IF;\nUNTIL (1 == 1);\n");
+        run(&program, "block START:\n", options, 100).1
+    };
+    let new = |statement: &str| end(statement, &Options::default());
+    for statement in ["IF_SET (A)", "IF_SET ((A))", "IF_SET (AR[1 + 1])", "IF_SET (((T)))"] {
+        assert_eq!(new(statement), "program_end", "{statement}");
+    }
+    for (statement, kind) in [
+        ("IF_SET (NOPE(1))", "NoSuchVariable"),
+        ("IF_SET (A(1))", "Statement"),
+        ("IF_SET (A && NOPE(1))", "Statement"),
+        ("IF_SET (A || A)", "Statement"),
+        ("IF_SET (A > 1)", "Statement"),
+        ("IF_SET ((A > 1))", "Statement"),
+        ("IF_SET (-A)", "Statement"),
+        ("IF_SET (!A)", "Statement"),
+        ("IF_SET (VAR_SET(A))", "Statement"),
+        ("IF_SET (\"x\")", "Statement"),
+        ("IF_SET ()", "Statement"),
+        ("UNTIL (A || A);", "Statement"),
+    ] {
+        let end = new(statement);
+        assert!(end.contains(kind) && end.contains("line: 6"), "{statement}: {end}");
+    }
+    let old = Options([("gpp.old-words".into(), "accepted".into())].into_iter().collect());
+    for (statement, options) in [
+        ("IF_SET (NOPE(1))", &old),
+        ("IF_SET (A || A)", &old),
+        ("IF_SET (AR[NOPE(1)])", &Options::default()),
+        ("UNTIL (VAR_SET(A) || A > 1);", &Options::default()),
+    ] {
+        assert!(end(statement, options).contains("Unspecified"), "{statement}");
+    }
 }
 
 #[test]

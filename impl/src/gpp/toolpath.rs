@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 
 use super::formats::{self, Format, MOST_DIGITS};
 use super::lexer::{self, LONGEST_NUMBER, LONGEST_TEXT};
-use super::variables;
+use super::variables::MOST;
 
 /// Most characters of a name.
 pub(super) const LONGEST_NAME: usize = 31;
@@ -64,10 +64,18 @@ impl Toolpath {
         let mut reader =
             Reader { toolpath, told: [false; 19], names: BTreeMap::new(), set_in: Vec::new() };
         for (line, text) in (1..).zip(text.split_inclusive('\n')) {
-            let whole = text.strip_suffix('\n').map(|text| text.strip_suffix('\r').unwrap_or(text));
-            reader.line(whole.unwrap_or(text), line).map_err(|Wrong| line)?;
+            content(text).and_then(|text| reader.line(text, line)).map_err(|Wrong| line)?;
         }
         Ok(reader.toolpath)
+    }
+}
+
+/// What a line says without its end, of which a carriage return is a part before a line feed alone.
+fn content(line: &str) -> Result<&str, Wrong> {
+    match line.strip_suffix('\n') {
+        Some(line) => Ok(line.strip_suffix('\r').unwrap_or(line)),
+        None if line.ends_with('\r') => Err(Wrong),
+        None => Ok(line),
     }
 }
 
@@ -170,7 +178,10 @@ impl Reader {
             return Err(Wrong);
         }
         let place = self.toolpath.systems.len();
-        if place >= variables::MOST || self.names.insert(name.clone(), place).is_some() {
+        if place == MOST {
+            return Err(Wrong);
+        }
+        if self.names.insert(name.clone(), place).is_some() {
             return Err(Wrong);
         }
         self.set_in.push(0);
