@@ -2,12 +2,12 @@
 
 /// Sine of an angle in degrees.
 pub(crate) fn sine_of_degrees(degrees: f64) -> f64 {
-    libm::sin(degrees.to_radians())
+    sine(degrees.to_radians())
 }
 
 /// Cosine of an angle in degrees.
 pub(crate) fn cosine_of_degrees(degrees: f64) -> f64 {
-    libm::cos(degrees.to_radians())
+    cosine(degrees.to_radians())
 }
 
 /// Sine and cosine of an angle in degrees; along an axis they are whole, so that nothing of a long way is left beside it.
@@ -28,7 +28,7 @@ pub(crate) fn sine_and_cosine_of_degrees(degrees: f64) -> (f64, f64) {
 
 /// Tangent of an angle in degrees.
 pub(crate) fn tangent_of_degrees(degrees: f64) -> f64 {
-    libm::tan(degrees.to_radians())
+    tangent(degrees.to_radians())
 }
 
 /// The angle in degrees, -90 to 90, with this sine; not a number outside of -1 to 1.
@@ -59,6 +59,11 @@ pub(crate) fn sine(radians: f64) -> f64 {
 /// Cosine of an angle in radians.
 pub(crate) fn cosine(radians: f64) -> f64 {
     libm::cos(radians)
+}
+
+/// Tangent of an angle in radians.
+pub(crate) fn tangent(radians: f64) -> f64 {
+    libm::tan(radians)
 }
 
 /// The square root of a number that is not negative.

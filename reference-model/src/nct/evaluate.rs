@@ -69,13 +69,13 @@ impl Run<'_> {
             return self.bits(operand, 0.0, |operand, _| !operand);
         }
         self.evidence.accepted("nct.functions");
-        let degrees = if self.readings.radians { operand.to_degrees() } else { operand };
+        let radians = if self.readings.radians { operand } else { operand.to_radians() };
         let angle =
             |degrees: f64| if self.readings.radians { degrees.to_radians() } else { degrees };
         let result = match function {
-            Function::Cosine => math::cosine_of_degrees(degrees),
-            Function::Sine => math::sine_of_degrees(degrees),
-            Function::Tangent => math::tangent_of_degrees(degrees),
+            Function::Cosine => math::cosine(radians),
+            Function::Sine => math::sine(radians),
+            Function::Tangent => math::tangent(radians),
             Function::ArcSine => angle(math::degrees_of_sine(operand)),
             Function::ArcCosine => angle(math::degrees_of_cosine(operand)),
             Function::ArcTangent => angle(math::degrees_of(operand, 1.0)),
