@@ -138,12 +138,12 @@ impl Packer {
             refused: NONE,
             offset: place.offset,
         };
-        let packed = self.items(cursor, &mut block, into);
-        let packed = if self.is_too_long(line) && !planted(Fault::AnyLength) {
-            cursor.refuse(FaultKind::LineTooLong, "a line has at most 256 characters")
-        } else {
-            packed
-        };
+        let mut packed = self.items(cursor, &mut block, into);
+        let within = self.within_length(line);
+        if within.len() < line.len() && !planted(Fault::AnyLength) {
+            self.cut_off(within, &mut block, into);
+            packed = cursor.refuse(FaultKind::LineTooLong, "a line has at most 256 characters");
+        }
         if let Err(refused) = packed {
             block.refused = u32::try_from(into.refusals.len()).unwrap_or(NONE);
             into.refusals.push(*refused);
@@ -193,12 +193,27 @@ impl Packer {
         Ok(())
     }
 
-    /// At most 256 characters (11.4.2), of which the line end may be one. One of several bytes is one.
+    /// What of a line lies within the 256 characters that it may have (11.4.2), of which the line end may be one. One of several bytes is one.
     #[inline]
-    fn is_too_long(&self, line: &[u8]) -> bool {
+    fn within_length<'a>(&self, line: &'a [u8]) -> &'a [u8] {
         let longest = if self.choices.line_end_free { 256 } else { 255 };
-        let begins = |byte: &&u8| !matches!(byte, 0x80..=0xbf);
-        line.len() > longest && (self.imitates || line.iter().filter(begins).count() > longest)
+        if line.len() <= longest {
+            return line;
+        }
+        let begins = |(_, byte): &(usize, &u8)| self.imitates || !matches!(byte, 0x80..=0xbf);
+        let behind = line.iter().enumerate().filter(begins).nth(longest);
+        line.get(..behind.map_or(line.len(), |(at, _)| at)).unwrap_or(line)
+    }
+
+    /// A line that is too long is the o-word that its first characters are, or none: a search passes over a keyword that stands behind them.
+    #[cold]
+    fn cut_off(&mut self, within: &[u8], block: &mut Block, into: &mut Segment) {
+        let Kind::Control(_) = core::mem::replace(&mut block.kind, Kind::Plain) else { return };
+        into.ops.truncate(usize::try_from(block.first).unwrap_or(usize::MAX));
+        let mut cursor = Cursor::new(within);
+        cursor.take(b'/');
+        // Why it is refused is known.
+        let _refused = self.items(cursor, block, into);
     }
 
     /// A setting, or a word that has no letter.

@@ -1,7 +1,7 @@
 //! Lines, numbers, comments, percent signs (11.4.1, 11.4.2, 11.4.21).
 
 use alloc::format;
-use alloc::string::ToString as _;
+use alloc::string::{String, ToString as _};
 
 use super::{Case, check, check_all};
 
@@ -59,6 +59,26 @@ fn lines_that_are_none_are_refused() {
         ("m2.5\nm2\n", "refused at 1 unknown_code"),
         ("#1=-1\ng[#1]\nm2\n", "refused at 2 unknown_code"),
     ]);
+}
+
+#[test]
+fn a_keyword_behind_the_longest_line_is_not_found() {
+    let far = |keyword: &str| format!("{}{keyword}", " ".repeat(300));
+    let near = |keyword: &str| format!("{keyword}{}", " ".repeat(300));
+    let skipping = |line: String| format!("o1 if [0]\n{line}\no1 endif\n#31=1\nm2\n");
+    check(&skipping(far("o1 endif")), "accepted; #31 = 1");
+    check(&skipping(far("/n5 o[2/2] endif")), "accepted; #31 = 1");
+    check(&skipping(near("o1 endif")), "refused at 2 line_too_long");
+    check(&skipping(near("/n5 o[2/2] endif")), "refused at 2 line_too_long");
+    let looping = format!("o1 repeat [2]\n{}\no1 endrepeat\nm2\n", far("o1 endrepeat"));
+    check(&looping, "refused at 2 line_too_long");
+    let program =
+        format!("o1 sub\no2 if [0]\n{}\no2 endif\no1 endsub\no1 call\nm2\n", far("o1 endsub"));
+    check(&program, "accepted");
+    // A character of several bytes is one.
+    let behind = |characters: usize| format!("({})o1 endif", "\u{e9}".repeat(characters));
+    check(&skipping(behind(251)), "accepted; #31 = 1");
+    check(&format!("o1 if [0]\n{}\n#31=1\nm2\n", behind(245)), "accepted; #31 = 1");
 }
 
 #[test]
