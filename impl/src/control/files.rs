@@ -68,7 +68,6 @@ impl Interpreter {
                 }
                 Next::Nothing => {}
                 Next::Block(block) => {
-                    self.percent = self.percent.or(Some(false));
                     // A program end that is not executed ends nothing.
                     match block.kind {
                         Kind::Control(OWord { keyword: Keyword::Sub, label: other, .. }) => {

@@ -85,16 +85,21 @@ impl Interpreter {
         let Self { reader, packer, .. } = self;
         let taken = reader.next(source, |line, place| {
             if owords_only && !is_oword(line) && !is_percent(line) {
-                return (Taken::Nothing, place);
+                return (Taken::Nothing, place, false);
             }
-            (packer.pack(line, place, into), place)
+            let taken = packer.pack(line, place, into);
+            (taken, place, taken == Taken::Nothing && line.trim_ascii().is_empty())
         })?;
         self.after_packing(STREAM)?;
+        // Behind anything but blank lines a percent line does not begin the file.
+        if let Some((Taken::Block | Taken::Nothing, _, false)) = taken {
+            self.percent = self.percent.or(Some(false));
+        }
         Ok(match taken {
             None => Next::Over,
-            Some((Taken::Nothing, _)) => Next::Nothing,
-            Some((Taken::Percent, place)) => Next::Percent(place),
-            Some((Taken::Block, _)) => {
+            Some((Taken::Nothing, ..)) => Next::Nothing,
+            Some((Taken::Percent, place, _)) => Next::Percent(place),
+            Some((Taken::Block, ..)) => {
                 into.blocks.last().map_or(Next::Nothing, |block| Next::Block(*block))
             }
         })

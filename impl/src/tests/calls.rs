@@ -7,6 +7,19 @@ use super::{Case, check, check_all};
 use crate::Limits;
 
 #[test]
+fn a_percent_line_begins_a_file_only_where_nothing_stands_before_it() {
+    for (head, block_delete) in [("(c)\n", false), ("/\n", false), ("/g0\n", true)] {
+        let text = format!("{head}%\n%\no<x> sub\n#31=1\no<x> endsub\n");
+        let files = [("x.ngc", text.as_str())].into();
+        let case = Case { files, block_delete, ..Case::default() };
+        case.check("o<x> call\nm2\n", "accepted; #31 = 1");
+    }
+    let files = [("x.ngc", "\n  \n%\n%\no<x> sub\no<x> endsub\n")].into();
+    let begun = Case { files, ..Case::default() };
+    begun.check("o<x> call\nm2\n", "refused at 1 unknown_sub");
+}
+
+#[test]
 fn a_body_runs_when_it_is_called() {
     check_all(&[
         ("o1 sub\n#31=[#31+1]\no1 endsub\nm2\n", "#31 = 0"),
