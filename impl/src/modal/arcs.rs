@@ -33,8 +33,34 @@ impl InPlane {
         Self { first: self.first - other.first, second: self.second - other.second }
     }
 
+    fn times(self, factor: f64) -> Self {
+        Self { first: self.first * factor, second: self.second * factor }
+    }
+
+    fn divided(self, divisor: f64) -> Self {
+        Self { first: self.first / divisor, second: self.second / divisor }
+    }
+
+    fn is_finite(self) -> bool {
+        self.first.is_finite() && self.second.is_finite()
+    }
+
+    /// How long it is. Infinite is only what no number is large enough for, and zero what is none.
+    #[inline]
     fn length(self) -> f64 {
-        math::hypotenuse(self.first, self.second)
+        let length = math::hypotenuse(self.first, self.second);
+        if length > 0.0 && length < f64::INFINITY { length } else { self.extreme_length() }
+    }
+
+    /// The same where squares are too large or too small.
+    #[cold]
+    fn extreme_length(self) -> f64 {
+        let longer = self.first.abs().max(self.second.abs());
+        if longer > 0.0 && longer < f64::INFINITY {
+            longer * math::hypotenuse(self.first / longer, self.second / longer)
+        } else {
+            longer
+        }
     }
 }
 
@@ -260,24 +286,87 @@ fn radius_centre(
         return refuse(FaultKind::MissingWord, "R without an axis word of the plane");
     }
     let signed = words.get(b'R').unwrap_or(0.0);
-    let radius = signed.abs();
-    let chord = plane.end.minus(plane.start);
-    let length = chord.length();
-    if length == 0.0 {
-        return refuse(FaultKind::BadArc, "an arc with R that ends where it begins");
+    let wanted = Wanted {
+        radius: signed.abs(),
+        // The centre of a counterclockwise arc below half a circle is on the left of the chord.
+        left: counterclockwise == (signed > 0.0 || planted(Fault::NegativeRadius)),
+        slack,
+        imitates,
+    };
+    wanted.centre(plane.start, plane.end)
+}
+
+/// The arc that a radius asks for.
+#[derive(Clone, Copy, Debug)]
+struct Wanted {
+    radius: f64,
+    /// Whether the centre is on the left of the chord.
+    left: bool,
+    /// By how much the radius may be too small.
+    slack: f64,
+    imitates: bool,
+}
+
+impl Wanted {
+    /// The centre of the arc between two points.
+    #[inline]
+    fn centre(&self, start: InPlane, end: InPlane) -> Result<InPlane, Refusal> {
+        let chord = end.minus(start);
+        let length = chord.length();
+        if length == 0.0 {
+            return refuse(FaultKind::BadArc, "an arc with R that ends where it begins");
+        }
+        let half = length / 2.0;
+        // Not a number is no radius either.
+        if !(half <= self.radius + self.slack && self.radius > 0.0) {
+            return self.out_of_reach(start, end, length);
+        }
+        let height = math::sqrt(((self.radius - half) * (self.radius + half)).max(0.0));
+        let along = self.on_its_side(height) / length;
+        let centre = InPlane {
+            first: start.first + chord.first / 2.0 - chord.second * along,
+            second: start.second + chord.second / 2.0 + chord.first * along,
+        };
+        if centre.is_finite() { Ok(centre) } else { self.far_centre(start, chord, length) }
     }
-    let half = length / 2.0;
-    // Not a number is no radius either.
-    if !(half <= radius + slack && radius > 0.0) {
-        return refuse(FaultKind::BadArc, "R is too small to reach the end");
+
+    /// How far the centre is from the chord, on the left of it.
+    #[inline]
+    fn on_its_side(&self, height: f64) -> f64 {
+        let least = if self.imitates { quirks::ARC_HEIGHT * self.radius } else { 0.0 };
+        let height = height.max(least);
+        if self.left { height } else { -height }
     }
-    let least = if imitates { quirks::ARC_HEIGHT * radius } else { 0.0 };
-    let height = math::sqrt(((radius - half) * (radius + half)).max(0.0)).max(least);
-    // The centre of a counterclockwise arc below half a circle is on the left of the chord.
-    let left = counterclockwise == (signed > 0.0 || planted(Fault::NegativeRadius));
-    let along = if left { height / length } else { -height / length };
-    Ok(InPlane {
-        first: plane.start.first + chord.first / 2.0 - chord.second * along,
-        second: plane.start.second + chord.second / 2.0 + chord.first * along,
-    })
+
+    /// The radius does not reach the end, unless it only seems so since the chord is longer than the largest number: then a quarter of everything
+    /// tells, and exactly.
+    #[cold]
+    fn out_of_reach(&self, start: InPlane, end: InPlane, length: f64) -> Result<InPlane, Refusal> {
+        let (start, end) = (start.times(0.25), end.times(0.25));
+        if length.is_finite() || !end.minus(start).length().is_finite() {
+            return refuse(FaultKind::BadArc, "R is too small to reach the end");
+        }
+        let quarter = Self { radius: self.radius * 0.25, slack: self.slack * 0.25, ..*self };
+        finite(quarter.centre(start, end)?.times(4.0))
+    }
+
+    /// The centre where numbers are too large on the usual way.
+    #[cold]
+    fn far_centre(&self, start: InPlane, chord: InPlane, length: f64) -> Result<InPlane, Refusal> {
+        let (radius, half) = (self.radius / 2.0, length / 4.0);
+        let height = math::sqrt((radius - half).max(0.0)) * math::sqrt(radius + half) * 2.0;
+        let (height, forward) = (self.on_its_side(height), chord.divided(length));
+        finite(InPlane {
+            first: start.first + chord.first / 2.0 - forward.second * height,
+            second: start.second + chord.second / 2.0 + forward.first * height,
+        })
+    }
+}
+
+/// The centre of an arc that has one.
+fn finite(centre: InPlane) -> Result<InPlane, Refusal> {
+    if centre.is_finite() {
+        return Ok(centre);
+    }
+    refuse(FaultKind::BadArc, "the centre of the arc is farther away than the largest number")
 }

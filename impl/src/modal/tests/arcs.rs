@@ -7,6 +7,7 @@ use gaugeblock_trace::FaultKind::{
 
 use super::Expect::{After, Effects, Refused, Unsupported};
 use super::{check, check_on, machine};
+use crate::math;
 
 /// One arc after a head that gives the feed rate.
 fn arc(line: &str, effect: &'static str) {
@@ -39,6 +40,49 @@ fn centre_format() {
     );
     check("f1; g2 x1 y1 i1", After("motion = arc_cw, position = (x1 y1)"));
     check("f1; g3 x2 i1", After("motion = arc_ccw, position = (x2)"));
+}
+
+/// Where the centre of an arc is that begins at a point.
+fn centre(program: &str) -> (f64, f64) {
+    let run = super::run(&machine(), &[], program);
+    assert!(run.last.1.is_ok(), "{program}: {:?}", run.last);
+    let effect = run.sink.effects.last().unwrap();
+    let value = |name: &str| -> f64 {
+        let (_, behind) = effect.split_once(name).unwrap();
+        behind.split(' ').next().unwrap().parse().unwrap()
+    };
+    (value("first_centre="), value("second_centre="))
+}
+
+#[test]
+fn what_is_finite_in_the_end_is_an_arc() {
+    let near = |found: (f64, f64), wanted: (f64, f64)| {
+        let size = wanted.0.abs().max(wanted.1.abs());
+        let apart =
+            (found.0 / size - wanted.0 / size).abs() + (found.1 / size - wanted.1 / size).abs();
+        assert!(apart < 1e-12, "{found:?} {wanted:?}");
+    };
+    let side = 1e200 * math::sqrt(0.5);
+    near(centre("f1; g2 x1 i1e155"), (1e155, 0.0));
+    near(centre("f1; g2 i1e-200"), (1e-200, 0.0));
+    near(centre("f1; g2 x1 y1 r1e200"), (side, -side));
+    near(centre("f1; g2 x1e-319 r10"), (0.0, -10.0));
+    near(centre("f1; g3 x1e308 r1e308"), (5e307, 1e308 * math::sqrt(0.75)));
+    // The chord is longer than the largest number, the radius is not.
+    near(centre("f1; g0 x-1e308; g3 x1e308 r1.5e308"), (0.0, 1e308 * math::sqrt(1.25)));
+}
+
+#[test]
+fn what_is_not_finite_is_no_arc() {
+    for line in [
+        "g2 x1 i1.7e308 j1.7e308",
+        "g0 x1.7e308; g2 i1.7e308",
+        "g0 x1.7e308; g3 y1 x1.7e308 r-1.7e308",
+        "g0 x1.7e308; g2 y-1 x1.7e308 r-1.7e308",
+        "g0 x-1.7e308; g2 x1.7e308 r1",
+    ] {
+        check(&alloc::format!("f1; {line}"), Refused(BadArc));
+    }
 }
 
 #[test]
