@@ -28,6 +28,18 @@ pub enum Error {
     Configuration(&'static str),
 }
 
+impl Error {
+    /// The file and the line that it is about, where it is about one.
+    pub(crate) fn line(&self) -> Option<(&str, u32)> {
+        let block = match self {
+            Self::Fault(fault) => fault.block.as_ref()?,
+            Self::Beyond { block, .. } => block,
+            Self::NotYet(_) | Self::Unreadable(_) | Self::Configuration(_) => return None,
+        };
+        Some((&block.file, block.line))
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,6 +1,6 @@
 //! The interpreter: program text in, settings and effects out, a block at a time.
 
-use alloc::collections::BTreeMap;
+use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -19,7 +19,7 @@ use crate::modal::Modal;
 use crate::parameters::{ItemName, NameId, Named, Numbered};
 use crate::readings::Readings;
 use crate::source::Source;
-use crate::syntax::packed::{Block, Kind};
+use crate::syntax::packed::{Block, Kind, NONE};
 use crate::syntax::{Packer, Segment};
 use crate::words::Words;
 
@@ -91,6 +91,8 @@ pub struct Interpreter {
     pub(crate) subs_ahead: Vec<NameId>,
     /// The line of each sub of the main program.
     pub(crate) defined_lines: BTreeMap<NameId, u32>,
+    /// Labels of the subs that the last program has defined.
+    pub(crate) former_subs: BTreeSet<NameId>,
     /// Bytes of packed subs and subprograms.
     pub(crate) packed: usize,
     /// Open log files.
@@ -190,6 +192,7 @@ impl Interpreter {
             programs: None,
             subs_ahead: Vec::new(),
             defined_lines: BTreeMap::new(),
+            former_subs: BTreeSet::new(),
             packed: 0,
             logs: Logs::default(),
             unfinished: None,
@@ -275,8 +278,13 @@ impl Interpreter {
     ///
     /// The interpreter stands before another program's first block then, as after [`Self::begin`].
     pub fn abort<K: Sink>(&mut self, sink: &mut K) {
-        self.modal.abort(&mut self.parameters.numbered, sink, self.parameters.line);
+        self.modal.abort(sink, self.parameters.line);
         self.begin_over();
+    }
+
+    /// An operator's abort while no program runs: settings are reset, and no run ends by it.
+    pub fn abort_idle<K: Sink>(&mut self, sink: &mut K) {
+        self.modal.abort_idle(sink, self.parameters.line);
     }
 
     /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it set stays, and what it
@@ -285,6 +293,7 @@ impl Interpreter {
         self.parameters.value = 0.0;
         self.modal.end_run();
         self.begin_over();
+        self.former_subs.clear();
     }
 
     /// Makes it ready for the program's first block, where that follows its last one without an end between them.
@@ -313,7 +322,7 @@ impl Interpreter {
         self.subs.clear();
         self.programs = None;
         self.subs_ahead.clear();
-        self.defined_lines.clear();
+        self.former_subs.extend(core::mem::take(&mut self.defined_lines).into_keys());
         self.packed = 0;
         self.parameters.numbered.end_notes();
         self.unfinished = None;
@@ -347,6 +356,11 @@ impl Interpreter {
         self.modal.set_controller_mode(ControllerMode::Mdi);
     }
 
+    /// Whether what it executes was entered by hand.
+    pub(crate) fn is_by_hand(&self) -> bool {
+        self.files.first().is_some_and(|main| main != Program::MAIN)
+    }
+
     /// Whether it stands between two blocks of the text that it was begun with, and the next one has not been read.
     pub fn needs_text(&self) -> bool {
         self.cursor.segment == STREAM && !self.held && self.unfinished.is_none()
@@ -367,12 +381,14 @@ impl Interpreter {
                 Ok(Some(end)) => self.ended = Some(Ok(end)),
                 Err(error) => self.ended = Some(Err(error)),
             }
-            if self.ended.is_some() {
-                return None;
+            if let Some(ended) = &self.ended {
+                // A line that is refused where it stands is there all the same.
+                return ended.as_ref().err().and_then(Error::line);
             }
         }
         let at = self.cursor;
-        let line = self.block_at(at).filter(|block| block.kind != Kind::Percent)?.line;
+        let ends = |block: &&Block| block.kind == Kind::Percent && block.refused == NONE;
+        let line = self.block_at(at).filter(|block| !ends(block))?.line;
         let file = segment(&self.segments, at.segment).map_or(0, |code| code.file);
         let file = usize::try_from(file).ok().and_then(|file| self.files.get(file));
         Some((file.map_or(Program::MAIN, |file| file), line))

@@ -15,6 +15,8 @@ pub struct Limits {
     pub named_parameters: u32,
     /// Bytes that packed loops and subroutines take together, their labels included.
     pub packed_bytes: u32,
+    /// Blocks that are read behind one that an abort has broken off, where the documents are read so.
+    pub blocks_ahead: u32,
 }
 
 impl Default for Limits {
@@ -25,6 +27,7 @@ impl Default for Limits {
             call_depth: 64,
             named_parameters: 65_536,
             packed_bytes: 16_777_216,
+            blocks_ahead: 100_000,
         }
     }
 }
@@ -40,6 +43,8 @@ pub enum Limit {
     NamedParameters,
     /// [`Limits::packed_bytes`].
     PackedBytes,
+    /// [`Limits::blocks_ahead`].
+    BlocksAhead,
 }
 
 impl fmt::Display for Limit {
@@ -49,6 +54,7 @@ impl fmt::Display for Limit {
             Self::CallDepth => "nested calls",
             Self::NamedParameters => "named parameters",
             Self::PackedBytes => "bytes of loops and subroutines",
+            Self::BlocksAhead => "blocks read behind an abort",
         })
     }
 }

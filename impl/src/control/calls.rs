@@ -137,6 +137,10 @@ impl Interpreter {
             self.set_segment(label, segment);
             return Ok(segment);
         }
+        if self.is_by_hand() && self.former_subs.contains(&label) {
+            let why = "whether the subs of a program that has ended can be called by hand";
+            return Err(Halt::Refusal(Refusal::Unspecified(why.into())));
+        }
         if self.gather_programs(None, source)?
             && self.programs.as_ref().is_some_and(|programs| programs.contains_key(&label))
         {

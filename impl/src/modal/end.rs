@@ -91,8 +91,13 @@ impl Modal {
     }
 
     /// An operator's abort: nothing is restored (11.6.22), no call is open any more.
-    pub(crate) fn abort<K: Sink>(&mut self, _numbered: &mut Numbered, sink: &mut K, line: u32) {
+    pub(crate) fn abort<K: Sink>(&mut self, sink: &mut K, line: u32) {
         self.end_run();
+        self.abort_idle(sink, line);
+    }
+
+    /// An operator's abort while no program runs: none ends by it.
+    pub(crate) fn abort_idle<K: Sink>(&mut self, sink: &mut K, line: u32) {
         self.abandon();
         if !self.choices.abort_leaves_running {
             self.stop_running(self.all_spindles());

@@ -40,6 +40,7 @@ use gaugeblock_trace::{ControllerMode, End, FaultKind};
 use crate::error::Error;
 use crate::faults::{Fault, planted};
 use crate::interpret::{Interpreter, Progress};
+use crate::limits::Limit;
 use crate::source::Source;
 
 use by_hand::OneLine;
@@ -48,9 +49,6 @@ use desk::{Desk, Doing};
 pub(crate) use choices::Choices;
 pub use desk::Stuck;
 pub use machine::{Happening, Input, Machine, Work, WorkState};
-
-/// Most blocks that are read ahead of one that is broken off, where the documents are read so.
-const READ_AHEAD: u32 = 1000;
 
 /// File name of blocks that are entered by hand.
 pub const BY_HAND: &str = "mdi";
@@ -207,16 +205,16 @@ impl<M: Machine> Task<M> {
     /// As for [`Interpreter::step`]. The run is over then.
     pub fn step<S: Source>(&mut self, source: &mut S) -> Result<Activity, Error> {
         if self.desk.may_go_on().is_err() {
-            return Ok(self.broken(source));
+            return self.broken(source);
         }
         self.desk.within = true;
         let progress = self.interpreter.step(source, &mut self.desk);
         if self.desk.is_broken() {
-            return Ok(self.broken(source));
+            return self.broken(source);
         }
         match progress {
             Ok(Progress::More | Progress::Stopped) => Ok(Activity::More),
-            Ok(Progress::Broken) => Ok(self.broken(source)),
+            Ok(Progress::Broken) => self.broken(source),
             Ok(Progress::Ended(end)) => {
                 if matches!(end, End::ProgramEnd | End::PercentEnd) {
                     self.desk.ended();
@@ -298,6 +296,12 @@ impl<M: Machine> Task<M> {
 
     /// Lets time go by on an idle controller, until it is asked to execute something. Other requests are answered.
     pub fn idle(&mut self) -> Idle {
+        let idle = self.desk.take_next_by_hand().unwrap_or_else(|| self.wait_idle());
+        self.desk.asked_at = Some(self.desk.machine.time());
+        idle
+    }
+
+    fn wait_idle(&mut self) -> Idle {
         loop {
             match self.desk.machine.wait(None) {
                 Happening::Asked(action) => {
@@ -305,7 +309,7 @@ impl<M: Machine> Task<M> {
                     self.interpreter.set_controller_mode(self.desk.mode);
                     if self.desk.take_abort() {
                         self.desk.forget_waiting();
-                        self.interpreter.abort(&mut self.desk);
+                        self.interpreter.abort_idle(&mut self.desk);
                         self.interpreter.set_controller_mode(self.desk.mode);
                     }
                     self.desk.look_at_spindles();
@@ -320,17 +324,20 @@ impl<M: Machine> Task<M> {
     }
 
     /// What comes of a block that was broken off.
-    fn broken<S: Source>(&mut self, source: &mut S) -> Activity {
+    ///
+    /// # Errors
+    /// More was to be read ahead than may be; the abort is done all the same.
+    fn broken<S: Source>(&mut self, source: &mut S) -> Result<Activity, Error> {
         if let Some(why) = self.desk.take_open() {
             self.desk.machine.broken_off();
             let block = self.interpreter.block();
-            return Activity::Ended(End::Unspecified { block, why: why.into() });
+            return Ok(Activity::Ended(End::Unspecified { block, why: why.into() }));
         }
         if let Some(stuck) = self.desk.stuck() {
-            return Activity::Stuck(stuck);
+            return Ok(Activity::Stuck(stuck));
         }
         self.desk.machine.broken_off();
-        self.read_ahead(source);
+        let ahead = self.read_ahead(source);
         self.desk.take_abort();
         self.desk.forget_waiting();
         self.desk.take_over();
@@ -339,23 +346,32 @@ impl<M: Machine> Task<M> {
         self.desk.look_at_spindles();
         self.desk.renew_pins();
         self.interpreter.set_controller_mode(self.desk.mode);
-        Activity::Ended(End::Aborted)
+        ahead.map(|()| Activity::Ended(End::Aborted))
     }
 
     /// Where an abort leaves what was read ahead, the interpreter goes on up to a block that waits for the machine, and nothing of that is done.
-    fn read_ahead<S: Source>(&mut self, source: &mut S) {
-        if !self.desk.reads_ahead() {
-            // The block itself may have been read to where it waits for the machine.
-            self.interpreter.stand();
-            return;
-        }
-        self.interpreter.read_ahead();
-        for _ in 0..READ_AHEAD {
+    ///
+    /// # Errors
+    /// It comes to no such block, nor to an end, within as many blocks as may be read.
+    fn read_ahead<S: Source>(&mut self, source: &mut S) -> Result<(), Error> {
+        let read = if self.desk.reads_ahead() {
+            self.interpreter.read_ahead();
+            self.read_on(source)
+        } else {
+            Ok(())
+        };
+        // The block itself may have been read to where it waits for the machine.
+        self.interpreter.stand();
+        read
+    }
+
+    fn read_on<S: Source>(&mut self, source: &mut S) -> Result<(), Error> {
+        for _ in 0..self.interpreter.limits.blocks_ahead {
             match self.interpreter.step(source, &mut self.desk) {
                 Ok(Progress::More | Progress::Stopped) => {}
-                Ok(Progress::Broken | Progress::Ended(_)) | Err(_) => break,
+                Ok(Progress::Broken | Progress::Ended(_)) | Err(_) => return Ok(()),
             }
         }
-        self.interpreter.stand();
+        Err(Error::Beyond { limit: Limit::BlocksAhead, block: self.interpreter.block() })
     }
 }

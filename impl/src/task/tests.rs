@@ -254,6 +254,122 @@ fn blocks_are_entered_by_hand() {
 }
 
 #[test]
+fn blocks_by_hand_that_are_asked_for_at_one_time_are_executed_in_order() {
+    let entered = |blocks: &[&str], others: &[(f64, Action)]| {
+        let asks = blocks.iter().map(|block| (1.0, Action::Mdi((*block).into())));
+        let asks: Vec<_> = asks.chain(others.iter().cloned()).collect();
+        let mut task = task(Script::asks(&asks), &[]);
+        task.set_mode(ControllerMode::Mdi);
+        let (mut source, mut ends) = (Memory::new(""), Vec::new());
+        while let Idle::Enter(text) = task.idle() {
+            ends.push((text.clone(), task.enter(&text, 1, &mut source).unwrap()));
+        }
+        (ends, task)
+    };
+    let blocks = ["#31=1", "#31=[#31+2]", "#31=[#31*5]"];
+    let (ends, mut task) = entered(&blocks, &[]);
+    assert_eq!(ends, blocks.map(|block| (block.into(), Activity::Entered)));
+    assert_eq!(task.interpreter_mut().parameters().first(), Some(&(31, 15.0)));
+    // The second waits until the first is over.
+    let (ends, task) = entered(&["g4 p2", "g4 p3"], &[]);
+    assert_eq!((ends.len(), task.machine().now), (2, 6.0));
+    // An abort meanwhile is for both.
+    let (ends, task) = entered(&["g4 p2", "g4 p3"], &[(2.0, Action::Abort)]);
+    assert_eq!(ends, [("g4 p2".into(), Activity::Ended(End::Aborted))]);
+    assert_eq!(task.machine().now, 2.0);
+    // Later than that it is open.
+    let (ends, _) = entered(&["g4 p2"], &[(2.0, Action::Mdi("g4 p3".into()))]);
+    assert!(matches!(ends.as_slice(), [(_, Activity::Ended(End::Unspecified { .. }))]), "{ends:?}");
+}
+
+#[test]
+fn what_is_saved_outlives_an_abort_of_nothing() {
+    let asks =
+        [(1.0, Action::Mdi("m70".into())), (2.0, Action::Abort), (3.0, Action::Mdi("m72".into()))];
+    let mut task = task(Script::asks(&asks), &[("saved-state.after-run", "forgotten")]);
+    assert_eq!(run(&mut task, "m2\n"), Activity::Ended(End::ProgramEnd));
+    for number in 1..=2 {
+        let Idle::Enter(text) = task.idle() else { panic!("a block by hand") };
+        assert_eq!(
+            task.enter(&text, number, &mut Memory::new("")),
+            Ok(Activity::Entered),
+            "{text}"
+        );
+    }
+    assert_eq!(task.idle(), Idle::Nothing);
+}
+
+#[test]
+fn whether_subs_of_a_program_can_be_called_by_hand_is_left_open() {
+    let is_open = |task: &mut Task<Script>, block: &str, files: &[(&str, &str)]| {
+        let mut source = Memory::new("");
+        for (name, text) in files {
+            source = source.with_file(*name, *text);
+        }
+        matches!(task.enter(block, 1, &mut source), Ok(Activity::Ended(End::Unspecified { .. })))
+    };
+    let mut task = task(Script::default(), &[]);
+    let program =
+        "o9 sub\n#31=[#31+1]\no9 endsub\no1 repeat [1]\no8 sub\no8 endsub\no1 endrepeat\nm2\n";
+    assert_eq!(run(&mut task, program), Activity::Ended(End::ProgramEnd));
+    assert!(is_open(&mut task, "o9 call", &[]));
+    assert!(is_open(&mut task, "o9 call", &[]));
+    assert!(is_open(&mut task, "o8 call", &[]));
+    assert!(is_open(&mut task, "o<x> call", &[("x.ngc", "o<x> sub\no9 call\no<x> endsub\n")]));
+    assert!(!is_open(&mut task, "o7 call", &[]));
+    assert!(!is_open(&mut task, "o9 call", &[("9.ngc", "o9 sub\no9 endsub\n")]));
+    assert_eq!(run(&mut task, "m2\n"), Activity::Ended(End::ProgramEnd));
+    assert!(!is_open(&mut task, "o9 call", &[]));
+}
+
+#[test]
+fn a_percent_line_that_is_refused_is_the_next_block() {
+    for program in ["#31=1\n%\nm2\n", "o1 repeat [1]\n%\no1 endrepeat\nm2\n"] {
+        for aborts in [false, true] {
+            let mut task = task(Script::default(), &[]);
+            let mut source = Memory::new(program);
+            task.start();
+            assert_eq!(task.next_block(&mut source), Some(("main.ngc", 1)));
+            assert_eq!(task.step(&mut source), Ok(Activity::More));
+            assert_eq!(task.next_block(&mut source), Some(("main.ngc", 2)), "{program}");
+            if aborts {
+                task.machine_mut().asked.push((0.0, Action::Abort));
+                assert_eq!(task.step(&mut source), Ok(Activity::Ended(End::Aborted)), "{program}");
+            } else {
+                let Err(crate::Error::Fault(fault)) = task.step(&mut source) else {
+                    panic!("{program}")
+                };
+                assert!(fault.block.is_some_and(|block| block.line == 2), "{program}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_read_behind_an_abort_has_no_bound_but_that_of_the_limits() {
+    let read = |program: &str, blocks_ahead: u32| {
+        let options = Options([("abort.read-ahead".into(), "read-on".into())].into());
+        let limits = Limits { blocks_ahead, ..Limits::default() };
+        let interpreter = Interpreter::new(Kind::default(), options, limits).unwrap();
+        let mut task = Task::new(interpreter, Script::asks(&[(0.5, Action::Abort)]));
+        let mut source = Memory::new(program);
+        task.start();
+        let end = loop {
+            match task.step(&mut source) {
+                Ok(Activity::More) => {}
+                over => break over,
+            }
+        };
+        (end, task.interpreter_mut().parameters().first().copied())
+    };
+    let blocks = "#31=[#31+1]\n".repeat(1500);
+    let (end, counted) = read(&alloc::format!("g4 p1\n{blocks}m2\n"), 100_000);
+    assert_eq!((end, counted), (Ok(Activity::Ended(End::Aborted)), Some((31, 1500.0))));
+    let (end, _) = read("g4 p1\no1 while [1]\no1 endwhile\nm2\n", 100_000);
+    assert!(matches!(end, Err(crate::Error::Beyond { .. })), "{end:?}");
+}
+
+#[test]
 fn what_documents_leave_open_is_said_so() {
     for pauses in [false, true] {
         let asks = [(0.2, Action::Pause), (0.5, Action::CycleStart)];

@@ -142,7 +142,7 @@ pub(super) fn run(machine: &Machine, options: &[(&str, &str)], program: &str) ->
             "call" => run.modal.enter_call(),
             "back" => run.modal.leave_call(&mut run.numbered, &mut run.sink, line),
             "begin" => run.modal.begin(),
-            "abort" => run.modal.abort(&mut run.numbered, &mut run.sink, line),
+            "abort" => run.modal.abort(&mut run.sink, line),
             _ => {
                 let words = words(line, text);
                 let mut result = run.modal.execute(&words, &mut run.numbered, &mut run.sink);
