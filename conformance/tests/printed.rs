@@ -156,6 +156,7 @@ fn programs_are_printed_as_by_rs274() {
         ("spindles.ini", "[TRAJ]\nSPINDLES = 2\n"),
         ("tools.tbl", "T1 P1 Z0.5 D0.125\nT2 P5 X1 Z1 D0.25 I10 J20 Q3\n"),
         ("stored.var", "5210\t1\n5211\t2.5\n5220\t2\n5221\t3\n5241\t10\n"),
+        ("volatile.var", "1\t2.5\n30\t2\n5001\t3\n5160\t4\n5391\t5\n5399\t6\n5429\t7\n5598\t8\n"),
         ("turned.var", "5220\t1\n5221\t2\n5230\t90\n"),
     ];
     let mut wrong = String::new();

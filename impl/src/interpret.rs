@@ -16,7 +16,7 @@ use crate::done::Executed;
 use crate::error::Error;
 use crate::limits::Limits;
 use crate::modal::Modal;
-use crate::parameters::{ItemName, NameId, Named, Numbered};
+use crate::parameters::{ItemName, NameId, Named, Numbered, is_stored};
 use crate::readings::Readings;
 use crate::source::Source;
 use crate::syntax::packed::{Block, Kind, NONE};
@@ -224,10 +224,13 @@ impl Interpreter {
     }
 
     /// Does as LinuxCNC's `rs274` where that departs from its manual and a stand-in for it must follow: a few points only, which the module
-    /// `quirks` lists. Off unless this is called before the program begins.
-    pub fn set_imitation(&mut self, imitates: bool) {
-        self.packer.imitates = imitates;
-        self.modal.imitate(imitates);
+    /// `quirks` lists. Off unless this is called before the program begins, with all that is stored: also what is not persistent is taken over.
+    pub fn imitate(&mut self, stored: impl IntoIterator<Item = (u32, f64)>) {
+        self.packer.imitates = true;
+        for (number, value) in stored.into_iter().filter(|(number, _)| !is_stored(*number)) {
+            self.parameters.numbered.set(number, value);
+        }
+        self.modal.imitate();
     }
 
     /// Reads and executes one block, or a part of one: a canned cycle that is long takes more steps than one. An endless loop is a step that comes back `More`, for ever; a caller can stop it.

@@ -12,7 +12,7 @@
 //! * `rs274.arc-radius-tolerance`: `modal::arcs`.
 //! * `rs274.arc-least-radius`: `modal::arcs`.
 //! * `rs274.continue-seeks-end`: `control::loops`.
-//! * `rs274.stored-rotation`: `modal`.
+//! * `rs274.stored-rotation`: `modal`. What its parameter file holds of parameters that are not persistent it takes over, too (`interpret`).
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::units`, but for restores.
 
 use gaugeblock_trace::LengthUnit;

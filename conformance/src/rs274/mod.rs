@@ -13,7 +13,7 @@
 //! of one block that change the same offset show its last value twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line
 //! of its own is printed as there: rounded F and S of saved state, switches that do not come back, subs that are defined behind their call,
 //! the way of cycles to the R plane, the passes of G76 (`threads`). A few that lead elsewhere the interpreter itself imitates
-//! (`Interpreter::set_imitation`). The others are not: tool offsets of saved state, the position after probing.
+//! (`Interpreter::imitate`). The others are not: tool offsets of saved state, the position after probing.
 //!
 //! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders. User-defined codes run nothing.
 
@@ -93,6 +93,7 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     let forgets = machine::forgets_g92(&ini);
     let kept = stored.iter().filter(|(number, _)| !(forgets && machine::is_g92(**number)));
     machine.parameters = kept.map(|(number, value)| (*number, *value)).collect();
+    let held = machine.parameters.clone();
     let fixed = Fixed {
         tools: machine.tools.iter().filter_map(|tool| i32::try_from(tool.number).ok()).collect(),
         spindles: machine.spindles,
@@ -104,7 +105,7 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
     interpreter.set_block_delete(arguments.block_delete);
     interpreter.set_preview(true);
     interpreter.set_comments_told(true);
-    interpreter.set_imitation(true);
+    interpreter.imitate(held.0);
     let texts = Texts::default();
     let read = [&arguments.program, &arguments.ini, &arguments.tools, &arguments.parameters];
     let written = [(&arguments.output, &read[..]), (&arguments.parameters, &read[..3])];

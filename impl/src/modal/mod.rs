@@ -193,12 +193,11 @@ impl Modal {
         Ok(modal)
     }
 
-    /// Does as `rs274`, or not, from the start on: the point where the machine stands is one without the stored rotation.
-    pub(crate) fn imitate(&mut self, imitates: bool) {
-        self.imitates = imitates;
+    /// Does as `rs274` from the start on: the point where the machine stands is one without the stored rotation.
+    pub(crate) fn imitate(&mut self) {
+        self.imitates = true;
         let now = *self.in_force.now();
-        let rotation = if imitates { 0.0 } else { now.rotation };
-        self.position = Modes { rotation, ..now }.program_of(Coordinates::default());
+        self.position = Modes { rotation: 0.0, ..now }.program_of(Coordinates::default());
     }
 
     /// All settings in force.
