@@ -1,5 +1,6 @@
 //! Lines of RS-274.
 
+use gaugeblock_trace::Program;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -59,6 +60,18 @@ pub(super) fn structure() -> impl Strategy<Value = String> {
     let word = (select(LABELS), select(KEYWORDS), broken)
         .prop_map(|(label, keyword, rest)| format!("o{label} {keyword}{rest}"));
     prop_oneof![5 => word, 1 => select(OTHERS).prop_map(str::to_owned)]
+}
+
+/// A call of what a program or a file defines.
+pub(super) fn call() -> impl Strategy<Value = String> {
+    select(&["o<x> call", "o<x> call [7]", "o1 call", "o2 call [#31]", "m98 p1", "m98 p100 l2"][..])
+        .prop_map(str::to_owned)
+}
+
+/// A program, and the sub of a file beside it.
+pub(super) fn with_file(main: String, sub: &[String]) -> Program {
+    let file = format!("o<x> sub\n{}\no<x> endsub\nm2\n", sub.join("\n"));
+    Program { main, files: [("x.ngc".to_owned(), file)].into(), ..Program::default() }
 }
 
 /// Words, and what may stand where one does, apart by blanks.
