@@ -115,25 +115,6 @@ fn identical_variables_in_a_ring_are_one() {
 }
 
 #[test]
-fn what_is_told_of_a_step_has_changed_in_it() {
-    let program = "IDENTICAL X_A X_B X_C;\nSTART:\n";
-    let told = |sets: &str| {
-        let head = "system X_A change USER_1\nsystem X_B change USER_1\nsystem X_C change USER_1\n";
-        let toolpath = alloc::format!("{head}block NONE: X_A=1\nblock NONE: {sets}\n");
-        let (recorder, end) = run(program, &toolpath, &Options::default(), 100);
-        assert_eq!(end, "program_end", "{sets}");
-        let mut told = recorder.told[3..].to_vec();
-        told.sort();
-        told.join(" ")
-    };
-    assert_eq!(told("X_A=2 X_B=1"), "");
-    assert_eq!(told("X_A=2 X_B=1 X_C=1"), "");
-    let changed = "X_A Some(\"3\") None X_B Some(\"3\") None X_C Some(\"3\") None";
-    assert_eq!(told("X_A=2 X_B=1 X_C=3"), changed);
-    assert_eq!(told("X_A=2 X_B=3"), changed);
-}
-
-#[test]
 fn a_toolpath_has_room_for_so_many_system_variables() {
     let systems = |number: u32| {
         let lines = (0..number).map(|place| alloc::format!("system S_{place} change REAL\n"));

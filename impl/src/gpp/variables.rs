@@ -47,8 +47,6 @@ pub(super) struct Slot {
     set_at: u64,
     /// Its flag before that step.
     was_on: bool,
-    /// Its text before that step, where that is another one.
-    old_text: String,
     /// Whether its text is another one since that step.
     new_text: bool,
 }
@@ -85,7 +83,6 @@ impl Variables {
             on: false,
             set_at: 0,
             was_on: false,
-            old_text: String::new(),
             new_text: false,
         }));
         true
@@ -247,13 +244,7 @@ impl Variables {
         let differs = slot.text != self.scratch;
         if differs {
             core::mem::swap(&mut slot.text, &mut self.scratch);
-            if slot.new_text {
-                // It may be what it was before the step.
-                slot.new_text = slot.text != slot.old_text;
-            } else {
-                core::mem::swap(&mut slot.old_text, &mut self.scratch);
-                slot.new_text = true;
-            }
+            slot.new_text = true;
         }
         differs
     }
