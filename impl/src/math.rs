@@ -99,15 +99,27 @@ pub(crate) fn direction(degrees: f64) -> (f64, f64) {
 }
 /// Sine of an angle in degrees.
 pub(crate) fn sine(degrees: f64) -> f64 {
-    libm::sin(degrees.to_radians())
+    sine_of_radians(degrees.to_radians())
+}
+/// Sine of an angle in radians.
+pub(crate) fn sine_of_radians(radians: f64) -> f64 {
+    libm::sin(radians)
 }
 /// Cosine of an angle in degrees.
 pub(crate) fn cosine(degrees: f64) -> f64 {
-    libm::cos(degrees.to_radians())
+    cosine_of_radians(degrees.to_radians())
+}
+/// Cosine of an angle in radians.
+pub(crate) fn cosine_of_radians(radians: f64) -> f64 {
+    libm::cos(radians)
 }
 /// Tangent of an angle in degrees.
 pub(crate) fn tangent(degrees: f64) -> f64 {
-    libm::tan(degrees.to_radians())
+    tangent_of_radians(degrees.to_radians())
+}
+/// Tangent of an angle in radians.
+pub(crate) fn tangent_of_radians(radians: f64) -> f64 {
+    libm::tan(radians)
 }
 /// Degrees.
 pub(crate) fn arcsine(value: f64) -> f64 {

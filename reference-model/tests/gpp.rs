@@ -73,3 +73,13 @@ fn what_is_open_in_a_condition_is_refused_where_there_is_none() {
         assert_eq!(condition(&statement, &old), in_old, "{tested}");
     }
 }
+
+#[test]
+fn a_line_of_a_toolpath_ends_with_a_line_feed_or_with_the_file() {
+    for toolpath in ["block START:\r\nblock START:", "# x\r\n", "\n", "# x"] {
+        assert_eq!(ending("START:\n", toolpath, &[]), "accepted", "{toolpath:?}");
+    }
+    for toolpath in ["\n# x\r", "\n# x\r\r", "\nformat REAL plus=\r", "\n\r"] {
+        assert_eq!(ending("START:\n", toolpath, &[]), "bad_file at 2", "{toolpath:?}");
+    }
+}

@@ -133,13 +133,13 @@ impl Interpreter {
     #[cold]
     fn find_sub<S: Source>(&mut self, label: NameId, source: &mut S) -> Result<u32, Halt> {
         let mixed = "this number begins a numbered program, which M98 calls";
-        if let Some(segment) = self.sub_of_file(label, source)? {
-            self.set_segment(label, segment);
-            return Ok(segment);
-        }
         if self.is_by_hand() && self.former_subs.contains(&label) {
             let why = "whether the subs of a program that has ended can be called by hand";
             return Err(Halt::Refusal(Refusal::Unspecified(why.into())));
+        }
+        if let Some(segment) = self.sub_of_file(label, source)? {
+            self.set_segment(label, segment);
+            return Ok(segment);
         }
         if self.gather_programs(None, source)?
             && self.programs.as_ref().is_some_and(|programs| programs.contains_key(&label))

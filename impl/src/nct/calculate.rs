@@ -88,12 +88,14 @@ impl Calculator<'_> {
 
     fn function(&self, function: Function, operand: f64) -> Result<f64, Stop> {
         let radians = self.choices.radians;
-        let from = |angle: f64| if radians { angle.to_degrees() } else { angle };
         let to = |degrees: f64| if radians { degrees.to_radians() } else { degrees };
         finite(match function {
-            Function::Cos => math::cosine(from(operand)),
-            Function::Sin => math::sine(from(operand)),
-            Function::Tan => math::tangent(from(operand)),
+            Function::Cos if radians => math::cosine_of_radians(operand),
+            Function::Cos => math::cosine(operand),
+            Function::Sin if radians => math::sine_of_radians(operand),
+            Function::Sin => math::sine(operand),
+            Function::Tan if radians => math::tangent_of_radians(operand),
+            Function::Tan => math::tangent(operand),
             Function::Asin => to(math::arcsine(operand)),
             Function::Acos => to(math::arccosine(operand)),
             Function::Atan => to(math::arctangent(operand, 1.0)),

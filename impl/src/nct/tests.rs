@@ -150,6 +150,22 @@ fn a_unit_in_which_the_position_is_too_large_is_refused() {
 }
 
 #[test]
+fn angles_in_radians_are_of_any_size() {
+    let options = Options([("nct.angles".into(), "radians".into())].into_iter().collect());
+    for angle in ["TAN[EXP[708.3]]", "SIN[-EXP[709]]", "COS[EXP[709.7]]"] {
+        let text = alloc::format!("O1\n#1={angle}\nM30\n");
+        let mut run = CustomMacros::new(&text, &AXES, false, &options).unwrap();
+        let mut recorder = Recorder::default();
+        let end = loop {
+            if let Err(end) = run.step(&mut recorder) {
+                break *end;
+            }
+        };
+        assert_eq!(end, End::ProgramEnd, "{angle}");
+    }
+}
+
+#[test]
 fn calls_within_calls_have_an_end() {
     for text in [
         "O1\nG65 P1\n",

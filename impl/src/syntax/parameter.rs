@@ -196,10 +196,10 @@ impl Packer {
         if !name.starts_with('_') {
             return Place::Local(id);
         }
-        if let Some(entry) = bracketed(name, "_ini") {
+        if let Some(entry) = bracketed(name, "_ini").filter(|entry| entry.contains(']')) {
             return self.entry(entry).map_or(Place::Absent, Place::Entry);
         }
-        if let Some(item) = bracketed(name, "_hal") {
+        if let Some(item) = bracketed(name, "_hal").filter(|item| item.ends_with(']')) {
             return self.place_of_item(item).map_or(Place::Absent, |at| Place::Own(Own::Item(at)));
         }
         if let Some(own) = Own::from_name(name) {
@@ -224,9 +224,9 @@ impl Packer {
     }
 }
 
-/// What stands behind such a word in a name, brackets included; a name without brackets there is one like any other.
+/// What stands behind such a word in a name, the bracket included; a name without one there, or without its end, is one like any other.
 fn bracketed<'a>(name: &'a str, word: &str) -> Option<&'a str> {
-    name.strip_prefix(word).filter(|rest| rest.starts_with('[') && rest.contains(']'))
+    name.strip_prefix(word).filter(|rest| rest.starts_with('['))
 }
 
 /// `#` with a plain number, which is what nearly every parameter is; nothing is taken otherwise. Position is not plain.

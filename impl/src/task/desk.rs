@@ -1,6 +1,5 @@
 //! The desk between interpreter and machine: what the controller is doing, and the state from which pins follow.
 
-use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -84,10 +83,6 @@ pub(super) struct Desk<M> {
     pub(super) synchronised: bool,
     /// Pallets were exchanged last: a stop is the one of M60.
     pub(super) pallets: bool,
-    /// When the block by hand was asked for that is executed, or was.
-    pub(super) asked_at: Option<f64>,
-    /// The block by hand that was asked for at the same time: it comes next.
-    pub(super) next_by_hand: Option<String>,
     /// Depth of calls after the last block.
     pub(super) level: u32,
     /// A block has begun.
@@ -124,8 +119,6 @@ impl<M: Machine> Desk<M> {
             values: Vec::new(),
             synchronised: false,
             pallets: false,
-            asked_at: None,
-            next_by_hand: None,
             level: 0,
             within: false,
             line: 0,
@@ -223,12 +216,11 @@ impl<M: Machine> Desk<M> {
         self.broken.is_some()
     }
 
-    /// Takes an abort that the operator asked for. What was asked for before it is not executed any more.
+    /// Takes an abort that the operator asked for.
     pub(super) fn take_abort(&mut self) -> bool {
         let aborted = self.broken == Some(Break::Abort);
         if aborted {
             self.broken = None;
-            self.next_by_hand = None;
         }
         aborted
     }

@@ -296,12 +296,6 @@ impl<M: Machine> Task<M> {
 
     /// Lets time go by on an idle controller, until it is asked to execute something. Other requests are answered.
     pub fn idle(&mut self) -> Idle {
-        let idle = self.desk.take_next_by_hand().unwrap_or_else(|| self.wait_idle());
-        self.desk.asked_at = Some(self.desk.machine.time());
-        idle
-    }
-
-    fn wait_idle(&mut self) -> Idle {
         loop {
             match self.desk.machine.wait(None) {
                 Happening::Asked(action) => {

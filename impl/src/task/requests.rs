@@ -7,7 +7,9 @@
 //! | resume | nothing | goes on | open | nothing |
 //! | abort | ends | ends | ends | as an abort leaves spindles and coolant |
 //! | a mode | refused where it is another one | refused where it is another one | open | changes |
-//! | a block by hand | refused | refused | open; executed after it where both are asked for at one time | executed in MDI mode, by option in manual mode |
+//! | a block by hand | refused | refused | open | executed in MDI mode, by option in manual mode |
+
+use alloc::string::String;
 
 use gaugeblock_trace::scenario::Action;
 use gaugeblock_trace::{ControllerMode, Effect, Request};
@@ -26,7 +28,7 @@ impl<M: Machine> Desk<M> {
             return;
         }
         if self.doing == Doing::ByHand && action != Action::Abort {
-            self.asked_by_hand(action);
+            self.leave_open("a request while a block that was entered by hand is executed");
             return;
         }
         match action {
@@ -49,37 +51,6 @@ impl<M: Machine> Desk<M> {
             | Action::SpindleOverride { .. }
             | Action::FeedHold(_) => {}
         }
-    }
-
-    /// Answers a request while a block by hand is executed: another block that was asked for at the same time is executed after it.
-    fn asked_by_hand(&mut self, action: Action) {
-        if let Action::Mdi(text) = action
-            && self.no_time_has_passed()
-            && self.next_by_hand.is_none()
-        {
-            self.next_by_hand = Some(text);
-            return;
-        }
-        self.leave_open("a request while a block that was entered by hand is executed");
-    }
-
-    /// Whether it is still the time at which the block by hand was asked for.
-    fn no_time_has_passed(&self) -> bool {
-        self.asked_at.is_some_and(|asked| self.machine.time() <= asked)
-    }
-
-    /// Whether what else is asked has to wait: a block by hand comes before it that is not executed yet.
-    pub(super) fn keeps_order(&self) -> bool {
-        self.next_by_hand.is_some() && self.no_time_has_passed()
-    }
-
-    /// The block by hand that was asked for together with the one that has been executed.
-    pub(super) fn take_next_by_hand(&mut self) -> Option<Idle> {
-        // One that waits for ever is not over.
-        if self.stuck().is_some() {
-            return None;
-        }
-        self.next_by_hand.take().and_then(|text| self.asked_idle(Action::Mdi(text)))
     }
 
     /// Cycle start while a program runs or pauses.
@@ -105,11 +76,11 @@ impl<M: Machine> Desk<M> {
             Action::Abort => self.broken = Some(Break::Abort),
             Action::Mode(mode) => self.change_mode(mode),
             Action::Mdi(text) => match self.mode {
-                ControllerMode::Mdi => return Some(Idle::Enter(text)),
+                ControllerMode::Mdi => return entered(text),
                 ControllerMode::Manual if self.choices.enters_in_manual => {
                     // By itself, before there is a block, which may be refused.
                     self.change_mode(ControllerMode::Mdi);
-                    return Some(Idle::Enter(text));
+                    return entered(text);
                 }
                 ControllerMode::Auto if planted(Fault::EnteredInAuto) => {
                     return Some(Idle::Enter(text));
@@ -141,4 +112,10 @@ impl<M: Machine> Desk<M> {
             let _told = self.machine.perform(self.line, &effect);
         }
     }
+}
+
+/// What is entered by hand. A blank line is no block: nothing is executed for it.
+fn entered(text: String) -> Option<Idle> {
+    let is_blank = text.bytes().all(|byte| matches!(byte, b' ' | b'\t' | b'\r' | b'\n'));
+    (!is_blank).then_some(Idle::Enter(text))
 }

@@ -80,9 +80,7 @@ impl<M: Machine> Desk<M> {
     pub(super) fn may_go_on(&mut self) -> Result<(), Broken> {
         self.within = false;
         loop {
-            if !self.keeps_order()
-                && let Some(action) = self.machine.asked()
-            {
+            if let Some(action) = self.machine.asked() {
                 self.asked(action);
                 if self.broken.is_some() {
                     return Err(Broken);

@@ -118,12 +118,13 @@ fn only_ascii_letters_have_a_case() {
 }
 
 #[test]
-fn a_name_without_a_closing_bracket_is_one_like_any_other() {
+fn a_name_without_brackets_around_an_item_is_one_like_any_other() {
     check_all(&[
         ("#<_hal[x>=5\n#31=#<_hal[x>\nm2\n", "#31 = 5"),
         ("#<_ini[x>=5\n#31=#<_INI[X>\nm2\n", "#31 = 5"),
         ("#<_hal[x]>=5\nm2\n", "refused at 1 read_only_parameter"),
-        ("#<_hal[x]y>=5\nm2\n", "refused at 1 read_only_parameter"),
+        ("#<_hal[x]y>=5\n#31=#<_hal[x]y>\nm2\n", "#31 = 5"),
+        ("#<_ini[x]y>=5\nm2\n", "refused at 1 read_only_parameter"),
     ]);
 }
 

@@ -44,12 +44,25 @@ pub fn read(text: &str, readings: &Readings) -> Result<Toolpath, (u32, Halt)> {
         given: BTreeSet::new(),
         toolpath: Toolpath { variables: Variables::new(formats::all()), blocks: Vec::new() },
     };
-    for (line, number) in text.lines().zip(1..) {
-        reader.line(line, number).map_err(|halt| (number, halt))?;
+    for (line, number) in text.split_inclusive('\n').zip(1..) {
+        let read = content(line).and_then(|line| reader.line(line, number));
+        read.map_err(|halt| (number, halt))?;
     }
     // A format may be given behind the variables that have it.
     reader.toolpath.variables.take_modality_of_formats(readings);
     Ok(reader.toolpath)
+}
+
+/// A line without its end: a line feed, a carriage return and a line feed, or nothing where the file ends.
+fn content(line: &str) -> Result<&str, Halt> {
+    let Some(line) = line.strip_suffix('\n') else {
+        return if line.ends_with('\r') {
+            Err(bad("a carriage return ends no line"))
+        } else {
+            Ok(line)
+        };
+    };
+    Ok(line.strip_suffix('\r').unwrap_or(line))
 }
 
 struct Reader<'a> {

@@ -131,3 +131,11 @@ fn a_sub_with_a_computed_number_holds_what_stands_before_its_own_end() {
         assert_eq!(parameter(&found, 31).to_string(), "2", "{option}");
     }
 }
+
+#[test]
+fn the_number_of_a_program_may_have_as_many_digits_as_a_number() {
+    for number in ["18446744073709551616", "99999999999999999999", "9000000000000001"] {
+        gives(&format!("m98 p{number}\nm2\no{number}\n#31 = 1\nm99\n"), &[(31, 1.0)]);
+        refuses(&format!("m98 p{number}\nm2\no7\nm99\n"), "unknown_sub at main.ngc:1");
+    }
+}

@@ -70,8 +70,9 @@ impl Control {
         };
         let turns = words.letters.get(&'l').copied().unwrap_or(1.0);
         quirks::control::count_too_large(turns, state)?;
-        let label = counted(*number, "P of M98")?.to_string();
-        let turns = counted(turns, "L of M98")?;
+        // It may lie beyond what an integer of the machine holds.
+        let label = format!("{:.0}", counted(*number, "P of M98")?);
+        let turns = saturated(counted(turns, "L of M98")?);
         let none = turns == 0 && !state.readings.quirk("rs274.fanuc-zero-loops");
         let back = Place { line: self.place.line + 1, ..self.place };
         let free = turns == 0 && state.readings.is("fanuc-subs.zero-count-unknown", "accepted");
@@ -236,10 +237,10 @@ fn shared_frame(call: Call, state: &mut State) -> Frame {
 }
 
 /// A number of a program, or a count of turns: the documents say nothing of others than whole ones.
-fn counted(number: f64, what: &str) -> Result<u64, Halt> {
+fn counted(number: f64, what: &str) -> Result<f64, Halt> {
     let whole = number.round() + 0.0;
     if (number - whole).abs() > 0.0001 || whole < 0.0 {
         return Err(Halt::Unspecified(format!("{what} is {number}")));
     }
-    Ok(saturated(whole))
+    Ok(whole)
 }
