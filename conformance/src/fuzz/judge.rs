@@ -2,14 +2,14 @@
 
 use std::cell::Cell;
 
-use gaugeblock_fuzz::generate::nudged;
-use gaugeblock_reference::{Evidence, Kept, Rounding};
-use gaugeblock_trace::{End, Language, Outcome, Scenario, Unsaid};
+use gaugeblock_reference::{Evidence, Kept};
+use gaugeblock_trace::{End, Outcome, Scenario, Unsaid};
 
+use super::fragile::is_fragile;
 use super::signature::Signature;
 use super::statistics::{Statistics, count};
 use super::{Plan, comparable};
-use crate::adapters::{Adapter, Capabilities, HarnessError};
+use crate::adapters::{Adapter, HarnessError};
 use crate::compare::{Divergence, compare, surely_same};
 use crate::observe::Observed;
 
@@ -131,7 +131,7 @@ impl Plan<'_> {
         }
         match self.divergence(scenario, expected, found) {
             None => Came::Same,
-            Some(_) if evidence.is_some() && self.is_fragile(scenario) => {
+            Some(_) if evidence.is_some() && is_fragile(scenario) => {
                 statistics.fragile += 1;
                 Came::Fragile
             }
@@ -153,27 +153,6 @@ impl Plan<'_> {
         let shows = self.iut.shows(scenario).and(&self.against.shows(scenario));
         let comparison = compare(&Observed::of(&expected), &Observed::of(&found), &shows);
         comparison.divergence.map(|divergence| comparable::named(divergence, &expected, &found))
-    }
-
-    /// Whether the model's own answer changes when every transcendental result moves by its last bit, or every position that a conversion of
-    /// units, an offset or a polar word has computed is rounded in another way.
-    fn is_fragile(&self, scenario: &Scenario) -> bool {
-        // A post-processor has no function, and its rounding is told to the last bit.
-        if scenario.program.language == Language::Gpp {
-            return false;
-        }
-        let plain = gaugeblock_reference::run(scenario).0;
-        let shows = Capabilities::everything("reference", "");
-        let differs = |other: &Outcome| {
-            !surely_same(&plain, other, true)
-                && compare(&Observed::of(&plain), &Observed::of(other), &shows).divergence.is_some()
-        };
-        let nudged = [true, false].into_iter().filter_map(|up| nudged(scenario, up));
-        let nudged = nudged.map(|other| gaugeblock_reference::run(&other).0);
-        let rounded = [Rounding::ToDecimals, Rounding::Up, Rounding::Down];
-        let rounded =
-            rounded.map(|rounding| gaugeblock_reference::run_rounded(scenario, rounding).0);
-        nudged.chain(rounded).any(|other| differs(&other))
     }
 
     /// A controller that crashed, hung or flooded is a find; one that was not understood is not judged.

@@ -5,6 +5,7 @@
 //! plan gives the same report however often it was interrupted.
 
 mod comparable;
+mod fragile;
 pub mod groups;
 pub mod journal;
 mod judge;
@@ -26,6 +27,7 @@ use gaugeblock_trace::{Options, Scenario};
 use crate::adapters::Adapter;
 pub use crate::shard::Shard;
 use crate::suite::{Choice, ChoiceKind};
+pub use fragile::is_fragile;
 use groups::{Find, Groups};
 use journal::{Chunk, NotJudged};
 pub use judge::{Came, Difference};

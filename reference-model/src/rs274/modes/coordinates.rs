@@ -43,6 +43,17 @@ impl Rounding {
         })
     }
 
+    /// The distance and the angle of a polar point, of which either may have been computed from another point: each time they are moved on
+    /// by more than a point loses, so that there is no direction in which two points stay one.
+    pub(crate) fn of_polar(self, distance: f64, angle: f64) -> (f64, f64) {
+        let part = match self {
+            Self::AsComputed | Self::ToDecimals => return (distance, angle),
+            Self::Up => 4.0 * f64::EPSILON,
+            Self::Down => -4.0 * f64::EPSILON,
+        };
+        (distance + distance * part, angle + 360.0 * part)
+    }
+
     /// A coordinate that is 0, or as small a number as nobody knows.
     pub(crate) fn of_nothing(self) -> f64 {
         match self {

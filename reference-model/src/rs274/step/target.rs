@@ -151,6 +151,7 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
     if word(words, '@').is_none() || word(words, '^').is_none() {
         state.evidence.accepted("motion.polar-partial");
     }
+    let (distance, angle) = state.modes.rounding.of_polar(distance, angle);
     let (sine, cosine) = math::sine_and_cosine_of_degrees(angle);
     let there = Position { x: distance * cosine, y: distance * sine, ..here };
     Ok(Some(state.modes.rounding.of(there, Position { x: distance, y: distance, ..here })))

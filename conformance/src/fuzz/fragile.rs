@@ -1,0 +1,53 @@
+//! Programs of which nothing can be said, since the last bit of a number decides.
+
+use gaugeblock_fuzz::generate::nudged;
+use gaugeblock_reference::Rounding;
+use gaugeblock_trace::{Language, Outcome, Scenario};
+
+use crate::adapters::Capabilities;
+use crate::compare::{compare, surely_same};
+use crate::observe::Observed;
+
+/// Whether the model's own answer changes when every transcendental result moves by its last bit, or every position that a conversion of
+/// units, an offset or a polar word has computed is rounded in another way.
+///
+/// It runs the scenario up to six times.
+pub fn is_fragile(scenario: &Scenario) -> bool {
+    // A post-processor has no function, and its rounding is told to the last bit.
+    if scenario.program.language == Language::Gpp {
+        return false;
+    }
+    let plain = gaugeblock_reference::run(scenario).0;
+    let shows = Capabilities::everything("reference", "");
+    let differs = |other: &Outcome| {
+        !surely_same(&plain, other, true)
+            && compare(&Observed::of(&plain), &Observed::of(other), &shows).divergence.is_some()
+    };
+    let nudged = [true, false].into_iter().filter_map(|up| nudged(scenario, up));
+    let nudged = nudged.map(|other| gaugeblock_reference::run(&other).0);
+    let rounded = [Rounding::ToDecimals, Rounding::Up, Rounding::Down];
+    let rounded = rounded.map(|rounding| gaugeblock_reference::run_rounded(scenario, rounding).0);
+    nudged.chain(rounded).any(|other| differs(&other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_hangs_on_the_last_bit_of_a_function_or_of_a_point() {
+        let fragile = |program: &str| is_fragile(&Scenario::of(program));
+        assert!(!fragile("f100\ng0 x1.1\ng2 x2.2 r3\nm2\n"));
+        assert!(fragile("g0 x fix[2*sin[30]]\nm2\n"));
+        // The point of the second arc is the one where the first ended, or the one beside it.
+        assert!(fragile("f1\ng0 @7 ^48\ng2 ^10 r13\ng2 ^10 r13\nm2\n"));
+        assert!(!fragile("f1\ng0 @7 ^48\ng2 ^10 r13\ng2 ^48 r13\nm2\n"));
+        // Whichever of the two this one is, by our numbers.
+        for degrees in 1..360 {
+            let again =
+                |words: &str| fragile(&format!("f1\ng0 @7 ^[{degrees}+.5]\ng2 {words} r13\nm2\n"));
+            assert!(again(&format!("^[{degrees}+.5]")) && again("@7"), "{degrees}");
+            assert!(!again(&format!("@7 ^[{degrees}+.5]")), "{degrees}");
+        }
+    }
+}
