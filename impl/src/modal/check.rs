@@ -184,6 +184,11 @@ impl Modal {
                     );
                 }
             }
+            (1, None | Some(800 | 53))
+                if block.g(NON_MODAL) == Some(100) && self.reloads_tools(words) =>
+            {
+                return refuse(FaultKind::UnusedWord, "G10 L0 with axis words");
+            }
             // G43.1 and a code of group 0 may both use them: only a code of group 1 beside one of those is an error (11.4.13, 11.5.29).
             (_, None | Some(800 | 53)) => block.motion = explicit,
             _ => return refuse(FaultKind::AxisWords, "axis words that two codes use"),

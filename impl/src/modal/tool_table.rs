@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Effect, FaultKind, Tool};
 
 use crate::canon::Sink;
+use crate::math;
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -19,15 +20,13 @@ use super::values::{integer, integer_in};
 const FIXTURE: u32 = 9;
 
 impl Modal {
+    /// Whether G10 is L0, beside which a word has no use (11.5.12); rs274 accepts it.
+    pub(super) fn reloads_tools(&self, words: &Words) -> bool {
+        !self.imitates && words.get(b'L').and_then(math::near_integer) == Some(0)
+    }
+
     /// G10 L0. What a program writes is in the table at once, so that it reads what is there.
-    pub(super) fn reload_tools(
-        &self,
-        words: &Words,
-        numbered: &mut Numbered,
-    ) -> Result<(), Refusal> {
-        if words.has_axes() {
-            return refuse(FaultKind::AxisWords, "G10 L0 with axis words");
-        }
+    pub(super) fn reload_tools(&self, numbered: &mut Numbered) -> Result<(), Refusal> {
         if self.tool != 0 {
             return refuse(FaultKind::ModalConflict, "G10 L0 with a tool in the spindle");
         }

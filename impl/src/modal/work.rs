@@ -138,7 +138,7 @@ impl Modal {
     ) -> Result<(), Refusal> {
         let kind = integer_in(words.get(b'L').unwrap_or(0.0), 0, 20, "L of G10")?;
         match kind {
-            0 => self.reload_tools(words, numbered),
+            0 => self.reload_tools(numbered),
             1 | 10 | 11 => self.set_tool_entry(words, kind, numbered, sink),
             2 | 20 => self.set_origin(words, kind, numbered),
             _ => refuse(FaultKind::WordOutOfRange, format!("there is no G10 L{kind}")),

@@ -70,7 +70,10 @@ fn reloaded() {
     check("g10 l1 p1 z2; g10 l0; g43 h1", After("tool_offset = (z2)"));
     check("t1 m6; g10 l0", Refused(ModalConflict));
     check("g10 l0 p1", Refused(UnusedWord));
-    check("g10 l0 x1", Refused(AxisWords));
+    check("g10 l0 x1", Refused(UnusedWord));
+    check("m7 g10 l0 x1", Refused(UnusedWord));
+    check("g10 l0 g43.1 x1", After("tool_offset = (x1)"));
+    check("g10 l0 g0 x1", Refused(AxisWords));
 }
 
 #[test]

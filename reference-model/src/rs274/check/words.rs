@@ -11,12 +11,15 @@ use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::motion::{is_arc, motion_of};
 use crate::rs274::step::{letter, whole};
 
-/// Refuses words without a use. Those of axes, feed, speed and tool stand for themselves.
+/// Refuses words without a use. Those of axes, but for G10 L0, and of feed, speed and tool stand for themselves.
 pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
     axes(words, state)?;
     polar(words)?;
     for letter in words.letters.keys().copied() {
-        let itself = is_of_axis(letter) || matches!(letter, 'f' | 's' | 't');
+        let itself = match letter {
+            'f' | 's' | 't' => true,
+            _ => is_of_axis(letter) && !beside_reload(letter, words, state),
+        };
         if !itself && !is_used(letter, words, state) {
             return Err(unused(letter, words, state));
         }
@@ -88,9 +91,24 @@ fn is_used(letter: char, words: &Words, state: &State) -> bool {
     serves_speed || codes.any(uses) || by_arc(letter, words, state)
 }
 
+/// Whether an axis word stands beside G10 L0, which takes none, and beside no other code that uses it.
+fn beside_reload(letter: char, words: &Words, state: &State) -> bool {
+    let kind = kind_of_offset_data(words);
+    if !words.g.contains(&100) || kind != Some(0) {
+        return false;
+    }
+    let users = words.g.iter().filter_map(|code| g_code(*code)).filter(|code| code.axis_words);
+    users.count() == 1 && !quirks::goes_with_offset_data(letter, kind, state)
+}
+
+/// The L of G10.
+fn kind_of_offset_data(words: &Words) -> Option<i32> {
+    words.letters.get(&'l').copied().and_then(whole)
+}
+
 /// Whether G10 uses a letter: its L says which.
 fn used_by_offset_data(letter: char, words: &Words, state: &State) -> bool {
-    let kind = words.letters.get(&'l').copied().and_then(whole);
+    let kind = kind_of_offset_data(words);
     let letters = match kind {
         Some(0) => "l",
         Some(1 | 10 | 11) => "lpqrij",

@@ -183,7 +183,7 @@ pub(crate) fn speed_while_standing(place: usize, state: &mut State) {
 /// Quirk rs274.offset-data-words. With G10 a word may stand that another of its kinds uses.
 pub(crate) fn goes_with_offset_data(letter: char, kind: Option<i32>, state: &State) -> bool {
     let letters = match kind {
-        Some(0) => "pqrij",
+        Some(0) => "pqrijxyzabcuvw",
         Some(2 | 20) => "q",
         _ => return false,
     };
