@@ -18,9 +18,10 @@ const ABSOLUTE: f64 = 1e-6;
 const RELATIVE: f64 = 1e-9;
 const IN_MESSAGES: f64 = 2e-6;
 
-/// Whether two numbers are equal for a controller of this resolution.
+/// Whether two numbers are equal for a controller of this resolution. What is no number is as another that is none.
 pub fn numbers(a: f64, b: f64, resolution: f64) -> bool {
     (a - b).abs() <= ABSOLUTE + resolution + RELATIVE * a.abs().max(b.abs())
+        || a.is_nan() && b.is_nan()
 }
 
 /// Whether two positions are equal, axis by axis.
@@ -112,5 +113,11 @@ mod tests {
         assert!(!texts("a=1", "b=1"));
         assert!(!texts("a=1 ", "a=1"));
         assert!(texts("", ""));
+    }
+
+    #[test]
+    fn what_is_no_number_equals_no_number() {
+        assert!(numbers(f64::NAN, -f64::NAN, 0.0));
+        assert!(!numbers(f64::NAN, 0.0, 1.0) && !numbers(0.0, f64::NAN, 1.0));
     }
 }

@@ -142,6 +142,7 @@ pub const QUIRKS: &[&str] = &[
     "rs274.additional-length-axes",
     "rs274.any-endsub",
     "rs274.arc-least-radius",
+    "rs274.arc-no-radius",
     "rs274.arc-radius-tolerance",
     "rs274.blend-q-without-p",
     "rs274.break-remembered",

@@ -54,6 +54,8 @@ fn an_arc_has_a_centre_and_a_radius_that_are_numbers() {
     for arc in ["g2 y1 i#3", "g2 y#3 i#3 j#3", "g90.1 g2 x1 i-#3 j0", "g91 g2 x#3 r#3"] {
         refuses(&format!("{far}f1 g0 x#3\n{arc}\nm2\n"), "bad_arc at main.ngc:6");
     }
+    gives("g2 x0.001 r0.0001 f1\nm2\n", &[(5420, 0.001)]);
+    refuses("g2 x0.001 r0 f1\nm2\n", "bad_arc at main.ngc:1");
 }
 
 #[test]
@@ -161,7 +163,7 @@ fn whether_the_subs_of_an_ended_program_can_be_called_by_hand_is_left_open() {
     assert_eq!(ending("#32=[100/#31]"), "program_end");
 }
 
-/// Of a word that is missing the block alone tells, before it waits.
+/// Of a word that is missing the block alone tells, before it waits; of other faults nobody says whether it waits before.
 #[test]
 fn a_block_without_a_word_that_it_needs_waits_for_nothing() {
     let options = [("inputs.without-timeout", "accepted")];
@@ -173,6 +175,9 @@ fn a_block_without_a_word_that_it_needs_waits_for_nothing() {
         assert_eq!(ending(code), "missing_word at main.ngc:1", "{code}");
     }
     assert_eq!(ending("g43.1 x1"), "budget of time");
+    for code in ["g43.2", "m61", "m19", "g38.2", "g28.1 x1", "x1"] {
+        assert_eq!(ending(code), "unspecified at main.ngc:1", "{code}");
+    }
     refuses("m6 g4\nm2\n", "missing_word at main.ngc:1");
 }
 
@@ -195,6 +200,8 @@ fn what_the_operator_may_not_ask_for_now_is_left_open() {
     for mode in [ControllerMode::Mdi, ControllerMode::Manual] {
         assert_eq!(ending(Start::Mdi, &[(0.5, Action::Mode(mode))]), open);
     }
+    assert_eq!(ending(Start::Mdi, &[(0.5, Action::Resume)]), open);
+    assert_eq!(ending(Start::Program, &[(0.5, Action::Resume)]), "program_end");
     assert_eq!(ending(Start::Program, &[(0.5, Action::Mode(ControllerMode::Auto))]), "program_end");
 }
 

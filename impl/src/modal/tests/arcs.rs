@@ -73,13 +73,15 @@ fn what_is_finite_in_the_end_is_an_arc() {
 }
 
 #[test]
-fn what_is_not_finite_is_no_arc() {
+fn what_has_no_radius_or_is_not_finite_is_no_arc() {
     for line in [
         "g2 x1 i1.7e308 j1.7e308",
         "g0 x1.7e308; g2 i1.7e308",
         "g0 x1.7e308; g3 y1 x1.7e308 r-1.7e308",
         "g0 x1.7e308; g2 y-1 x1.7e308 r-1.7e308",
         "g0 x-1.7e308; g2 x1.7e308 r1",
+        // No rounding makes a radius of zero.
+        "g2 x0.0001 r0",
     ] {
         check(&alloc::format!("f1; {line}"), Refused(BadArc));
     }

@@ -32,6 +32,11 @@ pub(crate) fn least_radius(state: &State) -> f64 {
     }
 }
 
+/// Quirk rs274.arc-no-radius. A radius of zero that is within what is lost when numbers are written has a centre that is no number.
+pub(crate) fn arcs_without_radius(state: &State) -> bool {
+    state.readings.quirk("rs274.arc-no-radius")
+}
+
 /// Quirk rs274.machine-without-axes. G53 needs no axis word where G0 or G1 stands in its block.
 pub(crate) fn machine_without_axes(words: &Words, state: &State) -> bool {
     let programmed = words.g.iter().any(|code| [0, 10].contains(code));

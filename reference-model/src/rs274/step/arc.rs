@@ -271,14 +271,19 @@ fn centre_of_radius(
             LengthUnit::Millimetre => 0.001_27,
         };
         let accepted = state.readings.is("arcs.radius-just-too-small", "half-circle");
-        if !accepted || short > tolerance {
-            if short <= tolerance {
+        // A radius of zero is none, however it is rounded: it has no sign that tells which arc is meant.
+        let none = radius == 0.0 && !quirks::arcs_without_radius(state);
+        if !accepted || none || short > tolerance {
+            if !none && short <= tolerance {
                 state.evidence.refused("arcs.radius-just-too-small");
             }
             let message = format!("a radius of {radius} for points {} apart", 2.0 * half);
             return Err(refuse("arcs.radius-too-small", FaultKind::BadArc, message));
         }
         state.evidence.accepted("arcs.radius-just-too-small");
+        if radius == 0.0 {
+            return Ok((f64::NAN, f64::NAN));
+        }
     }
     let centre = centre_beside_chord(start, chord, radius, clockwise);
     has_numbers(centre, radius)?;

@@ -183,7 +183,7 @@ impl Run<'_> {
                     rest = done;
                     None
                 }
-                Err(Halt::WaitsForEver) => return Err(self.waits_for_ever()),
+                Err(Halt::WaitsForEver) => return Err(self.waits_before(phase, phases, words)),
                 Err(refused @ Halt::Refused(_)) if self.state.outside.time() > began => {
                     Some(refused)
                 }
@@ -226,6 +226,18 @@ impl Run<'_> {
             control::assign(settings, &mut self.state)?;
         }
         Ok(rest)
+    }
+
+    /// A block waits for ever for one of its phases. Where a later one has a fault, no document says whether that is found before.
+    fn waits_before(&mut self, phase: Phase, phases: Phases, words: &Words) -> Halt {
+        let mut state = self.state.clone();
+        let mut record = Record::new(&state);
+        let mut later = phases.iter().skip_while(|before| *before != phase).skip(1);
+        if later.any(|phase| order::execute(phase, words, &mut state, &mut record).is_err()) {
+            let why = "a block that waits for ever before a part of it that has a fault";
+            return Halt::Unspecified(why.to_owned());
+        }
+        self.waits_for_ever()
     }
 
     /// Reading ahead ends with what waits for the machine, unless that is refused. A tool change has stopped the spindle by then.

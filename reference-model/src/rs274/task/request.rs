@@ -82,7 +82,7 @@ impl Run<'_> {
             }
             Action::Abort => return Err(Halt::Ended(End::Aborted)),
             Action::Pause => return self.pause(activity),
-            Action::Resume => return Ok(self.resume(activity)),
+            Action::Resume => return self.resume(activity),
             Action::CycleStart => return self.cycle_start(activity),
             Action::Mode(mode) => self.change_mode(*mode, activity)?,
             Action::Mdi(_) => return self.enter(happening.place, activity),
@@ -99,13 +99,16 @@ impl Run<'_> {
     }
 
     /// Rule pause.resume. After a pause the program goes on at the following block.
-    fn resume(&mut self, activity: Activity) -> Answer {
+    fn resume(&mut self, activity: Activity) -> Result<Answer, Halt> {
+        if self.by_hand && activity == Activity::Running {
+            return Err(self.open("resume"));
+        }
         self.pause_asked = false;
         if !matches!(activity, Activity::Paused(_)) {
-            return Answer::Nothing;
+            return Ok(Answer::Nothing);
         }
         self.state.evidence.accepted("pause.resume");
-        Answer::GoesOn
+        Ok(Answer::GoesOn)
     }
 
     /// Cycle start.
