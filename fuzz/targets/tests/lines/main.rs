@@ -1,10 +1,11 @@
-//! Programs of a few lines that have to do with each other, whole and broken, of few labels and names, under any options.
+//! Programs of a few lines that have to do with each other, whole and broken, of few labels, names and words, under any options.
 //!
 //! Generated programs are right for the most part, and bytes are not: neither has a broken sub in a skipped condition in a loop.
 
 mod gpp;
 mod nct;
 mod rs274;
+mod words;
 
 use std::cell::Cell;
 use std::sync::LazyLock;
@@ -137,6 +138,14 @@ fn blocks_do_the_same() {
     hold(90, kind, |(blocks, block_delete, picked)| {
         let main = format!("f10\n{}\nm2\n", blocks.join("\n"));
         scenario(Program { main, block_delete, ..Program::default() }, &picked)
+    });
+}
+
+/// Every code with words that it uses, needs or does not know, in whatever state it comes.
+#[test]
+fn words_do_the_same() {
+    hold(80, (words::program(), any::<u32>(), picked()), |(main, number, picked)| {
+        elsewhere(number, Program { main, ..Program::default() }, &picked)
     });
 }
 
