@@ -13,11 +13,22 @@
 //! * `rs274.arc-least-radius`: `modal::arcs`.
 //! * `rs274.continue-seeks-end`: `control::loops`.
 //! * `rs274.stored-rotation`: `modal`. What its parameter file holds of parameters that are not persistent it takes over, too (`interpret`).
+//! * `rs274.compensation-order` and `rs274.unused-minus-one`: `modal::check`.
+//! * `rs274.polar-repeated`: `syntax::block`.
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::units`, but for restores.
 
 use gaugeblock_trace::LengthUnit;
 
 use crate::math;
+use crate::modal::letters::{L, Q};
+use crate::words::Words;
+
+/// Letters that a block may have though no code of it uses them: L with G41 and G42, and Q-1.
+pub(crate) fn ignored(words: &Words, compensation: Option<u16>) -> u32 {
+    let l = if matches!(compensation, Some(410 | 420)) { L } else { 0 };
+    let q = if words.get(b'Q').is_some_and(|q| (q + 1.0).abs() <= 0.0) { Q } else { 0 };
+    l | q
+}
 
 /// `#1` to `#30` in a sub where the call passes none.
 pub(crate) const UNPASSED: [f64; 30] = [0.0; 30];

@@ -5,11 +5,12 @@ use alloc::format;
 use gaugeblock_trace::{FaultKind, Motion};
 
 use crate::faults::{Fault, planted};
+use crate::quirks;
 use crate::words::Words;
 
 use super::Modal;
 use super::codes::{
-    COOLANT, FREE, G_GROUPS, GCode, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES,
+    COMPENSATION, COOLANT, FREE, G_GROUPS, GCode, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES,
     SINGLE_OVERRIDES, STOP_RANK, TOOL_LENGTH, g_code, m_code, set_data,
 };
 use super::letters::{AXES, F, H, I, J, K, S, T, X, Y, first_letter};
@@ -89,6 +90,9 @@ impl Modal {
         if self.imitates && block.m().any(|(_, code)| code == 19) {
             // Quirks rs274.orient-without-angle and rs274.orient-without-timeout.
             taken.needs = 0;
+        }
+        if self.imitates {
+            taken.uses |= quirks::ignored(words, block.g(COMPENSATION));
         }
         check_words(words, &taken)?;
         check_polar(&block, &taken)?;

@@ -22,7 +22,7 @@ mod cycles;
 mod end;
 mod execute;
 mod io;
-mod letters;
+pub(crate) mod letters;
 mod modes;
 mod motion;
 mod motions;

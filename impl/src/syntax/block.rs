@@ -313,7 +313,8 @@ impl Packer {
         cursor.step();
         self.value(cursor, into, self.bracket_depth)?;
         let bit = 1_u32.wrapping_shl(u32::from(place));
-        if items.letters & bit != 0 {
+        let polar = matches!(op, Op::At | Op::Caret);
+        if items.letters & bit != 0 && !(polar && self.imitates) {
             return cursor.refuse_from(start, FaultKind::RepeatedWord, "a word stands twice");
         }
         items.letters |= bit;

@@ -54,8 +54,10 @@ fn an_arc_has_a_centre_and_a_radius_that_are_numbers() {
     for arc in ["g2 y1 i#3", "g2 y#3 i#3 j#3", "g90.1 g2 x1 i-#3 j0", "g91 g2 x#3 r#3"] {
         refuses(&format!("{far}f1 g0 x#3\n{arc}\nm2\n"), "bad_arc at main.ngc:6");
     }
-    gives("g2 x0.001 r0.0001 f1\nm2\n", &[(5420, 0.001)]);
-    refuses("g2 x0.001 r0 f1\nm2\n", "bad_arc at main.ngc:1");
+    let options = [("arcs.radius-just-too-small", "half-circle")];
+    let ending = |program| ending(&outcome_under(&options, program));
+    assert_eq!(ending("g2 x0.001 r0.0001 f1\nm2\n"), "program_end");
+    assert_eq!(ending("g2 x0.001 r0 f1\nm2\n"), "bad_arc at main.ngc:1");
 }
 
 #[test]

@@ -20,7 +20,8 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
             'f' | 's' | 't' => true,
             _ => is_of_axis(letter) && !beside_reload(letter, words, state),
         };
-        if !itself && !is_used(letter, words, state) {
+        let ignored = quirks::is_ignored(letter, words, state);
+        if !itself && !ignored && !is_used(letter, words, state) {
             return Err(unused(letter, words, state));
         }
     }

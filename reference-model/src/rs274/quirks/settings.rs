@@ -180,6 +180,21 @@ pub(crate) fn speed_while_standing(place: usize, state: &mut State) {
     state.modes.spindles[place].brake_released |= quirk;
 }
 
+/// Quirk rs274.unused-minus-one. An unused Q-1 is taken for no word.
+/// Quirk rs274.compensation-order. G41 and G42 take L.
+pub(crate) fn is_ignored(letter: char, words: &Words, state: &State) -> bool {
+    match letter {
+        'q' => {
+            words.letters.get(&'q') == Some(&-1.0) && state.readings.quirk("rs274.unused-minus-one")
+        }
+        'l' => {
+            words.g.iter().any(|code| [410, 420].contains(code))
+                && state.readings.quirk("rs274.compensation-order")
+        }
+        _ => false,
+    }
+}
+
 /// Quirk rs274.offset-data-words. With G10 a word may stand that another of its kinds uses.
 pub(crate) fn goes_with_offset_data(letter: char, kind: Option<i32>, state: &State) -> bool {
     let letters = match kind {

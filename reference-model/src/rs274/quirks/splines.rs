@@ -31,10 +31,11 @@ pub(crate) fn quadratic_of_zero(state: &State) -> bool {
     state.readings.quirk("rs274.quadratic-of-zero")
 }
 
-/// Quirk rs274.nurbs-weight. Each control point needs P.
+/// Quirk rs274.nurbs-weight. Each control point behind that of G5.2 needs P.
 pub(crate) fn needs_weight(words: &Words, state: &State) -> Result<(), Halt> {
     let rule = "rs274.nurbs-weight";
-    if !words.letters.contains_key(&'p') && state.readings.quirk(rule) {
+    let opens = words.g.contains(&52);
+    if !opens && !words.letters.contains_key(&'p') && state.readings.quirk(rule) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "a control point without its weight"));
     }
     Ok(())

@@ -71,9 +71,13 @@ pub(crate) fn absolute(argument: f64, readings: &Readings) -> f64 {
 }
 
 /// Quirk rs274.repeated-negative-word: a P or Q of -1 or less counts as none, so that another one may follow it.
+/// Quirk rs274.polar-repeated: so may a polar word in any case.
 pub(crate) fn may_be_repeated(letter: char, earlier: f64, readings: &Readings) -> bool {
-    let counts_as_none = matches!(letter, 'p' | 'q') && earlier <= -1.0;
-    counts_as_none && readings.quirk("rs274.repeated-negative-word")
+    match letter {
+        '@' | '^' => readings.quirk("rs274.polar-repeated"),
+        'p' | 'q' => earlier <= -1.0 && readings.quirk("rs274.repeated-negative-word"),
+        _ => false,
+    }
 }
 
 /// Quirk rs274.rounded-zero-sign: what ROUND makes zero has no sign.

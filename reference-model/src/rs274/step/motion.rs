@@ -84,11 +84,14 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     if words.g.contains(&53) || motion == Motion::Nurbs {
         return splines::nurbs(words, state, record);
     }
-    state.curve.open = None;
+    let in_data_block = state.curve.open.take().is_some();
     let continues = std::mem::take(&mut state.curve.continues);
     if motion == Motion::None {
         cancel(words, programmed, state)
     } else if matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline) {
+        if in_data_block {
+            return Err(Halt::Unspecified("another spline in an open data block".to_owned()));
+        }
         state.curve.continues = continues;
         splines::perform(motion, words, state, record)
     } else if matches!(motion, Motion::SpindleSynchronised | Motion::RigidTap) {
