@@ -13,7 +13,8 @@
 //! * `rs274.arc-least-radius`: `modal::arcs`.
 //! * `rs274.continue-seeks-end`: `control::loops`.
 //! * `rs274.stored-rotation`: `modal`. What its parameter file holds of parameters that are not persistent it takes over, too (`interpret`).
-//! * `rs274.compensation-order` and `rs274.unused-minus-one`: `modal::check`.
+//! * `rs274.compensation-l-word` and `rs274.unused-q-minus-one`: `modal::check`.
+//! * `rs274.offset-data-words`, of axis words alone: `modal::tool_table`.
 //! * `rs274.polar-repeated`: `syntax::block`.
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::units`, but for restores.
 
@@ -25,7 +26,9 @@ use crate::words::Words;
 
 /// Letters that a block may have though no code of it uses them: L with G41 and G42, and Q-1.
 pub(crate) fn ignored(words: &Words, compensation: Option<u16>) -> u32 {
-    let l = if matches!(compensation, Some(410 | 420)) { L } else { 0 };
+    let order = words.get(b'L').and_then(math::near_integer);
+    let takes_l = matches!(compensation, Some(410 | 420)) && order.is_some_and(|order| order >= 0);
+    let l = if takes_l { L } else { 0 };
     let q = if words.get(b'Q').is_some_and(|q| (q + 1.0).abs() <= 0.0) { Q } else { 0 };
     l | q
 }

@@ -9,7 +9,7 @@ use crate::compare::{Divergence, end_text};
 /// What a refused block did before it was refused is unspecified, and so are the parameters after it. A run whose budget ran out is the
 /// beginning of a longer one, and what a budget counts is each interpreter's own: blocks that both finished are compared. What a step of a
 /// post-processor costs is told, and so is what counts of custom macros, so that there budgets end both at the same step.
-pub(super) fn comparable(mut expected: Outcome, mut found: Outcome) -> (Outcome, Outcome) {
+pub fn comparable(mut expected: Outcome, mut found: Outcome) -> (Outcome, Outcome) {
     if expected.language != Language::Rs274 && found.language != Language::Rs274 {
         return (expected, found);
     }

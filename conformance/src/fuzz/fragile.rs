@@ -42,7 +42,7 @@ mod tests {
         // The point of the second arc is the one where the first ended, or the one beside it.
         assert!(fragile("f1\ng0 @7 ^48\ng2 ^10 r13\ng2 ^10 r13\nm2\n"));
         assert!(!fragile("f1\ng0 @7 ^48\ng2 ^10 r13\ng2 ^48 r13\nm2\n"));
-        // Whichever of the two this one is, by our numbers.
+        // At every angle, also where our numbers make them one point.
         for degrees in 1..360 {
             let again =
                 |words: &str| fragile(&format!("f1\ng0 @7 ^[{degrees}+.5]\ng2 {words} r13\nm2\n"));

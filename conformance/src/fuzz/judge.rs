@@ -145,7 +145,7 @@ impl Plan<'_> {
         expected: Outcome,
         found: Outcome,
     ) -> Option<Divergence> {
-        let (expected, found) = comparable::comparable(expected, found);
+        let (expected, found) = comparable(expected, found);
         let show_pins = |side: &dyn Adapter| !side.capabilities().pins.is_empty();
         if surely_same(&expected, &found, show_pins(self.iut) && show_pins(self.against)) {
             return None;

@@ -27,6 +27,7 @@ use gaugeblock_trace::{Options, Scenario};
 use crate::adapters::Adapter;
 pub use crate::shard::Shard;
 use crate::suite::{Choice, ChoiceKind};
+pub use comparable::comparable;
 pub use fragile::is_fragile;
 use groups::{Find, Groups};
 use journal::{Chunk, NotJudged};

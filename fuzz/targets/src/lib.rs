@@ -7,7 +7,7 @@ use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::reference::Reference;
 use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock::compare::compare;
-use gaugeblock::fuzz::is_fragile;
+use gaugeblock::fuzz::{comparable, is_fragile};
 use gaugeblock::observe::Observed;
 use gaugeblock_fuzz::generate::{self, Dice, odd, pairs};
 use gaugeblock_fuzz::oracle;
@@ -112,8 +112,17 @@ pub enum Agreement {
 /// They differ, or one of them crashes.
 #[track_caller]
 pub fn agree(scenario: &Scenario) -> Agreement {
-    let (reference, production) = (Reference::default(), Production::default());
-    let sides = (of(&reference, scenario), of(&production, scenario));
+    agree_with(&Production::default(), scenario)
+}
+
+/// The model and a controller do the same with a scenario, where both say what that is. Of one that is not ours no more is asked than by `fuzz`.
+///
+/// # Panics
+/// They differ, or one of them crashes.
+#[track_caller]
+pub fn agree_with(controller: &dyn Adapter, scenario: &Scenario) -> Agreement {
+    let reference = Reference::default();
+    let sides = (of(&reference, scenario), of(controller, scenario));
     let (Some(expected), Some(found)) = sides else { return Agreement::Open };
     let silent = |outcome: &Outcome| {
         matches!(outcome.end, End::Unsupported { .. } | End::Unspecified { .. })
@@ -121,7 +130,9 @@ pub fn agree(scenario: &Scenario) -> Agreement {
     if silent(&expected) || silent(&found) {
         return Agreement::Open;
     }
-    let shows = reference.shows(scenario).and(&production.shows(scenario));
+    let (expected, found) =
+        if controller.is_within() { (expected, found) } else { comparable(expected, found) };
+    let shows = reference.shows(scenario).and(&controller.shows(scenario));
     let comparison = compare(&Observed::of(&expected), &Observed::of(&found), &shows);
     match comparison.divergence {
         None => Agreement::Same,

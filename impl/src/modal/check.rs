@@ -189,7 +189,7 @@ impl Modal {
                 }
             }
             (1, None | Some(800 | 53))
-                if block.g(NON_MODAL) == Some(100) && self.reloads_tools(words) =>
+                if block.g(NON_MODAL) == Some(100) && self.refuses_axes_of_reload(words) =>
             {
                 return refuse(FaultKind::UnusedWord, "G10 L0 with axis words");
             }

@@ -20,8 +20,8 @@ use super::values::{integer, integer_in};
 const FIXTURE: u32 = 9;
 
 impl Modal {
-    /// Whether G10 is L0, beside which a word has no use (11.5.12); rs274 accepts it.
-    pub(super) fn reloads_tools(&self, words: &Words) -> bool {
+    /// Whether G10 is L0, beside which an axis word has no use (11.5.12); rs274 accepts it.
+    pub(super) fn refuses_axes_of_reload(&self, words: &Words) -> bool {
         !self.imitates && words.get(b'L').and_then(math::near_integer) == Some(0)
     }
 

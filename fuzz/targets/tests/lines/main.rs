@@ -8,12 +8,14 @@ mod rs274;
 mod words;
 
 use std::cell::Cell;
+use std::io::Write as _;
 use std::sync::LazyLock;
 
+use gaugeblock::adapters::rs274::Rs274;
 use gaugeblock::suite::{Choice, ChoiceKind, Suite, files};
 use gaugeblock_fuzz::generate::{self, BUDGET, Recipe};
-use gaugeblock_fuzz_targets::{Agreement, agree};
-use gaugeblock_trace::scenario::{Action, OperatorEvent, When};
+use gaugeblock_fuzz_targets::{Agreement, agree, agree_with};
+use gaugeblock_trace::scenario::{Action, Bench, OperatorEvent, When};
 use gaugeblock_trace::{Block, Language, Options, Program, Scenario};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -92,22 +94,29 @@ fn line(
     (select(lines), behind).prop_map(|(line, behind)| format!("{line}{behind}"))
 }
 
-/// Model and production do the same with the scenarios of a kind.
+/// Model and production do the same with the scenarios of a kind, of which at least a share, in per cent, is judged.
+fn hold<S: Strategy>(share: u32, kind: S, scenario: impl Fn(S::Value) -> Scenario) {
+    hold_with(agree, (share, programs()), kind, scenario);
+}
+
+/// Two controllers do the same with so many scenarios of a kind.
 ///
 /// At least `share` of them, in per cent, are judged to their end: programs of which one side says nothing would hold for ever.
-fn hold<S: Strategy>(share: u32, kind: S, scenario: impl Fn(S::Value) -> Scenario) {
-    let config = ProptestConfig {
-        failure_persistence: None,
-        cases: programs(),
-        ..ProptestConfig::default()
-    };
+fn hold_with<S: Strategy>(
+    agree: impl Fn(&Scenario) -> Agreement,
+    (share, programs): (u32, u32),
+    kind: S,
+    scenario: impl Fn(S::Value) -> Scenario,
+) {
+    let config =
+        ProptestConfig { failure_persistence: None, cases: programs, ..ProptestConfig::default() };
     let judged = Cell::new(0);
     let ran = TestRunner::new(config).run(&kind, |made| {
         judged.set(judged.get() + u32::from(agree(&scenario(made)) == Agreement::Same));
         Ok(())
     });
     ran.unwrap_or_else(|failed| panic!("{failed}"));
-    let judged = 100.0 * f64::from(judged.get()) / f64::from(programs());
+    let judged = 100.0 * f64::from(judged.get()) / f64::from(programs);
     assert!(judged >= f64::from(share), "{judged:.1} % were judged, {share} % at least should be");
 }
 
@@ -147,6 +156,39 @@ fn words_do_the_same() {
     hold(80, (words::program(), any::<u32>(), picked()), |(main, number, picked)| {
         elsewhere(number, Program { main, ..Program::default() }, &picked)
     });
+}
+
+/// The model of what LinuxCNC's `rs274` was seen to do takes them as that does, where it is installed.
+#[test]
+fn words_are_taken_as_by_rs274() {
+    let theirs = match Rs274::find(None) {
+        Ok(found) => found,
+        Err(error) => {
+            // Written past the test runner, which keeps what passing tests print to itself.
+            let notice = format!("left out: words are taken as by rs274 ({error})\n");
+            return std::io::stderr().write_all(notice.as_bytes()).expect("it can be written");
+        }
+    };
+    let observed = SUITE.editions.iter().find(|edition| edition.id == "rs274-2.9-observed");
+    let edition = observed.expect("the suite has this edition");
+    let (options, name) = (SUITE.options(edition), edition.bench.clone());
+    // A limit of zero is told and left: C93 of the findings.
+    let told = |main: &String| main.contains("g96") && main.contains(" d0\n");
+    let kind = words::program().prop_filter("it is told", move |main| !told(main));
+    // Each starts a process.
+    let share_and_programs = (70, programs().div_euclid(10).max(1));
+    hold_with(
+        |scenario| agree_with(&theirs, scenario),
+        share_and_programs,
+        kind,
+        |main| Scenario {
+            program: Program { main, ..Program::default() },
+            options: options.clone(),
+            bench: Bench { name: name.clone(), ..Bench::default() },
+            budget: BUDGET,
+            ..Scenario::default()
+        },
+    );
 }
 
 /// Tokens that make a line or none.

@@ -11,7 +11,7 @@ use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::motion::{is_arc, motion_of};
 use crate::rs274::step::{letter, whole};
 
-/// Refuses words without a use. Those of axes, but for G10 L0, and of feed, speed and tool stand for themselves.
+/// Refuses words without a use. F, S, T and axis words need no code of their own, but for axis words beside G10 L0.
 pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
     axes(words, state)?;
     polar(words)?;
@@ -20,8 +20,8 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
             'f' | 's' | 't' => true,
             _ => is_of_axis(letter) && !beside_reload(letter, words, state),
         };
-        let ignored = quirks::is_ignored(letter, words, state);
-        if !itself && !ignored && !is_used(letter, words, state) {
+        let used = itself || is_used(letter, words, state);
+        if !used && !quirks::is_ignored(letter, words, state) {
             return Err(unused(letter, words, state));
         }
     }

@@ -44,7 +44,7 @@ impl Rounding {
     }
 
     /// The distance and the angle of a polar point, of which either may have been computed from another point: each time they are moved on
-    /// by more than a point loses, so that there is no direction in which two points stay one.
+    /// by more than the rounding error of a point, so that two points that may be one become different.
     pub(crate) fn of_polar(self, distance: f64, angle: f64) -> (f64, f64) {
         let part = match self {
             Self::AsComputed | Self::ToDecimals => return (distance, angle),

@@ -1,6 +1,6 @@
 //! Quirks of moves, arcs, rotated systems and the tool table.
 
-use gaugeblock_trace::{FaultKind, FeedMode, LengthUnit, Motion, Plane, Position};
+use gaugeblock_trace::{Distance, FaultKind, FeedMode, LengthUnit, Motion, Plane, Position};
 
 use crate::math;
 use crate::rs274::machine::State;
@@ -108,6 +108,17 @@ pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), Halt> {
     let at_origin = state.position.x == 0.0 && state.position.y == 0.0;
     if at_origin && word(words, '^').is_none() && state.readings.quirk(rule) {
         let message = "a distance without an angle, from the origin";
+        return Err(refuse(rule, FaultKind::AxisWords, message));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.polar-to-origin. Nor may an incremental polar move end there.
+pub(crate) fn polar_end(distance: f64, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.polar-to-origin";
+    let incremental = state.modes.distance == Distance::Incremental;
+    if incremental && distance == 0.0 && state.readings.quirk(rule) {
+        let message = "an incremental polar move to the origin";
         return Err(refuse(rule, FaultKind::AxisWords, message));
     }
     Ok(())

@@ -7,7 +7,7 @@ use crate::rs274::modes::{ModalGroup, Modes, converted, each, is_rotary};
 use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
-use crate::rs274::step::spindle;
+use crate::rs274::step::{spindle, whole};
 
 /// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch. In
 /// millimetres.
@@ -31,9 +31,9 @@ pub(crate) fn m_uses_no_dollar(m_code: u32, state: &State) -> bool {
     [48, 49].contains(&m_code) && state.readings.quirk("rs274.override-dollar")
 }
 
-/// Quirk rs274.speed-override-dollar. M51 takes no $0.
+/// Quirk rs274.speed-override-dollar. M51 takes no $0, nor what is rounded toward that.
 pub(crate) fn override_dollar(spindle: f64, state: &State) -> Result<(), Halt> {
-    if spindle == 0.0 && state.readings.quirk("rs274.speed-override-dollar") {
+    if spindle.trunc() == 0.0 && state.readings.quirk("rs274.speed-override-dollar") {
         let message = "M51 with $0";
         return Err(refuse("rs274.speed-override-dollar", FaultKind::SpindleOutOfRange, message));
     }
@@ -180,16 +180,19 @@ pub(crate) fn speed_while_standing(place: usize, state: &mut State) {
     state.modes.spindles[place].brake_released |= quirk;
 }
 
-/// Quirk rs274.unused-minus-one. An unused Q-1 is taken for no word.
-/// Quirk rs274.compensation-order. G41 and G42 take L.
+/// Quirk rs274.unused-q-minus-one. An unused Q-1 is taken for no word.
+/// Quirk rs274.compensation-l-word. G41 and G42 take L, an integer.
 pub(crate) fn is_ignored(letter: char, words: &Words, state: &State) -> bool {
     match letter {
         'q' => {
-            words.letters.get(&'q') == Some(&-1.0) && state.readings.quirk("rs274.unused-minus-one")
+            words.letters.get(&'q') == Some(&-1.0)
+                && state.readings.quirk("rs274.unused-q-minus-one")
         }
         'l' => {
+            let order = words.letters.get(&'l').copied().and_then(whole);
             words.g.iter().any(|code| [410, 420].contains(code))
-                && state.readings.quirk("rs274.compensation-order")
+                && order.is_some_and(|order| order >= 0)
+                && state.readings.quirk("rs274.compensation-l-word")
         }
         _ => false,
     }

@@ -271,7 +271,7 @@ fn centre_of_radius(
             LengthUnit::Millimetre => 0.001_27,
         };
         let accepted = state.readings.is("arcs.radius-just-too-small", "half-circle");
-        // A radius of zero is none, however it is rounded: it has no sign that tells which arc is meant.
+        // No circle has a radius of zero, and no number that is written is rounded to it.
         let none = radius == 0.0 && !quirks::arcs_without_radius(state);
         if !accepted || none || short > tolerance {
             if !none && short <= tolerance {

@@ -74,6 +74,10 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     if words.g.contains(&530) {
         machine_coordinates_possible(motion, words, state)?;
     }
+    let spline = matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline | Motion::Nurbs);
+    if state.curve.open.is_some() && !spline && !words.g.contains(&53) {
+        return Err(Halt::Unspecified("another motion in an open data block".to_owned()));
+    }
     if cycles::is_cycle(motion) {
         state.curve = splines::Curve::default();
         return cycles::perform(motion, words, state, record);
@@ -89,11 +93,8 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     if motion == Motion::None {
         cancel(words, programmed, state)
     } else if matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline) {
-        if in_data_block {
-            return Err(Halt::Unspecified("another spline in an open data block".to_owned()));
-        }
         state.curve.continues = continues;
-        splines::perform(motion, words, state, record)
+        splines::perform(motion, in_data_block, words, state, record)
     } else if matches!(motion, Motion::SpindleSynchronised | Motion::RigidTap) {
         threading::perform(motion, words, state, record)
     } else if motion == Motion::Thread76 {

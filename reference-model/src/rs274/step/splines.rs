@@ -51,6 +51,7 @@ pub struct Curve {
 /// splines.cubic-first-direction, splines.quadratic-offset.
 pub(super) fn perform(
     motion: Motion,
+    in_data_block: bool,
     words: &Words,
     state: &mut State,
     record: &mut Record,
@@ -66,6 +67,9 @@ pub(super) fn perform(
     }
     if !has_axis_words(words) {
         return Err(quirks::without_axis_words(state));
+    }
+    if in_data_block {
+        return Err(Halt::Unspecified("another spline in an open data block".to_owned()));
     }
     super::motion::feed_possible(words, state)?;
     let end = end_point(words, state)?;

@@ -144,6 +144,7 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
     let current_angle = math::degrees_of(here.y, here.x);
     let distance = distance.map_or(current_distance, |value| from * current_distance + value);
     let angle = angle.map_or(current_angle, |value| from * current_angle + value);
+    quirks::polar_end(distance, state)?;
     state.evidence.accepted("motion.polar");
     if incremental {
         state.evidence.accepted("motion.polar-incremental");

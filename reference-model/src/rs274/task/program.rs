@@ -233,8 +233,12 @@ impl Run<'_> {
         let mut state = self.state.clone();
         let mut record = Record::new(&state);
         let mut later = phases.iter().skip_while(|before| *before != phase).skip(1);
-        if later.any(|phase| order::execute(phase, words, &mut state, &mut record).is_err()) {
-            let why = "a block that waits for ever before a part of it that has a fault";
+        let is_no_matter_of_course = |phase| {
+            let executed = order::execute(phase, words, &mut state, &mut record);
+            !matches!(executed, Ok(_) | Err(Halt::WaitsForEver))
+        };
+        if later.any(is_no_matter_of_course) {
+            let why = "a block that waits for ever before a part of it that is refused, or open";
             return Halt::Unspecified(why.to_owned());
         }
         self.waits_for_ever()
