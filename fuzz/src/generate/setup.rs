@@ -74,8 +74,10 @@ fn machine(dice: &mut Dice<'_>, free: bool) -> Machine {
 
 /// A tool table and stored parameters.
 fn stored(dice: &mut Dice<'_>, free: bool, machine: &mut Machine) {
-    for number in 1..=dice.range(0, 4) {
-        let number = number + 10 * dice.below(2);
+    // Number 0 is a tool where tools change places, and none elsewhere.
+    let first = u32::from(!dice.chance(8));
+    for number in first..=dice.range(0, 4) {
+        let number = if number == 0 { 0 } else { number + 10 * dice.below(2) };
         let mut tool = Tool { number, diameter: quarter(dice), ..Tool::default() };
         tool.offset.z = quarter(dice);
         if dice.chance(20) {

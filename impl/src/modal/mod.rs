@@ -151,7 +151,6 @@ impl Modal {
         for (number, value) in machine.parameters.0.iter().filter(|(at, _)| is_stored(**at)) {
             numbered.set(*number, *value);
         }
-        let in_spindle = initial_tool(machine);
         let mut modal = Self {
             in_force: InForce::new(initial_modes(machine, &choices, numbered), spindles),
             motion: match choices.initial_motion {
@@ -165,7 +164,7 @@ impl Modal {
             compensation_radius: 0.0,
             surface_speed: false,
             feed_spindle: 0,
-            tool: in_spindle.map_or(0, tool::number_of),
+            tool: initial_tool(machine).map_or(0, tool::number_of),
             prepared: None,
             selected: None,
             tools: machine.tools.clone(),
@@ -189,7 +188,7 @@ impl Modal {
         };
         // The machine stands at its origin (11.1.2).
         modal.position = modal.in_force.now().program_of(Coordinates::default());
-        offsets::store_tool(numbered, modal.tool, in_spindle.unwrap_or(&Tool::default()));
+        modal.publish_tool(numbered);
         Ok(modal)
     }
 

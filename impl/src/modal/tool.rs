@@ -32,6 +32,12 @@ impl Modal {
         self.tools.iter().find(|tool| number_of(tool) == number)
     }
 
+    /// The tool in the spindle, when the tool table holds it. 11.5.28: number 0 is none, except where tools change places.
+    fn loaded(&self) -> Option<&Tool> {
+        let none = self.tool == 0 && !self.random_tool_changer;
+        self.tool_numbered(self.tool).filter(|_| !none)
+    }
+
     /// T: which tool the next change puts into the spindle.
     pub(super) fn prepare_tool<K: Sink>(
         &mut self,
@@ -48,14 +54,15 @@ impl Modal {
         // T0 is no tool, except where tools change places: there it is a number like any other (11.8.3).
         let tool = match found {
             _ if number == 0 && !self.random_tool_changer => NO_TOOL,
-            Some(tool) => number_of(tool),
-            None if self.choices.tool_must_exist => {
+            // 11.5.28: number 0 of the table is no tool there, so that its slot is empty.
+            Some(tool) if number_of(tool) != 0 || self.random_tool_changer => number_of(tool),
+            _ if self.choices.tool_must_exist => {
                 return refuse(
                     FaultKind::ToolNotFound,
                     "the tool table does not hold the tool of T",
                 );
             }
-            None => NO_TOOL,
+            _ => NO_TOOL,
         };
         self.prepared = Some(tool);
         self.selected = Some(tool);
@@ -157,8 +164,7 @@ impl Modal {
     /// Writes the tool in the spindle into its parameters.
     pub(super) fn publish_tool(&self, numbered: &mut Numbered) {
         let none = Tool::default();
-        let tool = self.tool_numbered(self.tool).unwrap_or(&none);
-        offsets::store_tool(numbered, self.tool, tool);
+        offsets::store_tool(numbered, self.tool, self.loaded().unwrap_or(&none));
     }
 
     /// G43, G43.1, G43.2, G49. They move nothing: the point gets other coordinates.
@@ -208,7 +214,7 @@ impl Modal {
             return refuse(FaultKind::WordOutOfRange, alloc::format!("{letter} is negative"));
         }
         if number == 0 && !self.random_tool_changer {
-            return Ok(self.tool_numbered(self.tool).filter(|_| self.tool != 0));
+            return Ok(self.loaded());
         }
         match self.tool_numbered(number) {
             Some(tool) => Ok(Some(tool)),

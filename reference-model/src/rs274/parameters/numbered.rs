@@ -10,6 +10,7 @@ use crate::rs274::modes::start_system;
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::Halt;
+use crate::rs274::step::tool::loaded;
 
 /// The greatest number of a parameter.
 const LAST: u32 = 5602;
@@ -104,11 +105,7 @@ fn computed(number: u32, state: &State) -> f64 {
     if let Some(axis) = position_of(number) {
         return state.position.get(axis);
     }
-    let tool =
-        state.machine.tools.iter().find(|tool| {
-            state.known_tool > 0 && i64::from(tool.number) == i64::from(state.known_tool)
-        });
-    match (number, tool) {
+    match (number, loaded(state)) {
         (TOOL, _) => f64::from(state.known_tool),
         (_, None) => 0.0,
         (5410, Some(tool)) => tool.diameter,
