@@ -13,7 +13,7 @@
 //! * `rs274.arc-least-radius`: `modal::arcs`.
 //! * `rs274.continue-seeks-end`: `control::loops`.
 //! * `rs274.stored-rotation`: `modal`. What its parameter file holds of parameters that are not persistent it takes over, too (`interpret`).
-//! * `rs274.compensation-l-word` and `rs274.unused-q-minus-one`: `modal::check`.
+//! * `rs274.compensation-l-word`, `rs274.dynamic-compensation-r-word`, `rs274.synchronised-e-word` and `rs274.unused-q-minus-one`: `modal::check`.
 //! * `rs274.offset-data-words`, of axis words alone: `modal::tool_table`.
 //! * `rs274.polar-repeated`: `syntax::block`.
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::units`, but for restores.
@@ -21,16 +21,18 @@
 use gaugeblock_trace::LengthUnit;
 
 use crate::math;
-use crate::modal::letters::{L, Q};
+use crate::modal::letters::{E, L, Q, R};
 use crate::words::Words;
 
-/// Letters that a block may have though no code of it uses them: L with G41 and G42, and Q-1.
-pub(crate) fn ignored(words: &Words, compensation: Option<u16>) -> u32 {
+/// Letters that a block may have though no code of it uses them: L with G41 and G42, R with G41.1 and G42.1, E with G33 and G33.1, and Q-1.
+pub(crate) fn ignored(words: &Words, compensation: Option<u16>, motion: Option<u16>) -> u32 {
     let order = words.get(b'L').and_then(math::near_integer);
     let takes_l = matches!(compensation, Some(410 | 420)) && order.is_some_and(|order| order >= 0);
     let l = if takes_l { L } else { 0 };
+    let e = if matches!(motion, Some(330 | 331)) { E } else { 0 };
+    let r = if matches!(compensation, Some(411 | 421)) { R } else { 0 };
     let q = if words.get(b'Q').is_some_and(|q| (q + 1.0).abs() <= 0.0) { Q } else { 0 };
-    l | q
+    e | l | q | r
 }
 
 /// `#1` to `#30` in a sub where the call passes none.

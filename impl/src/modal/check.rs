@@ -92,7 +92,8 @@ impl Modal {
             taken.needs = 0;
         }
         if self.imitates {
-            taken.uses |= quirks::ignored(words, block.g(COMPENSATION));
+            let motion = block.g(MOTION).or(implied);
+            taken.uses |= quirks::ignored(words, block.g(COMPENSATION), motion);
         }
         check_words(words, &taken)?;
         check_polar(&block, &taken)?;

@@ -113,7 +113,7 @@ pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Quirk rs274.polar-to-origin. Nor may an incremental polar move end there.
+/// Quirk rs274.polar-to-origin. Nor may an incremental polar move with an angle end there.
 pub(crate) fn polar_end(distance: f64, state: &State) -> Result<(), Halt> {
     let rule = "rs274.polar-to-origin";
     let incremental = state.modes.distance == Distance::Incremental;

@@ -29,6 +29,17 @@ pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), Halt> 
     Ok(())
 }
 
+/// Quirk rs274.rest-of-restore-block. Whether something is programmed again that can leave all as it was: a tool offset where none is known,
+/// a feed or speed that is rounded to the one in force, overrides.
+pub(crate) fn programs(saved: &Modes, now: &Modes) -> bool {
+    let is_on = |modes: &Modes| modes.tool_offset != Position::default();
+    let timed = saved.feed_mode == FeedMode::InverseTime;
+    is_on(saved) != is_on(now)
+        || !timed && !same(saved.feed_number, now.feed_number)
+        || !same(saved.spindles[0].speed, now.spindles[0].speed)
+        || saved.feed_override != now.feed_override
+}
+
 /// Quirk rs274.plane-restore. G17, G18 or G19 is programmed before G40, and refused where the cutter is compensated.
 pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), Halt> {
     let rule = "rs274.plane-restore";

@@ -1,18 +1,38 @@
 //! Quirks of modes, offsets, spindle, overrides and the program end.
 
-use gaugeblock_trace::{Axis, Distance, FaultKind, Position, SpindleLimit, SpindleMode, Switch};
+use std::borrow::Cow;
+
+use gaugeblock_trace::{
+    Axis, Distance, FaultKind, Motion, Position, SpindleLimit, SpindleMode, Switch,
+};
 
 use crate::rs274::machine::State;
-use crate::rs274::modes::{ModalGroup, Modes, converted, each, is_rotary};
+use crate::rs274::modes::{ModalGroup, Modes, Spindle, converted, each, is_rotary};
 use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::step::motion::motion_of;
 use crate::rs274::step::{spindle, whole};
 
 /// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch. In
 /// millimetres.
 pub(crate) fn initial_tolerance(readings: &Readings) -> f64 {
     if readings.quirk("linuxcnc.initial-tolerance") { 0.0254 } else { 0.0 }
+}
+
+/// Quirk rs274.surface-limit-zero. Surface speed that is limited to zero is told as revolutions per minute. Returns what is told.
+pub(crate) fn told(state: &State) -> Cow<'_, Modes> {
+    let limited = |spindle: &Spindle| spindle.limit == SpindleLimit::Rpm(0.0);
+    let any = state.modes.spindles.iter().any(limited);
+    if !any || !state.readings.quirk("rs274.surface-limit-zero") {
+        return Cow::Borrowed(&state.modes);
+    }
+    let mut modes = state.modes.clone();
+    for spindle in modes.spindles.iter_mut().filter(|spindle| limited(spindle)) {
+        spindle.mode = SpindleMode::Rpm;
+        spindle.limit = SpindleLimit::None;
+    }
+    Cow::Owned(modes)
 }
 
 /// Quirk rs274.override-any-p. Any P but zero enables.
@@ -182,6 +202,8 @@ pub(crate) fn speed_while_standing(place: usize, state: &mut State) {
 
 /// Quirk rs274.unused-q-minus-one. An unused Q-1 is taken for no word.
 /// Quirk rs274.compensation-l-word. G41 and G42 take L, an integer.
+/// Quirk rs274.dynamic-compensation-r-word. G41.1 and G42.1 take R, any number.
+/// Quirk rs274.synchronised-e-word. G33 and G33.1 take E.
 pub(crate) fn is_ignored(letter: char, words: &Words, state: &State) -> bool {
     match letter {
         'q' => {
@@ -194,8 +216,20 @@ pub(crate) fn is_ignored(letter: char, words: &Words, state: &State) -> bool {
                 && order.is_some_and(|order| order >= 0)
                 && state.readings.quirk("rs274.compensation-l-word")
         }
+        'r' => {
+            words.g.iter().any(|code| [411, 421].contains(code))
+                && state.readings.quirk("rs274.dynamic-compensation-r-word")
+        }
+        'e' => takes_e(words, state),
         _ => false,
     }
+}
+
+/// Quirk rs274.synchronised-e-word. Whether the block moves as by G33 or G33.1, with which E, any number, may stand.
+pub(crate) fn takes_e(words: &Words, state: &State) -> bool {
+    let synchronised = [Motion::SpindleSynchronised, Motion::RigidTap];
+    motion_of(words, state).is_some_and(|motion| synchronised.contains(&motion))
+        && state.readings.quirk("rs274.synchronised-e-word")
 }
 
 /// Quirk rs274.offset-data-words. With G10 a word may stand that another of its kinds uses.

@@ -10,7 +10,7 @@ use gaugeblock_trace::{Axis, FaultKind, Sorted};
 
 use super::machine::State;
 use super::parameters::{self, Name};
-use super::quirks::text as quirks;
+use super::quirks::{settings, text as quirks};
 use super::refusal::{Halt, refuse_at};
 use super::syntax::{Block, Comment, Expression, Setting, Word};
 pub use evaluate::evaluate;
@@ -51,7 +51,7 @@ pub fn read(block: &Block, state: &mut State) -> Result<Words, Halt> {
     for setting in settings {
         words.settings.push(read_setting(setting, state)?);
     }
-    extra_letter(block, &words)?;
+    extra_letter(block, &words, state)?;
     axis_letters(&words, state);
     reach_settings(&words, state);
     state.parameters.announce(&words.settings);
@@ -96,10 +96,10 @@ fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), Hal
 }
 
 /// Rule text.word-letters. E is no letter of the table: only G76 and M66 to M68 have it.
-fn extra_letter(block: &Block, words: &Words) -> Result<(), Halt> {
+fn extra_letter(block: &Block, words: &Words, state: &State) -> Result<(), Halt> {
     let of_codes = words.m.iter().any(|code| (66..=68).contains(code)) || words.g.contains(&760);
     match block.words.iter().find(|word| word.letter == 'e') {
-        Some(word) if !of_codes => {
+        Some(word) if !of_codes && !settings::takes_e(words, state) => {
             let message = "the letter E begins no word without G76, M66, M67 or M68";
             Err(refuse_at("text.word-letters", FaultKind::BadCharacter, word.span, message))
         }

@@ -7,6 +7,7 @@ use crate::rs274::control::{Frame, Style};
 use crate::rs274::machine::State;
 use crate::rs274::modes::SavedState;
 use crate::rs274::order::Rest;
+use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -142,10 +143,11 @@ fn restore_explicitly(state: &mut State) -> Result<Rest, Halt> {
     }
     let mut before = state.modes.clone();
     restore(&saved.modes, state)?;
-    // The unit of an offset of zero is nothing that changes.
+    // Of a tool offset its unit is nothing that changes, nor whether one of zero is on.
     before.tool_offset_unit = state.modes.tool_offset_unit;
-    let changed = state.modes != before;
-    let drop = changed && state.readings.quirk("rs274.rest-of-restore-block");
+    before.tool_length = state.modes.tool_length;
+    let restores = state.modes != before || quirks::programs(&saved.modes, &before);
+    let drop = restores && state.readings.quirk("rs274.rest-of-restore-block");
     Ok(if drop { Rest::Drop } else { Rest::Execute })
 }
 

@@ -143,8 +143,10 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
     let current_distance = math::hypotenuse(here.x, here.y);
     let current_angle = math::degrees_of(here.y, here.x);
     let distance = distance.map_or(current_distance, |value| from * current_distance + value);
+    if angle.is_some() {
+        quirks::polar_end(distance, state)?;
+    }
     let angle = angle.map_or(current_angle, |value| from * current_angle + value);
-    quirks::polar_end(distance, state)?;
     state.evidence.accepted("motion.polar");
     if incremental {
         state.evidence.accepted("motion.polar-incremental");

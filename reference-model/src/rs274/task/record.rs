@@ -12,6 +12,7 @@ use crate::rs274::machine::State;
 use crate::rs274::modes::Modes;
 use crate::rs274::outside::stub::Told;
 use crate::rs274::parameters::{self, Name};
+use crate::rs274::quirks::settings as quirks;
 use crate::rs274::step::feed::Speed;
 use crate::rs274::step::{outputs, pass};
 
@@ -266,8 +267,9 @@ impl Record {
         if state.modes == self.modes {
             return;
         }
-        let changed = state.modes.settings_since(&self.modes);
-        self.modes.clone_from(&state.modes);
+        let told = quirks::told(state);
+        let changed = told.settings_since(&self.modes);
+        self.modes.clone_from(&told);
         if changed != Settings::default() {
             self.push(Event::Set(changed.into()));
         }
@@ -285,7 +287,7 @@ impl Record {
     pub fn is_idle(&self, state: &State) -> bool {
         self.events.is_empty()
             && (state.modes == self.modes
-                || state.modes.settings_since(&self.modes) == Settings::default())
+                || quirks::told(state).settings_since(&self.modes) == Settings::default())
     }
 
     /// What the stub of a machine is told of the moves of the block that is being executed.
