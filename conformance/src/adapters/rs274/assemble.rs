@@ -104,6 +104,9 @@ pub(super) fn decided_by_line(source: &Source) -> Outcome {
     }
 }
 
+/// Why a block is not judged that has a spline and a tool change or the program end.
+const HIDDEN_SPLINE: &str = "where a spline ends beside a tool change or the program end";
+
 /// T0 selects no tool, since tools do not change places here; once a tool was selected, or the table written, it shows as tool 0.
 fn select_none(step: &mut Step) {
     if let Some(State::Rs274(state)) = &mut step.state
@@ -138,6 +141,8 @@ impl Assembly<'_> {
             self.canon.take_events();
             self.start = self.canon.now.clone();
             self.steps.begin(probe)?;
+        } else if self.canon.hides_spline(false) {
+            self.unsupported(HIDDEN_SPLINE.to_owned());
         } else {
             self.canon.settle(probe)?;
             self.canon.arrived(state::position(probe));
@@ -160,6 +165,10 @@ impl Assembly<'_> {
             self.unsupported("an end whose state cannot be asked for".to_owned());
             return Ok(());
         };
+        if self.canon.hides_spline(true) {
+            self.unsupported(HIDDEN_SPLINE.to_owned());
+            return Ok(());
+        }
         self.canon.end(|canon| canon.settle(probe))?;
         let events = self.canon.take_events();
         self.steps.ended(probe, seen.parameters, events, self.canon.tool)?;

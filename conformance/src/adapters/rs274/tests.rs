@@ -285,6 +285,13 @@ fn what_it_stubs_is_unsupported() {
 }
 
 #[test]
+fn where_a_spline_ends_is_unsupported_where_no_probe_tells_it() {
+    let Some(outcome) = run("f9 g5.1 x1 y1 i1 j1 m2\n") else { return };
+    let End::Unsupported { what, .. } = &outcome.end else { panic!("{:?}", outcome.end) };
+    assert!(what.contains("where a spline ends"), "{what}");
+}
+
+#[test]
 fn a_crash_is_no_outcome() {
     let Some(controller) = controller() else { return };
     let result = controller.run(&Scenario::of("o<a(b)c> call\nm2\n"));

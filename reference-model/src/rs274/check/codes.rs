@@ -170,6 +170,7 @@ fn axis_words_once(
     codes: &[(Written, Code)],
     state: &mut State,
 ) -> Result<(), Halt> {
+    quirks::cancel_beside_offset(words, state)?;
     let user = |group: ModalGroup| {
         codes.iter().find(|(_, code)| code.group == Some(group) && code.axis_words)
     };

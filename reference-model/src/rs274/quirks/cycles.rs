@@ -3,6 +3,7 @@
 use gaugeblock_trace::{Axis, Plane, Position};
 
 use crate::rs274::machine::State;
+use crate::rs274::read::Words;
 use crate::rs274::step::whole;
 
 /// Quirk rs274.cycle-rise. Whether there is a rise before the first move in the plane goes by the level at which the row of
@@ -46,6 +47,13 @@ pub(crate) fn negative_dwell(seconds: f64, state: &State) -> bool {
 /// Quirk rs274.tap-dwell-kept. A tap without P dwells as the last cycle did that had one.
 pub(crate) fn dwell_of_tap(state: &State) -> Option<f64> {
     state.readings.quirk("rs274.tap-dwell-kept").then_some(state.cycle_dwell)
+}
+
+/// Quirk rs274.unused-q-minus-one. A Q-1 is none for a cycle either.
+pub(crate) fn peck(words: &Words, state: &State) -> Option<f64> {
+    let peck = words.letters.get(&'q').copied();
+    let none = peck == Some(-1.0) && state.readings.quirk("rs274.unused-q-minus-one");
+    peck.filter(|_| !none)
 }
 
 /// Quirk rs274.cycle-dollar. No cycle uses $. Quirk rs274.left-tap-repeat. G74 does not use L.

@@ -124,6 +124,11 @@ pub(crate) fn polar_end(distance: f64, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
+/// Quirk rs274.polar-arc-plane. For an arc with a radius outside of the XY plane polar words name no axis of the plane.
+pub(crate) fn polar_names_none(state: &State) -> bool {
+    state.modes.plane != Plane::Xy && state.readings.quirk("rs274.polar-arc-plane")
+}
+
 /// Quirk rs274.polar-plane. Polar words are refused where the block before left another plane than XY; what their own block selects does
 /// not count.
 pub(crate) fn polar_plane(state: &State) -> Result<(), Halt> {

@@ -8,6 +8,7 @@ use gaugeblock_trace::{
 
 use crate::rs274::machine::State;
 use crate::rs274::modes::{ModalGroup, Modes, Spindle, converted, each, is_rotary};
+use crate::rs274::order::has_axis_words;
 use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse};
@@ -198,6 +199,17 @@ pub(crate) fn forget_turning(state: &mut State) {
 pub(crate) fn speed_while_standing(place: usize, state: &mut State) {
     let quirk = state.readings.quirk("linuxcnc.speed-releases-brake");
     state.modes.spindles[place].brake_released |= quirk;
+}
+
+/// Quirk rs274.cancel-beside-offset. G80 is refused beside G43.1 and G43.2 with axis words.
+pub(crate) fn cancel_beside_offset(words: &Words, state: &State) -> Result<(), Halt> {
+    let rule = "rs274.cancel-beside-offset";
+    let offset = words.g.iter().any(|code| [431, 432].contains(code)) && has_axis_words(words);
+    if offset && words.g.contains(&800) && state.readings.quirk(rule) {
+        let message = "G80 in a block with the axis words of a tool length offset";
+        return Err(refuse(rule, FaultKind::AxisWords, message));
+    }
+    Ok(())
 }
 
 /// Quirk rs274.unused-q-minus-one. An unused Q-1 is taken for no word.

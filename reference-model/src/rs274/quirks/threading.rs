@@ -1,6 +1,6 @@
 //! Quirks of motion with the spindle.
 
-use gaugeblock_trace::{FaultKind, Position, Switch};
+use gaugeblock_trace::{FaultKind, Lathe, Position, Switch};
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
@@ -29,6 +29,17 @@ pub(crate) fn direction(way: f64, state: &State) -> f64 {
     if nowhere { -1.0 } else { way.signum() }
 }
 
+/// Quirk rs274.thread-diameter-change. A block of G76 that changes between radius and diameter converts I, J and K once more than others do:
+/// halved where it changes to diameters, doubled where it changes to radii.
+pub(crate) fn of_new_diameters(state: &State) -> f64 {
+    let changes = state.lathe_before != state.modes.lathe;
+    match state.modes.lathe {
+        _ if !changes || !state.readings.quirk("rs274.thread-diameter-change") => 1.0,
+        Lathe::Diameter => 0.5,
+        Lathe::Radius => 2.0,
+    }
+}
+
 /// Quirk rs274.thread-clearance. Each pass of G76 begins and ends as much further out than the drive line as it is less deep
 /// than the last one.
 pub(crate) fn clearance(less_deep: f64, state: &State) -> f64 {
@@ -36,7 +47,7 @@ pub(crate) fn clearance(less_deep: f64, state: &State) -> f64 {
 }
 
 /// Quirk rs274.thread-clearance. A last traverse leads to the end of the drive line, even from there.
-/// Quirk rs274.thread-other-axes. It leads to where X and Y of the block say.
+/// Quirk rs274.thread-other-axes. It leads to where X and Y, or polar words, of the block say.
 pub(crate) fn after_thread(
     words: &Words,
     start: Position,
@@ -44,7 +55,7 @@ pub(crate) fn after_thread(
     state: &mut State,
 ) -> Result<Option<Position>, Halt> {
     let other = state.readings.quirk("rs274.thread-other-axes")
-        && ['x', 'y'].iter().any(|letter| words.letters.contains_key(letter));
+        && ['x', 'y', '@', '^'].iter().any(|letter| words.letters.contains_key(letter));
     if !other && !state.readings.quirk("rs274.thread-clearance") {
         return Ok(None);
     }

@@ -251,7 +251,8 @@ fn centre_of_radius(
     words: &Words,
     state: &mut State,
 ) -> Result<InPlane, Halt> {
-    let polar = ['@', '^'].iter().any(|polar| word(words, *polar).is_some());
+    let polar = ['@', '^'].iter().any(|polar| word(words, *polar).is_some())
+        && !quirks::polar_names_none(state);
     let named = |axis: Axis| word(words, letter(axis)).is_some();
     if !named(axes.first) && !named(axes.second) && !polar {
         let message = "an arc with a radius needs a word of an axis of the selected plane";

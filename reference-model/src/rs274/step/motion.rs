@@ -11,7 +11,7 @@ use crate::rs274::machine::State;
 use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
 use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
 use crate::rs274::quirks::motion::per_revolution;
-use crate::rs274::quirks::{motion as motion_quirks, settings as quirks};
+use crate::rs274::quirks::{motion as motion_quirks, settings as quirks, splines as spline_quirks};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::task::Record;
@@ -191,6 +191,9 @@ fn machine_coordinates_possible(
     words: &Words,
     state: &mut State,
 ) -> Result<(), Halt> {
+    if spline_quirks::takes_machine_coordinates(motion, state) {
+        return Ok(());
+    }
     if !matches!(motion, Motion::Traverse | Motion::Feed) {
         let rule = "offsets.machine-needs-motion";
         return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
@@ -229,7 +232,9 @@ pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt
         }
         state.evidence.accepted("feed.inverse-time-needs-rate");
     }
-    if state.modes.feed_rate == 0.0 && !motion_quirks::takes_no_time(state) {
+    let needs_none =
+        motion_quirks::takes_no_time(state) || spline_quirks::needs_no_feed(words, state);
+    if state.modes.feed_rate == 0.0 && !needs_none {
         if state.modes.feed_awaited {
             state.evidence.refused("feed.rate-after-mode-change");
         }

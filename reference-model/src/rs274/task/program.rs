@@ -107,6 +107,7 @@ impl Run<'_> {
         }
         check::check(&words, &mut self.state)?;
         self.state.plane_before = self.state.modes.plane;
+        self.state.lathe_before = self.state.modes.lathe;
         self.is_within_block = true;
         let rest = self.execute(&words)?;
         stub::after_block(self.record.moves(), &mut self.state)?;

@@ -94,6 +94,14 @@ impl Canon {
         self.position = position;
     }
 
+    /// Whether a spline is among the events, and beside it what hides where it ends: the program end, or a tool change, behind which
+    /// the controller's point is what its memory held.
+    pub(super) fn hides_spline(&self, ends: bool) -> bool {
+        let spline = |event: &Event| matches!(event, Event::Do(Effect::NurbsFeed { .. }));
+        let change = |event: &Event| matches!(event, Event::Do(Effect::ChangeTool { .. }));
+        self.events.iter().any(spline) && (ends || self.events.iter().any(change))
+    }
+
     /// Takes over a setting; an event only where it changes something.
     pub(super) fn set(&mut self, change: Settings) {
         state::set(&mut self.now, &mut self.events, &change);

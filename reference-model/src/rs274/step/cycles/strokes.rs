@@ -63,7 +63,7 @@ pub(super) fn peck(
         return Ok(None);
     }
     let before = before.filter(|_| state.readings.is("cycles.sticky-arguments", "sticky"));
-    let Some(peck) = word(words, 'q').or(before) else {
+    let Some(peck) = quirks::peck(words, state).or(before) else {
         let message = "this cycle needs Q, the increment of its pecks";
         return Err(refuse("cycles.peck-needed", FaultKind::MissingWord, message));
     };

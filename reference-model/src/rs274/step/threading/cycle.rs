@@ -181,7 +181,8 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, Halt> {
     };
     let value = |letter| word(words, letter).unwrap_or(0.0);
     let diameter = state.modes.lathe == Lathe::Diameter;
-    let radius = |letter| if diameter { value(letter) / 2.0 } else { value(letter) };
+    let factor = quirks::of_new_diameters(state);
+    let radius = |letter| factor * if diameter { value(letter) / 2.0 } else { value(letter) };
     let start = state.position;
     let incremental = state.modes.distance == Distance::Incremental;
     let end = if incremental { start.z + value('z') } else { value('z') };
@@ -231,7 +232,8 @@ fn refused_words(words: &Words, state: &mut State) -> Result<(), Halt> {
         let allowed = *axis == Axis::Z || x_and_y && matches!(axis, Axis::X | Axis::Y);
         !allowed && word(words, letter(*axis)).is_some()
     };
-    if Axis::ALL.iter().any(other) || ['@', '^'].iter().any(|polar| word(words, *polar).is_some()) {
+    let polar = ['@', '^'].iter().any(|polar| word(words, *polar).is_some());
+    if Axis::ALL.iter().any(other) || polar && !x_and_y {
         let message = "G76 with another axis word than Z";
         return Err(refuse("threading.thread-axis-words", FaultKind::AxisWords, message));
     }
