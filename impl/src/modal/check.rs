@@ -204,7 +204,14 @@ impl Modal {
     /// G43.1 and G43.2: their own rules on words (11.5.29, 11.5.30); G53 needs a straight move.
     fn check_length_alone(&self, block: &Block<'_>) -> Result<(), Refusal> {
         let words = block.words;
+        let machine_coordinates = block.g(NON_MODAL) == Some(530);
         match block.g(TOOL_LENGTH) {
+            // G53 is a motion, by whichever code (11.5.33).
+            Some(431 | 432)
+                if machine_coordinates && words.has_axes() && block.g(MOTION).is_none() =>
+            {
+                return refuse(FaultKind::AxisWords, "G53 in the block of a tool length offset");
+            }
             Some(431) if !matches!(block.g(MOTION), None | Some(800)) => {
                 return refuse(FaultKind::AxisWords, "motion in the block of G43.1");
             }
@@ -220,7 +227,7 @@ impl Modal {
             Some(code) => matches!(code, 0 | 10),
             None => matches!(self.motion, Motion::Traverse | Motion::Feed),
         };
-        if block.g(NON_MODAL) == Some(530) && !straight {
+        if machine_coordinates && !straight {
             return refuse(FaultKind::AxisWords, "G53 without G0 or G1");
         }
         Ok(())

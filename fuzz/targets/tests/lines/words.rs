@@ -1,4 +1,4 @@
-//! Every code with every word: beside it, instead of one that it needs, and in whatever state it comes.
+//! Every code with every word: beside it, instead of one that it needs, with every other code, and in whatever state it comes.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -179,6 +179,11 @@ const BEFORE: &[&str] = &[
     "f9 g17.1",
     "g5.1 f9 x1 y1 i1",
     "g33 f9 s9 m3 z1 k1",
+    "f9 m70\nf8 g20",
+    "g43.1 z1\nm70\ng49 f9",
+    "f9 g52 x1",
+    "f9 m49",
+    "f9 s9 m3\nm73",
 ];
 
 /// Letters that begin a word.
@@ -205,8 +210,16 @@ fn change() -> impl Strategy<Value = Change> {
     ]
 }
 
-/// A block of the table that is changed a little, and what comes before it.
+/// A block of the table that is changed a little, or two of them in one line or one behind the other, and what comes before.
 pub(super) fn program() -> impl Strategy<Value = String> {
+    let two = (select(BEFORE), select(BLOCKS), select(&[" ", "\n"][..]), select(BLOCKS));
+    let two = two.prop_map(|(before, one, between, two)| {
+        format!("{before}\n{one}{between}{two}\ng0 x3\nm2\n")
+    });
+    prop_oneof![3 => changed(), 1 => two]
+}
+
+fn changed() -> impl Strategy<Value = String> {
     (select(BEFORE), select(BLOCKS), vec(change(), 0..3)).prop_map(|(before, block, changes)| {
         let mut words: Vec<String> = block.split(' ').map(str::to_owned).collect();
         for change in changes {

@@ -164,7 +164,7 @@ fn conflict(
 
 /// Rule modal-groups.axis-words-twice. A motion code and a non-modal code that both use axis words exclude each other.
 /// Rule tool.dynamic-length-with-motion. So do a motion code and G43.1, and a motion code and the axis words of G43.2
-/// (tool.additional-length-words).
+/// (tool.additional-length-words); and G53 is a motion, by whatever code.
 fn axis_words_once(
     words: &Words,
     codes: &[(Written, Code)],
@@ -174,7 +174,16 @@ fn axis_words_once(
     let user = |group: ModalGroup| {
         codes.iter().find(|(_, code)| code.group == Some(group) && code.axis_words)
     };
-    let Some((motion, _)) = user(ModalGroup::Motion) else { return Ok(()) };
+    let Some((motion, _)) = user(ModalGroup::Motion) else {
+        let offset = user(ModalGroup::ToolLength).filter(|_| has_axis_words(words));
+        return match offset {
+            Some((offset, _)) if words.g.contains(&530) => {
+                let message = format!("G53 in a block with {offset}");
+                Err(refuse("tool.dynamic-length-with-motion", FaultKind::AxisWords, message))
+            }
+            _ => Ok(()),
+        };
+    };
     if let Some((other, _)) = user(ModalGroup::NonModal) {
         let message = format!("{motion} and {other} both use the axis words");
         return Err(refuse("modal-groups.axis-words-twice", FaultKind::AxisWords, message));

@@ -197,6 +197,12 @@ impl Run<'_> {
             }
             self.show(Some(phase));
             if rest == Rest::Drop {
+                // Quirk rs274.rest-of-restore-block.
+                if self.is_refused_or_open_after(phase, phases, words) {
+                    let why =
+                        "a restore in a block whose rest is not executed, and refused if it were";
+                    return Err(Halt::Unspecified(why.to_owned()));
+                }
                 break;
             }
             let counted = self.state.outside.changes().len();
@@ -231,18 +237,22 @@ impl Run<'_> {
 
     /// A block waits for ever for one of its phases. Where a later one has a fault, no document says whether that is found before.
     fn waits_before(&mut self, phase: Phase, phases: Phases, words: &Words) -> Halt {
-        let mut state = self.state.clone();
-        let mut record = Record::new(&state);
-        let mut later = phases.iter().skip_while(|before| *before != phase).skip(1);
-        let is_no_matter_of_course = |phase| {
-            let executed = order::execute(phase, words, &mut state, &mut record);
-            !matches!(executed, Ok(_) | Err(Halt::WaitsForEver))
-        };
-        if later.any(is_no_matter_of_course) {
+        if self.is_refused_or_open_after(phase, phases, words) {
             let why = "a block that waits for ever before a part of it that is refused, or open";
             return Halt::Unspecified(why.to_owned());
         }
         self.waits_for_ever()
+    }
+
+    /// Whether one of the phases of a block that come later would be refused, or is open.
+    fn is_refused_or_open_after(&self, phase: Phase, phases: Phases, words: &Words) -> bool {
+        let mut state = self.state.clone();
+        let mut record = Record::new(&state);
+        let mut later = phases.iter().skip_while(|before| *before != phase).skip(1);
+        later.any(|phase| {
+            let executed = order::execute(phase, words, &mut state, &mut record);
+            !matches!(executed, Ok(_) | Err(Halt::WaitsForEver))
+        })
     }
 
     /// Reading ahead ends with what waits for the machine, unless that is refused. A tool change has stopped the spindle by then.
