@@ -94,8 +94,11 @@ fn a_planted_fault_is_found_and_shrunk() {
     let (statistics, finds) = together(chunks(&plan, WHOLE, &BTreeSet::new()));
     assert_eq!(statistics.programs, PROGRAMS);
     assert!(statistics.diverging > 5, "{statistics:?}");
+    // Cycles dwell, too, and are another kind: those of G4 become its smallest program.
+    let of_dwell = |find: &Find| find.shape.split(' ').any(|word| word == "g4");
+    let finds: Vec<Find> = finds.into_iter().filter(of_dwell).take(3).collect();
     assert!(!finds.is_empty());
-    for find in finds.into_iter().take(3) {
+    for find in finds {
         let small = shrunk(&plan, &find, 2_000);
         assert_eq!(small.scenario.program.main.trim_end(), "g4 p1", "{find:?}");
         assert_eq!(small.scenario.machine, gaugeblock_trace::Machine::default());
