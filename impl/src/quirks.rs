@@ -13,7 +13,8 @@
 //! * `rs274.arc-least-radius`: `modal::arcs`.
 //! * `rs274.continue-seeks-end`: `control::loops`.
 //! * `rs274.stored-rotation`: `modal`. What its parameter file holds of parameters that are not persistent it takes over, too (`interpret`).
-//! * `rs274.compensation-l-word`, `rs274.dynamic-compensation-r-word`, `rs274.synchronised-e-word` and `rs274.unused-q-minus-one`: `modal::check`.
+//! * `rs274.compensation-l-word`, `rs274.dynamic-compensation-r-word`, `rs274.synchronised-e-word` and `rs274.unused-q-minus-one`, but
+//!   for a row of cycles that peck: `modal::check`.
 //! * `rs274.offset-data-words`, of axis words alone: `modal::tool_table`.
 //! * `rs274.polar-repeated`: `syntax::block`.
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::units`, but for restores.

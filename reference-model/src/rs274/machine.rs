@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::{Lathe, Machine, Plane, Position, Rs274State, Settings, Shared};
+use gaugeblock_trace::{Machine, Plane, Position, Rs274State, Settings, Shared};
 
 use super::control::Frame;
 use super::modes::Modes;
@@ -55,8 +55,6 @@ pub struct State {
     pub chosen_spindle: usize,
     /// The plane in force before the block that is executed; only a quirk asks for it.
     pub plane_before: Plane,
-    /// Diameter or radius mode before this block.
-    pub lathe_before: Lathe,
     /// Whether a log file is open.
     pub log_open: bool,
     /// Whether a file for probed points is open.
@@ -192,7 +190,6 @@ impl State {
             cycle_dwell: 0.0,
             chosen_spindle: 0,
             plane_before: Plane::Xy,
-            lathe_before: Lathe::Radius,
             log_open: false,
             probe_log_open: false,
             series: None,

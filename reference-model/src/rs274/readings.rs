@@ -275,7 +275,6 @@ pub const QUIRKS: &[&str] = &[
     "rs274.tap-dwell-kept",
     "rs274.thread-any-plane",
     "rs274.thread-clearance",
-    "rs274.thread-diameter-change",
     "rs274.thread-feed-override",
     "rs274.thread-long-taper",
     "rs274.thread-low-degression",

@@ -1,6 +1,6 @@
 //! Quirks of motion with the spindle.
 
-use gaugeblock_trace::{FaultKind, Lathe, Position, Switch};
+use gaugeblock_trace::{FaultKind, Position, Switch};
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
@@ -27,17 +27,6 @@ pub(crate) fn told(place: usize, words: &Words, state: &State) -> usize {
 pub(crate) fn direction(way: f64, state: &State) -> f64 {
     let nowhere = way == 0.0 && state.readings.quirk("rs274.thread-long-taper");
     if nowhere { -1.0 } else { way.signum() }
-}
-
-/// Quirk rs274.thread-diameter-change. A block of G76 that changes between radius and diameter converts I, J and K once more than others do:
-/// halved where it changes to diameters, doubled where it changes to radii.
-pub(crate) fn of_new_diameters(state: &State) -> f64 {
-    let changes = state.lathe_before != state.modes.lathe;
-    match state.modes.lathe {
-        _ if !changes || !state.readings.quirk("rs274.thread-diameter-change") => 1.0,
-        Lathe::Diameter => 0.5,
-        Lathe::Radius => 2.0,
-    }
 }
 
 /// Quirk rs274.thread-clearance. Each pass of G76 begins and ends as much further out than the drive line as it is less deep

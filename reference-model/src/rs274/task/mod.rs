@@ -24,8 +24,8 @@ mod wait;
 
 use gaugeblock_trace::scenario::{Action, Start};
 use gaugeblock_trace::{
-    Block, Bound, ControllerMode, End, Fault, Indexed, Language, Lathe, Options, Outcome, Plane,
-    Program, Scenario, Settings, Shared,
+    Block, Bound, ControllerMode, End, Fault, Indexed, Language, Options, Outcome, Plane, Program,
+    Scenario, Settings, Shared,
 };
 
 pub use pins::Shown;
@@ -146,7 +146,6 @@ fn start(
         cycle_dwell: 0.0,
         chosen_spindle: 0,
         plane_before: Plane::Xy,
-        lathe_before: Lathe::Radius,
         log_open: false,
         probe_log_open: false,
         series: None,

@@ -181,8 +181,7 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, Halt> {
     };
     let value = |letter| word(words, letter).unwrap_or(0.0);
     let diameter = state.modes.lathe == Lathe::Diameter;
-    let factor = quirks::of_new_diameters(state);
-    let radius = |letter| factor * if diameter { value(letter) / 2.0 } else { value(letter) };
+    let radius = |letter| if diameter { value(letter) / 2.0 } else { value(letter) };
     let start = state.position;
     let incremental = state.modes.distance == Distance::Incremental;
     let end = if incremental { start.z + value('z') } else { value('z') };
