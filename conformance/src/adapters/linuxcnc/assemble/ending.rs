@@ -14,14 +14,8 @@ impl Assembly<'_> {
     /// # Errors
     /// Nothing tells how it ended, or an error message is unknown.
     pub(super) fn end(&mut self, after_end: Option<&Probe>) -> Result<End, HarnessError> {
-        match self.ends.as_deref() {
-            Some("budget") => return Ok(End::BudgetExhausted { bound: Bound::Steps }),
-            Some("endless") => return Ok(End::Endless),
-            Some(word @ ("paused" | "held")) => {
-                self.paused(word == "held")?;
-                return Ok(End::Paused);
-            }
-            _ => {}
+        if let Some(end) = self.seen_from_outside()? {
+            return Ok(end);
         }
         if let Some(fault) = self.refused.take() {
             return Ok(End::Fault(fault));
@@ -47,11 +41,25 @@ impl Assembly<'_> {
         if self.steps.next_form() == Form::Percent {
             return Ok(End::PercentEnd);
         }
-        if self.asked_for_mode {
+        if self.asked_for_mode || self.by_hand {
             self.over_before(after_end)?;
-            return Ok(End::Aborted);
+            // By hand there is always another block to wait for.
+            return Ok(if self.asked_for_mode { End::Aborted } else { End::Paused });
         }
         Err(unreadable("a run without an end"))
+    }
+
+    /// How a run ended that the controller does not end itself.
+    fn seen_from_outside(&mut self) -> Result<Option<End>, HarnessError> {
+        Ok(match self.ends.as_deref() {
+            Some("budget") => Some(End::BudgetExhausted { bound: Bound::Steps }),
+            Some("endless") => Some(End::Endless),
+            Some(word @ ("paused" | "held")) => {
+                self.paused(word == "held")?;
+                Some(End::Paused)
+            }
+            _ => None,
+        })
     }
 
     /// The program ended, in the mode that the controller was in then.
