@@ -23,8 +23,8 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        if block.words.is_polar() && matches!(code, 50..=53 | 760) {
-            let why = "polar words of a spline or a thread: what they give is no move (11.4.12)";
+        if block.words.is_polar() && matches!(code, 50..=53) {
+            let why = "polar words of a spline: what they give is no move (11.4.12)";
             return Err(Refusal::Unspecified(why.into()));
         }
         match code {

@@ -90,7 +90,8 @@ impl Modal {
         if self.in_force.now().plane != Plane::Zx {
             return refuse(FaultKind::ModalConflict, "G76 outside of the ZX plane");
         }
-        if words.present & AXES != Z {
+        // 11.4.12: polar words give X and Y.
+        if words.present & AXES != Z || words.is_polar() {
             return refuse(FaultKind::AxisWords, "G76 takes a Z word and no other axis");
         }
         self.check_compensated_move(false)?;
