@@ -22,7 +22,7 @@ pub(crate) fn initial_tolerance(readings: &Readings) -> f64 {
 }
 
 /// Quirk rs274.surface-limit-zero. Surface speed that is limited to zero is told as revolutions per minute. Returns what is told.
-pub(crate) fn told(state: &State) -> Cow<'_, Modes> {
+pub(crate) fn modes_as_told(state: &State) -> Cow<'_, Modes> {
     let limited = |spindle: &Spindle| spindle.limit == SpindleLimit::Rpm(0.0);
     let any = state.modes.spindles.iter().any(limited);
     if !any || !state.readings.quirk("rs274.surface-limit-zero") {

@@ -1,26 +1,22 @@
 //! Quirks of splines.
 
-use gaugeblock_trace::{FaultKind, FeedMode, Motion};
+use gaugeblock_trace::{FaultKind, FeedMode};
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{Halt, refuse};
-use crate::rs274::step::motion::motion_of;
+use crate::rs274::step::motion::{is_spline, motion_of};
 
 /// Quirk rs274.spline-per-revolution. Under G95 splines need no feed rate.
 pub(crate) fn needs_no_feed(words: &Words, state: &State) -> bool {
     state.modes.feed_mode == FeedMode::PerRevolution
-        && (words.g.contains(&53) || motion_of(words, state).is_some_and(is_spline))
+        && motion_of(words, state).is_some_and(is_spline)
         && state.readings.quirk("rs274.spline-per-revolution")
 }
 
-fn is_spline(motion: Motion) -> bool {
-    matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline | Motion::Nurbs)
-}
-
 /// Quirk rs274.nurbs-machine-coordinates. G53 may stand with G5.2. What it does there, no controller shows: no spline of a point alone ends.
-pub(crate) fn takes_machine_coordinates(motion: Motion, state: &State) -> bool {
-    motion == Motion::Nurbs && state.readings.quirk("rs274.nurbs-machine-coordinates")
+pub(crate) fn takes_machine_coordinates(words: &Words, state: &State) -> bool {
+    words.g.contains(&52) && state.readings.quirk("rs274.nurbs-machine-coordinates")
 }
 
 /// Quirk rs274.spline-not-modal. G5 and G5.1 leave the motion mode as it was.

@@ -96,6 +96,7 @@ fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), Hal
 }
 
 /// Rule text.word-letters. E is no letter of the table: only G76 and M66 to M68 have it.
+/// Quirk rs274.synchronised-e-word. G33 and G33.1 take it.
 fn extra_letter(block: &Block, words: &Words, state: &State) -> Result<(), Halt> {
     let of_codes = words.m.iter().any(|code| (66..=68).contains(code)) || words.g.contains(&760);
     match block.words.iter().find(|word| word.letter == 'e') {

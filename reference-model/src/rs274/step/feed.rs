@@ -1,8 +1,8 @@
 //! G93, G94, G95 and F.
 
-use gaugeblock_trace::{FaultKind, FeedMode, Motion, Switch};
+use gaugeblock_trace::{FaultKind, FeedMode, Switch};
 
-use super::motion::{is_feed, motion_of};
+use super::motion::{is_feed, is_spline, motion_of};
 use super::probe::is_probing;
 use super::spindle::number;
 use super::word;
@@ -65,9 +65,7 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
     let motion = motion_of(words, state);
     let feeds = motion.is_some_and(|motion| {
         let probes = is_probing(motion) && !state.readings.quirk("rs274.probe-inverse-time");
-        probes
-            || matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline | Motion::Nurbs)
-            || is_feed(motion)
+        probes || is_spline(motion) || is_feed(motion)
     });
     if state.modes.feed_mode == FeedMode::InverseTime && !feeds {
         state.evidence.accepted("feed.inverse-time-stray-rate");

@@ -49,6 +49,11 @@ pub(crate) fn is_arc(motion: Motion) -> bool {
     matches!(motion, Motion::ArcClockwise | Motion::ArcCounterclockwise)
 }
 
+/// Whether a motion is a spline.
+pub(crate) fn is_spline(motion: Motion) -> bool {
+    matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline | Motion::Nurbs)
+}
+
 /// Whether a motion is executed at the feed rate.
 pub(super) fn is_feed(motion: Motion) -> bool {
     motion == Motion::Feed || is_arc(motion)
@@ -74,8 +79,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     if words.g.contains(&530) {
         machine_coordinates_possible(motion, words, state)?;
     }
-    let spline = matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline | Motion::Nurbs);
-    if state.curve.open.is_some() && !spline && !words.g.contains(&53) {
+    if state.curve.open.is_some() && !is_spline(motion) {
         return Err(Halt::Unspecified("another motion in an open data block".to_owned()));
     }
     if cycles::is_cycle(motion) {
@@ -85,7 +89,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     if state.series.take().is_some() {
         state.evidence.accepted("cycles.cancelled-by-motion");
     }
-    if words.g.contains(&53) || motion == Motion::Nurbs {
+    if motion == Motion::Nurbs {
         return splines::nurbs(words, state, record);
     }
     let in_data_block = state.curve.open.take().is_some();
@@ -191,7 +195,7 @@ fn machine_coordinates_possible(
     words: &Words,
     state: &mut State,
 ) -> Result<(), Halt> {
-    if spline_quirks::takes_machine_coordinates(motion, state) {
+    if spline_quirks::takes_machine_coordinates(words, state) {
         return Ok(());
     }
     if !matches!(motion, Motion::Traverse | Motion::Feed) {

@@ -197,8 +197,8 @@ impl Run<'_> {
             self.show(Some(phase));
             if rest == Rest::Drop {
                 // Quirk rs274.rest-of-restore-block. A feed is not asked for; what else is asked before is not known.
-                let by_feed = |halt: &Halt| matches!(halt, Halt::Refused(refusal) if refusal.rule.split('.').next() == Some("feed"));
-                if self.fault_after(phase, phases, words).is_some_and(|halt| !by_feed(&halt)) {
+                let later = self.fault_after(phase, phases, words);
+                if later.is_some_and(|halt| !is_of_feed(&halt)) {
                     let why = "a restore in a block whose rest is not executed, and would be refused or open";
                     return Err(Halt::Unspecified(why.to_owned()));
                 }
@@ -335,6 +335,12 @@ impl Run<'_> {
             self.state.outside.forget_all_with_motion();
         }
     }
+}
+
+/// Whether a rule of feeds refuses it.
+fn is_of_feed(halt: &Halt) -> bool {
+    let Halt::Refused(refusal) = halt else { return false };
+    refusal.rule.split('.').next() == Some("feed")
 }
 
 /// Whether time may go by in a phase, so that somebody can break it off.

@@ -267,7 +267,7 @@ impl Record {
         if state.modes == self.modes {
             return;
         }
-        let told = quirks::told(state);
+        let told = quirks::modes_as_told(state);
         let changed = told.settings_since(&self.modes);
         self.modes.clone_from(&told);
         if changed != Settings::default() {
@@ -287,7 +287,7 @@ impl Record {
     pub fn is_idle(&self, state: &State) -> bool {
         self.events.is_empty()
             && (state.modes == self.modes
-                || quirks::told(state).settings_since(&self.modes) == Settings::default())
+                || quirks::modes_as_told(state).settings_since(&self.modes) == Settings::default())
     }
 
     /// What the stub of a machine is told of the moves of the block that is being executed.
