@@ -108,7 +108,8 @@ impl Modes {
         let local = each(program, self.g92_offset, |point, offset| point + offset);
         let turned = turned(local, self.rotation);
         let on_machine = each(turned, self.g5x_offset, |point, offset| point + offset);
-        each(on_machine, self.tool_offset, |point, offset| point + offset)
+        let machine = each(on_machine, self.tool_offset, |point, offset| point + offset);
+        self.rounding.of(machine, program)
     }
 
     /// The program point of a machine position, active length unit.
