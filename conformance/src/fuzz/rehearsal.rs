@@ -12,7 +12,7 @@ use gaugeblock_trace::{End, Program, Scenario};
 use super::Plan;
 
 /// Programs of a rehearsal.
-const PROGRAMS: u64 = 8000;
+const PROGRAMS: u64 = 16_000;
 /// After so many splices it is judged whether those before a case hinder it.
 const TRIALS: u64 = 16;
 /// So many splices are made for the same rare thing at most.
@@ -22,11 +22,11 @@ const SEED: u64 = 0;
 /// Programs of a plan that are to reach each outcome: more than [`ENOUGH`](super::statistics::ENOUGH), since a few are not judged in the end.
 const WANTED: f64 = 24.0;
 /// By how many standard deviations chance may be unkind.
-const UNKIND: f64 = 2.0;
+const UNKIND: f64 = 3.0;
 /// How many others run before a case at most: where it is refused, where not, and where they would hinder it.
 const OTHERS: [u32; 3] = [2, 8, 0];
 /// The fewest and the most splices of a hundred programs.
-const SPLICED: (u64, u64) = (10, 30);
+const SPLICED: (u64, u64) = (10, 32);
 /// Plans of up to so many programs, and those without an end, are held for ones of [`SHORT`], all others for ones of [`LONG`], so that a plan
 /// may go on further than it was begun for.
 const SHORT_UP_TO: u64 = 100_000;
