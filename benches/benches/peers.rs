@@ -13,11 +13,13 @@ use std::hint::black_box;
 use std::io::{Error, Result};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::time::Duration;
 
 use gaugeblock_benches::{LONG_PROGRAMS, LongProgram, long_program};
 use gaugeblock_impl::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
 use gaugeblock_trace::{Effect, End, Machine, Options, Settings};
 use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
+use rustix::time::{ClockId, clock_gettime};
 
 /// How often each is run unless the command line says another number.
 const RUNS: u32 = 5;
@@ -134,13 +136,19 @@ fn count_blocks(program: &LongProgram) -> Result<u32> {
 }
 
 fn run_ours(program: &LongProgram) -> Result<f64> {
-    let start = processor_time(&"self")?;
+    let start = own_processor_time();
     interpret(program, &mut Silent)?;
-    Ok(processor_time(&"self")? - start)
+    Ok(own_processor_time() - start)
 }
 
-/// Seconds that a process has had of a processor, as Linux tells; also of one that has exited and was not waited for.
-fn processor_time(process: &dyn std::fmt::Display) -> Result<f64> {
+/// Seconds that this process has had of a processor, up to now: what `schedstat` tells of a process that runs is some milliseconds old.
+fn own_processor_time() -> f64 {
+    let time = Duration::try_from(clock_gettime(ClockId::ProcessCPUTime));
+    time.unwrap_or_default().as_secs_f64()
+}
+
+/// Seconds that a process that has exited and was not waited for has had of a processor, as Linux tells.
+fn processor_time(process: u32) -> Result<f64> {
     let text = fs::read_to_string(format!("/proc/{process}/schedstat"))?;
     let nanoseconds = text.split(' ').next().and_then(|first| first.parse::<f64>().ok());
     nanoseconds.map(|nanoseconds| nanoseconds / 1e9).ok_or_else(|| Error::other("no schedstat"))
@@ -228,7 +236,7 @@ impl Peer {
 fn time(mut child: Child) -> Result<f64> {
     let exited = WaitIdOptions::EXITED | WaitIdOptions::NOWAIT;
     waitid(WaitId::Pid(Pid::from_child(&child)), exited)?;
-    let time = processor_time(&child.id());
+    let time = processor_time(child.id());
     if !child.wait()?.success() {
         return Err(Error::other("rs274 failed"));
     }
