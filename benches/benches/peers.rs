@@ -136,15 +136,15 @@ fn count_blocks(program: &LongProgram) -> Result<u32> {
 }
 
 fn run_ours(program: &LongProgram) -> Result<f64> {
-    let start = own_processor_time();
+    let start = own_processor_time()?;
     interpret(program, &mut Silent)?;
-    Ok(own_processor_time() - start)
+    Ok(own_processor_time()? - start)
 }
 
 /// Seconds that this process has had of a processor, up to now: what `schedstat` tells of a process that runs is some milliseconds old.
-fn own_processor_time() -> f64 {
+fn own_processor_time() -> Result<f64> {
     let time = Duration::try_from(clock_gettime(ClockId::ProcessCPUTime));
-    time.unwrap_or_default().as_secs_f64()
+    time.map(|time| time.as_secs_f64()).map_err(Error::other)
 }
 
 /// Seconds that a process that has exited and was not waited for has had of a processor, as Linux tells.

@@ -55,7 +55,7 @@ mod tests {
     fn a_program_hangs_on_the_last_bit_of_an_offset() {
         let mut scenario = Scenario::of("g0 z-.25\ng54\ng0 z-round[#<_z>]\nm2\n");
         assert!(!is_fragile(&scenario));
-        // The second of both systems is at -4.25, so that Z is at a half.
+        // It begins in G55, which is at -4.25: behind G54 Z is at a half.
         scenario.machine.parameters.0.insert(5220, 2.0);
         scenario.machine.parameters.0.insert(5243, -4.25);
         assert!(is_fragile(&scenario));

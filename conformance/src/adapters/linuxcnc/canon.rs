@@ -306,11 +306,11 @@ impl Canon {
         let centre = Position { x: axis(9)?, y: axis(10)?, z: axis(11)?, ..Position::default() };
         // On a machine in inches it is as long as a millimetre.
         let normal: [f64; 3] = [axis(12)?, axis(13)?, axis(14)?];
-        let length = normal.iter().fold(0.0_f64, |longest, part| longest.max(part.abs()));
+        let longest = normal.iter().fold(0.0_f64, |other, part| other.max(part.abs()));
         let turn = issued.whole(15)?;
         let turns = if turn >= 0 { turn + 1 } else { turn };
         let centre = self.program_position(centre);
-        let (first_centre, second_centre) = match normal.map(|part| part.abs() > length / 2.0) {
+        let (first_centre, second_centre) = match normal.map(|part| part.abs() > longest / 2.0) {
             [false, false, true] => (centre.x, centre.y),
             [false, true, false] => (centre.z, centre.x),
             [true, false, false] => (centre.y, centre.z),

@@ -41,9 +41,10 @@ impl Assembly<'_> {
         if self.steps.next_form() == Form::Percent {
             return Ok(End::PercentEnd);
         }
-        if self.asked_for_mode || self.by_hand {
+        // By hand there is always another block to wait for.
+        let waits = self.by_hand && self.read.is_empty() && self.marked.is_empty();
+        if self.asked_for_mode || waits {
             self.over_before(after_end)?;
-            // By hand there is always another block to wait for.
             return Ok(if self.asked_for_mode { End::Aborted } else { End::Paused });
         }
         Err(unreadable("a run without an end"))
@@ -118,7 +119,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// The run was aborted, or has ended before; what a probe showed afterwards.
+    /// The run was aborted, has ended before, or waits for another block by hand; what a probe showed afterwards.
     fn over_before(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
         let Some(probe) = after_end else { return Ok(()) };
         let issued = std::mem::take(&mut self.issued);
