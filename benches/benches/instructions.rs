@@ -15,7 +15,7 @@ use gaugeblock_benches::{LONG_PROGRAMS, budgets, long_program};
 use gaugeblock_impl::gpp::{PostProcessor, StatementDone, TOOLPATH};
 use gaugeblock_impl::nct::{CustomMacros, MacroStep};
 use gaugeblock_impl::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
-use gaugeblock_trace::{Effect, Machine, Options, Settings};
+use gaugeblock_vocabulary::{Effect, Machine, Options, Settings};
 
 /// How many steps of a program are counted: less than the whole of it.
 const STEPS: u64 = 50_000;

@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use gaugeblock_benches::workloads;
-use gaugeblock_trace::End;
+use gaugeblock_vocabulary::End;
 
 fn executed_blocks(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("reference");

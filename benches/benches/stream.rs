@@ -13,7 +13,7 @@ use std::io::{Error, Result};
 use std::time::{Duration, Instant};
 
 use gaugeblock_impl::{Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable};
-use gaugeblock_trace::{Effect, End, Machine, Options, Settings};
+use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
 
 /// Most memory that the process may take, KiB.
 const MEMORY: u64 = 64 << 10;

@@ -3,8 +3,8 @@
 mod budgets;
 mod long;
 
-use gaugeblock_trace::Scenario;
-use gaugeblock_trace::scenario::Budget;
+use gaugeblock_vocabulary::Scenario;
+use gaugeblock_vocabulary::scenario::Budget;
 
 pub use budgets::budgets;
 pub use long::{LONG_PROGRAMS, LongProgram, long_program};

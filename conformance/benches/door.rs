@@ -24,7 +24,7 @@ use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
 use gaugeblock::certify::{Plan, certify, scenario_of};
 use gaugeblock::protocol::{Answer, Operation, Reply, Request, Ways};
 use gaugeblock::suite::{Edition, Suite, files};
-use gaugeblock_trace::{Language, Outcome, Scenario};
+use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 use mimalloc::MiMalloc;
 use serde_json::Value;
 

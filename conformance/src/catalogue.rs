@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_trace::{Outcome, Unsaid};
+use gaugeblock_vocabulary::{Outcome, Unsaid};
 
 use crate::certify::scenario_of;
 use crate::motion;

@@ -1,6 +1,6 @@
 //! Which quirks, or other readings of the documents, a departure comes to.
 
-use gaugeblock_trace::{Options, Outcome, Scenario};
+use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 use crate::adapters::Adapter;
 use crate::certify::scenario_of;

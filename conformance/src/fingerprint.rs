@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{End, Options};
+use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::{End, Options};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

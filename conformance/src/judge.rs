@@ -1,6 +1,6 @@
 //! Assertions held against what was observed.
 
-use gaugeblock_trace::{Channel, Effect, End, Entry, Pin, Position, Settings, State, Value};
+use gaugeblock_vocabulary::{Channel, Effect, End, Entry, Pin, Position, Settings, State, Value};
 
 use crate::adapters::Capabilities;
 use crate::compare::{end_text, pin_values, pins, rounded, tolerance};

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Block, Effect, End, Entry, Event, Indexed, Outcome, Pin, PinChange, Position, Settings, State,
     Value,
 };
@@ -230,7 +230,7 @@ pub fn value_of(entries: &[Entry], field: &str, index: Option<&str>) -> Option<V
 #[cfg(test)]
 mod tests {
     use gaugeblock_reference::run;
-    use gaugeblock_trace::Scenario;
+    use gaugeblock_vocabulary::Scenario;
 
     use super::*;
 

@@ -10,7 +10,7 @@ use std::time::Duration;
 use adapter::{LOOP, changed, file, limits};
 use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::adapters::{Adapter, HarnessError};
-use gaugeblock_trace::{End, Outcome, Scenario};
+use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
 /// An adapter that notes in a file when it starts and what it is asked to run, and does this on a program with `x99`.
 struct Noting {

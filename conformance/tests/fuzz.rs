@@ -17,7 +17,7 @@ use gaugeblock_fuzz::generate::nct::{Counted, Pair, count, locals};
 use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_fuzz::generate::{Dice, Recipe, Setups};
 use gaugeblock_reference::RuleOutcome;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Effect, Event, Language, LengthUnit, Options, Outcome, Scenario, SpindleTurn,
 };
 
@@ -101,7 +101,7 @@ fn a_planted_fault_is_found_and_shrunk() {
     for find in finds {
         let small = shrunk(&plan, &find, 2_000);
         assert_eq!(small.scenario.program.main.trim_end(), "g4 p1", "{find:?}");
-        assert_eq!(small.scenario.machine, gaugeblock_trace::Machine::default());
+        assert_eq!(small.scenario.machine, gaugeblock_vocabulary::Machine::default());
         assert!(small.shrunk);
         assert!(small.rules.iter().any(|rule| rule.starts_with("dwell.")), "{:?}", small.rules);
     }

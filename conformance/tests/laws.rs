@@ -118,10 +118,10 @@ fn model_and_production_share_the_vocabulary_alone() {
         let on = workspace.get(name).unwrap_or_else(|| panic!("{name} is not in the workspace"));
         on.iter().map(String::as_str).filter(|on| workspace.contains_key(*on)).collect()
     };
-    let vocabulary = BTreeSet::from(["gaugeblock-trace"]);
+    let vocabulary = BTreeSet::from(["gaugeblock-vocabulary"]);
     assert_eq!(shared("gaugeblock-reference"), vocabulary);
     assert_eq!(shared("gaugeblock-impl"), vocabulary);
-    assert_eq!(shared("gaugeblock-trace"), BTreeSet::new());
+    assert_eq!(shared("gaugeblock-vocabulary"), BTreeSet::new());
 }
 
 #[test]
@@ -139,7 +139,7 @@ fn nothing_is_read_but_the_scenario() {
     let outside = ["fs", "env", "time", "net", "process", "thread", "io"];
     let words: Vec<_> = outside.iter().map(|module| format!("std::{module}")).collect();
     let words: Vec<_> = words.iter().map(String::as_str).collect();
-    for folder in ["reference-model/src", "conformance/trace/src", "impl/src"] {
+    for folder in ["reference-model/src", "vocabulary/src", "impl/src"] {
         nowhere("the scenario is all that a run depends on", &places(&sources(folder), &words));
     }
     let production = fs::read_to_string(root().join("impl/src/lib.rs")).unwrap();

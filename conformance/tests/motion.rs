@@ -6,8 +6,8 @@ use std::process::{Command, Output};
 use gaugeblock::adapters::Adapter;
 use gaugeblock::adapters::production::Production;
 use gaugeblock::motion::{Circumstances, plan_under};
-use gaugeblock_trace::Scenario;
-use gaugeblock_trace::motion::{MotionLimits, MotionScript};
+use gaugeblock_vocabulary::Scenario;
+use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 
 /// A mill with three axes of 250 mm/s and 2000 mm/s².
 const MILL: &str = "period = 0.001

@@ -14,8 +14,8 @@ use gaugeblock::adapters::exec::Exec;
 use gaugeblock::adapters::{Adapter, Motion, NotMoved};
 use gaugeblock::certify::{Twice, Verdict};
 use gaugeblock::suite::{Suite, files};
-use gaugeblock_trace::Scenario;
-use gaugeblock_trace::motion::{MotionLimits, MotionScript};
+use gaugeblock_vocabulary::Scenario;
+use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 
 const ALL: &str = "cancel,digest,files,fresh,live-operator,motion,shows,state,stream";
 

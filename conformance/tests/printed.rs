@@ -15,7 +15,7 @@ use gaugeblock::adapters::reference::Reference;
 use gaugeblock::adapters::rs274::Rs274;
 use gaugeblock::certify::scenario_of;
 use gaugeblock::suite::{Edition, Suite, files};
-use gaugeblock_trace::{End, LengthUnit, Machine, Options, Scenario};
+use gaugeblock_vocabulary::{End, LengthUnit, Machine, Options, Scenario};
 
 const PROGRAMS: &str = include_str!("printed_programs.txt");
 /// How often it is asked whether a program has ended, and how long is waited between.
@@ -276,7 +276,7 @@ fn can_run(scenario: &Scenario, documented: &Scenario, theirs: &Rs274) -> bool {
                 matches!(outcome.end, End::ProgramEnd | End::PercentEnd | End::Fault(_))
             })
     };
-    let plain = scenario.program.start == gaugeblock_trace::scenario::Start::Program
+    let plain = scenario.program.start == gaugeblock_vocabulary::scenario::Start::Program
         && !scenario.program.files.keys().any(|name| name.contains('/'));
     bench && plain && theirs.supports(scenario).is_ok() && ends(documented)
 }
@@ -284,7 +284,7 @@ fn can_run(scenario: &Scenario, documented: &Scenario, theirs: &Rs274) -> bool {
 /// A scenario in which production's bench answers as the stubs of `rs274` do.
 fn documented(scenario: &Scenario, options: &Options) -> Scenario {
     let mut documented = scenario.clone();
-    documented.bench = gaugeblock_trace::scenario::Bench::default();
+    documented.bench = gaugeblock_vocabulary::scenario::Bench::default();
     documented.options = options.clone();
     documented
 }

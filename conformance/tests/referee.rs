@@ -15,7 +15,7 @@ use gaugeblock::report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock::shard::Shard;
 use gaugeblock::suite::{Suite, files};
 use gaugeblock::waivers::Waivers;
-use gaugeblock_trace::{Block, Effect, End, Event, Outcome, Program, Scenario};
+use gaugeblock_vocabulary::{Block, Effect, End, Event, Outcome, Program, Scenario};
 
 /// The model with one fault planted.
 #[derive(Debug)]
@@ -346,7 +346,7 @@ fn the_page_has_what_a_controller_says_as_text() {
         outcome.end = End::ProgramEnd;
         outcome.steps.iter_mut().for_each(|step| {
             let text = "<img src=x onerror=alert(1)>".to_owned();
-            let channel = gaugeblock_trace::Channel::Display;
+            let channel = gaugeblock_vocabulary::Channel::Display;
             step.events.push(Event::Do(Effect::Message { channel, text }));
         });
         Ok(outcome)

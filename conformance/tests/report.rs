@@ -16,7 +16,7 @@ use gaugeblock::report::stored::StoredCase;
 use gaugeblock::report::{Header, Report, html, json, junit, markdown, terminal};
 use gaugeblock::shard::Shard;
 use gaugeblock::suite::{Suite, files};
-use gaugeblock_trace::{Channel, Effect, End, Event, Outcome, Scenario};
+use gaugeblock_vocabulary::{Channel, Effect, End, Event, Outcome, Scenario};
 use serde_json::Value;
 
 /// What a controller could say to a terminal, a page, a table or a reader.

@@ -7,8 +7,8 @@ use std::path::Path;
 use common::gaugeblock;
 use gaugeblock::protocol::{Operation, Request};
 use gaugeblock::suite::{Suite, files};
-use gaugeblock_trace::Scenario;
-use gaugeblock_trace::scenario::{Bench, Budget};
+use gaugeblock_vocabulary::Scenario;
+use gaugeblock_vocabulary::scenario::{Bench, Budget};
 
 /// The scenarios that a controller is asked to run, as it reads them.
 fn asked(edition: &str, only: &str) -> Vec<(Scenario, usize)> {

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use gaugeblock_fuzz::generate::{self, odd};
 use gaugeblock_fuzz::oracle;
-use gaugeblock_trace::{End, Scenario};
+use gaugeblock_vocabulary::{End, Scenario};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;

@@ -4,7 +4,7 @@ use gaugeblock_fuzz::generate::pairs::pair;
 use gaugeblock_fuzz::generate::{Dice, Recipe, from_seed};
 use gaugeblock_fuzz::oracle;
 use gaugeblock_reference::{Kept, run, run_with};
-use gaugeblock_trace::{Effect, End, Event, Options, Outcome, Scenario};
+use gaugeblock_vocabulary::{Effect, End, Event, Options, Outcome, Scenario};
 
 fn reference(scenario: &Scenario) -> Option<Outcome> {
     Some(run(scenario).0)

@@ -2,7 +2,7 @@
 
 use gaugeblock_fuzz::generate::gpp::{Pair, modality};
 use gaugeblock_fuzz::generate::{Dice, Recipe, from_seed};
-use gaugeblock_trace::{End, Language, Outcome, Scenario};
+use gaugeblock_vocabulary::{End, Language, Outcome, Scenario};
 
 const PROGRAMS: u64 = 3000;
 

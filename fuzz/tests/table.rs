@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use gaugeblock_fuzz::generate::{Recipe, TABLE, from_seed};
 use gaugeblock_reference::run;
-use gaugeblock_trace::{End, Scenario};
+use gaugeblock_vocabulary::{End, Scenario};
 
 fn accepted(end: &End) -> bool {
     matches!(end, End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused)

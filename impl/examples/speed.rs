@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 
 use gaugeblock_impl::{Error, Interpreter, Limits, Memory, Progress, Reply, Sink};
-use gaugeblock_trace::{Effect, Machine, Options, Settings};
+use gaugeblock_vocabulary::{Effect, Machine, Options, Settings};
 
 /// Counts effects.
 #[derive(Default)]

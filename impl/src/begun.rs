@@ -1,6 +1,6 @@
 //! What a sink can see before a block: its words, as they are after evaluation, and the stored offsets.
 
-use gaugeblock_trace::Position;
+use gaugeblock_vocabulary::Position;
 
 use crate::modal::offsets;
 use crate::parameters::Numbered;

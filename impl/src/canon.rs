@@ -1,6 +1,6 @@
 //! Where settings and effects go: the canonical commands, as a caller receives them.
 
-use gaugeblock_trace::{Effect, FaultKind, Position, Settings};
+use gaugeblock_vocabulary::{Effect, FaultKind, Position, Settings};
 
 use crate::begun::BlockBegun;
 use crate::done::BlockDone;

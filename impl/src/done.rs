@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use gaugeblock_trace::{Position, Rs274State, Settings};
+use gaugeblock_vocabulary::{Position, Rs274State, Settings};
 
 use crate::control::Parameters;
 use crate::modal::Modal;

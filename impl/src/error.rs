@@ -3,7 +3,7 @@
 use alloc::boxed::Box;
 use core::fmt;
 
-use gaugeblock_trace::{Block, Fault};
+use gaugeblock_vocabulary::{Block, Fault};
 
 use crate::limits::Limit;
 use crate::source::Unreadable;

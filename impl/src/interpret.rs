@@ -5,7 +5,7 @@ use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Block as Place, ControllerMode, End, Machine, Options, Position, Program, Rs274State, Settings,
     Tool,
 };
@@ -30,7 +30,7 @@ use crate::words::Words;
 ///
 /// ```
 /// use gaugeblock_impl::{Interpreter, Limits, Memory, Progress, Reply, Sink};
-/// use gaugeblock_trace::{Effect, End, Machine, Options, Settings};
+/// use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
 ///
 /// #[derive(Default)]
 /// struct Count(u32);

@@ -33,8 +33,8 @@
 //! interpreter on a machine that has a clock, inputs, pins and somebody at its panel. It costs an interpreter without it nothing.
 //!
 //! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes, straight moves, arcs, canned
-//! cycles, probes, splines and threads, the task all that an operator can ask; moves under cutter compensation end a run as [`gaugeblock_trace::End::Unsupported`], and what the documents leave
-//! undefined as [`gaugeblock_trace::End::Unspecified`]. The planner is limited in velocity and acceleration; for limits of jerk [`Planner::new`]
+//! cycles, probes, splines and threads, the task all that an operator can ask; moves under cutter compensation end a run as [`gaugeblock_vocabulary::End::Unsupported`], and what the documents leave
+//! undefined as [`gaugeblock_vocabulary::End::Unspecified`]. The planner is limited in velocity and acceleration; for limits of jerk [`Planner::new`]
 //! answers [`Error::NotYet`].
 //!
 //! **Invariants.**

@@ -1,6 +1,6 @@
 //! What a sink is told of a straight probe besides its effect.
 
-use gaugeblock_trace::Position;
+use gaugeblock_vocabulary::Position;
 
 use crate::modal::{Conversion, Coordinates, Modes};
 

@@ -19,7 +19,7 @@
 //! * `rs274.polar-repeated`: `syntax::block`.
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::units`, but for restores.
 
-use gaugeblock_trace::LengthUnit;
+use gaugeblock_vocabulary::LengthUnit;
 
 use crate::math;
 use crate::modal::letters::{E, L, Q, R};

@@ -1,6 +1,6 @@
 //! How the documents are read: what each part of the interpreter takes from the options, taken from them once.
 
-use gaugeblock_trace::Options;
+use gaugeblock_vocabulary::Options;
 
 use crate::error::Error;
 use crate::{modal, syntax, task};

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test")]
 
 use gaugeblock_impl::{Error, Interpreter, Limits, Memory, Progress, Reply, Sink};
-use gaugeblock_trace::{Effect, FaultKind, Machine, Options, Settings};
+use gaugeblock_vocabulary::{Effect, FaultKind, Machine, Options, Settings};
 
 /// Keeps messages.
 #[derive(Default)]

@@ -24,7 +24,7 @@ pub use witness::{RULES, Witness};
 pub use rs274::Kept;
 pub use rs274::modes::Rounding;
 
-use gaugeblock_trace::{Language, Outcome, Scenario};
+use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 
 /// What the documents say about a scenario, and the rules that were reached.
 ///

@@ -1,7 +1,7 @@
 //! GPP: forms of the toolpath and of conditions that no page of the suite has.
 
 use gaugeblock_reference::run;
-use gaugeblock_trace::{End, Language, Options, Scenario};
+use gaugeblock_vocabulary::{End, Language, Options, Scenario};
 
 /// How a program with a toolpath ends, in a word or two.
 fn ending(program: &str, toolpath: &str, options: &[(&str, &str)]) -> String {

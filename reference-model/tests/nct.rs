@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use gaugeblock_reference::run;
-use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::Budget;
+use gaugeblock_vocabulary::{
     Effect, End, Event, FaultKind, Language, MacroValue, Options, Outcome, Scenario, State,
 };
 use proptest::prelude::{ProptestConfig, Strategy, proptest};

@@ -1,7 +1,7 @@
 //! A restore brings back every setting of the saved state, whatever was set since.
 
 use gaugeblock_reference::run;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     End, Event, Machine, Motion, Options, Outcome, Path, Scenario, Settings, State, Value,
 };
 use proptest::prelude::{Just, ProptestConfig, Strategy, any, proptest};

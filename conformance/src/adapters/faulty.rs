@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use gaugeblock_impl::faults::{Fault, plant};
-use gaugeblock_trace::{Options, Outcome, Scenario};
+use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 use super::production::Production;
 use super::{Adapter, Capabilities, HarnessError};

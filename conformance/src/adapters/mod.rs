@@ -19,8 +19,8 @@ use std::fmt;
 use std::num::NonZero;
 use std::ops::{Deref, RangeInclusive};
 
-use gaugeblock_trace::motion::{MotionLimits, MotionScript, Samples};
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, Samples};
+use gaugeblock_vocabulary::{
     Effect, Entry, GppState, NctState, Options, Outcome, Pin, Rs274State, Scenario, Settings, Value,
 };
 
@@ -384,7 +384,7 @@ impl std::error::Error for HarnessError {}
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_trace::LengthUnit;
+    use gaugeblock_vocabulary::LengthUnit;
 
     use super::*;
 

@@ -2,8 +2,8 @@
 
 use std::num::NonZero;
 
-use gaugeblock_trace::motion::Samples;
-use gaugeblock_trace::{End, Options, Outcome, Scenario, Step};
+use gaugeblock_vocabulary::motion::Samples;
+use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Step};
 
 use super::{Adapter, Capabilities, Expected, HarnessError, Motion, NotMoved};
 
@@ -142,7 +142,7 @@ fn narrowed(mut outcome: Outcome, shows: &Capabilities) -> Outcome {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_trace::{Block, Effect, Event, Position, Rs274State, State};
+    use gaugeblock_vocabulary::{Block, Effect, Event, Position, Rs274State, State};
 
     use super::*;
     use crate::adapters::reference::Reference;

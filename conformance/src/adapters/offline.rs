@@ -5,8 +5,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use gaugeblock_trace::motion::Samples;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::motion::Samples;
+use gaugeblock_vocabulary::{
     Block, Bound, Effect, End, Event, Fault, Language, Outcome, Program, Rs274State, Scenario,
     Settings, State, Step,
 };

@@ -1,6 +1,6 @@
 //! The reference model as a controller.
 
-use gaugeblock_trace::{Outcome, Scenario};
+use gaugeblock_vocabulary::{Outcome, Scenario};
 
 use super::{Adapter, Capabilities, HarnessError};
 

@@ -1,6 +1,6 @@
 //! Cases that are run more than once: one that ends its controller is run again alone, and of every hundred one is run twice.
 
-use gaugeblock_trace::{Outcome, Scenario};
+use gaugeblock_vocabulary::{Outcome, Scenario};
 use sha2::{Digest as _, Sha256};
 
 use super::verdict::{Cause, Unjudged};

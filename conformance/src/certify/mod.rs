@@ -15,8 +15,8 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{End, Options, Outcome, Scenario, Unsaid};
+use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Unsaid};
 
 use crate::adapters::Adapter;
 use crate::adapters::exec::now;

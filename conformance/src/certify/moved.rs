@@ -1,7 +1,7 @@
 //! Cases of motion: samples held to laws.
 
-use gaugeblock_trace::Scenario;
-use gaugeblock_trace::motion::{ProgrammedPath, Samples};
+use gaugeblock_vocabulary::Scenario;
+use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 
 use super::Held;
 use super::verdict::{CaseResult, Cause, Departure, Unjudged, Verdict};

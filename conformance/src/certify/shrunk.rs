@@ -2,7 +2,7 @@
 
 use gaugeblock_fuzz::generate::Recipe;
 use gaugeblock_fuzz::generate::splice::Seeds;
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 
 use crate::adapters::Adapter;
 use crate::adapters::reference::Reference;

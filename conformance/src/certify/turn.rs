@@ -1,6 +1,6 @@
 //! Turns: while a case is judged, the controller can work on the next one.
 
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 
 use super::select::Subject;
 use super::verdict::{CaseResult, Cause, Unjudged, Verdict};

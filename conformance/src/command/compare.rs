@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use gaugeblock_reference::motion::path::{differ, programmed};
-use gaugeblock_trace::{End, Outcome, Position, Unsaid};
+use gaugeblock_vocabulary::{End, Outcome, Position, Unsaid};
 use serde_json::json;
 
 use super::run::How;
@@ -111,7 +111,7 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
 fn both(
     found_by: &dyn Adapter,
     expected_by: &dyn Adapter,
-    scenario: &gaugeblock_trace::Scenario,
+    scenario: &gaugeblock_vocabulary::Scenario,
 ) -> Result<(Comparison, bool), String> {
     let run = |controller: &dyn Adapter| {
         let name = controller.capabilities().name.clone();

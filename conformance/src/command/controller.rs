@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use gaugeblock_trace::{Language, Options, Scenario};
+use gaugeblock_vocabulary::{Language, Options, Scenario};
 
 use super::Refused;
 use crate::adapters::exec::{Exec, Limits};

@@ -63,7 +63,7 @@ fn document(caught: &[Caught<'_>]) -> serde_json::Value {
             })
         })
         .collect();
-    json!({ "gaugeblock": "faults", "schema": gaugeblock_trace::schema::VERSION, "faults": faults })
+    json!({ "gaugeblock": "faults", "schema": gaugeblock_vocabulary::schema::VERSION, "faults": faults })
 }
 
 fn text(caught: &[Caught<'_>], missed: usize) -> String {

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_fuzz::generate::{Recipe, Setups};
-use gaugeblock_trace::{Language, Options};
+use gaugeblock_vocabulary::{Language, Options};
 
 use super::fuzz_cases::{outcomes, rarely_reached, seeds};
 use super::{Format, Refused, controller, fuzz_report, place, write_error, write_out};

@@ -1,7 +1,7 @@
 //! What `gaugeblock fuzz` takes from the suite: cases to make programs of, and outcomes of rules to reach.
 
 use gaugeblock_reference::RuleOutcome as Reached;
-use gaugeblock_trace::{Options, Scenario};
+use gaugeblock_vocabulary::{Options, Scenario};
 
 use crate::catalogue::editions_of;
 use crate::certify::scenario_of;

@@ -11,8 +11,8 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use gaugeblock_fuzz::motion::Ride;
 use gaugeblock_fuzz::motion::change::Change;
-use gaugeblock_trace::motion::MotionScript;
-use gaugeblock_trace::{Axis, End, Outcome, Scenario, Settings};
+use gaugeblock_vocabulary::motion::MotionScript;
+use gaugeblock_vocabulary::{Axis, End, Outcome, Scenario, Settings};
 
 use super::{Refused, place, write_out};
 use crate::adapters::Adapter;
@@ -202,7 +202,7 @@ fn outcome(controller: &Production, scenario: &Scenario, ride: &Ride) -> Outcome
     scenario.program.main = ride.text();
     controller.run(&scenario).unwrap_or_else(|error| {
         let why = error.to_string();
-        let block = gaugeblock_trace::Block::new("main.ngc", 1);
+        let block = gaugeblock_vocabulary::Block::new("main.ngc", 1);
         Outcome {
             language: scenario.program.language,
             start: Settings::default(),
@@ -247,7 +247,7 @@ fn generate(arguments: &Arguments, judge: &(dyn Fn(u64) -> Came + Sync)) -> Tall
 
 /// Writes a ride as files, and says with which call it is planned again.
 fn write(folder: &Path, name: &str, ride: &Ride, scenario: &Scenario) -> Result<String, Refused> {
-    let unwritable = |error: gaugeblock_trace::TextError| {
+    let unwritable = |error: gaugeblock_vocabulary::TextError| {
         Refused::unfinished(error.message, "leave --report out")
     };
     let file = |ending: &str| folder.join(format!("{name}.{ending}"));

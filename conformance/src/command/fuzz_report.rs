@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 use serde_json::json;
 
 use super::{Refused, place};

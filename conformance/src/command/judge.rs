@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use gaugeblock_reference::motion::laws::Verdict;
-use gaugeblock_trace::Position;
-use gaugeblock_trace::motion::Samples;
+use gaugeblock_vocabulary::Position;
+use gaugeblock_vocabulary::motion::Samples;
 
 use super::pictures::Drawing;
 use super::{Refused, place, plan, run, write_out};

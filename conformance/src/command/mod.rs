@@ -242,7 +242,7 @@ fn options_with(
     suite: &Suite,
     edition: &Edition,
     changes: &[String],
-) -> Result<gaugeblock_trace::Options, Refused> {
+) -> Result<gaugeblock_vocabulary::Options, Refused> {
     let mut options = suite.options(edition);
     for change in changes {
         let (id, option) = change.split_once('=').ok_or_else(|| {

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use gaugeblock_reference::motion::laws::deviations;
-use gaugeblock_trace::Position;
-use gaugeblock_trace::motion::{Column, MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_vocabulary::Position;
+use gaugeblock_vocabulary::motion::{Column, MotionLimits, MotionScript, ProgrammedPath, Samples};
 
 use super::{Refused, place};
 use crate::motion::{Picture, drawn};

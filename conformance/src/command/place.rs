@@ -5,7 +5,7 @@ use std::io::{Error, ErrorKind, Write as _};
 use std::os::unix::fs::MetadataExt as _;
 use std::path::{Path, PathBuf};
 
-use gaugeblock_trace::TextError;
+use gaugeblock_vocabulary::TextError;
 
 use super::Refused;
 

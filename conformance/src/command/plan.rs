@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use gaugeblock_trace::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
-use gaugeblock_trace::scenario::Program;
-use gaugeblock_trace::{End, Outcome, Position, Scenario};
+use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_vocabulary::scenario::Program;
+use gaugeblock_vocabulary::{End, Outcome, Position, Scenario};
 
 use super::controller::linuxcnc;
 use super::pictures::Drawing;

@@ -151,7 +151,7 @@ fn document(suite: &Suite, rules: &[&Rule]) -> serde_json::Value {
             })
         })
         .collect();
-    json!({ "gaugeblock": "rules", "schema": gaugeblock_trace::schema::VERSION, "rules": rules })
+    json!({ "gaugeblock": "rules", "schema": gaugeblock_vocabulary::schema::VERSION, "rules": rules })
 }
 
 fn choices(suite: &Suite, format: Format) {

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use clap::Args;
-use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{Block, End, Language, Outcome, Program, Scenario, Span};
+use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::{Block, End, Language, Outcome, Program, Scenario, Span};
 
 use super::{Format, Refused, controller, place, write_error, write_error_in_colours, write_out};
 use crate::report::inert_line;

@@ -24,8 +24,8 @@ pub(super) struct Arguments {
 
 pub(super) fn schema(arguments: &Arguments) -> Result<u8, Refused> {
     let schema = match arguments.what {
-        What::Scenario => gaugeblock_trace::schema::scenario(),
-        What::Outcome => gaugeblock_trace::schema::outcome(),
+        What::Scenario => gaugeblock_vocabulary::schema::scenario(),
+        What::Outcome => gaugeblock_vocabulary::schema::outcome(),
         What::Report => crate::report::json::schema(),
     };
     write_out(&format!("{:#}\n", schema.as_value()));

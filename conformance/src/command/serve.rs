@@ -7,7 +7,7 @@ use std::os::fd::AsFd as _;
 use std::sync::Arc;
 
 use clap::Args;
-use gaugeblock_trace::{Language, Scenario};
+use gaugeblock_vocabulary::{Language, Scenario};
 
 use super::{Refused, controller, streams, write_out};
 use crate::adapters::Adapter;

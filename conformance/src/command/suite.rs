@@ -173,7 +173,7 @@ fn write_campaign(
         for question in questions {
             let Question { asked, scenario, limits: _ } = question;
             let folder = partial.join(&asked.folder);
-            write(folder.join(gaugeblock_trace::Program::MAIN), &scenario.program.main)?;
+            write(folder.join(gaugeblock_vocabulary::Program::MAIN), &scenario.program.main)?;
             for (name, text) in &scenario.program.files {
                 write(folder.join(name), text)?;
             }

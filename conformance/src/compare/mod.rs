@@ -8,7 +8,7 @@ pub mod tolerance;
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::{Block, End, Entry, Fault, Pin, Settings, Value};
+use gaugeblock_vocabulary::{Block, End, Entry, Fault, Pin, Settings, Value};
 
 pub use same::surely_same;
 pub use state::{FieldDifference, StateDifference, state};
@@ -317,7 +317,7 @@ impl Walk<'_> {
                 self.comparison.masked.insert("some parameters at the end".to_owned());
                 continue;
             }
-            let value = |side: &gaugeblock_trace::Indexed<u32, f64>| {
+            let value = |side: &gaugeblock_vocabulary::Indexed<u32, f64>| {
                 side.0.get(&number).copied().unwrap_or_default()
             };
             let (a, b) = (value(left), value(right));
@@ -369,7 +369,7 @@ pub fn rounded(value: &Value) -> String {
     match value {
         Value::Number(number) => tidy(*number).to_string(),
         Value::Position(position) => {
-            gaugeblock_trace::Position::from(position.to_array().map(tidy)).to_string()
+            gaugeblock_vocabulary::Position::from(position.to_array().map(tidy)).to_string()
         }
         Value::Word(_) | Value::Text(_) => value.to_string(),
     }

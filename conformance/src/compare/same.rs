@@ -1,6 +1,6 @@
 //! Whether two outcomes are the same value by value: found out step by step, without writing down what is in force at each.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Effect, End, Entry, Event, Outcome, Pin, PinChange, Rs274State, Settings, State, Step,
 };
 

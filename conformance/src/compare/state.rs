@@ -1,6 +1,6 @@
 //! In which settings and fields of the state two runs differ, where they do so first.
 
-use gaugeblock_trace::{Entry, Settings, State};
+use gaugeblock_vocabulary::{Entry, Settings, State};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -9,7 +9,7 @@
 //!
 //! A case never carries a tolerance of its own.
 
-use gaugeblock_trace::{Axis, Channel, Effect, Position, Value};
+use gaugeblock_vocabulary::{Axis, Channel, Effect, Position, Value};
 
 /// Version of the table.
 pub const VERSION: u32 = 0;

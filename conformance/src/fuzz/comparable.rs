@@ -1,6 +1,6 @@
 //! What of two runs of a program that nobody has read can be compared, and how a difference is named.
 
-use gaugeblock_trace::{Bound, End, Event, Fault, Language, Outcome};
+use gaugeblock_vocabulary::{Bound, End, Event, Fault, Language, Outcome};
 
 use crate::compare::{Divergence, end_text};
 

@@ -2,7 +2,7 @@
 
 use gaugeblock_fuzz::generate::nudged;
 use gaugeblock_reference::Rounding;
-use gaugeblock_trace::{Language, Outcome, Scenario};
+use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 
 use crate::adapters::Capabilities;
 use crate::compare::{compare, surely_same};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_fuzz::shrink::{shape, shrink};
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 use serde::{Deserialize, Serialize};
 
 use super::signature::{Signature, rules};

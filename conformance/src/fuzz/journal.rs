@@ -1,6 +1,6 @@
 //! The journal of a run of generated programs: what it is of, and its chunks.
 
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 use serde::{Deserialize, Serialize};
 
 use super::groups::Find;

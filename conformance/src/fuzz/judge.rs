@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use gaugeblock_reference::{Evidence, Kept};
-use gaugeblock_trace::{End, Outcome, Scenario, Unsaid};
+use gaugeblock_vocabulary::{End, Outcome, Scenario, Unsaid};
 
 use super::fragile::is_fragile;
 use super::signature::Signature;

@@ -21,8 +21,8 @@ use std::sync::mpsc;
 
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
 use gaugeblock_fuzz::generate::{self, Dice, Recipe};
-use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{Options, Scenario};
+use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::{Options, Scenario};
 
 use crate::adapters::Adapter;
 pub use crate::shard::Shard;

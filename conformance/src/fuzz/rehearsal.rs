@@ -6,8 +6,8 @@ use std::ops::RangeFrom;
 use gaugeblock_fuzz::generate::splice::{self, Rare};
 use gaugeblock_fuzz::generate::{self, Dice};
 use gaugeblock_reference::{RuleOutcome, Tally, run};
-use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{End, Program, Scenario};
+use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::{End, Program, Scenario};
 
 use super::Plan;
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_reference::{RuleOutcome, run};
-use gaugeblock_trace::{Outcome, Scenario, Unsaid};
+use gaugeblock_vocabulary::{Outcome, Scenario, Unsaid};
 
 use super::Plan;
 use super::statistics::name_of;

@@ -1,6 +1,6 @@
 //! What a divergence is by, so that thousands of programs with one cause are one group.
 
-use gaugeblock_trace::{Program, Scenario};
+use gaugeblock_vocabulary::{Program, Scenario};
 use serde::{Deserialize, Serialize};
 
 use crate::compare::Divergence;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_reference::{Evidence, RuleOutcome, Tally};
-use gaugeblock_trace::{End, Outcome, Scenario};
+use gaugeblock_vocabulary::{End, Outcome, Scenario};
 use serde::{Deserialize, Serialize};
 
 /// Counts by name.

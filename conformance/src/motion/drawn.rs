@@ -1,6 +1,6 @@
 //! A programmed path as points of a drawing.
 
-use gaugeblock_trace::motion::{ProgrammedPath, Shape};
+use gaugeblock_vocabulary::motion::{ProgrammedPath, Shape};
 
 /// How far one goes about an arc between two points, degrees.
 const STEP: f64 = 3.0;

@@ -7,10 +7,10 @@ use gaugeblock_impl::path::{Asked, Resolver};
 use gaugeblock_impl::plan::Hold;
 use gaugeblock_impl::plan::{Axes, Dynamics, Feed, InputParameter, NotQueued, OutputParameter};
 use gaugeblock_impl::plan::{OutputSwitch, Path, Phase, Segment};
-use gaugeblock_trace::motion::{
+use gaugeblock_vocabulary::motion::{
     Column, Controls, MotionAction, MotionEvent, MotionLimits, MotionScript, Samples,
 };
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Block, Effect, Event, Outcome, OutputTiming, Pin, Position, Settings, Switch,
 };
 

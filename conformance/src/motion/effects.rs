@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Effect, Event, FeedMode, Outcome, OutputTiming, Pin, Settings, SpindleTurn,
 };
 

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use gaugeblock_reference::motion::laws::readings::Readings;
 use gaugeblock_reference::motion::laws::{Judgement, Law, Verdict, judge_under};
-use gaugeblock_trace::motion::{ProgrammedPath, Samples};
-use gaugeblock_trace::{End, Options, Position, Scenario};
+use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
+use gaugeblock_vocabulary::{End, Options, Position, Scenario};
 
 use crate::suite::{MotionCase, Saying, Setup};
 

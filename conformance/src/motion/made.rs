@@ -1,7 +1,7 @@
 //! Samples made of stretches of constant acceleration, and what may be wrong with them.
 
-use gaugeblock_trace::Axis;
-use gaugeblock_trace::motion::{Column, Samples};
+use gaugeblock_vocabulary::Axis;
+use gaugeblock_vocabulary::motion::{Column, Samples};
 
 use crate::suite::{MotionCase, Piece, PlantedFault};
 
@@ -30,7 +30,7 @@ pub fn made(case: &MotionCase) -> Result<Samples, String> {
     if let Some(fault) = &case.fault {
         plant(fault, &columns, &mut rows)?;
     }
-    let wrong = |error: gaugeblock_trace::motion::SamplesError| error.to_string();
+    let wrong = |error: gaugeblock_vocabulary::motion::SamplesError| error.to_string();
     let mut samples =
         Samples::new(limits.period * every, case.resolution, columns).map_err(wrong)?;
     for row in &rows {

@@ -9,8 +9,8 @@ use gaugeblock_fuzz::motion::change::Change;
 use gaugeblock_fuzz::motion::{Ride, Step, draw, shrink};
 use gaugeblock_reference::motion::laws::{Law, Verdict, judge};
 use gaugeblock_reference::motion::path::programmed;
-use gaugeblock_trace::motion::{MotionAction, MotionEvent, MotionScript};
-use gaugeblock_trace::{End, Outcome};
+use gaugeblock_vocabulary::motion::{MotionAction, MotionEvent, MotionScript};
+use gaugeblock_vocabulary::{End, Outcome};
 
 use super::drive::{Circumstances, Planned, Stopped, plan_under};
 

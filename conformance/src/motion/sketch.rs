@@ -4,8 +4,8 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_trace::Position;
-use gaugeblock_trace::motion::{ProgrammedPath, Samples};
+use gaugeblock_vocabulary::Position;
+use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use gaugeblock_reference::motion::bound::{Kind, least_time};
 use gaugeblock_reference::motion::laws::{Judgement, Verdict, judge};
-use gaugeblock_trace::motion::{MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_vocabulary::motion::{MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples};
 
 /// Most violations that are shown.
 const SHOWN: usize = 12;
@@ -129,7 +129,7 @@ fn in_words(kind: Kind) -> &'static str {
 
 /// Seconds from where the position first changes to where it last does.
 fn moving_time(samples: &Samples) -> f64 {
-    let positions = samples.positions(gaugeblock_trace::Position::default());
+    let positions = samples.positions(gaugeblock_vocabulary::Position::default());
     let mut moving = positions.windows(2).enumerate().filter(|(_, two)| two[0] != two[1]);
     let first = moving.next().map(|(at, _)| at);
     let last = moving.next_back().map(|(at, _)| at).or(first);

@@ -1,7 +1,7 @@
 //! A sheet filled in from what a controller did.
 
-use gaugeblock_trace::motion::MotionScript;
-use gaugeblock_trace::{Effect, End, Outcome, State};
+use gaugeblock_vocabulary::motion::MotionScript;
+use gaugeblock_vocabulary::{Effect, End, Outcome, State};
 
 use super::blocks::{Blocks, blocks_text};
 use super::sheet::{MODES, Values, text};

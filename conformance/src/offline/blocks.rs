@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_trace::{Axis, Block, Position, Program};
+use gaugeblock_vocabulary::{Axis, Block, Position, Program};
 
 use super::sheet::number;
 

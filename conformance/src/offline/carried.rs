@@ -1,7 +1,7 @@
 //! What the route can carry: what a person can set up before the start, and see after the end.
 
-use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{End, Outcome, Scenario};
+use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
 /// The bench that answers as said, and as any machine does where nothing is said.
 pub(super) const USUAL: &str = "whole controller";

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_trace::{Axis, Block, Channel, Position, Program, Rs274State, Settings};
+use gaugeblock_vocabulary::{Axis, Block, Channel, Position, Program, Rs274State, Settings};
 use serde::Deserialize;
 
 use super::Asked;

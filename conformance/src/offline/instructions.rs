@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_trace::scenario::{AxisLimits, Start, ToolChange};
-use gaugeblock_trace::{Axis, Machine, Position, Program, Scenario, Tool};
+use gaugeblock_vocabulary::scenario::{AxisLimits, Start, ToolChange};
+use gaugeblock_vocabulary::{Axis, Machine, Position, Program, Scenario, Tool};
 
 use super::{BLOCKS, CONTROL, Manifest, OPERATOR, Question, SAMPLES, SHEET};
 

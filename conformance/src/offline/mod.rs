@@ -17,8 +17,8 @@ mod sheet;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use gaugeblock_trace::motion::MotionLimits;
-use gaugeblock_trace::{Axis, Options, Scenario};
+use gaugeblock_vocabulary::motion::MotionLimits;
+use gaugeblock_vocabulary::{Axis, Options, Scenario};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_trace::motion::MotionLimits;
-use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{Language, Options, Program, Scenario};
+use gaugeblock_vocabulary::motion::MotionLimits;
+use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::{Language, Options, Program, Scenario};
 
 use super::carried::carried;
 use super::{Asked, digest, digest_of_motion};

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
-use gaugeblock_trace::{Block, Channel, Position, Rs274State, Settings, State};
+use gaugeblock_vocabulary::{Block, Channel, Position, Rs274State, Settings, State};
 
 use super::Asked;
 

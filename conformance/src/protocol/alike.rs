@@ -3,7 +3,7 @@
 
 use std::io::{ErrorKind, Result, Write};
 
-use gaugeblock_trace::{End, Indexed, Language, Outcome, PinChange, Sample, Settings, Step};
+use gaugeblock_vocabulary::{End, Indexed, Language, Outcome, PinChange, Sample, Settings, Step};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
@@ -115,7 +115,7 @@ impl Write for Rest<'_> {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_trace::Scenario;
+    use gaugeblock_vocabulary::Scenario;
 
     use super::*;
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Effect, GppState, Language, LengthUnit, NctState, Options, Pin, Rs274State, Settings,
 };
 use schemars::JsonSchema;

@@ -5,7 +5,7 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_trace::Outcome;
+use gaugeblock_vocabulary::Outcome;
 use serde_json::Value;
 use sha2::{Digest as _, Sha256};
 

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::scenario::{Bench, Start, ToolChange};
-use gaugeblock_trace::{Machine, Program, Scenario};
+use gaugeblock_vocabulary::scenario::{Bench, Start, ToolChange};
+use gaugeblock_vocabulary::{Machine, Program, Scenario};
 
 /// Every feature, and what a controller does that has it.
 pub const FEATURES: &[(&str, &str)] = &[

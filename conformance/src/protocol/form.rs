@@ -1,8 +1,8 @@
 //! Requests and answers as they stand in a line: read in one pass, and what is wrong is told with its place.
 
-use gaugeblock_trace::motion::{MotionLimits, MotionScript};
-use gaugeblock_trace::scenario::{OperatorEvent, When};
-use gaugeblock_trace::{Outcome, Scenario, Step};
+use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
+use gaugeblock_vocabulary::scenario::{OperatorEvent, When};
+use gaugeblock_vocabulary::{Outcome, Scenario, Step};
 use serde::Deserialize;
 
 use super::{Declaration, Observables, Operation, Reply, Standing, Stream, Ways};

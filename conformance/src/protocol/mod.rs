@@ -14,9 +14,9 @@ mod offers;
 mod patience;
 mod serve;
 
-use gaugeblock_trace::motion::{MotionLimits, MotionScript};
-use gaugeblock_trace::scenario::{OperatorEvent, When};
-use gaugeblock_trace::{Indexed, Outcome, Scenario, Settings, State, Step};
+use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
+use gaugeblock_vocabulary::scenario::{OperatorEvent, When};
+use gaugeblock_vocabulary::{Indexed, Outcome, Scenario, Settings, State, Step};
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::{Deserialize, Serialize};
 

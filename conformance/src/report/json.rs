@@ -1,6 +1,6 @@
 //! The report as one JSON document.
 
-use gaugeblock_trace::Options;
+use gaugeblock_vocabulary::Options;
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Serialize;
 use serde_json::Value;

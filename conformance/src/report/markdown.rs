@@ -3,7 +3,7 @@
 //! Whatever a controller says stands in code, in a run of backticks that it cannot close: no heading, no link, no mention, no HTML
 //! of its making. The page has a limit, and says what it leaves out.
 
-use gaugeblock_trace::Language;
+use gaugeblock_vocabulary::Language;
 
 use super::causes::{self, Group, explained};
 use super::terminal::{shortened, without_guard};

@@ -137,7 +137,7 @@ impl<'a> Matrix<'a> {
             .collect();
         json!({
             "gaugeblock": "matrix",
-            "schema": gaugeblock_trace::schema::VERSION,
+            "schema": gaugeblock_vocabulary::schema::VERSION,
             "controllers": controllers,
             "documents": documents,
         })

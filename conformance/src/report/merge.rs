@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_trace::Options;
+use gaugeblock_vocabulary::Options;
 use serde::{Deserialize, Serialize};
 
 use super::json::VERSION;

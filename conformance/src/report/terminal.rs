@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
-use gaugeblock_trace::Language;
+use gaugeblock_vocabulary::Language;
 
 use super::causes::{explained, groups};
 use super::{Report, RuleVerdict, inert, inert_line};

@@ -1,6 +1,6 @@
 //! The canonical calls, each in the form in which it is printed.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Channel, Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Position, Retract,
     SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };

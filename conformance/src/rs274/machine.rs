@@ -4,8 +4,8 @@
 
 use std::path::{Path, PathBuf};
 
-use gaugeblock_trace::scenario::ToolChange;
-use gaugeblock_trace::{Axis, LengthUnit, Machine, Options, Tool};
+use gaugeblock_vocabulary::scenario::ToolChange;
+use gaugeblock_vocabulary::{Axis, LengthUnit, Machine, Options, Tool};
 
 use super::ini::Ini;
 use crate::suite::files;

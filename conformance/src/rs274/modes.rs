@@ -1,6 +1,6 @@
 //! The settings in force as the printer keeps them: small enough to be copied for each block.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Position, Retract, Settings,
     SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };

@@ -1,6 +1,6 @@
 //! The motion of a block: moves, probing, threads, and canned cycles, around which the path mode is switched.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Distance, Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn,
 };
 

@@ -1,7 +1,7 @@
 //! The sink of the interpreter: gathers what a block says and does, and prints its calls when it is done.
 
 use gaugeblock_impl::{BlockBegun, BlockDone, Executed, Reply, Sink};
-use gaugeblock_trace::{Effect, Event, FaultKind, Plane, Position, Settings};
+use gaugeblock_vocabulary::{Effect, Event, FaultKind, Plane, Position, Settings};
 
 use super::block::{Fixed, Phase, Printed, Words};
 use super::modes::Modes;

@@ -2,7 +2,7 @@
 //!
 //! The sentences are our own, but for those on which programs depend that read the output of `rs274`: short facts of its interface, as observed.
 
-use gaugeblock_trace::{Fault, FaultKind, Plane, Position};
+use gaugeblock_vocabulary::{Fault, FaultKind, Plane, Position};
 
 use super::block::{Phase, Words};
 use super::motion::in_plane;

@@ -1,6 +1,6 @@
 //! Modes and offsets of a block, and what M72 and the end of a sub with M73 bring back.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, FeedMode, LengthUnit, Path, Position, SpindleLimit, SpindleMode, Switch,
 };
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::rc::Rc;
 
 use gaugeblock_impl::{Source, Unreadable};
-use gaugeblock_trace::Program;
+use gaugeblock_vocabulary::Program;
 
 /// A file's text and where its lines begin.
 #[derive(Debug, Default)]

@@ -1,6 +1,6 @@
 //! Tools, outputs, spindles, coolant and overrides of a block.
 
-use gaugeblock_trace::{Effect, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{Effect, SpindleTurn, Switch};
 
 use super::block::Printed;
 
@@ -15,7 +15,7 @@ impl Printed<'_> {
     }
 
     pub(super) fn outputs(&mut self) {
-        use gaugeblock_trace::OutputTiming::WithMotion;
+        use gaugeblock_vocabulary::OutputTiming::WithMotion;
         let output = |effect: &Effect| {
             matches!(
                 effect,
@@ -108,7 +108,7 @@ impl Printed<'_> {
         loop {
             match self.next(oriented) {
                 Some(Effect::OrientSpindle { spindle, angle, direction }) => {
-                    use gaugeblock_trace::OrientDirection::{
+                    use gaugeblock_vocabulary::OrientDirection::{
                         Clockwise, Counterclockwise, Shortest,
                     };
                     let mode = match direction {

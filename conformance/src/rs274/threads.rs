@@ -1,6 +1,6 @@
 //! Threads and taps: what `rs274` does there otherwise than its manual says, and what shows in the printed moves alone.
 
-use gaugeblock_trace::{Effect, Event, Lathe, Plane, Position};
+use gaugeblock_vocabulary::{Effect, Event, Lathe, Plane, Position};
 
 use super::block::Printed;
 

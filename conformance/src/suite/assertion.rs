@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Effect, End, FaultKind, GppState, Language, NctState, Pin, Rs274State, Scalar, Settings, State,
     TextError, text::Arguments,
 };
@@ -21,7 +21,7 @@ pub struct Place {
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.file != gaugeblock_trace::Program::MAIN {
+        if self.file != gaugeblock_vocabulary::Program::MAIN {
             write!(f, "{}:", self.file)?;
         }
         write!(f, "{}", self.line)?;
@@ -188,7 +188,7 @@ fn place_of(text: &str) -> Result<Place, String> {
         Some((at, k)) => (at, Some(k.parse().map_err(|_| format!("not an execution: {k}"))?)),
         None => (text, None),
     };
-    let (file, line) = at.rsplit_once(':').unwrap_or((gaugeblock_trace::Program::MAIN, at));
+    let (file, line) = at.rsplit_once(':').unwrap_or((gaugeblock_vocabulary::Program::MAIN, at));
     let line = line.parse().map_err(|_| format!("not a line: {line}"))?;
     Ok(Place { file: file.to_owned(), line, execution })
 }
@@ -279,7 +279,7 @@ pub fn is_accepted(end: &End) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_trace::Position;
+    use gaugeblock_vocabulary::Position;
 
     use super::*;
 

@@ -8,7 +8,7 @@ mod page;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_trace::Options;
+use gaugeblock_vocabulary::Options;
 
 pub use assertion::Assertion;
 pub use files::Files;

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::str::FromStr;
 
-use gaugeblock_trace::Axis;
-use gaugeblock_trace::motion::{MotionEvent, MotionLimits, MotionScript};
+use gaugeblock_vocabulary::Axis;
+use gaugeblock_vocabulary::motion::{MotionEvent, MotionLimits, MotionScript};
 use serde::Deserialize;
 
 /// Limits of a case that names none: X, Y, Z with 250 mm/s and 2000 mm/s², a servo cycle of a millisecond.

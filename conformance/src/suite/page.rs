@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::Language;
-use gaugeblock_trace::scenario::{Bench, Budget, Machine, OperatorEvent, Program, Scenario, Start};
+use gaugeblock_vocabulary::Language;
+use gaugeblock_vocabulary::scenario::{Bench, Budget, Machine, OperatorEvent, Program, Scenario, Start};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -142,7 +142,7 @@ pub struct Setup {
 
 impl Setup {
     /// The scenario of a main program; options are those of the edition.
-    pub fn scenario(&self, program: &str, options: &gaugeblock_trace::Options) -> Scenario {
+    pub fn scenario(&self, program: &str, options: &gaugeblock_vocabulary::Options) -> Scenario {
         Scenario {
             program: Program {
                 main: program.to_owned(),

@@ -19,8 +19,8 @@ mod values;
 mod writer;
 mod wrong;
 
-use gaugeblock_trace::scenario::{Budget, Start};
-use gaugeblock_trace::{Language, Program, Scenario};
+use gaugeblock_vocabulary::scenario::{Budget, Start};
+use gaugeblock_vocabulary::{Language, Program, Scenario};
 
 pub use dice::Dice;
 pub use nudge::nudged;

@@ -1,6 +1,6 @@
 //! Programs in which every transcendental result is moved by its last bit.
 
-use gaugeblock_trace::{Language, Scenario};
+use gaugeblock_vocabulary::{Language, Scenario};
 
 /// Functions whose results differ in the last bit from one library to the next.
 const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "asin", "acos", "atan", "exp", "ln"];

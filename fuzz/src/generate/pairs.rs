@@ -1,6 +1,6 @@
 //! Pairs of scenarios that must do the same: an oracle that needs no second engine.
 
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 
 use super::{Dice, Recipe, Setups};
 

@@ -1,10 +1,10 @@
 //! Machines, benches and operators.
 
-use gaugeblock_trace::scenario::{
+use gaugeblock_vocabulary::scenario::{
     Action, Bench, Folder, InputChange, Machine, OperatorEvent, OrientAnswer, ProbeContact,
     Scenario, Tool, ToolChange, UserProgram, When,
 };
-use gaugeblock_trace::{Axis, Block, ControllerMode, LengthUnit, Program};
+use gaugeblock_vocabulary::{Axis, Block, ControllerMode, LengthUnit, Program};
 
 use super::dice::Dice;
 

@@ -1,6 +1,6 @@
 //! Programs from parts of others, such as the suite's cases.
 
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 
 use super::{BUDGET, Dice};
 

@@ -1,6 +1,6 @@
 //! What a writer knows of the program that it writes: enough for most blocks to be allowed, and no interpreter.
 
-use gaugeblock_trace::{Axis, Scenario};
+use gaugeblock_vocabulary::{Axis, Scenario};
 
 /// A sub that can be called.
 #[derive(Clone, Debug, PartialEq, Eq)]

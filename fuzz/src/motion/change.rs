@@ -1,8 +1,8 @@
 //! The same ride with its axes in another order, mirrored, larger, in smaller steps, or with more allowed.
 
-use gaugeblock_trace::Axis;
-use gaugeblock_trace::motion::{MotionLimits, PathMode};
-use gaugeblock_trace::scenario::AxisLimits;
+use gaugeblock_vocabulary::Axis;
+use gaugeblock_vocabulary::motion::{MotionLimits, PathMode};
+use gaugeblock_vocabulary::scenario::AxisLimits;
 
 use super::draw::between;
 use super::{Axes, Pace, Plane, Ride, Step};

@@ -9,8 +9,8 @@ pub mod shrink;
 
 use std::fmt::Write as _;
 
-use gaugeblock_trace::Position;
-use gaugeblock_trace::motion::{MotionAction, MotionLimits, MotionScript, PathMode};
+use gaugeblock_vocabulary::Position;
+use gaugeblock_vocabulary::motion::{MotionAction, MotionLimits, MotionScript, PathMode};
 
 /// Values of the nine axes, in their order.
 pub type Axes = [f64; 9];

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::motion::PathMode;
+use gaugeblock_vocabulary::motion::PathMode;
 
 use super::{Pace, Ride, Step};
 
@@ -80,7 +80,7 @@ fn plainer(best: &mut Ride, attempt: &mut Attempt<'_>) {
     }
     attempt(best, smaller);
     let smaller = Ride {
-        limits: gaugeblock_trace::motion::MotionLimits {
+        limits: gaugeblock_vocabulary::motion::MotionLimits {
             period: 0.001,
             axes: BTreeMap::clone(&best.limits.axes),
         },

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use gaugeblock_impl::{
     BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable,
 };
-use gaugeblock_trace::{Effect, Scenario, Settings};
+use gaugeblock_vocabulary::{Effect, Scenario, Settings};
 
 use crate::generate::Dice;
 

@@ -8,7 +8,7 @@ mod arrival;
 mod prefix;
 mod same;
 
-use gaugeblock_trace::{Bound, End, Event, Outcome, Scenario};
+use gaugeblock_vocabulary::{Bound, End, Event, Outcome, Scenario};
 
 pub use arrival::arrives;
 pub use prefix::goes_on;

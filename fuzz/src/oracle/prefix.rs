@@ -1,6 +1,6 @@
 //! A run whose budget ran out is the beginning of a longer one.
 
-use gaugeblock_trace::{End, Outcome, Scenario};
+use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
 /// Runs a scenario with its budget and with less, and compares the blocks that both executed.
 ///

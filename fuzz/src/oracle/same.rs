@@ -1,6 +1,6 @@
 //! Whether a pair of scenarios does the same.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Effect, End, Event, Fault, LengthUnit, Outcome, Position, Scenario, Settings,
 };
 
@@ -46,7 +46,7 @@ pub fn same(pair: &Pair, run: &mut dyn FnMut(&Scenario) -> Option<Outcome>) -> R
     ))
 }
 
-fn kind(outcome: &Outcome) -> Option<gaugeblock_trace::FaultKind> {
+fn kind(outcome: &Outcome) -> Option<gaugeblock_vocabulary::FaultKind> {
     if let End::Fault(fault) = &outcome.end { fault.kind } else { None }
 }
 
@@ -63,7 +63,7 @@ fn lacks_its_end(scenario: &Scenario, outcome: &Outcome) -> bool {
 
 /// Effects of all blocks but a refused one.
 fn effects(outcome: &Outcome) -> Vec<&Effect> {
-    let refused = |line: &gaugeblock_trace::Block| matches!(&outcome.end, End::Fault(fault) if fault.block.as_ref() == Some(line));
+    let refused = |line: &gaugeblock_vocabulary::Block| matches!(&outcome.end, End::Fault(fault) if fault.block.as_ref() == Some(line));
     let last = outcome.steps.len().saturating_sub(1);
     let steps = outcome.steps.iter().enumerate();
     let counted =

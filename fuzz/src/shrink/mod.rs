@@ -8,7 +8,7 @@ mod lines;
 mod setup;
 mod words;
 
-use gaugeblock_trace::{Options, Scenario};
+use gaugeblock_vocabulary::{Options, Scenario};
 
 pub use words::shape;
 

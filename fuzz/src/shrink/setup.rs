@@ -1,7 +1,7 @@
 //! Machine, bench, operator and options back to their defaults.
 
-use gaugeblock_trace::scenario::{Bench, Machine};
-use gaugeblock_trace::{Options, Scenario};
+use gaugeblock_vocabulary::scenario::{Bench, Machine};
+use gaugeblock_vocabulary::{Options, Scenario};
 
 use super::Search;
 

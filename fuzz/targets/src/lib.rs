@@ -11,7 +11,7 @@ use gaugeblock::fuzz::{comparable, is_fragile};
 use gaugeblock::observe::Observed;
 use gaugeblock_fuzz::generate::{self, Dice, odd, pairs};
 use gaugeblock_fuzz::oracle;
-use gaugeblock_trace::{End, Outcome, Scenario};
+use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
 /// A target by name.
 pub type Target = (&'static str, fn(&[u8]));

@@ -2,7 +2,7 @@
 //!
 //! The gate builds it for a processor without an operating system, where a use of `std` anywhere in it has nothing to link to, and runs its
 //! samples on a second processor, where they must be the same to the last bit. The interpreter beside it speaks the vocabulary of
-//! `gaugeblock-trace`, whose files are read with `std`.
+//! `gaugeblock-vocabulary`, whose files are read with `std`.
 #![no_std]
 
 extern crate alloc;

@@ -1,6 +1,6 @@
 //! Calls and returns: by o-words (11.7.4, 11.7.9, 11.7.10), and by M98 and M99 (11.7.4.1).
 
-use gaugeblock_trace::{End, FaultKind};
+use gaugeblock_vocabulary::{End, FaultKind};
 
 use crate::canon::Sink;
 use crate::control::flow::{Halt, refuse};

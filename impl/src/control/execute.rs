@@ -1,6 +1,6 @@
 //! The loop: the next block is found, evaluated, and handed on.
 
-use gaugeblock_trace::{End, FaultKind, Program};
+use gaugeblock_vocabulary::{End, FaultKind, Program};
 
 use crate::canon::Sink;
 use crate::control::{Cursor, LOOP, STREAM, View};

@@ -3,7 +3,7 @@
 use alloc::collections::BTreeMap;
 use alloc::string::String;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::control::flow::{Halt, refuse};
 use crate::control::gather::{Bad, Ends, Next, refuse_endless};

@@ -1,6 +1,6 @@
 //! O-words: labels and what they point to, conditions (11.7.6), and the errors of both (11.7.11).
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::canon::Sink;
 use crate::control::seek::Wanted;

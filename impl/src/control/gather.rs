@@ -2,7 +2,7 @@
 
 use alloc::collections::BTreeMap;
 
-use gaugeblock_trace::{End, FaultKind};
+use gaugeblock_vocabulary::{End, FaultKind};
 
 use crate::control::flow::Halt;
 use crate::control::{Cursor, Definition, LOOP, STREAM};

@@ -1,6 +1,6 @@
 //! Loops (11.7.5, 11.7.7): where they begin, where they turn, and where they are left.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::control::flow::{Halt, refuse};
 use crate::control::seek::Wanted;

@@ -3,7 +3,7 @@
 use alloc::string::String;
 use core::fmt::Write as _;
 
-use gaugeblock_trace::{Channel, Effect, FaultKind};
+use gaugeblock_vocabulary::{Channel, Effect, FaultKind};
 
 use crate::canon::{Reply, Sink};
 use crate::control::evaluate::Parameters;

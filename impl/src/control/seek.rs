@@ -1,6 +1,6 @@
 //! The search for the block that a label leads to, further on in the text.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::control::{Cursor, Definition, LOOP, STREAM};
 use crate::error::Error;

@@ -1,6 +1,6 @@
 //! Expressions, places and tests, evaluated.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::formats::{Format, REAL};
 use super::program::{Operation, Part, Place, Program, Source, Sum, Test};

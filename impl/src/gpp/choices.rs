@@ -1,6 +1,6 @@
 //! The readings of the documents that apply to a post-processor, taken from the options once.
 
-use gaugeblock_trace::Options;
+use gaugeblock_vocabulary::Options;
 
 use crate::error::Error;
 

@@ -3,7 +3,7 @@
 use alloc::format;
 use alloc::string::String;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::compile::{Compiler, NO_STATEMENT, Stop, format_named};
 use super::lexer::Token;

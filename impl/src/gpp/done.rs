@@ -1,6 +1,6 @@
 //! What a sink can see after each step of a post-processor.
 
-use gaugeblock_trace::Program;
+use gaugeblock_vocabulary::Program;
 
 use super::variables::{Change, Variables};
 

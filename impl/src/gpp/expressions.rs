@@ -1,6 +1,6 @@
 //! Expressions and variables: read from left to right, written as operations behind their operands.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::compile::{Compiler, DEEPEST, NO_STATEMENT, Stop, too_deep};
 use super::lexer::{self, Token};

@@ -1,6 +1,6 @@
 //! Words, numbers, texts and signs of a program.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 /// Most characters of a text.
 pub(super) const LONGEST_TEXT: usize = 256;

@@ -39,7 +39,7 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
-use gaugeblock_trace::{Block, End, Fault, FaultKind, Options};
+use gaugeblock_vocabulary::{Block, End, Fault, FaultKind, Options};
 
 use crate::canon::Sink;
 use crate::error::Error;
@@ -77,7 +77,7 @@ impl core::error::Error for NotCompiled {}
 /// ```
 /// use gaugeblock_impl::gpp::{PostProcessor, StatementDone};
 /// use gaugeblock_impl::{Reply, Sink};
-/// use gaugeblock_trace::{Effect, Options, Settings};
+/// use gaugeblock_vocabulary::{Effect, Options, Settings};
 ///
 /// #[derive(Default)]
 /// struct Printer(String);

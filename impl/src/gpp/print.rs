@@ -4,7 +4,7 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Channel, Effect};
+use gaugeblock_vocabulary::{Channel, Effect};
 
 use super::calculate::Refused;
 use super::program::{Item, Part, Place};

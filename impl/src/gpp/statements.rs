@@ -2,7 +2,7 @@
 
 use alloc::format;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::compile::{Compiler, NO_STATEMENT, SYMBOLS, Stop, old_word};
 use super::expressions::{Node, WRONG_TYPE};

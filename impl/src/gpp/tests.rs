@@ -5,7 +5,7 @@ extern crate std;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Effect, Options, Settings};
+use gaugeblock_vocabulary::{Effect, Options, Settings};
 use proptest::prelude::*;
 
 use super::*;

@@ -3,7 +3,7 @@
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::Tool;
+use gaugeblock_vocabulary::Tool;
 
 use crate::parameters::Numbered;
 

@@ -3,7 +3,7 @@
 //! An arc lies in the selected plane, of which the axes are called first and second so that counterclockwise is from the first to the second
 //! one: X Y, Z X, Y Z. Whatever else moves, moves along.
 
-use gaugeblock_trace::{Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane};
+use gaugeblock_vocabulary::{Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};

@@ -2,7 +2,7 @@
 
 use alloc::format;
 
-use gaugeblock_trace::{FaultKind, Motion};
+use gaugeblock_vocabulary::{FaultKind, Motion};
 
 use crate::faults::{Fault, planted};
 use crate::quirks;

@@ -1,6 +1,6 @@
 //! Cutter compensation as a mode (11.5.25 to 11.5.27): what it needs to be switched on.
 
-use gaugeblock_trace::{Compensation, FaultKind, Plane};
+use gaugeblock_vocabulary::{Compensation, FaultKind, Plane};
 
 use crate::words::Words;
 

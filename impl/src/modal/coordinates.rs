@@ -1,6 +1,6 @@
 //! Nine coordinates and the arithmetic on them.
 
-use gaugeblock_trace::{Axis, LengthUnit, Position};
+use gaugeblock_vocabulary::{Axis, LengthUnit, Position};
 
 use crate::words::Words;
 

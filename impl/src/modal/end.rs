@@ -1,6 +1,6 @@
 //! Stops and ends: M0, M1, M60 (11.6.2, 11.6.4), M2, M30 (11.6.3), and the operator's abort.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, ControllerMode, Distance, Effect, Motion, Plane, SpindleTurn, Switch,
 };
 

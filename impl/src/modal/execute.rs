@@ -1,6 +1,6 @@
 //! The order of execution of a block (11.4.23), and the short way through it for a straight move.
 
-use gaugeblock_trace::{Compensation, Effect, FaultKind, FeedMode, Lathe, Motion};
+use gaugeblock_vocabulary::{Compensation, Effect, FaultKind, FeedMode, Lathe, Motion};
 
 use crate::begun::BlockBegun;
 use crate::canon::{Reply, Sink};

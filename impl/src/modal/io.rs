@@ -4,7 +4,7 @@ use alloc::borrow::ToOwned;
 use alloc::format;
 use alloc::string::{String, ToString};
 
-use gaugeblock_trace::{Effect, FaultKind, OutputTiming, WaitMode};
+use gaugeblock_vocabulary::{Effect, FaultKind, OutputTiming, WaitMode};
 
 use crate::canon::{Reply, Sink};
 use crate::faults::{Fault, planted};

@@ -50,8 +50,8 @@ mod tests;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::scenario::ToolChange;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::ToolChange;
+use gaugeblock_vocabulary::{
     Axis, ControllerMode, LengthUnit, Machine, Motion, Retract, Rs274State, Settings, Tool,
 };
 

@@ -1,6 +1,6 @@
 //! The settings in force, and which of them the sink has not heard of yet.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Retract, Settings,
     SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };

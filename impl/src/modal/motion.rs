@@ -1,6 +1,6 @@
 //! Moves (11.5.3 to 11.5.5, 11.5.33) and the dwell (11.5.6).
 
-use gaugeblock_trace::{Compensation, Effect, FaultKind, Motion};
+use gaugeblock_vocabulary::{Compensation, Effect, FaultKind, Motion};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};

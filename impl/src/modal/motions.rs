@@ -1,6 +1,6 @@
 //! Motion codes other than G0 to G3 and G80, each handed to where it is done.
 
-use gaugeblock_trace::{Distance, Effect, Lathe, Motion};
+use gaugeblock_vocabulary::{Distance, Effect, Lathe, Motion};
 
 use crate::canon::Sink;
 use crate::parameters::Numbered;

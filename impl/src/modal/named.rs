@@ -1,6 +1,6 @@
 //! The predefined named parameters that tell modes (11.4.3.4, 11.4.3.5).
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Compensation, Distance, FeedMode, Lathe, LengthUnit, Motion, Plane, Retract, SpindleMode,
     SpindleTurn, Switch,
 };

@@ -2,7 +2,7 @@
 //!
 //! machine = rotation(program + G92) + G5x + tool: the offset of G52 and G92 applies in the turned system (11.1.4.1, 11.5.14).
 
-use gaugeblock_trace::Tool;
+use gaugeblock_vocabulary::Tool;
 
 use crate::faults::{Fault, planted};
 use crate::math;

@@ -1,6 +1,6 @@
 //! Straight probing: G38.2 to G38.5 (11.5.24).
 
-use gaugeblock_trace::{Compensation, Effect, FaultKind};
+use gaugeblock_vocabulary::{Compensation, Effect, FaultKind};
 
 use crate::canon::{Reply, Sink};
 use crate::faults::{Fault, planted};

@@ -2,7 +2,7 @@
 
 use alloc::string::String;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 /// How execution goes on after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

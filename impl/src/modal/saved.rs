@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{FaultKind, Motion, Path, SpindleTurn};
+use gaugeblock_vocabulary::{FaultKind, Motion, Path, SpindleTurn};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};

@@ -1,6 +1,6 @@
 //! Spindles: S, G96, G97, M3 to M5, M19 (11.5.60, 11.6.5, 11.6.8, 11.8.2).
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Effect, FaultKind, OrientDirection, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 

@@ -1,6 +1,6 @@
 //! Splines: G5, G5.1 and the data block of G5.2 and G5.3 (11.5.7 to 11.5.9).
 
-use gaugeblock_trace::{Effect, FaultKind, Motion, Plane};
+use gaugeblock_vocabulary::{Effect, FaultKind, Motion, Plane};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};

@@ -1,6 +1,6 @@
 //! Coolant (11.6.7) and override controls (11.6.9 to 11.6.13).
 
-use gaugeblock_trace::{Compensation, FaultKind, Switch};
+use gaugeblock_vocabulary::{Compensation, FaultKind, Switch};
 
 use crate::faults::{Fault, planted};
 

@@ -1,7 +1,7 @@
 //! Where the axis words of a move lead: absolute and incremental (11.5.54), diameters (11.5.10), polar words (11.4.12), machine coordinates
 //! (11.5.33).
 
-use gaugeblock_trace::{Distance, FaultKind, Lathe};
+use gaugeblock_vocabulary::{Distance, FaultKind, Lathe};
 
 use crate::faults::{Fault, planted};
 use crate::math;

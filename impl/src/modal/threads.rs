@@ -1,6 +1,6 @@
 //! Moves in step with a spindle: G33 and G33.1 (11.5.22, 11.5.23).
 
-use gaugeblock_trace::{Axis, Effect, FaultKind, Machine, Motion, SpindleMode};
+use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Machine, Motion, SpindleMode};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};

@@ -1,6 +1,6 @@
 //! Tools: T, M6, M61 (11.6.6, 11.6.14, 11.8.3) and tool length offsets (11.5.28 to 11.5.31).
 
-use gaugeblock_trace::{ControllerMode, Effect, FaultKind, SpindleTurn, Switch, Tool};
+use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, SpindleTurn, Switch, Tool};
 
 use crate::canon::{Reply, Sink};
 use crate::faults::{Fault, planted};

@@ -1,6 +1,6 @@
 //! Writing into the tool table: G10 L1, L10, L11 (11.5.13, 11.5.15, 11.5.16), and reading it again: G10 L0 (11.5.12).
 
-use gaugeblock_trace::{Effect, FaultKind, Tool};
+use gaugeblock_vocabulary::{Effect, FaultKind, Tool};
 
 use crate::canon::Sink;
 use crate::math;

@@ -3,7 +3,7 @@
 //!
 //! What the sink was told and did stays told and done; a caller that records looks at whole blocks.
 
-use gaugeblock_trace::{ControllerMode, Motion, Tool};
+use gaugeblock_vocabulary::{ControllerMode, Motion, Tool};
 
 use crate::parameters::Numbered;
 

@@ -2,7 +2,7 @@
 
 use alloc::format;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::math;
 

@@ -2,7 +2,7 @@
 
 use alloc::format;
 
-use gaugeblock_trace::{FaultKind, Lathe};
+use gaugeblock_vocabulary::{FaultKind, Lathe};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};

@@ -1,6 +1,6 @@
 //! Arcs: G2 and G3 round a centre, or with a radius.
 
-use gaugeblock_trace::{Effect, FaultKind, Motion, Plane};
+use gaugeblock_vocabulary::{Effect, FaultKind, Motion, Plane};
 
 use super::execute::Letters;
 use super::program::{Stop, refuse};

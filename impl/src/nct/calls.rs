@@ -1,6 +1,6 @@
 //! Calls: once, modally after a motion or by block, and of subprograms; their arguments, and the return.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::program::{Stop, refuse};
 use super::run::{Flow, Runner};

@@ -1,6 +1,6 @@
 //! What a sink can see after each step of a program with custom macros.
 
-use gaugeblock_trace::{Motion, Position};
+use gaugeblock_vocabulary::{Motion, Position};
 
 use super::run::Told;
 use super::variables::{VariableChange, Variables};

@@ -1,6 +1,6 @@
 //! A block of words: their values, the codes told, effects in order, and the call behind them.
 
-use gaugeblock_trace::{Axis, Distance, Effect, FaultKind, Motion};
+use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion};
 
 use super::calls::is_call;
 use super::modes::Codes;

@@ -1,6 +1,6 @@
 //! Expressions: read from left to right, written as operations behind their operands.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::choices::Choices;
 use super::program::{

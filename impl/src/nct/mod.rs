@@ -37,7 +37,7 @@ mod variables;
 use alloc::boxed::Box;
 use alloc::format;
 
-use gaugeblock_trace::{Axis, Block, End, Fault, Options, Program, Settings};
+use gaugeblock_vocabulary::{Axis, Block, End, Fault, Options, Program, Settings};
 
 use crate::canon::Sink;
 use crate::error::Error;
@@ -53,7 +53,7 @@ pub use variables::VariableChange;
 /// ```
 /// use gaugeblock_impl::nct::CustomMacros;
 /// use gaugeblock_impl::{Reply, Sink};
-/// use gaugeblock_trace::{Axis, Effect, End, Options, Settings};
+/// use gaugeblock_vocabulary::{Axis, Effect, End, Options, Settings};
 ///
 /// #[derive(Default)]
 /// struct Ends(Vec<f64>);

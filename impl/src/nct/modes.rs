@@ -1,6 +1,6 @@
 //! Modes and codes: what is in force, and what the codes of a block make of it.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Distance, FaultKind, FeedMode, Indexed, LengthUnit, Motion, Plane, Settings, SpindleTurn,
     Switch,
 };

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Axis, Effect, FaultKind, Motion, Position};
+use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Motion, Position};
 
 use super::calculate::{Calculator, Stack};
 use super::calls::{Frame, ModalCall, Reach};

@@ -1,6 +1,6 @@
 //! What a line says behind its numbers: words, or a macro statement.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::expressions::{Reader, bad_statement};
 use super::program::{Kind, Stop, Word, refuse};

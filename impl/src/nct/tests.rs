@@ -5,7 +5,7 @@ extern crate std;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Effect, FaultKind, Options, Settings};
+use gaugeblock_vocabulary::{Effect, FaultKind, Options, Settings};
 use proptest::prelude::*;
 
 use super::*;

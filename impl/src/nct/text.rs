@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::program::{Stop, refuse};
 use crate::syntax;

@@ -15,7 +15,7 @@ mod frame;
 #[cfg(test)]
 mod tests;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Effect, FeedMode, LengthUnit, OutputTiming, Path as PathMode, Plane, Settings,
 };
 
@@ -46,7 +46,7 @@ pub enum Asked {
 /// ```
 /// use gaugeblock_impl::path::{Asked, Resolver};
 /// use gaugeblock_impl::plan::{Blend, Feed, Path};
-/// use gaugeblock_trace::{Effect, FeedMode, LengthUnit, Path as PathMode, Plane, Settings};
+/// use gaugeblock_vocabulary::{Effect, FeedMode, LengthUnit, Path as PathMode, Plane, Settings};
 ///
 /// let mut resolver = Resolver::new([0.0; 9]);
 /// resolver.set(&Settings {

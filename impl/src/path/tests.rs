@@ -1,4 +1,4 @@
-use gaugeblock_trace::Position;
+use gaugeblock_vocabulary::Position;
 
 use super::*;
 

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::math;

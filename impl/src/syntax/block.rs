@@ -4,7 +4,7 @@ use alloc::collections::BTreeMap;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{FaultKind, Machine};
+use gaugeblock_vocabulary::{FaultKind, Machine};
 
 use crate::faults::{Fault, planted};
 use crate::limits::{Limit, Limits};

@@ -1,6 +1,6 @@
 //! The readings of the documents that text, expressions and o-words depend on, taken from the options once.
 
-use gaugeblock_trace::Options;
+use gaugeblock_vocabulary::Options;
 
 use crate::error::Error;
 

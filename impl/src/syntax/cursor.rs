@@ -1,6 +1,6 @@
 //! A walk over the characters of a line. Blanks mean nothing outside of comments and are stepped over (11.4.2).
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::syntax::{Packed, Refused};
 

@@ -2,7 +2,7 @@
 //!
 //! Constants are folded on the way, unless that fails: a wrong constant is an error of the block, and an error waits for its execution.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::limits::Limit;

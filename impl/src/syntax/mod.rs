@@ -13,7 +13,7 @@ mod parameter;
 
 use alloc::boxed::Box;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 pub(crate) use block::{LinePlace, Packer, Taken, code_number, is_oword, is_percent};
 pub(crate) use choices::{AbsentName, Choices, DoLabel, PercentAlone, RepeatFraction, RoundHalf};

@@ -1,6 +1,6 @@
 //! Numbers as they are written (11.4.2.4): digits with one decimal point at most, blanks anywhere between them.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::math;

@@ -1,6 +1,6 @@
 //! O-words (11.7): a label, what it asks for, and values in brackets.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::math;
 use crate::parameters::NameId;

@@ -1,6 +1,6 @@
 //! The points at which documents differ, as far as they concern the task.
 
-use gaugeblock_trace::Options;
+use gaugeblock_vocabulary::Options;
 
 use crate::error::Error;
 

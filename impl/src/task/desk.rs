@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{ControllerMode, Pin, Settings};
+use gaugeblock_vocabulary::{ControllerMode, Pin, Settings};
 
 use crate::interpret::Interpreter;
 

@@ -1,6 +1,6 @@
 //! Effects and settings on their way from the interpreter to the machine: each is handed on when the machine may have it.
 
-use gaugeblock_trace::{Effect, FaultKind, Settings};
+use gaugeblock_vocabulary::{Effect, FaultKind, Settings};
 
 use crate::begun::BlockBegun;
 use crate::canon::{Reply, Sink};

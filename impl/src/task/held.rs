@@ -1,6 +1,6 @@
 //! Whether a motion is held where it begins: overrides (M48 to M51), adaptive feed (M52), the feed stop (M53).
 
-use gaugeblock_trace::Effect;
+use gaugeblock_vocabulary::Effect;
 
 use crate::faults::{Fault, planted};
 

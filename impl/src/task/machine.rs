@@ -1,7 +1,7 @@
 //! What a task needs of a machine besides what an interpreter does: time, inputs, pins, and who operates it.
 
-use gaugeblock_trace::scenario::Action;
-use gaugeblock_trace::{FaultKind, Pin};
+use gaugeblock_vocabulary::scenario::Action;
+use gaugeblock_vocabulary::{FaultKind, Pin};
 
 use crate::canon::Sink;
 
@@ -28,7 +28,7 @@ pub trait Machine: Sink {
     /// Puts a value on a pin, which had another one.
     fn pin(&mut self, pin: Pin, value: f64);
 
-    /// The last wait for an input ([`Effect::WaitInput`](gaugeblock_trace::Effect::WaitInput)) is over, and this was read: -1 where nothing came in time.
+    /// The last wait for an input ([`Effect::WaitInput`](gaugeblock_vocabulary::Effect::WaitInput)) is over, and this was read: -1 where nothing came in time.
     fn has_read(&mut self, value: f64) {
         let _nothing = value;
     }

@@ -35,7 +35,7 @@ mod waits;
 
 use alloc::boxed::Box;
 
-use gaugeblock_trace::{ControllerMode, End, FaultKind};
+use gaugeblock_vocabulary::{ControllerMode, End, FaultKind};
 
 use crate::error::Error;
 use crate::faults::{Fault, planted};
@@ -82,8 +82,8 @@ pub enum Idle {
 /// ```
 /// use gaugeblock_impl::task::{Activity, Happening, Input, Machine, Task, Work, WorkState};
 /// use gaugeblock_impl::{Interpreter, Limits, Memory, Reply, Sink};
-/// use gaugeblock_trace::scenario::Action;
-/// use gaugeblock_trace::{Effect, End, Pin, Settings};
+/// use gaugeblock_vocabulary::scenario::Action;
+/// use gaugeblock_vocabulary::{Effect, End, Pin, Settings};
 ///
 /// /// A machine on which everything is done at once, and somebody resumes every pause.
 /// #[derive(Default)]

@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::OutputTiming;
+use gaugeblock_vocabulary::OutputTiming;
 
 use crate::faults::{Fault, planted};
 

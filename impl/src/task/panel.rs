@@ -1,6 +1,6 @@
 //! What the operator has set: switches and overrides.
 
-use gaugeblock_trace::scenario::Action;
+use gaugeblock_vocabulary::scenario::Action;
 
 /// Most spindles of a machine.
 pub(super) const SPINDLES: usize = 8;

@@ -1,6 +1,6 @@
 //! Pins as a function of what is in force: settings, the operator's overrides, and spindles that are on their way to an angle.
 
-use gaugeblock_trace::{OrientDirection, Pin, Settings, SpindleMode, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{OrientDirection, Pin, Settings, SpindleMode, SpindleTurn, Switch};
 
 use crate::faults::{Fault, planted};
 

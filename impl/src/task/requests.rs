@@ -11,8 +11,8 @@
 
 use alloc::string::String;
 
-use gaugeblock_trace::scenario::Action;
-use gaugeblock_trace::{ControllerMode, Effect, Request};
+use gaugeblock_vocabulary::scenario::Action;
+use gaugeblock_vocabulary::{ControllerMode, Effect, Request};
 
 use crate::faults::{Fault, planted};
 

@@ -9,8 +9,8 @@ use alloc::collections::BTreeMap;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::scenario::Action;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::Action;
+use gaugeblock_vocabulary::{
     ControllerMode, Effect, End, Machine as Kind, Options, Pin, Request, Settings,
 };
 
@@ -171,7 +171,7 @@ fn a_held_move_that_is_aborted_was_not_made() {
         assert_eq!(run(&mut held, program), Activity::Ended(End::Aborted), "{program}");
         let state = held.interpreter().state();
         assert_eq!(state.position.unwrap().x, 0.0, "{program}");
-        assert_eq!(state.motion, Some(gaugeblock_trace::Motion::None), "{program}");
+        assert_eq!(state.motion, Some(gaugeblock_vocabulary::Motion::None), "{program}");
     }
 }
 

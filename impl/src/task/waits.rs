@@ -1,6 +1,6 @@
 //! Time that goes by: dwells, pauses, held moves, inputs (M66), works outside. What the operator asks meanwhile is answered.
 
-use gaugeblock_trace::{Effect, FaultKind, WaitMode};
+use gaugeblock_vocabulary::{Effect, FaultKind, WaitMode};
 
 use crate::canon::Reply;
 use crate::faults::{Fault, planted};

@@ -3,7 +3,7 @@
 use alloc::string::{String, ToString as _};
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Effect, End, Machine, Options, Settings};
+use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
 use proptest::prelude::*;
 
 use super::{Recorder, check_all};
@@ -99,7 +99,7 @@ fn a_step_is_bounded() {
         // An operator can abort within it, and then run something else.
         interpreter.abort(&mut Recorder::default());
         let settings = interpreter.settings();
-        assert_eq!(settings.feed_override, Some(gaugeblock_trace::Switch::On), "{cycle}");
+        assert_eq!(settings.feed_override, Some(gaugeblock_vocabulary::Switch::On), "{cycle}");
         let mut recorder = Recorder::default();
         let end = interpreter.run(&mut Memory::new("g0 x1\nm2\n"), &mut recorder, 9);
         assert_eq!(end, Ok(Progress::Ended(End::ProgramEnd)));

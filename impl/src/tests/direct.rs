@@ -5,7 +5,7 @@ extern crate std;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{FaultKind, Machine, Options};
+use gaugeblock_vocabulary::{FaultKind, Machine, Options};
 use proptest::prelude::*;
 
 use super::Recorder;
@@ -198,7 +198,7 @@ proptest! {
                 Ok(Progress::More | Progress::Stopped | Progress::Broken) => {}
                 // An unsuccessful probe has been made.
                 Err(Error::Fault(fault)) if fault.kind == Some(FaultKind::Probe) => break,
-                Err(_) | Ok(Progress::Ended(gaugeblock_trace::End::Unsupported { .. })) => {
+                Err(_) | Ok(Progress::Ended(gaugeblock_vocabulary::End::Unsupported { .. })) => {
                     prop_assert_eq!(before, state(&mut interpreter), "{}", program);
                     break;
                 }

@@ -17,7 +17,7 @@ use alloc::format;
 use alloc::string::{String, ToString as _};
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Effect, End, Machine, Options, Rs274State, Settings};
+use gaugeblock_vocabulary::{Effect, End, Machine, Options, Rs274State, Settings};
 
 use crate::{BlockDone, Error, Interpreter, Limits, Memory, Progress, Reply, Sink};
 

@@ -3,7 +3,7 @@
 use alloc::format;
 use alloc::string::String;
 
-use gaugeblock_trace::{Machine, Options};
+use gaugeblock_vocabulary::{Machine, Options};
 
 use super::{Case, Recorder, check, check_all};
 use crate::{Interpreter, Limits, Memory, Progress, Source, Unreadable};

@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Machine, Options, Tool};
+use gaugeblock_vocabulary::{Machine, Options, Tool};
 
 use super::{Case, Recorder, check, check_all};
 use crate::{Interpreter, Limits, Memory, Room};

@@ -5,7 +5,7 @@ extern crate std;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Machine, Options};
+use gaugeblock_vocabulary::{Machine, Options};
 use proptest::prelude::*;
 
 use super::Recorder;

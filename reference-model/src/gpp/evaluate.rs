@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use gaugeblock_trace::{Channel, FaultKind};
+use gaugeblock_vocabulary::{Channel, FaultKind};
 
 use super::formats::REAL;
 use super::refusal::{Halt, refuse, refuse_form};

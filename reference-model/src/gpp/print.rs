@@ -1,6 +1,6 @@
 //! OUTPUT and PRINT.
 
-use gaugeblock_trace::Channel;
+use gaugeblock_vocabulary::Channel;
 
 use super::refusal::Halt;
 use super::run::Run;

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::Budget;
+use gaugeblock_vocabulary::{
     Block, Bound, Channel, Effect, Event, GppState, Indexed, Program, State, Step, Switch,
 };
 

@@ -1,6 +1,6 @@
 //! Why a program, or a run, does not go on.
 
-use gaugeblock_trace::{Bound, FaultKind};
+use gaugeblock_vocabulary::{Bound, FaultKind};
 
 /// A statement, or a line of the toolpath, that is refused.
 #[derive(Clone, Debug, PartialEq, Eq)]

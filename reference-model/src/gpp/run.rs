@@ -1,6 +1,6 @@
 //! The run: the toolpath processed block by block, and the program's blocks statement by statement.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Block, End, Fault, Language, Outcome, Program as Files, Scenario, Settings, Step,
 };
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::readings::AssignedAgain;
 use super::refusal::{Halt, refuse};

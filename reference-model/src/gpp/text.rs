@@ -1,6 +1,6 @@
 //! Words, numbers, texts and signs of a program, each with its line. Comments are gone here.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 /// Most characters of a text.
 pub const LONGEST_TEXT: usize = 256;

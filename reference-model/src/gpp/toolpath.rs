@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::formats::{self, CHARACTER, Format, MOST_DIGITS, NAMES};
 use super::readings::Readings;

@@ -2,8 +2,8 @@
 
 use std::array;
 
-use gaugeblock_trace::Position;
-use gaugeblock_trace::motion::Shape;
+use gaugeblock_vocabulary::Position;
+use gaugeblock_vocabulary::motion::Shape;
 
 use super::bound::Bounds;
 use super::vector::{self, Nine, distance, from_segment, minus, plus};

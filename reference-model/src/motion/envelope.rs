@@ -1,7 +1,7 @@
 //! The limits of all nine axes, and what they leave of a motion along a curve.
 
-use gaugeblock_trace::Axis;
-use gaugeblock_trace::motion::MotionLimits;
+use gaugeblock_vocabulary::Axis;
+use gaugeblock_vocabulary::motion::MotionLimits;
 
 use super::vector::Nine;
 

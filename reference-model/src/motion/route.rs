@@ -2,8 +2,8 @@
 //!
 //! Elements that lead nowhere are no legs; what they ask for belongs to the corner where they stand.
 
-use gaugeblock_trace::Position;
-use gaugeblock_trace::motion::{Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
+use gaugeblock_vocabulary::Position;
+use gaugeblock_vocabulary::motion::{Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
 
 use super::curve::Curve;
 use super::laws::readings::ToleranceAtChange;

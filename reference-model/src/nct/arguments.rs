@@ -1,6 +1,6 @@
 //! Which local variable takes which word of a call.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::refusal::{Halt, open, refuse};
 use super::run::Run;

@@ -1,6 +1,6 @@
 //! Macro calls, modal calls, subprograms, returns.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::evaluate::rounded;
 use super::refusal::{Halt, open, refuse, refuse_form};

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::refusal::{Halt, open, refuse, refuse_form};
 use super::run::Run;

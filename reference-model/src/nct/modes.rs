@@ -2,7 +2,7 @@
 //!
 //! No document at hand says this part; it is what macros need to be seen, and the README beside the rules marks it so.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Distance, FaultKind, FeedMode, Indexed, LengthUnit, Motion, Plane, Position, Settings,
     SpindleTurn, Switch,
 };

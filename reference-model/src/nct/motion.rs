@@ -1,6 +1,6 @@
 //! G0 to G3: where a move ends, and round which centre.
 
-use gaugeblock_trace::{Axis, Distance, Effect, FaultKind, Motion, Plane, Position};
+use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion, Plane, Position};
 
 use super::modes::{Modes, within_reach};
 use super::refusal::{Halt, open, refuse};

@@ -1,6 +1,6 @@
 //! How the documents are read: the options of the choices in this language.
 
-use gaugeblock_trace::Options;
+use gaugeblock_vocabulary::Options;
 
 /// Every choice that the model reads, with its options; the first is the default.
 pub const CHOICES: &[(&str, &[&str])] = &[

@@ -1,7 +1,7 @@
 //! The record of a run: steps, settings and state as they change, and the budget.
 
-use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::Budget;
+use gaugeblock_vocabulary::{
     Block, Bound, Effect, Event, Indexed, MacroValue, Motion, NctState, Position, Settings, State,
     Step, Vacancy,
 };

@@ -1,6 +1,6 @@
 //! Why a run does not go on.
 
-use gaugeblock_trace::{Bound, FaultKind};
+use gaugeblock_vocabulary::{Bound, FaultKind};
 
 /// A block that is refused.
 #[derive(Clone, Debug, PartialEq, Eq)]

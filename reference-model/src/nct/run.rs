@@ -1,7 +1,7 @@
 //! The run: block by block.
 
-use gaugeblock_trace::scenario::Machine;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::Machine;
+use gaugeblock_vocabulary::{
     Block as Place, Effect, End, Fault, FaultKind, Language, Outcome, Program as Files, Scenario,
 };
 

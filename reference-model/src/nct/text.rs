@@ -1,6 +1,6 @@
 //! Lines: blanks and comments left out, block delete, program and sequence numbers split off.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::refusal::{Halt, refuse, refuse_form};
 

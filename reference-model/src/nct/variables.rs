@@ -1,6 +1,6 @@
 //! Variables: local ones by level, common ones, and what holds nothing.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::refusal::{Halt, refuse};
 

@@ -1,6 +1,6 @@
 //! The words of a block: evaluated, vacant ones left out, rounded and in range where their letter counts something.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::evaluate::rounded;
 use super::refusal::{Halt, refuse};

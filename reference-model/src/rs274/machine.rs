@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::{Machine, Plane, Position, Rs274State, Settings, Shared};
+use gaugeblock_vocabulary::{Machine, Plane, Position, Rs274State, Settings, Shared};
 
 use super::control::Frame;
 use super::modes::Modes;
@@ -171,7 +171,7 @@ impl State {
     /// A state before the first block, for tests: the default machine under some options.
     pub(crate) fn under(options: &[(&str, &str)]) -> Self {
         let options = options.iter().map(|(id, option)| ((*id).to_owned(), (*option).to_owned()));
-        let readings = Readings::new(&gaugeblock_trace::Options(options.collect()))
+        let readings = Readings::new(&gaugeblock_vocabulary::Options(options.collect()))
             .expect("options are known");
         let machine = Machine::default();
         Self {
@@ -195,7 +195,7 @@ impl State {
             series: None,
             curve: Curve::default(),
             panel: Panel::new(&Machine::default()),
-            outside: Outside::new(&gaugeblock_trace::scenario::Bench::default(), 1, &readings),
+            outside: Outside::new(&gaugeblock_vocabulary::scenario::Bench::default(), 1, &readings),
             shown: None,
             room: Room::default(),
             evidence: Witness::default(),

@@ -33,7 +33,7 @@ pub mod syntax;
 pub mod task;
 pub mod text;
 
-use gaugeblock_trace::{Outcome, Scenario};
+use gaugeblock_vocabulary::{Outcome, Scenario};
 
 use crate::Evidence;
 

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use gaugeblock_trace::Options;
+use gaugeblock_vocabulary::Options;
 
 use crate::by_name::ByName;
 

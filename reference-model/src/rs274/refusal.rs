@@ -1,6 +1,6 @@
 //! Why a block does not go on: it is refused by a rule, or this model does not go there.
 
-use gaugeblock_trace::{End, FaultKind, Span};
+use gaugeblock_vocabulary::{End, FaultKind, Span};
 
 /// A block refused by a rule.
 #[derive(Clone, Debug, PartialEq)]

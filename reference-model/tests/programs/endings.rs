@@ -1,8 +1,8 @@
 //! How runs end.
 
 use gaugeblock_reference::run;
-use gaugeblock_trace::scenario::{Action, OperatorEvent, Start, When};
-use gaugeblock_trace::{Block, ControllerMode, Program, Scenario};
+use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, Start, When};
+use gaugeblock_vocabulary::{Block, ControllerMode, Program, Scenario};
 
 use super::{ending, gives, outcome, outcome_under, parameter, refuses};
 
@@ -139,7 +139,7 @@ fn a_row_of_cycles_over_another_plane_has_no_initial_level() {
 #[test]
 fn a_spindle_that_comes_to_its_angle_in_the_last_moment_is_in_time() {
     let mut scenario = Scenario::of("g4 p2\nm19 r0 q0.2\nm2\n");
-    scenario.bench.orient = vec![gaugeblock_trace::scenario::OrientAnswer::After(0.2)];
+    scenario.bench.orient = vec![gaugeblock_vocabulary::scenario::OrientAnswer::After(0.2)];
     assert_eq!(ending(&run(&scenario).0), "program_end");
 }
 

@@ -7,7 +7,7 @@ mod robustness;
 mod subroutines;
 
 use gaugeblock_reference::run;
-use gaugeblock_trace::{End, FaultKind, Outcome, Scenario};
+use gaugeblock_vocabulary::{End, FaultKind, Outcome, Scenario};
 
 /// Runs a program under the defaults.
 fn outcome(program: &str) -> Outcome {

@@ -1,6 +1,6 @@
 //! What is recorded of a run.
 
-use gaugeblock_trace::{Event, Settings, State};
+use gaugeblock_vocabulary::{Event, Settings, State};
 
 use super::outcome;
 

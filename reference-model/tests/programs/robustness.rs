@@ -1,7 +1,7 @@
 //! No program makes the model panic, and none makes it run on.
 
 use gaugeblock_reference::run;
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 use proptest::prelude::*;
 
 /// Pieces that programs are made of, put together without care.

@@ -1,7 +1,7 @@
 //! Calls, frames, files, numbered programs.
 
 use gaugeblock_reference::run;
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 
 use super::{ending, gives, outcome, outcome_under, parameter, refuses};
 

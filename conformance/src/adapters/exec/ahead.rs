@@ -5,7 +5,7 @@
 
 use std::thread::{self, ThreadId};
 
-use gaugeblock_trace::{Outcome, Scenario};
+use gaugeblock_vocabulary::{Outcome, Scenario};
 
 use super::super::{Adapter as _, Expected, HarnessError};
 use super::Exec;

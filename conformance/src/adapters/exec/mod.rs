@@ -20,8 +20,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-use gaugeblock_trace::motion::Samples;
-use gaugeblock_trace::{Options, Outcome, Scenario};
+use gaugeblock_vocabulary::motion::Samples;
+use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 use super::{Adapter, Capabilities, ControllerError, Expected, HarnessError, Motion, NotMoved};
 use crate::protocol::{Declaration, Offer, needed};

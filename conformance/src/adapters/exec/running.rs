@@ -1,8 +1,8 @@
 //! A run within a session: told at once, in batches, in a file or by its digest; fed with what an operator does; cancelled when it takes too long.
 
-use gaugeblock_trace::motion::Samples;
-use gaugeblock_trace::scenario::OperatorEvent;
-use gaugeblock_trace::{Outcome, Scenario, Step};
+use gaugeblock_vocabulary::motion::Samples;
+use gaugeblock_vocabulary::scenario::OperatorEvent;
+use gaugeblock_vocabulary::{Outcome, Scenario, Step};
 
 use super::super::{Expected, HarnessError, Motion, NotMoved};
 use super::peer::GRACE;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::time::Instant;
 
-use gaugeblock_trace::{Options, Outcome, Scenario};
+use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 use serde::Serialize;
 
 use super::ahead::Begun;
@@ -334,7 +334,7 @@ pub(super) fn request(id: u64, operation: &Operation) -> Result<Vec<u8>, Harness
 
 /// The outcome of a scenario that the controller did not run.
 pub(super) fn unsupported(scenario: &Scenario, why: String) -> Outcome {
-    use gaugeblock_trace::{Block, End, Program, Settings};
+    use gaugeblock_vocabulary::{Block, End, Program, Settings};
     Outcome {
         language: scenario.program.language,
         start: Settings::default(),

@@ -3,7 +3,7 @@
 use std::sync::{Mutex, PoisonError};
 use std::thread::{self, ThreadId};
 
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 
 use super::super::{Adapter as _, Capabilities, HarnessError};
 use super::Exec;

@@ -4,10 +4,10 @@
 use std::collections::BTreeMap;
 use std::ops::Not;
 
-use gaugeblock_trace::scenario::{
+use gaugeblock_vocabulary::scenario::{
     Bench, Budget, InputChange, OperatorEvent, OrientAnswer, ProbeContact, Start, UserProgram, When,
 };
-use gaugeblock_trace::{Language, Machine, Options, Program, Scenario};
+use gaugeblock_vocabulary::{Language, Machine, Options, Program, Scenario};
 use serde::Serialize;
 use serde_json::value::RawValue;
 

@@ -1,6 +1,6 @@
 //! What is asked of an adapter only to see whether it works.
 
-use gaugeblock_trace::{Outcome, Scenario};
+use gaugeblock_vocabulary::{Outcome, Scenario};
 
 use super::super::{Adapter as _, Capabilities};
 use super::session::{Session, request};

@@ -3,7 +3,7 @@
 //! Moves are issued in machine coordinates and the machine's unit; offsets, rotation and unit in force lead back to
 //! program coordinates.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Channel, Effect, Event, Indexed, LengthUnit, Machine, OrientDirection, OutputTiming,
     Path, Position, Settings, SpindleTurn, Switch, WaitMode,
 };

@@ -29,9 +29,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::time::Duration;
 
-use gaugeblock_trace::motion::{MotionLimits, Samples};
-use gaugeblock_trace::scenario::{Action, Start};
-use gaugeblock_trace::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
+use gaugeblock_vocabulary::motion::{MotionLimits, Samples};
+use gaugeblock_vocabulary::scenario::{Action, Start};
+use gaugeblock_vocabulary::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::Value;
 
 use super::probing::instrument::{Ends, Plan, is_plain};

@@ -3,8 +3,8 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::scenario::{Action, OperatorEvent};
-use gaugeblock_trace::{LengthUnit, Scenario};
+use gaugeblock_vocabulary::scenario::{Action, OperatorEvent};
+use gaugeblock_vocabulary::{LengthUnit, Scenario};
 use serde_json::{Value, json};
 
 use super::reuse::has;

@@ -8,9 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::time::Duration;
 
-use gaugeblock_trace::motion::{Column, MotionLimits, Samples};
-use gaugeblock_trace::scenario::AxisLimits;
-use gaugeblock_trace::{Axis, LengthUnit, Machine, Pin, Scenario};
+use gaugeblock_vocabulary::motion::{Column, MotionLimits, Samples};
+use gaugeblock_vocabulary::scenario::AxisLimits;
+use gaugeblock_vocabulary::{Axis, LengthUnit, Machine, Pin, Scenario};
 
 use super::session::Session;
 use super::setup::{self, Setup};
@@ -229,7 +229,7 @@ fn samples(
     rows: &[Vec<f64>],
     scale: f64,
 ) -> Result<Samples, String> {
-    let wrong = |error: gaugeblock_trace::motion::SamplesError| error.to_string();
+    let wrong = |error: gaugeblock_vocabulary::motion::SamplesError| error.to_string();
     let resolution = RESOLUTION * scale;
     let names = columns.iter().map(|(_, column)| *column).collect();
     let mut samples = Samples::new(period, resolution, names).map_err(wrong)?;

@@ -4,8 +4,8 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_trace::scenario::{Action, AxisLimits, Folder, OrientAnswer, UserProgram};
-use gaugeblock_trace::{Axis, LengthUnit, Pin, Scenario};
+use gaugeblock_vocabulary::scenario::{Action, AxisLimits, Folder, OrientAnswer, UserProgram};
+use gaugeblock_vocabulary::{Axis, LengthUnit, Pin, Scenario};
 use serde_json::{Value, json};
 
 use crate::adapters::probing::source::Source;
@@ -244,7 +244,7 @@ fn hal(scenario: &Scenario, pins: &[Wired]) -> String {
 }
 
 /// The inputs that a digital output is wired to.
-fn wired(bench: &gaugeblock_trace::scenario::Bench, pin: Pin) -> Option<u16> {
+fn wired(bench: &gaugeblock_vocabulary::scenario::Bench, pin: Pin) -> Option<u16> {
     let Pin::DigitalOut(output) = pin else { return None };
     bench.wires.get(&output.to_string()).copied()
 }

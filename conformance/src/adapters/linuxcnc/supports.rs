@@ -1,7 +1,7 @@
 //! Which scenarios the controller can run.
 
-use gaugeblock_trace::scenario::{Action, Bench, OperatorEvent, Start};
-use gaugeblock_trace::{Axis, Language, Machine, Program, Scenario};
+use gaugeblock_vocabulary::scenario::{Action, Bench, OperatorEvent, Start};
+use gaugeblock_vocabulary::{Axis, Language, Machine, Program, Scenario};
 
 use super::setup::input_pin;
 use crate::adapters::probing::instrument::LAST_PARAMETER;

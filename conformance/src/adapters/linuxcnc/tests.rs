@@ -3,8 +3,8 @@
 use std::io::Write as _;
 use std::sync::OnceLock;
 
-use gaugeblock_trace::scenario::{Action, InputChange, OperatorEvent, OrientAnswer, When};
-use gaugeblock_trace::{Block, ControllerMode, End, Event, Machine, State};
+use gaugeblock_vocabulary::scenario::{Action, InputChange, OperatorEvent, OrientAnswer, When};
+use gaugeblock_vocabulary::{Block, ControllerMode, End, Event, Machine, State};
 
 use super::*;
 
@@ -27,7 +27,7 @@ fn run(scenario: &Scenario) -> Option<Outcome> {
 }
 
 fn effects(outcome: &Outcome) -> Vec<(u32, &'static str)> {
-    let of_step = |step: &gaugeblock_trace::Step| {
+    let of_step = |step: &gaugeblock_vocabulary::Step| {
         let names = step.events.iter().filter_map(|event| match event {
             Event::Do(effect) => Some(effect.name()),
             Event::Set(_) => None,
@@ -73,7 +73,7 @@ fn what_stands_before_a_refused_block_has_been_carried_out() {
     assert_eq!(effects(&outcome), [(1, "straight_traverse")]);
     let End::Fault(fault) = &outcome.end else { panic!("{:?}", outcome.end) };
     assert_eq!(fault.block, Some(Block::new("main.ngc", 3)));
-    assert_eq!(fault.kind, Some(gaugeblock_trace::FaultKind::ZeroFeed));
+    assert_eq!(fault.kind, Some(gaugeblock_vocabulary::FaultKind::ZeroFeed));
 }
 
 #[test]
@@ -82,7 +82,7 @@ fn a_program_leaves_nothing_for_the_next_one() {
     let all = "g20 g91 g18 g93 g55 g92 x1\nm50 p0\nm70\ng0 y1\n#31=5\nm64 p0\nt1 m6\nm0\n";
     let mut scenario = Scenario::of(all);
     scenario.machine = Machine {
-        tools: vec![gaugeblock_trace::Tool { number: 1, ..Default::default() }],
+        tools: vec![gaugeblock_vocabulary::Tool { number: 1, ..Default::default() }],
         ..Machine::default()
     };
     let outcome = run(&scenario).expect("a run");
@@ -147,12 +147,12 @@ fn an_encoder_answers_or_does_not() {
     scenario.bench.orient = vec![OrientAnswer::Never];
     let outcome = run(&scenario).expect("a run");
     let End::Fault(fault) = &outcome.end else { panic!("{}", outcome.to_text()) };
-    assert_eq!(fault.kind, Some(gaugeblock_trace::FaultKind::Orient));
+    assert_eq!(fault.kind, Some(gaugeblock_vocabulary::FaultKind::Orient));
 }
 
 #[test]
 fn user_programs_take_their_arguments_and_may_fail() {
-    let program = |exit_status| gaugeblock_trace::scenario::UserProgram {
+    let program = |exit_status| gaugeblock_vocabulary::scenario::UserProgram {
         file: "M101".to_owned(),
         exit_status,
         ..Default::default()
@@ -200,7 +200,7 @@ fn what_could_reach_the_host_is_not_run() {
     }
     let mut scenario = Scenario::of("m2\n");
     let file = "../M101".to_owned();
-    let program = gaugeblock_trace::scenario::UserProgram { file, ..Default::default() };
+    let program = gaugeblock_vocabulary::scenario::UserProgram { file, ..Default::default() };
     scenario.bench.user_programs = vec![program];
     assert!(controller.supports(&scenario).is_err());
 }

@@ -3,7 +3,7 @@
 //! The messages carry no number, so a fragment of the text decides; the first row that is contained in the message
 //! wins. A message without a row is no fault but a harness error: a wrong kind would be judged, an unknown one is seen.
 
-use gaugeblock_trace::FaultKind as Kind;
+use gaugeblock_vocabulary::FaultKind as Kind;
 
 /// Fragments and kinds, special ones before general ones.
 const FRAGMENTS: &[(&str, Kind)] = &[

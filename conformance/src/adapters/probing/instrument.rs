@@ -398,7 +398,7 @@ fn unused_marker(source: &Source) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gaugeblock_trace::Program;
+    use gaugeblock_vocabulary::Program;
 
     fn plan(main: &str) -> (Plan, Source) {
         let source = Source::new(&Program { main: main.to_owned(), ..Program::default() });

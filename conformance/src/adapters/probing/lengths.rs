@@ -1,7 +1,7 @@
 //! Settings that are lengths. The calls print them once, in the unit that is active then; the vocabulary shows them
 //! in the unit that is active now.
 
-use gaugeblock_trace::{Axis, FeedMode, LengthUnit, Position, Settings};
+use gaugeblock_vocabulary::{Axis, FeedMode, LengthUnit, Position, Settings};
 
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;

@@ -1,6 +1,6 @@
 //! Reads an error message and the line that is shown with it: which block was refused, and why.
 
-use gaugeblock_trace::{Fault, FaultKind};
+use gaugeblock_vocabulary::{Fault, FaultKind};
 
 use super::faults;
 use super::instrument::{LONGEST_LINE, Plan};
@@ -106,7 +106,7 @@ fn abort_text(line: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gaugeblock_trace::{Block, Program};
+    use gaugeblock_vocabulary::{Block, Program};
 
     fn read(main: &str, stderr: &str, next: u32) -> Result<Fault, HarnessError> {
         let source = Source::new(&Program { main: main.to_owned(), ..Program::default() });

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 use std::path::{Component, Path};
 
-use gaugeblock_trace::{Block, Program};
+use gaugeblock_vocabulary::{Block, Program};
 
 use super::instrument::LAST_PARAMETER;
 

@@ -1,6 +1,6 @@
 //! What a probe shows, in the fields of the vocabulary.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, Distance, Event, FeedMode, Indexed, Lathe, LengthUnit, Motion, Plane, Position,
     Retract, Rs274State, Settings, SpindleMode, SpindleTurn, Switch,
 };

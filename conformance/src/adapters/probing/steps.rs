@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::Budget;
+use gaugeblock_vocabulary::{
     Block, Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State, Step,
 };
 

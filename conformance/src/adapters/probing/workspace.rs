@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::{env, fs, io};
 
-use gaugeblock_trace::{Axis, Machine};
+use gaugeblock_vocabulary::{Axis, Machine};
 
 use crate::adapters::HarnessError;
 
@@ -190,7 +190,7 @@ pub(in crate::adapters) fn parameter_file(machine: &Machine, numbers: &BTreeSet<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gaugeblock_trace::{Indexed, Position, Tool};
+    use gaugeblock_vocabulary::{Indexed, Position, Tool};
 
     #[test]
     fn a_workspace_is_private_and_goes_away() {

@@ -2,7 +2,7 @@
 
 use gaugeblock_impl::nct::{CustomMacros, MacroStep};
 use gaugeblock_impl::{Reply, Sink};
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Block, Bound, Effect, End, Event, Language, MacroValue, NctState, Outcome, Program, Scenario,
     Settings, State, Step, Vacancy,
 };

@@ -16,8 +16,8 @@ mod tests;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use gaugeblock_trace::motion::Samples;
-use gaugeblock_trace::{Language, Options, Outcome, Scenario};
+use gaugeblock_vocabulary::motion::Samples;
+use gaugeblock_vocabulary::{Language, Options, Outcome, Scenario};
 
 use super::{Adapter, Capabilities, HarnessError, Motion, NotMoved};
 use crate::motion::{Circumstances, plan_under};

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::Block;
-use gaugeblock_trace::scenario::{Action, OperatorEvent};
+use gaugeblock_vocabulary::Block;
+use gaugeblock_vocabulary::scenario::{Action, OperatorEvent};
 
 /// The operator of a scenario.
 #[derive(Clone, Debug)]

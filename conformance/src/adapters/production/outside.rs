@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use gaugeblock_impl::Probing;
 use gaugeblock_impl::task::{Happening, Input, Work, WorkState};
-use gaugeblock_trace::scenario::{Action, Bench, Folder, OrientAnswer, ProbeContact, UserProgram};
-use gaugeblock_trace::{Block, Effect, FaultKind, Pin, Position, Scenario};
+use gaugeblock_vocabulary::scenario::{Action, Bench, Folder, OrientAnswer, ProbeContact, UserProgram};
+use gaugeblock_vocabulary::{Block, Effect, FaultKind, Pin, Position, Scenario};
 
 use super::operator::Operator;
 

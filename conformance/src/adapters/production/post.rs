@@ -2,7 +2,7 @@
 
 use gaugeblock_impl::gpp::{NotCompiled, PostProcessor, StatementDone, TOOLPATH};
 use gaugeblock_impl::{Reply, Sink};
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Block, Bound, Effect, End, Event, GppState, Language, Outcome, Scenario, Settings, State, Step,
     Switch,
 };

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use gaugeblock_impl::task::{BY_HAND, Happening, Input, Machine, Work, WorkState};
 use gaugeblock_impl::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
-use gaugeblock_trace::scenario::{Action, Start};
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::{Action, Start};
+use gaugeblock_vocabulary::{
     Block, Effect, End, Event, Indexed, Language, Outcome, Pin, PinChange, Program, Rs274State,
     Scenario, Settings, Sorted, State, Step,
 };

@@ -4,8 +4,8 @@ use std::cell::Cell;
 
 use gaugeblock_impl::task::{Activity, BY_HAND, Idle, Stuck, Task};
 use gaugeblock_impl::{Error, Interpreter, Limits, Memory, Room};
-use gaugeblock_trace::scenario::Start;
-use gaugeblock_trace::{Block, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario};
+use gaugeblock_vocabulary::scenario::Start;
+use gaugeblock_vocabulary::{Block, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario};
 
 use super::super::HarnessError;
 use super::outside::Outside;

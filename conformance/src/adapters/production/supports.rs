@@ -1,7 +1,7 @@
 //! Which scenarios the production controller can run.
 
-use gaugeblock_trace::scenario::{Bench, InputChange};
-use gaugeblock_trace::{Language, Options, Scenario};
+use gaugeblock_vocabulary::scenario::{Bench, InputChange};
+use gaugeblock_vocabulary::{Language, Options, Scenario};
 
 /// The bench that answers as its keys say.
 const OWN_BENCH: &str = "whole controller";

@@ -1,7 +1,7 @@
 //! What the adapter itself decides: the outside's answers, pauses, and bounds.
 
-use gaugeblock_trace::scenario::{Budget, InputChange, OrientAnswer, Start, UserProgram};
-use gaugeblock_trace::{Bound, End, FaultKind, Options};
+use gaugeblock_vocabulary::scenario::{Budget, InputChange, OrientAnswer, Start, UserProgram};
+use gaugeblock_vocabulary::{Bound, End, FaultKind, Options};
 
 use super::*;
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Bound, End, Indexed, Language, Outcome, Position, Scenario, Settings, State, Step,
 };
 

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::fs::{File, OpenOptions};
 use std::io;
 
-use gaugeblock_trace::Machine;
+use gaugeblock_vocabulary::Machine;
 
 use crate::adapters::probing::source::Source;
 
@@ -73,7 +73,7 @@ pub(super) fn without_complaints(stderr: String) -> String {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_trace::Program;
+    use gaugeblock_vocabulary::Program;
 
     use super::*;
 

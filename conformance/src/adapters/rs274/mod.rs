@@ -25,7 +25,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use gaugeblock_trace::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settings};
+use gaugeblock_vocabulary::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settings};
 
 use super::probing::source::Source;
 use super::{Adapter, Capabilities, ControllerError, HarnessError};

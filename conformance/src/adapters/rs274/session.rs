@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 
-use gaugeblock_trace::{FaultKind, Machine, Program, Scenario};
+use gaugeblock_vocabulary::{FaultKind, Machine, Program, Scenario};
 
 use super::fork::{Servers, Start};
 use super::output::{self, Line};

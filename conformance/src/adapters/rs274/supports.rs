@@ -1,7 +1,7 @@
 //! Which scenarios the controller can run.
 
-use gaugeblock_trace::scenario::{Bench, Start};
-use gaugeblock_trace::{Axis, Language, LengthUnit, Machine, Program, Scenario};
+use gaugeblock_vocabulary::scenario::{Bench, Start};
+use gaugeblock_vocabulary::{Axis, Language, LengthUnit, Machine, Program, Scenario};
 
 use crate::adapters::probing::instrument::LAST_PARAMETER;
 use crate::adapters::probing::source::{Source, is_sub_file};

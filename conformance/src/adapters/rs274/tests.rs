@@ -1,6 +1,6 @@
 //! Against the real binary. Where it is not installed these tests say so and pass.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Block, Effect, End, Event, FaultKind, LengthUnit, Machine, Motion, Outcome, Position, Scenario,
     Sorted, State, Tool,
 };
@@ -31,7 +31,7 @@ fn blocks(outcome: &Outcome) -> Vec<u32> {
 }
 
 fn effects(outcome: &Outcome) -> Vec<(u32, String)> {
-    let of_step = |step: &gaugeblock_trace::Step| -> Vec<(u32, String)> {
+    let of_step = |step: &gaugeblock_vocabulary::Step| -> Vec<(u32, String)> {
         let name = |event: &Event| match event {
             Event::Do(effect) => Some((step.block.line, effect.name().to_owned())),
             Event::Set(_) => None,
@@ -342,7 +342,7 @@ fn an_end_that_is_refused_is_refused_where_it_stands() {
 fn a_long_end_shows_its_state() {
     let Some(outcome) = run(&format!("g91\nm2 ({})\n", "x".repeat(230))) else { return };
     assert_eq!(outcome.end, End::ProgramEnd);
-    assert_eq!(settings_at_end(&outcome).distance, Some(gaugeblock_trace::Distance::Absolute));
+    assert_eq!(settings_at_end(&outcome).distance, Some(gaugeblock_vocabulary::Distance::Absolute));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_trace::{End, Entry, Event, Outcome, Scenario, Settings, State};
+use gaugeblock_vocabulary::{End, Entry, Event, Outcome, Scenario, Settings, State};
 
 use super::{Came, Check};
 use crate::adapters::Adapter;

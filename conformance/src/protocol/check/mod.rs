@@ -5,7 +5,7 @@ mod offered;
 
 use std::collections::BTreeSet;
 
-use gaugeblock_trace::{End, Language, Outcome, Scenario};
+use gaugeblock_vocabulary::{End, Language, Outcome, Scenario};
 
 use crate::adapters::exec::Exec;
 use crate::adapters::{Adapter, HarnessError};

@@ -1,8 +1,8 @@
 //! What an adapter offers, each looked at once.
 
-use gaugeblock_trace::motion::{MotionLimits, MotionScript};
-use gaugeblock_trace::scenario::{Action, OperatorEvent, When};
-use gaugeblock_trace::{Block, Language, Outcome, Program, Scenario};
+use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
+use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, When};
+use gaugeblock_vocabulary::{Block, Language, Outcome, Program, Scenario};
 
 use super::super::digest::{canonical, digest};
 use super::super::{OFFERS, Offer};

@@ -9,8 +9,8 @@ use std::io::{BufRead, Result, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use gaugeblock_trace::motion::{MotionLimits, Samples};
-use gaugeblock_trace::{Language, Outcome, Scenario, Step};
+use gaugeblock_vocabulary::motion::{MotionLimits, Samples};
+use gaugeblock_vocabulary::{Language, Outcome, Scenario, Step};
 
 use super::digest::digest;
 use super::{Answer, Declaration, Observables, Offer, Operation, Reply, Request, Standing, Ways};

@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 use std::io::{BufRead, Result};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-use gaugeblock_trace::scenario::{Bench, Budget, OperatorEvent};
-use gaugeblock_trace::{Machine, Options, Program};
+use gaugeblock_vocabulary::scenario::{Bench, Budget, OperatorEvent};
+use gaugeblock_vocabulary::{Machine, Options, Program};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
@@ -166,7 +166,7 @@ impl Reader {
             }
         };
         let scenario =
-            gaugeblock_trace::Scenario { program, options, machine, bench, operator, budget };
+            gaugeblock_vocabulary::Scenario { program, options, machine, bench, operator, budget };
         let ways = Ways { stream, digest, live: Vec::new() };
         Some(Request { id, operation: Operation::Run { scenario: Box::new(scenario), ways } })
     }

@@ -12,8 +12,8 @@ mod values;
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{Language, Program, Scenario};
+use gaugeblock_vocabulary::scenario::Budget;
+use gaugeblock_vocabulary::{Language, Program, Scenario};
 
 use super::{BUDGET, Dice, Recipe};
 

@@ -1,6 +1,6 @@
 //! Programs that differ in what is modal and in nothing else.
 
-use gaugeblock_trace::{End, GppState, Outcome, Scenario, State};
+use gaugeblock_vocabulary::{End, GppState, Outcome, Scenario, State};
 
 use super::super::{Dice, Recipe};
 use super::scenario;

@@ -9,8 +9,8 @@ mod program;
 mod statements;
 mod values;
 
-use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{Language, Program, Scenario};
+use gaugeblock_vocabulary::scenario::Budget;
+use gaugeblock_vocabulary::{Language, Program, Scenario};
 
 use super::{BUDGET, Dice, Recipe};
 

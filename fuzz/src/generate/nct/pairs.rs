@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::Budget;
+use gaugeblock_vocabulary::{
     Effect, End, Event, Indexed, Language, MacroValue, Outcome, Program, Scenario, State,
 };
 

@@ -6,8 +6,8 @@
 
 mod tables;
 
-use gaugeblock_trace::scenario::Start;
-use gaugeblock_trace::{Language, Machine, Program, Scenario};
+use gaugeblock_vocabulary::scenario::Start;
+use gaugeblock_vocabulary::{Language, Machine, Program, Scenario};
 use tables::{LOOSE, NESTED, TABLES, TOP};
 
 use super::{BUDGET, Dice};

@@ -1,6 +1,6 @@
 //! Statements of a post-processor.
 
-use gaugeblock_trace::{Language, Program};
+use gaugeblock_vocabulary::{Language, Program};
 use proptest::prelude::*;
 
 use super::line;

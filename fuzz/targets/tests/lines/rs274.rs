@@ -1,6 +1,6 @@
 //! Lines of RS-274.
 
-use gaugeblock_trace::Program;
+use gaugeblock_vocabulary::Program;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;

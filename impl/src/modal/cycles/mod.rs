@@ -17,7 +17,7 @@ mod unfinished;
 pub(super) use series::Series;
 pub(super) use unfinished::Unfinished;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Compensation, FaultKind, FeedMode, Lathe, Motion, Plane, Retract, SpindleTurn,
 };
 

@@ -1,6 +1,6 @@
 //! The numbers of a canned cycle's block, those among them that are sticky, and their ranges (11.5.43.1 to 11.5.43.5).
 
-use gaugeblock_trace::{Axis, FaultKind};
+use gaugeblock_vocabulary::{Axis, FaultKind};
 
 use crate::math;
 use crate::words::Words;

@@ -3,7 +3,7 @@
 //!
 //! A motion mode that ends a series does not come here: what is kept holds only while the motion mode in force is one of its own.
 
-use gaugeblock_trace::Motion;
+use gaugeblock_vocabulary::Motion;
 
 use super::super::coordinates::{Conversion, Coordinates};
 use super::super::splines::Curve;

@@ -1,6 +1,6 @@
 //! A canned cycle as strokes: one move, dwell or switch at a time.
 
-use gaugeblock_trace::{Effect, LengthUnit, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{Effect, LengthUnit, SpindleTurn, Switch};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};

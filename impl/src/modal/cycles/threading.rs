@@ -3,7 +3,7 @@
 //! The drive line is where the X axis is at the start, and goes along Z. A pass goes from the drive line to its depth, along the thread in step
 //! with the spindle, and back to the drive line.
 
-use gaugeblock_trace::{Axis, Effect, FaultKind, Lathe, Plane};
+use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Lathe, Plane};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};

@@ -1,6 +1,6 @@
 //! Arcs and helices: centre format, radius format, planes, turns (11.5.5).
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     AxisWords, BadArc, CompensationActive, MissingWord, ModalConflict, NotAnInteger, UnknownCode,
     UnusedWord, WordOutOfRange, ZeroFeed, ZeroSpeed,
 };
@@ -305,9 +305,9 @@ fn in_moved_systems() {
         Effects("3 arc_feed end=(x2) first_centre=1 second_centre=0 turns=-1"),
     );
     check_on(
-        &gaugeblock_trace::Machine { axes: [gaugeblock_trace::Axis::X].into(), ..machine() },
+        &gaugeblock_vocabulary::Machine { axes: [gaugeblock_vocabulary::Axis::X].into(), ..machine() },
         &[],
         "f1; g2 x2 y0 r1",
-        Refused(gaugeblock_trace::FaultKind::NoSuchAxis),
+        Refused(gaugeblock_vocabulary::FaultKind::NoSuchAxis),
     );
 }

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{Effect, Machine, Motion, Options, Plane};
+use gaugeblock_vocabulary::{Effect, Machine, Motion, Options, Plane};
 use proptest::prelude::*;
 
 use crate::math::{direction, hypotenuse};
@@ -125,7 +125,7 @@ proptest! {
         let from = modal.position;
         modal.position = modal.moved(&incremental);
         let found = modal.arc(&incremental, motion(counterclockwise), &from).unwrap();
-        modal.in_force.put(|modes| &mut modes.arc_distance, gaugeblock_trace::Distance::Absolute);
+        modal.in_force.put(|modes| &mut modes.arc_distance, gaugeblock_vocabulary::Distance::Absolute);
         let also = modal.arc(&absolute, motion(counterclockwise), &from).unwrap();
         let (Effect::ArcFeed { first_centre, second_centre, turns: found_turns, end }, Effect::ArcFeed { first_centre: x, second_centre: y, .. }) =
             (found, also)

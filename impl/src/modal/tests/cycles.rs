@@ -1,10 +1,10 @@
 //! Canned cycles: the examples of 11.5.45, each cycle's moves, what is sticky, and what is refused.
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     AxisWords, CompensationActive, MissingWord, ModalConflict, NotAnInteger, SpindleOutOfRange,
     UnusedWord, WordOutOfRange, ZeroFeed, ZeroSpeed,
 };
-use gaugeblock_trace::{Axis, FaultKind, Machine};
+use gaugeblock_vocabulary::{Axis, FaultKind, Machine};
 
 use super::Expect::{After, Refused};
 use super::{check, machine, run};
@@ -139,12 +139,12 @@ fn pecks() {
 
 /// What the settings are at each effect of a cycle.
 fn settings_at(program: &str, setting: &str) -> alloc::string::String {
-    struct Watch<'a>(&'a str, gaugeblock_trace::Settings, alloc::vec::Vec<alloc::string::String>);
+    struct Watch<'a>(&'a str, gaugeblock_vocabulary::Settings, alloc::vec::Vec<alloc::string::String>);
     impl crate::Sink for Watch<'_> {
-        fn set(&mut self, _line: u32, changed: &gaugeblock_trace::Settings) {
+        fn set(&mut self, _line: u32, changed: &gaugeblock_vocabulary::Settings) {
             self.1.overlay(changed);
         }
-        fn perform(&mut self, _line: u32, effect: &gaugeblock_trace::Effect) -> crate::Reply {
+        fn perform(&mut self, _line: u32, effect: &gaugeblock_vocabulary::Effect) -> crate::Reply {
             let found = self.1.entries().into_iter().find(|entry| entry.name() == self.0).unwrap();
             self.2.push(alloc::format!("{} {}", effect.name(), found.value));
             crate::Reply::Done
@@ -355,8 +355,8 @@ fn accepted_and_undefined() {
 fn a_refusal_from_outside_undoes_the_cycle() {
     struct Refuses(u32);
     impl crate::Sink for Refuses {
-        fn set(&mut self, _line: u32, _changed: &gaugeblock_trace::Settings) {}
-        fn perform(&mut self, _line: u32, _effect: &gaugeblock_trace::Effect) -> crate::Reply {
+        fn set(&mut self, _line: u32, _changed: &gaugeblock_vocabulary::Settings) {}
+        fn perform(&mut self, _line: u32, _effect: &gaugeblock_vocabulary::Effect) -> crate::Reply {
             self.0 -= 1;
             if self.0 == 0 {
                 crate::Reply::Failed(FaultKind::BeyondLimit)

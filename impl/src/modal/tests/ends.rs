@@ -1,6 +1,6 @@
 //! Stops, ends, aborts.
 
-use gaugeblock_trace::FaultKind::{ModalConflict, NothingSaved, UnusedWord};
+use gaugeblock_vocabulary::FaultKind::{ModalConflict, NothingSaved, UnusedWord};
 
 use super::Expect::{After, Effects, Refused};
 use super::{check, check_on, machine};

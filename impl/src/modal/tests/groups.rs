@@ -1,6 +1,6 @@
 //! Words against each other: groups, numbers of words, unused and missing words, initial modes.
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     AxisWords, MissingWord, ModalConflict, NoSuchAxis, TooManyMCodes, UnknownCode, UnusedWord,
 };
 

@@ -1,6 +1,6 @@
 //! M62 to M68, user-defined codes.
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     CompensationActive, MissingWord, ModalConflict, NoSuchInputOrOutput, NotAnInteger, UnknownCode,
     UnusedWord, WordOutOfRange,
 };

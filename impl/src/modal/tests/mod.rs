@@ -26,7 +26,7 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Effect, Entry, FaultKind, LengthUnit, Machine, Options, Position, Settings, Tool,
 };
 

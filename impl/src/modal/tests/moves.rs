@@ -1,6 +1,6 @@
 //! Straight moves, feed, units, distance, diameter mode, dwell.
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     CompensationActive, MissingWord, ModalConflict, WordOutOfRange, ZeroFeed, ZeroSpeed,
 };
 
@@ -123,9 +123,9 @@ fn compensation() {
     check("g19; g41", Refused(ModalConflict));
     check("g19 g41", Refused(ModalConflict));
     check("g18; g41.1 d1 l10", Refused(WordOutOfRange));
-    check("g41 d9", Refused(gaugeblock_trace::FaultKind::ToolNotFound));
+    check("g41 d9", Refused(gaugeblock_vocabulary::FaultKind::ToolNotFound));
     check("g41 d-1", Refused(WordOutOfRange));
-    check("g41 d1.5", Refused(gaugeblock_trace::FaultKind::NotAnInteger));
+    check("g41 d1.5", Refused(gaugeblock_vocabulary::FaultKind::NotAnInteger));
 }
 
 #[test]

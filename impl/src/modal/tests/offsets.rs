@@ -1,7 +1,7 @@
 //! Coordinate systems, G10, G52, G92, tool length offsets.
 
-use gaugeblock_trace::FaultKind::{MissingWord, NotAnInteger, ToolNotFound, WordOutOfRange};
-use gaugeblock_trace::{Indexed, Machine};
+use gaugeblock_vocabulary::FaultKind::{MissingWord, NotAnInteger, ToolNotFound, WordOutOfRange};
+use gaugeblock_vocabulary::{Indexed, Machine};
 
 use super::Expect::{After, Refused};
 use super::{check, check_on, inch_machine, machine};
@@ -47,7 +47,7 @@ fn offsets_of_g52_and_g92() {
     check("g0 x4; g92 x7; g92.1", After("position = (x4), #5210 = 0, #5211 = 0"));
     check("g0 x4; g92 x7; g92.2; g92.3", After("position = (x7), #5210 = 1"));
     check("g91 g92 x7", After("position = (x7)"));
-    check("g92.1 g92.2", Refused(gaugeblock_trace::FaultKind::ModalConflict));
+    check("g92.1 g92.2", Refused(gaugeblock_vocabulary::FaultKind::ModalConflict));
     check("g92", Refused(MissingWord));
     check("g52", Refused(MissingWord));
 }

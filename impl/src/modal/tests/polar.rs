@@ -1,7 +1,7 @@
 //! Polar words (11.4.12).
 
-use gaugeblock_trace::FaultKind::{AxisWords, NoSuchAxis, OutOfDomain, UnusedWord};
-use gaugeblock_trace::{Axis, Machine};
+use gaugeblock_vocabulary::FaultKind::{AxisWords, NoSuchAxis, OutOfDomain, UnusedWord};
+use gaugeblock_vocabulary::{Axis, Machine};
 
 use super::Expect::{After, Effects, Refused};
 use super::{check, check_on, machine, run};

@@ -1,6 +1,6 @@
 //! Straight probing: the recorder's probe touches something at Z-1.
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     AxisWords, CompensationActive, MissingWord, Probe, UnusedWord, ZeroFeed,
 };
 

@@ -1,6 +1,6 @@
 //! Whatever words come in whatever order: no panic, and the sink is told all that is in force.
 
-use gaugeblock_trace::{Effect, FaultKind, Machine, Options, Settings};
+use gaugeblock_vocabulary::{Effect, FaultKind, Machine, Options, Settings};
 use proptest::prelude::*;
 
 use crate::canon::{Reply, Sink};

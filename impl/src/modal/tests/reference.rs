@@ -1,7 +1,7 @@
 //! G28, G28.1, G30, G30.1 (11.5.20, 11.5.21).
 
-use gaugeblock_trace::FaultKind::{AxisWords, CompensationActive, ModalConflict, UnusedWord};
-use gaugeblock_trace::{Axis, Indexed, Machine};
+use gaugeblock_vocabulary::FaultKind::{AxisWords, CompensationActive, ModalConflict, UnusedWord};
+use gaugeblock_vocabulary::{Axis, Indexed, Machine};
 
 use super::Expect::{After, Effects, Refused};
 use super::{check, check_on, inch_machine, machine};

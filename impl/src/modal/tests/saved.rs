@@ -1,6 +1,6 @@
 //! M70 to M73.
 
-use gaugeblock_trace::FaultKind::{MissingWord, NothingSaved};
+use gaugeblock_vocabulary::FaultKind::{MissingWord, NothingSaved};
 
 use super::Expect::{After, Refused};
 use super::{check, check_on, machine};

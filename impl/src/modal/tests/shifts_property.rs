@@ -3,7 +3,7 @@
 use alloc::format;
 use alloc::string::String;
 
-use gaugeblock_trace::{LengthUnit, Machine};
+use gaugeblock_vocabulary::{LengthUnit, Machine};
 use proptest::prelude::*;
 
 use super::{Run, machine, run};

@@ -1,10 +1,10 @@
 //! S, G96, G97, M3 to M5, M19, coolant and overrides.
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     CompensationActive, MissingWord, ModalConflict, NotAnInteger, Orient, SpindleOutOfRange,
     WordOutOfRange,
 };
-use gaugeblock_trace::Machine;
+use gaugeblock_vocabulary::Machine;
 
 use super::Expect::{After, Effects, Refused};
 use super::{check, check_on, machine};

@@ -1,6 +1,6 @@
 //! G5, G5.1, and the data block of G5.2 and G5.3.
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     AxisWords, MissingWord, ModalConflict, NotAnInteger, UnusedWord, WordOutOfRange, ZeroFeed,
 };
 

@@ -1,12 +1,12 @@
 //! G33, G33.1 and G76.
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     AxisWords, BeyondLimit, MissingWord, ModalConflict, NotAnInteger, SpindleOutOfRange,
     UnusedWord, WordOutOfRange, ZeroSpeed,
 };
 
-use gaugeblock_trace::Machine;
-use gaugeblock_trace::scenario::AxisLimits;
+use gaugeblock_vocabulary::Machine;
+use gaugeblock_vocabulary::scenario::AxisLimits;
 
 use super::Expect::{After, Effects, Refused, Unsupported};
 use super::cycles::shows;

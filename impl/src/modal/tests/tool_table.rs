@@ -1,10 +1,10 @@
 //! G10 L0, L1, L10, L11 (11.5.12, 11.5.13, 11.5.15, 11.5.16).
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     AxisWords, CompensationActive, MissingWord, ModalConflict, NotAnInteger, ToolNotFound,
     UnusedWord, WordOutOfRange,
 };
-use gaugeblock_trace::Machine;
+use gaugeblock_vocabulary::Machine;
 
 use super::Expect::{After, Effects, Refused};
 use super::{check, check_on, inch_machine, machine};

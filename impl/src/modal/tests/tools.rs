@@ -1,10 +1,10 @@
 //! T, M6, M61.
 
-use gaugeblock_trace::FaultKind::{
+use gaugeblock_vocabulary::FaultKind::{
     CompensationActive, ControllerMode, MissingWord, NotAnInteger, ToolNotFound, WordOutOfRange,
 };
-use gaugeblock_trace::scenario::ToolChange;
-use gaugeblock_trace::{Indexed, Machine};
+use gaugeblock_vocabulary::scenario::ToolChange;
+use gaugeblock_vocabulary::{Indexed, Machine};
 
 use super::Expect::{After, Effects, Refused};
 use super::{check, check_on, machine};

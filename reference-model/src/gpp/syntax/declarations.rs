@@ -1,6 +1,6 @@
 //! The declaration part: FORMAT, MODAL, IDENTICAL, and the procedure of the newline symbol.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::is_keyword;
 use super::reader::Reader;

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::reader::Reader;
 use super::statements::lone_variable;

@@ -1,6 +1,6 @@
 //! The statements of blocks and of the newline procedure.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::reader::Reader;
 use super::{Action, Condition, Item, Printer, Reference, Statement, Target, Test};

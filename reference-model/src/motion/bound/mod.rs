@@ -22,7 +22,7 @@ mod smooth;
 mod stopping;
 mod trapezoid;
 
-use gaugeblock_trace::motion::{Feed, MotionLimits, PathMode, ProgrammedPath};
+use gaugeblock_vocabulary::motion::{Feed, MotionLimits, PathMode, ProgrammedPath};
 
 use self::relaxation::Gate;
 pub(in crate::motion) use self::smooth::Bounds;

@@ -325,11 +325,11 @@ impl Blend {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_trace::motion::{
+    use gaugeblock_vocabulary::motion::{
         Controls, Element, Feed, MotionLimits, PathMode, ProgrammedPath, Shape,
     };
-    use gaugeblock_trace::scenario::AxisLimits;
-    use gaugeblock_trace::{Axis, Block, Position};
+    use gaugeblock_vocabulary::scenario::AxisLimits;
+    use gaugeblock_vocabulary::{Axis, Block, Position};
 
     use super::*;
 

@@ -1,10 +1,10 @@
 //! Bounds of the programs that were measured on LinuxCNC: XYZ 250 mm/s and 2000 mm/s², F6000.
 
-use gaugeblock_trace::motion::{
+use gaugeblock_vocabulary::motion::{
     Controls, Element, Feed, MotionLimits, PathMode, ProgrammedPath, Shape,
 };
-use gaugeblock_trace::scenario::AxisLimits;
-use gaugeblock_trace::{Axis, Block, Position};
+use gaugeblock_vocabulary::scenario::AxisLimits;
+use gaugeblock_vocabulary::{Axis, Block, Position};
 
 use super::smooth::{Bounds, Smooth};
 use super::{Kind, TimeBound, least_time, reach};

@@ -4,9 +4,9 @@
 //! bound, whatever the period: the difference is a mean of the derivative. What is added to a limit is what numbers lose:
 //! 1e-9 of it, last places of the positions, and what a recorded position may be off.
 
-use gaugeblock_trace::Axis;
-use gaugeblock_trace::motion::Column;
-use gaugeblock_trace::scenario::AxisLimits;
+use gaugeblock_vocabulary::Axis;
+use gaugeblock_vocabulary::motion::Column;
+use gaugeblock_vocabulary::scenario::AxisLimits;
 
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};

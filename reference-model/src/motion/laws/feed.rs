@@ -1,7 +1,7 @@
 //! How fast the path is passed.
 
-use gaugeblock_trace::Axis;
-use gaugeblock_trace::motion::{Column, Feed};
+use gaugeblock_vocabulary::Axis;
+use gaugeblock_vocabulary::motion::{Column, Feed};
 
 use super::matching::Matching;
 use super::record::Record;

@@ -1,6 +1,6 @@
 //! Whether the path is followed: deviation, corners, order, progress.
 
-use gaugeblock_trace::motion::{Column, PathMode};
+use gaugeblock_vocabulary::motion::{Column, PathMode};
 
 use super::matching::{Matching, Miss, Missed};
 use super::record::Record;

@@ -27,7 +27,7 @@ mod rest;
 mod verdict;
 mod visits;
 
-use gaugeblock_trace::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 
 pub(in crate::motion) use matching::follows;
 use readings::Readings;

@@ -1,7 +1,7 @@
 //! Hold, abort, and what is left to stop on.
 
-use gaugeblock_trace::Axis;
-use gaugeblock_trace::motion::{Column, Feed};
+use gaugeblock_vocabulary::Axis;
+use gaugeblock_vocabulary::motion::{Column, Feed};
 
 use super::matching::Matching;
 use super::record::Record;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::Pin;
-use gaugeblock_trace::motion::Column;
+use gaugeblock_vocabulary::Pin;
+use gaugeblock_vocabulary::motion::Column;
 
 use super::matching::Matching;
 use super::readings::MotionStart;

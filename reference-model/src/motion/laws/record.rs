@@ -1,6 +1,6 @@
 //! What is judged: samples, path, limits and script, and what all laws need of them.
 
-use gaugeblock_trace::motion::{MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_vocabulary::motion::{MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples};
 
 use super::matching::{self, Matching, Measure};
 use super::readings::Readings;

@@ -1,7 +1,7 @@
 //! Where the motion rests: exact stops, ends, dwells.
 
-use gaugeblock_trace::Axis;
-use gaugeblock_trace::motion::{Column, Feed};
+use gaugeblock_vocabulary::Axis;
+use gaugeblock_vocabulary::motion::{Column, Feed};
 
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};

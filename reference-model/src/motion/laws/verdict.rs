@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use gaugeblock_trace::Axis;
+use gaugeblock_vocabulary::Axis;
 
 macro_rules! laws {
     ($($(#[$about:meta])* $id:literal $name:ident,)*) => {

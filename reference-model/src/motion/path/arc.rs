@@ -1,7 +1,7 @@
 //! Arcs on the machine.
 
-use gaugeblock_trace::motion::Shape;
-use gaugeblock_trace::{Axis, Effect, Plane, Position, Settings};
+use gaugeblock_vocabulary::motion::Shape;
+use gaugeblock_vocabulary::{Axis, Effect, Plane, Position, Settings};
 
 use super::frame::{axes, normal, on_machine, settled};
 use crate::math;

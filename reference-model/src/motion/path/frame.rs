@@ -1,6 +1,6 @@
 //! From program coordinates to the machine's: settings as an outcome records them.
 
-use gaugeblock_trace::{Axis, LengthUnit, Plane, Position, Settings};
+use gaugeblock_vocabulary::{Axis, LengthUnit, Plane, Position, Settings};
 
 use crate::math;
 use crate::motion::vector::{Nine, last_place};

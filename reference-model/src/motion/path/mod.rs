@@ -7,10 +7,10 @@ mod arc;
 mod frame;
 mod same;
 
-use gaugeblock_trace::motion::{
+use gaugeblock_vocabulary::motion::{
     Controls, Element, Feed, PathMode, ProgrammedPath, Shape, Switching,
 };
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Block, Effect, Event, FeedMode, Outcome, OutputTiming, Path, Pin, Position, Settings, Switch,
 };
 

@@ -1,6 +1,6 @@
 //! When two paths are the same.
 
-use gaugeblock_trace::motion::{Element, PathMode, ProgrammedPath, Shape};
+use gaugeblock_vocabulary::motion::{Element, PathMode, ProgrammedPath, Shape};
 
 use crate::math;
 use crate::motion::curve::Curve;
@@ -91,7 +91,7 @@ impl Stretch<'_> {
 fn unlike(one: &Element, other: &Element, tolerance: f64) -> Option<String> {
     let close = |a: f64, b: f64| (a - b).abs() <= tolerance.max(1e-9 * a.abs());
     let feed = {
-        use gaugeblock_trace::motion::Feed;
+        use gaugeblock_vocabulary::motion::Feed;
         match (one.feed, other.feed) {
             (Feed::PerSecond(a), Feed::PerSecond(b)) | (Feed::InTime(a), Feed::InTime(b)) => {
                 close(a, b)
@@ -133,7 +133,7 @@ fn leads_along(curves: &[Curve], others: &[Curve], tolerance: f64) -> bool {
 /// A path, stretch by stretch.
 struct Stretches<'a> {
     path: &'a ProgrammedPath,
-    here: gaugeblock_trace::Position,
+    here: gaugeblock_vocabulary::Position,
     next: usize,
     begun: usize,
 }

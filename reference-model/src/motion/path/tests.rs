@@ -1,7 +1,7 @@
 //! Paths of whole programs, run by the model.
 
-use gaugeblock_trace::motion::{Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
-use gaugeblock_trace::{Axis, Pin, Position, Scenario};
+use gaugeblock_vocabulary::motion::{Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
+use gaugeblock_vocabulary::{Axis, Pin, Position, Scenario};
 
 use super::{differ, programmed};
 use crate::math;
@@ -10,7 +10,7 @@ fn path_of(program: &str) -> ProgrammedPath {
     let mut scenario = Scenario::of(program);
     scenario.machine.axes = Axis::ALL.to_vec();
     let (outcome, _) = crate::run(&scenario);
-    assert_eq!(outcome.end, gaugeblock_trace::End::ProgramEnd, "{program}");
+    assert_eq!(outcome.end, gaugeblock_vocabulary::End::ProgramEnd, "{program}");
     programmed(&outcome, Position::default())
 }
 

@@ -202,7 +202,7 @@ impl Reader<'_> {
             Some('0'..='9' | '.') => self.number().map(Expression::Number),
             Some('#') => {
                 let message = "the number of a variable is computed in brackets";
-                let kind = gaugeblock_trace::FaultKind::Statement;
+                let kind = gaugeblock_vocabulary::FaultKind::Statement;
                 Err(crate::nct::refusal::refuse("nct.indirect", kind, message))
             }
             Some(_) | None => Err(bad("the number of a variable is missing")),

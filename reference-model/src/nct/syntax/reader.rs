@@ -1,6 +1,6 @@
 //! A line that is read from left to right.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::nct::readings::Readings;
 use crate::nct::refusal::{Halt, refuse, refuse_form};

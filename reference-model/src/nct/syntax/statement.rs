@@ -1,6 +1,6 @@
 //! Words and macro statements.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::expression::Expression;
 use super::reader::{Reader, bad};

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::rs274::machine::State;
 use crate::rs274::modes::{Code, ModalGroup, g_code, g_text, m_code};

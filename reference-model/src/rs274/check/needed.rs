@@ -2,7 +2,7 @@
 //!
 //! What G43.2 needs it is asked for when its phase comes: quirk rs274.rest-of-restore-block can drop it before.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::rs274::machine::State;
 use crate::rs274::order::has_axis_words;

@@ -1,6 +1,6 @@
 //! Words that nothing in the block uses, and axes that the machine does not have.
 
-use gaugeblock_trace::{Axis, FaultKind};
+use gaugeblock_vocabulary::{Axis, FaultKind};
 
 use crate::rs274::machine::State;
 use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code, motion_code};

@@ -1,6 +1,6 @@
 //! if, elseif, else, endif.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::{Control, Next, Open, Place, Structure, condition, o_word};
 use crate::rs274::machine::State;

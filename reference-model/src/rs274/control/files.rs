@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use gaugeblock_trace::{Block, Program};
+use gaugeblock_vocabulary::{Block, Program};
 
 use super::labels::Labels;
 use crate::rs274::machine::State;

@@ -1,6 +1,6 @@
 //! while, do, repeat, break, continue.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::conditions::duplicate;
 use super::labels::Definition;

@@ -22,7 +22,7 @@ mod subs;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_trace::{End, FaultKind, Program};
+use gaugeblock_vocabulary::{End, FaultKind, Program};
 
 pub use files::{ENTRIES, Files, Place};
 pub use frame::{Call, Frame, Open, Structure, Style};

@@ -1,6 +1,6 @@
 //! Fanuc-style numbered programs: M98, M99.
 
-use gaugeblock_trace::{End, FaultKind};
+use gaugeblock_vocabulary::{End, FaultKind};
 
 use super::loops::saturated;
 use super::subs::{clear_value, deeper};

@@ -1,6 +1,6 @@
 //! sub, endsub, return, call.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::{Call, Control, Frame, MAIN, Next, Place, Style, evaluated, o_word};
 use crate::rs274::machine::State;

@@ -2,7 +2,7 @@
 //!
 //! From the program outward: local offset (G52, G92), rotation about Z, origin of the coordinate system, tool offset.
 
-use gaugeblock_trace::{Axis, LengthUnit, Position};
+use gaugeblock_vocabulary::{Axis, LengthUnit, Position};
 
 use super::Modes;
 use crate::math;
@@ -174,7 +174,7 @@ fn turned(point: Position, degrees: f64) -> Position {
 mod tests {
     use super::*;
     use crate::rs274::readings::Readings;
-    use gaugeblock_trace::Machine;
+    use gaugeblock_vocabulary::Machine;
 
     fn modes() -> Modes {
         let stored = [(5221, 10.0), (5224, 5.0), (5230, 90.0)].into_iter().collect();

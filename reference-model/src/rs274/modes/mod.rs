@@ -14,7 +14,7 @@ pub use groups::ModalGroup;
 pub use motions::{motion_code, motion_mode};
 pub use saved_state::SavedState;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Machine, Motion, Path,
     Plane, Position, Retract, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };

@@ -1,6 +1,6 @@
 //! The motion mode of each motion code.
 
-use gaugeblock_trace::Motion;
+use gaugeblock_vocabulary::Motion;
 
 /// Motion codes in tenths, with their modes.
 const MOTIONS: &[(u32, Motion)] = &[

@@ -1,6 +1,6 @@
 //! The modes as they are recorded.
 
-use gaugeblock_trace::{Indexed, Settings};
+use gaugeblock_vocabulary::{Indexed, Settings};
 
 use super::{Modes, Spindle};
 

@@ -1,6 +1,6 @@
 //! HAL items: the pins of the machine under the names that a program can read.
 
-use gaugeblock_trace::{Machine, Pin, Shared, Sorted};
+use gaugeblock_vocabulary::{Machine, Pin, Shared, Sorted};
 
 use super::{Input, Outside};
 

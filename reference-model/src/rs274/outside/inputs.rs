@@ -1,6 +1,6 @@
 //! Inputs over time: what they are, and when they do what a program waits for.
 
-use gaugeblock_trace::{Pin, WaitMode};
+use gaugeblock_vocabulary::{Pin, WaitMode};
 
 use super::Outside;
 
@@ -122,7 +122,7 @@ impl Outside {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_trace::scenario::{Bench, InputChange};
+    use gaugeblock_vocabulary::scenario::{Bench, InputChange};
 
     use super::*;
     use crate::rs274::readings::Readings;

@@ -12,8 +12,8 @@ pub(crate) mod stub;
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::scenario::Bench;
-use gaugeblock_trace::{Pin, PinChange, Shared, Sorted};
+use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::{Pin, PinChange, Shared, Sorted};
 
 use super::readings::Readings;
 pub(crate) use hal::Item;

@@ -1,6 +1,6 @@
 //! Spindles that turn to an angle, and what their encoders answer.
 
-use gaugeblock_trace::scenario::OrientAnswer;
+use gaugeblock_vocabulary::scenario::OrientAnswer;
 
 use super::Outside;
 

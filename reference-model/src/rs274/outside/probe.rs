@@ -1,7 +1,7 @@
 //! What the probe answers: where it begins or ceases to touch.
 
-use gaugeblock_trace::scenario::ProbeContact;
-use gaugeblock_trace::{Axis, Position};
+use gaugeblock_vocabulary::scenario::ProbeContact;
+use gaugeblock_vocabulary::{Axis, Position};
 
 use super::Outside;
 

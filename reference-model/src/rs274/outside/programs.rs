@@ -1,6 +1,6 @@
 //! Programs of user-defined M codes, as data: nothing runs.
 
-use gaugeblock_trace::scenario::{Folder, UserProgram};
+use gaugeblock_vocabulary::scenario::{Folder, UserProgram};
 
 use super::Outside;
 

@@ -3,7 +3,7 @@
 //! It is told of moves, coordinate systems and local offsets, but not of tool offsets, nor of how a coordinate system is turned. Where the
 //! interpreter asks for the point, after M6, M61 and G10 L0, it gets one that those have not changed.
 
-use gaugeblock_trace::{LengthUnit, Position};
+use gaugeblock_vocabulary::{LengthUnit, Position};
 
 use super::{Input, Outside};
 use crate::rs274::machine::State;
@@ -138,7 +138,7 @@ fn offset(state: &State) -> Position {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_trace::{End, Options, Scenario};
+    use gaugeblock_vocabulary::{End, Options, Scenario};
 
     use super::*;
     use crate::rs274::modes::Rounding;
@@ -174,7 +174,7 @@ mod tests {
     fn end_behind_spline(then: &str, rounding: Rounding) -> End {
         let text = format!("f1\ng5 i0 j0 p0 q0 y0\n{then}\nm2\n");
         let name = Some("stand-alone rs274".to_owned());
-        let bench = gaugeblock_trace::scenario::Bench { name, ..Default::default() };
+        let bench = gaugeblock_vocabulary::scenario::Bench { name, ..Default::default() };
         let moves_nowhere = ("rs274.probe-same-point".into(), "observed".into());
         let small_radius = ("arcs.radius-just-too-small".into(), "half-circle".into());
         let options = Options([moves_nowhere, small_radius].into());

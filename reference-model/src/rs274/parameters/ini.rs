@@ -1,6 +1,6 @@
 //! Entries of the INI file and HAL items.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::State;
 use crate::rs274::outside::Item;

@@ -10,7 +10,7 @@ mod tests;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use gaugeblock_trace::{FaultKind, Indexed, Machine, Shared};
+use gaugeblock_vocabulary::{FaultKind, Indexed, Machine, Shared};
 
 use super::machine::State;
 use super::readings::Readings;

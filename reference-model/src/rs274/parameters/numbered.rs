@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-use gaugeblock_trace::{Axis, Machine};
+use gaugeblock_vocabulary::{Axis, Machine};
 
 use super::State;
 use crate::rs274::modes::start_system;

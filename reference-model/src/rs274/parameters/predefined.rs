@@ -1,6 +1,6 @@
 //! Predefined named parameters: what the state of machine and interpreter is.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Compensation, Distance, FeedMode, Lathe, LengthUnit, Motion, Plane, Retract, SpindleMode,
     SpindleTurn, Switch,
 };

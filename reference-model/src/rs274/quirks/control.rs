@@ -1,6 +1,6 @@
 //! Quirks of subroutines and control.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::rs274::control::{Control, Frame, Next, Place, Structure, turns};
 use crate::rs274::machine::State;

@@ -1,6 +1,6 @@
 //! Quirks of canned cycles.
 
-use gaugeblock_trace::{Axis, Plane, Position};
+use gaugeblock_vocabulary::{Axis, Plane, Position};
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;

@@ -1,6 +1,6 @@
 //! Quirks of moves, arcs, rotated systems and the tool table.
 
-use gaugeblock_trace::{Distance, FaultKind, FeedMode, LengthUnit, Motion, Plane, Position};
+use gaugeblock_vocabulary::{Distance, FaultKind, FeedMode, LengthUnit, Motion, Plane, Position};
 
 use crate::math;
 use crate::rs274::machine::State;

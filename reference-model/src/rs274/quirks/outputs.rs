@@ -1,6 +1,6 @@
 //! Quirks of inputs and outputs.
 
-use gaugeblock_trace::WaitMode;
+use gaugeblock_vocabulary::WaitMode;
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;

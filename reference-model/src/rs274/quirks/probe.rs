@@ -1,6 +1,6 @@
 //! Quirks of probing.
 
-use gaugeblock_trace::{FaultKind, FeedMode, Motion};
+use gaugeblock_vocabulary::{FaultKind, FeedMode, Motion};
 
 use crate::rs274::machine::State;
 use crate::rs274::refusal::{Halt, refuse};

@@ -2,7 +2,7 @@
 //!
 //! `rs274` restores by programming codes again, for what it takes to be different: what such codes cannot say is lost.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, FaultKind, FeedMode, Path, Plane, Position, SpindleLimit, SpindleMode,
     SpindleTurn, Switch,
 };

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Distance, FaultKind, Motion, Position, SpindleLimit, SpindleMode, Switch,
 };
 

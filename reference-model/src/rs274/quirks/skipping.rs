@@ -1,7 +1,7 @@
 //! Quirks of what is passed over on the way to a label: rs274 looks for an end, a sub or a number by reading line after
 //! line, and minds some of what it reads.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::math;
 use crate::rs274::control::{Call, Control, Frame, Place, Style, enabled, label_of, passed};

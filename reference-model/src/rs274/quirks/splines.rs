@@ -1,6 +1,6 @@
 //! Quirks of splines.
 
-use gaugeblock_trace::{FaultKind, FeedMode};
+use gaugeblock_vocabulary::{FaultKind, FeedMode};
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;

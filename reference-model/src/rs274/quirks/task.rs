@@ -1,6 +1,6 @@
 //! Quirks of the whole controller.
 
-use gaugeblock_trace::ControllerMode;
+use gaugeblock_vocabulary::ControllerMode;
 
 use super::settings::speed_while_standing;
 use crate::rs274::machine::State;

@@ -4,7 +4,7 @@
 //! rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`step::message`),
 //! rs274.percent-in-file (`text`).
 
-use gaugeblock_trace::{Compensation, FaultKind, FeedMode};
+use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
 
 use crate::math;
 use crate::rs274::machine::State;

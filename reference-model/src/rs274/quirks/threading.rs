@@ -1,6 +1,6 @@
 //! Quirks of motion with the spindle.
 
-use gaugeblock_trace::{FaultKind, Position, Switch};
+use gaugeblock_vocabulary::{FaultKind, Position, Switch};
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;

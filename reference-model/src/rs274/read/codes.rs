@@ -1,6 +1,6 @@
 //! The numbers of G and M codes.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::math;
 use crate::rs274::machine::State;

@@ -1,6 +1,6 @@
 //! The value of an expression.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::operate::{function, operate};
 use crate::math;

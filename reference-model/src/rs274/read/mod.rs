@@ -6,7 +6,7 @@ mod operate;
 #[cfg(test)]
 mod tests;
 
-use gaugeblock_trace::{Axis, FaultKind, Sorted};
+use gaugeblock_vocabulary::{Axis, FaultKind, Sorted};
 
 use super::machine::State;
 use super::parameters::{self, Name};

@@ -1,6 +1,6 @@
 //! Operators and functions.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::math;
 use crate::rs274::machine::State;

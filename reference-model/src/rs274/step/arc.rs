@@ -3,7 +3,7 @@
 //! A centre and an end point, or a radius and an end point. In both formats the block says no more than a circle in the
 //! selected plane, and how often it is gone round.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane, Position,
 };
 

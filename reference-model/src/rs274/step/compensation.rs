@@ -1,6 +1,6 @@
 //! G40, G41, G42, G41.1, G42.1.
 
-use gaugeblock_trace::{Compensation, FaultKind, Plane};
+use gaugeblock_vocabulary::{Compensation, FaultKind, Plane};
 
 use super::tool::{loaded, named};
 use super::{whole, word};

@@ -1,6 +1,6 @@
 //! M7, M8, M9.
 
-use gaugeblock_trace::Switch;
+use gaugeblock_vocabulary::Switch;
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;

@@ -1,6 +1,6 @@
 //! G4.
 
-use gaugeblock_trace::{Effect, FaultKind};
+use gaugeblock_vocabulary::{Effect, FaultKind};
 
 use super::{pass, whole, word};
 use crate::rs274::machine::State;

@@ -1,6 +1,6 @@
 //! G93, G94, G95 and F.
 
-use gaugeblock_trace::{FaultKind, FeedMode, Switch};
+use gaugeblock_vocabulary::{FaultKind, FeedMode, Switch};
 
 use super::motion::{is_feed, is_spline, motion_of};
 use super::probe::is_probing;

@@ -1,6 +1,6 @@
 //! M66.
 
-use gaugeblock_trace::{Effect, FaultKind, WaitMode};
+use gaugeblock_vocabulary::{Effect, FaultKind, WaitMode};
 
 use super::{whole, word};
 use crate::rs274::machine::State;

@@ -1,6 +1,6 @@
 //! G52 and the G92 codes: an offset of every coordinate system.
 
-use gaugeblock_trace::{Axis, Position};
+use gaugeblock_vocabulary::{Axis, Position};
 
 use super::offsets::{in_force_changes, store_length};
 use super::target::offset_words;

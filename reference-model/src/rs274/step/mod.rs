@@ -36,7 +36,7 @@ mod word;
 pub(crate) use target::{end_point, letter};
 pub(crate) use word::{whole, word};
 
-use gaugeblock_trace::{Compensation, FaultKind};
+use gaugeblock_vocabulary::{Compensation, FaultKind};
 
 use super::machine::State;
 use super::refusal::{Halt, refuse};

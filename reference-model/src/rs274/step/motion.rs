@@ -1,6 +1,6 @@
 //! G0, G1, G2, G3, G80, and axis words alone.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, Effect, FaultKind, FeedMode, Motion, Position, SpindleMode, SpindleTurn,
 };
 

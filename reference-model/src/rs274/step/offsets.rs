@@ -1,6 +1,6 @@
 //! G54 to G59.3, G10 L2 and L20; the other data of offsets have rooms of their own.
 
-use gaugeblock_trace::{Axis, Compensation, FaultKind, Motion, Position};
+use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Motion, Position};
 
 use super::target::offset_words;
 use super::tool_table::{self, Values};

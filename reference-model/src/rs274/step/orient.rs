@@ -1,7 +1,7 @@
 //! M19.
 
-use gaugeblock_trace::scenario::OrientAnswer;
-use gaugeblock_trace::{Effect, FaultKind, OrientDirection, Pin, SpindleTurn};
+use gaugeblock_vocabulary::scenario::OrientAnswer;
+use gaugeblock_vocabulary::{Effect, FaultKind, OrientDirection, Pin, SpindleTurn};
 
 use super::spindle::{all, number};
 use super::{pass, whole, word};

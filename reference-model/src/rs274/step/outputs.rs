@@ -1,6 +1,6 @@
 //! M62 to M65, M67, M68.
 
-use gaugeblock_trace::{Effect, FaultKind, OutputTiming, Pin};
+use gaugeblock_vocabulary::{Effect, FaultKind, OutputTiming, Pin};
 
 use super::word;
 use crate::rs274::machine::State;

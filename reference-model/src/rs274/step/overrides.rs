@@ -1,6 +1,6 @@
 //! M48 to M53.
 
-use gaugeblock_trace::{Compensation, FaultKind, Switch};
+use gaugeblock_vocabulary::{Compensation, FaultKind, Switch};
 
 use super::spindle::{all, number};
 use super::{whole, word};

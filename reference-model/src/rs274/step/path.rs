@@ -1,6 +1,6 @@
 //! G61, G61.1, G64.
 
-use gaugeblock_trace::{FaultKind, Path};
+use gaugeblock_vocabulary::{FaultKind, Path};
 
 use super::word;
 use crate::rs274::machine::State;

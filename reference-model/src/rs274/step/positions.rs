@@ -1,6 +1,6 @@
 //! G28, G28.1, G30, G30.1: positions of the machine that a program goes to by way of another point.
 
-use gaugeblock_trace::{Axis, Compensation, FaultKind, Position};
+use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Position};
 
 use super::target::{end_point, letter, shifted};
 use super::tool_change::traverse;

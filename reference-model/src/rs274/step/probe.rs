@@ -1,6 +1,6 @@
 //! G38.2 to G38.5: straight probing.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Compensation, Effect, FaultKind, FeedMode, LengthUnit, Motion, Position,
 };
 

@@ -1,6 +1,6 @@
 //! M2 and M30.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, ControllerMode, Distance, Effect, FeedMode, Motion, Plane, SpindleTurn, Switch,
 };
 

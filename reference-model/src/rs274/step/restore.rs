@@ -1,6 +1,6 @@
 //! What a restore brings back, item by item.
 
-use gaugeblock_trace::{Motion, Path, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{Motion, Path, SpindleTurn, Switch};
 
 use super::offsets::use_system;
 use super::orient;

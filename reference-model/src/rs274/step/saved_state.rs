@@ -1,6 +1,6 @@
 //! M70 to M73: saving and restoring the modal state.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::restore::restore;
 use crate::rs274::control::{Frame, Style};

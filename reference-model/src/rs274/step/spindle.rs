@@ -1,6 +1,6 @@
 //! S, G96, G97, M3, M4, M5.
 
-use gaugeblock_trace::{FaultKind, Lathe, SpindleLimit, SpindleMode, SpindleTurn};
+use gaugeblock_vocabulary::{FaultKind, Lathe, SpindleLimit, SpindleMode, SpindleTurn};
 
 use super::{orient, whole, word};
 use crate::rs274::machine::State;

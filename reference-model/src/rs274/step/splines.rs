@@ -1,6 +1,6 @@
 //! G5, G5.1, and the blocks between G5.2 and G5.3: splines in the XY plane.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Plane, Position,
 };
 

@@ -1,6 +1,6 @@
 //! M0, M1, M60, and the program end.
 
-use gaugeblock_trace::Effect;
+use gaugeblock_vocabulary::Effect;
 
 use super::program_end;
 use crate::rs274::machine::State;

@@ -1,6 +1,6 @@
 //! Where axis words lead to.
 
-use gaugeblock_trace::{Axis, Distance, FaultKind, Lathe, Position};
+use gaugeblock_vocabulary::{Axis, Distance, FaultKind, Lathe, Position};
 
 use super::word;
 use crate::math;

@@ -1,6 +1,6 @@
 //! T.
 
-use gaugeblock_trace::{Effect, FaultKind, Tool};
+use gaugeblock_vocabulary::{Effect, FaultKind, Tool};
 
 use super::{whole, word};
 use crate::rs274::machine::State;

@@ -1,6 +1,6 @@
 //! M6 and M61.
 
-use gaugeblock_trace::{ControllerMode, Effect, FaultKind, Position, SpindleTurn};
+use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, Position, SpindleTurn};
 
 use super::positions;
 use super::tool::entry;

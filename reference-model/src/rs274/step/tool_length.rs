@@ -1,6 +1,6 @@
 //! G43, G43.1, G43.2, G49.
 
-use gaugeblock_trace::{FaultKind, Position, Switch};
+use gaugeblock_vocabulary::{FaultKind, Position, Switch};
 
 use super::target::offset_words;
 use super::tool::{loaded, named};

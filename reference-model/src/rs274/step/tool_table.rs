@@ -1,6 +1,6 @@
 //! G10 L0, L1, L10, L11: the tool table.
 
-use gaugeblock_trace::{Axis, Compensation, Effect, FaultKind, Position, Tool};
+use gaugeblock_vocabulary::{Axis, Compensation, Effect, FaultKind, Position, Tool};
 
 use super::target::offset_words;
 use super::tool::entry;

@@ -1,6 +1,6 @@
 //! Planes, length units, distance modes, lathe modes and the return mode of canned cycles.
 
-use gaugeblock_trace::{Distance, FeedMode, Lathe, LengthUnit, Plane, Retract};
+use gaugeblock_vocabulary::{Distance, FeedMode, Lathe, LengthUnit, Plane, Retract};
 
 use super::not_under_compensation;
 use crate::rs274::machine::State;

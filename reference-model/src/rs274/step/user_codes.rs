@@ -1,6 +1,6 @@
 //! M100 to M199.
 
-use gaugeblock_trace::{Effect, FaultKind};
+use gaugeblock_vocabulary::{Effect, FaultKind};
 
 use super::{pass, word};
 use crate::rs274::machine::State;
@@ -31,10 +31,10 @@ pub fn perform(
     for rule in ["user-codes.run", "user-codes.waits", "user-codes.unknown"] {
         state.evidence.accepted(rule);
     }
-    if folder == gaugeblock_trace::scenario::Folder::SearchPath {
+    if folder == gaugeblock_vocabulary::scenario::Folder::SearchPath {
         state.evidence.accepted("user-codes.place");
     }
-    if state.modes.compensation != gaugeblock_trace::Compensation::Off {
+    if state.modes.compensation != gaugeblock_vocabulary::Compensation::Off {
         state.evidence.accepted("user-codes.under-compensation");
     }
     record.effect(state, Effect::UserCode { code, p, q });

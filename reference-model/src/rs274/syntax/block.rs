@@ -1,6 +1,6 @@
 //! The parts of a block, before anything is evaluated.
 
-use gaugeblock_trace::Span;
+use gaugeblock_vocabulary::Span;
 
 use crate::rs274::refusal::Halt;
 

@@ -1,6 +1,6 @@
 //! Expressions in brackets: operands, operators and their precedence.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::parser::Parser;
 use super::value::Wanted;

@@ -1,6 +1,6 @@
 //! Block delete, line number, words, settings, comments: the items of a line.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::expression::operator_at;
 use super::parser::Parser;

@@ -1,6 +1,6 @@
 //! O-words: a label, a keyword, values in brackets.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::parser::Parser;
 use super::value::Wanted;

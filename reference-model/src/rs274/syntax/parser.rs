@@ -1,6 +1,6 @@
 //! The parser's place in a line.
 
-use gaugeblock_trace::{FaultKind, Span};
+use gaugeblock_vocabulary::{FaultKind, Span};
 
 use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{Halt, refuse_at};

@@ -59,7 +59,7 @@ fn a_block_has_slash_number_words_settings_and_comment() {
 fn spans_point_at_the_text() {
     let line = "g1 x [1 + 2] #3 = 4";
     let block = parsed(line);
-    let part = |span: gaugeblock_trace::Span| &line[span.start as usize..span.end as usize];
+    let part = |span: gaugeblock_vocabulary::Span| &line[span.start as usize..span.end as usize];
     assert_eq!(part(block.words[1].span), "x [1 + 2]");
     assert_eq!(part(block.settings[0].span), "#3 = 4");
 }

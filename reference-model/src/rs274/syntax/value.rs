@@ -1,6 +1,6 @@
 //! Values: numbers, parameters, functions, and expressions in brackets.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::expression::operator_at;
 use super::parser::Parser;

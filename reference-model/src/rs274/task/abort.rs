@@ -1,6 +1,6 @@
 //! What an abort leaves behind.
 
-use gaugeblock_trace::{End, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{End, SpindleTurn, Switch};
 
 use super::operator::Operator;
 use super::{Record, Run};

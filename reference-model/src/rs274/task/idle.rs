@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_trace::scenario::Action;
-use gaugeblock_trace::{ControllerMode, End};
+use gaugeblock_vocabulary::scenario::Action;
+use gaugeblock_vocabulary::{ControllerMode, End};
 
 use super::request::{Activity, Answer};
 use super::{Run, open_entries};

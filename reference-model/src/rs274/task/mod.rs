@@ -22,8 +22,8 @@ mod record;
 mod request;
 mod wait;
 
-use gaugeblock_trace::scenario::{Action, Start};
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::{Action, Start};
+use gaugeblock_vocabulary::{
     Block, Bound, ControllerMode, End, Fault, Indexed, Language, Options, Outcome, Plane, Program,
     Scenario, Settings, Shared,
 };

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::{Effect, End, Position};
+use gaugeblock_vocabulary::{Effect, End, Position};
 
 use super::Run;
 use super::request::{Activity, Answer, By};

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::Block;
-use gaugeblock_trace::scenario::{Action, OperatorEvent};
+use gaugeblock_vocabulary::Block;
+use gaugeblock_vocabulary::scenario::{Action, OperatorEvent};
 
 /// The events of a scenario, each taken once.
 #[derive(Debug)]
@@ -89,7 +89,7 @@ impl<'a> Operator<'a> {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_trace::scenario::When;
+    use gaugeblock_vocabulary::scenario::When;
 
     use super::*;
 

@@ -1,6 +1,6 @@
 //! What the machine's pins show of the modes in force.
 
-use gaugeblock_trace::{Pin, SpindleMode, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{Pin, SpindleMode, SpindleTurn, Switch};
 
 use super::Run;
 use crate::rs274::machine::State;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use gaugeblock_trace::{End, FaultKind};
+use gaugeblock_vocabulary::{End, FaultKind};
 
 use super::{Record, Run};
 use crate::rs274::control::{self, Control, MAIN, Next};

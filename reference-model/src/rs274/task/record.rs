@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_trace::scenario::Budget;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::Budget;
+use gaugeblock_vocabulary::{
     Block, Effect, End, Event, Indexed, Language, Outcome, PinChange, Rs274State, Settings, Step,
 };
 
@@ -329,7 +329,7 @@ impl Record {
         self.steps.push(Step {
             block,
             events,
-            state: Some(gaugeblock_trace::State::Rs274(changed)),
+            state: Some(gaugeblock_vocabulary::State::Rs274(changed)),
         });
     }
 

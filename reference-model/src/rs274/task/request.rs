@@ -1,7 +1,7 @@
 //! What the controller does with a request of the operator, or refuses, by its mode and by what it is doing.
 
-use gaugeblock_trace::scenario::Action;
-use gaugeblock_trace::{ControllerMode, Effect, End, Request};
+use gaugeblock_vocabulary::scenario::Action;
+use gaugeblock_vocabulary::{ControllerMode, Effect, End, Request};
 
 use super::Run;
 use super::operator::Happening;

@@ -1,6 +1,6 @@
 //! What the operator does while a block begins, waits or stands, and while the program pauses.
 
-use gaugeblock_trace::{Block, End};
+use gaugeblock_vocabulary::{Block, End};
 
 use super::Run;
 use super::request::{Activity, Answer, By};

@@ -1,6 +1,6 @@
 //! A line's characters as the parser sees them: without blanks, in lower case, comments split off.
 
-use gaugeblock_trace::{FaultKind, Span};
+use gaugeblock_vocabulary::{FaultKind, Span};
 
 use super::comments::comment_at;
 use crate::rs274::machine::State;

@@ -1,6 +1,6 @@
 //! Comments in parentheses and after a semicolon.
 
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 use super::characters::span;
 use crate::rs274::readings::Readings;

@@ -12,7 +12,7 @@ use std::ops::Range;
 use super::machine::State;
 use super::readings::Readings;
 use super::refusal::{Halt, refuse};
-use gaugeblock_trace::FaultKind;
+use gaugeblock_vocabulary::FaultKind;
 
 /// A file of program text, cut into lines.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! How a run ends, and what the block did that it ended with.
 
-use gaugeblock_trace::{Bound, Effect, End, Event, Fault, FaultKind};
+use gaugeblock_vocabulary::{Bound, Effect, End, Event, Fault, FaultKind};
 
 use super::{Assembly, is_end, unreadable};
 use crate::adapters::HarnessError;

@@ -3,7 +3,7 @@
 //! The driver shows what is in force before such a block and after it: the first probe ends what came before, the program's
 //! end among it.
 
-use gaugeblock_trace::Block;
+use gaugeblock_vocabulary::Block;
 use serde_json::Value;
 
 use super::{Assembly, is_end};

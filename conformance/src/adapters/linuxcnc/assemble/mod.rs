@@ -9,8 +9,8 @@ mod entries;
 
 use std::collections::{BTreeMap, VecDeque};
 
-use gaugeblock_trace::scenario::Start;
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::scenario::Start;
+use gaugeblock_vocabulary::{
     Channel, ControllerMode, Effect, End, Event, Fault, Indexed, Language, Outcome, PinChange,
     Scenario, Settings,
 };

@@ -1,6 +1,6 @@
 //! Messages, tools, stops, the end, and signals.
 
-use gaugeblock_trace::{Channel, Effect, OutputTiming};
+use gaugeblock_vocabulary::{Channel, Effect, OutputTiming};
 
 use super::{Call, Canon, Done, Mark, whole};
 use crate::adapters::HarnessError;

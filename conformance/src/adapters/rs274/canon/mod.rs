@@ -10,7 +10,7 @@ mod tool_table;
 
 use std::f64::consts::TAU;
 
-use gaugeblock_trace::{Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings};
+use gaugeblock_vocabulary::{Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings};
 
 use super::output::Call;
 use crate::adapters::HarnessError;

@@ -1,6 +1,6 @@
 //! Modes, offsets and the path.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Position, Retract, Settings,
 };
 

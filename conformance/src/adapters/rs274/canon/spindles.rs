@@ -1,6 +1,6 @@
 //! Spindles, coolant and override controls.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Effect, Indexed, OrientDirection, Settings, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 

@@ -1,6 +1,6 @@
 //! Calls as the program prints them, and what they come to.
 
-use gaugeblock_trace::{Effect, Event, Machine, Position, Tool};
+use gaugeblock_vocabulary::{Effect, Event, Machine, Position, Tool};
 
 use super::super::output::Call;
 use super::{Canon, Mark};

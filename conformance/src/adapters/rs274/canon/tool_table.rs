@@ -3,7 +3,7 @@
 //! The call shows all of an entry but the diameter, and lengths in the unit of the machine: the diameter is the one that the
 //! table had, or twice the R of the block.
 
-use gaugeblock_trace::{Axis, Effect, LengthUnit, Machine, Position, Tool};
+use gaugeblock_vocabulary::{Axis, Effect, LengthUnit, Machine, Position, Tool};
 
 use super::{Call, Canon, Done, Mark, whole};
 

@@ -6,7 +6,7 @@ use std::os::unix::process::ExitStatusExt;
 use std::thread;
 use std::time::Duration;
 
-use gaugeblock_trace::Scenario;
+use gaugeblock_vocabulary::Scenario;
 use rustix::process::kill_process;
 use sha2::{Digest as _, Sha256};
 

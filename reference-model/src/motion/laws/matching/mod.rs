@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 use crate::motion::curve::Curve;
 use crate::motion::route::{Passing, Route};
 use crate::motion::vector::{Nine, distance, from_segment};
-use gaugeblock_trace::motion::PathMode;
+use gaugeblock_vocabulary::motion::PathMode;
 
 /// How many pieces ahead and behind a lost sample is looked for.
 const AHEAD: usize = 256;

@@ -8,12 +8,12 @@ mod outputs;
 mod rest;
 mod robust;
 
-use gaugeblock_trace::motion::{
+use gaugeblock_vocabulary::motion::{
     Column, Controls, Element, Feed, MotionAction, MotionEvent, MotionLimits, MotionScript,
     PathMode, ProgrammedPath, Samples, Shape, Switching,
 };
-use gaugeblock_trace::scenario::AxisLimits;
-use gaugeblock_trace::{Axis, Block, Pin, Position};
+use gaugeblock_vocabulary::scenario::AxisLimits;
+use gaugeblock_vocabulary::{Axis, Block, Pin, Position};
 
 use super::{Judgement, Law, Verdict, judge};
 use crate::motion::vector::{Nine, distance, minus, plus};

@@ -1,6 +1,6 @@
 //! What a cycle is refused for before its numbers are looked at.
 
-use gaugeblock_trace::{Compensation, FaultKind, FeedMode};
+use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
 
 use crate::rs274::machine::State;
 use crate::rs274::order::has_axis_words;

@@ -1,6 +1,6 @@
 //! The numbers of a cycle: which its block programs, which stick, and the heights that they mean.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Distance, FaultKind, Lathe, LengthUnit, Motion, Plane, Position, Retract,
 };
 

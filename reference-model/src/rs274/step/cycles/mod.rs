@@ -8,7 +8,7 @@ mod heights;
 mod strokes;
 mod tapping;
 
-use gaugeblock_trace::{Axis, Distance, Effect, FaultKind, Motion, Path, Plane, Position};
+use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion, Path, Plane, Position};
 
 use super::target::{moved, polar};
 use super::word;

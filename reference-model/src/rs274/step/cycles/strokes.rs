@@ -1,6 +1,6 @@
 //! What each cycle does in its hole, from R down and back to its clear height.
 
-use gaugeblock_trace::{FaultKind, LengthUnit, SpindleTurn};
+use gaugeblock_vocabulary::{FaultKind, LengthUnit, SpindleTurn};
 
 use super::{Cycle, Kind, feed_along, tapping, traverse_along};
 use crate::rs274::machine::State;

@@ -1,6 +1,6 @@
 //! G74 and G84: tapping with a floating chuck.
 
-use gaugeblock_trace::{Axis, Effect, FaultKind, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{Axis, Effect, FaultKind, SpindleTurn, Switch};
 
 use super::strokes::{dwells, turns};
 use super::{Cycle, Kind};

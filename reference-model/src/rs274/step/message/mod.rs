@@ -5,7 +5,7 @@ mod keyword;
 #[cfg(test)]
 mod tests;
 
-use gaugeblock_trace::{Channel, Effect, FaultKind};
+use gaugeblock_vocabulary::{Channel, Effect, FaultKind};
 
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};

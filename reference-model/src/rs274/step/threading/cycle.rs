@@ -1,6 +1,6 @@
 //! G76: a thread in several passes, each deeper than the one before.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Compensation, Distance, Effect, FaultKind, Lathe, Plane, Position, Switch,
 };
 
@@ -59,7 +59,7 @@ pub(in crate::rs274::step) fn perform(
     record: &mut Record,
 ) -> Result<(), Halt> {
     let thread = find(words, state)?;
-    state.modes.motion = gaugeblock_trace::Motion::Thread76;
+    state.modes.motion = gaugeblock_vocabulary::Motion::Thread76;
     let mut count = 1.0;
     let mut left = thread.springs;
     while left >= 0 || thread.springs < 0 {

@@ -2,7 +2,7 @@
 
 mod cycle;
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, Compensation, Effect, FaultKind, Motion, Position, SpindleMode, SpindleTurn,
 };
 

@@ -1,6 +1,6 @@
 //! Objects that name their variant in a member: wherever it stands, the same is read.
 
-use gaugeblock_trace::{Effect, End, Position, State};
+use gaugeblock_vocabulary::{Effect, End, Position, State};
 use serde::de::DeserializeOwned;
 
 fn read<T: DeserializeOwned>(text: &str) -> Result<T, String> {

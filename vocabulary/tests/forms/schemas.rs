@@ -4,7 +4,7 @@ use std::env;
 use std::fs;
 use std::path::Path;
 
-use gaugeblock_trace::{Effect, schema};
+use gaugeblock_vocabulary::{Effect, schema};
 use jsonschema::Validator;
 use proptest::prelude::*;
 use schemars::Schema;
@@ -26,7 +26,7 @@ fn is_current(name: &str, schema: &Schema) {
     assert!(
         committed == now,
         "schema/{name} differs from what the types generate, from line {line} on; if the change is meant, run \
-         `GAUGEBLOCK_BLESS=1 cargo test -p gaugeblock-trace schema` and read the difference",
+         `GAUGEBLOCK_BLESS=1 cargo test -p gaugeblock-vocabulary schema` and read the difference",
     );
 }
 
@@ -104,7 +104,7 @@ fn what_the_types_refuse_does_not_fit() {
     for (event, state, end) in wrong {
         let outcome = outcome_with(step_with(event, state), end);
         assert!(!validator.is_valid(&outcome), "the schema lets this through: {outcome}");
-        serde_json::from_value::<gaugeblock_trace::Outcome>(outcome.clone())
+        serde_json::from_value::<gaugeblock_vocabulary::Outcome>(outcome.clone())
             .expect_err(&format!("the types let this through: {outcome}"));
     }
 }

@@ -1,6 +1,6 @@
 //! Texts that are not in the form: each is refused with one message that has its line.
 
-use gaugeblock_trace::{Outcome, Scenario};
+use gaugeblock_vocabulary::{Outcome, Scenario};
 
 /// Checks that each outcome, which is right but for one line, is refused with this message.
 #[track_caller]

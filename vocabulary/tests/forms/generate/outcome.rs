@@ -1,6 +1,6 @@
 //! Generators for outcomes: settings, states, effects, faults, ends, pins, samples.
 
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Bound, Channel, Compensation, ControllerMode, Distance, Effect, End, Event, Fault, FaultKind,
     FeedMode, GppState, Language, Lathe, LengthUnit, MacroValue, Motion, NctState, OrientDirection,
     Outcome, OutputTiming, Path, Pin, PinChange, Plane, Request, Retract, Rs274State, Sample,
@@ -25,7 +25,7 @@ fn outcome_in(language: Language) -> BoxedStrategy<Outcome> {
         steps: vec(step(language), 0..4),
         end: end(),
         parameters: option::of(prop_oneof![
-            Just(gaugeblock_trace::Indexed::default()),
+            Just(gaugeblock_vocabulary::Indexed::default()),
             indexed(any::<u32>(), number()),
         ]),
         pins: vec(pin(), 0..3),

@@ -1,10 +1,10 @@
 //! Generators for scenarios: program, options, machine, bench, operator, budget.
 
-use gaugeblock_trace::scenario::{
+use gaugeblock_vocabulary::scenario::{
     Action, AxisLimits, Bench, Budget, Folder, InputChange, OperatorEvent, OrientAnswer,
     ProbeContact, Start, ToolChange, UserProgram, When,
 };
-use gaugeblock_trace::{
+use gaugeblock_vocabulary::{
     Axis, ControllerMode, Language, LengthUnit, Machine, Options, Program, Scenario, Tool,
 };
 use proptest::collection::vec;
@@ -51,7 +51,7 @@ fn machine() -> BoxedStrategy<Machine> {
         any::<bool>(),
         any::<bool>(),
         vec(tool(), 0..3),
-        prop_oneof![Just(gaugeblock_trace::Indexed::default()), indexed(any::<u32>(), number())],
+        prop_oneof![Just(gaugeblock_vocabulary::Indexed::default()), indexed(any::<u32>(), number())],
         named(number()),
     );
     (first, second)

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Debug;
 
-use gaugeblock_trace::{Block, Indexed, Position, Span};
+use gaugeblock_vocabulary::{Block, Indexed, Position, Span};
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
 

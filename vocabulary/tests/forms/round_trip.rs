@@ -1,6 +1,6 @@
 //! What is written is read back equal: text form, JSON and TOML, of whatever the vocabulary can say.
 
-use gaugeblock_trace::{Effect, Outcome, Scenario, Settings};
+use gaugeblock_vocabulary::{Effect, Outcome, Scenario, Settings};
 use proptest::prelude::*;
 
 use crate::generate;

@@ -1,11 +1,11 @@
 //! The forms of a path, of limits, of a script, and of samples.
 
-use gaugeblock_trace::motion::{
+use gaugeblock_vocabulary::motion::{
     Column, Controls, Element, Feed, MotionAction, MotionEvent, MotionLimits, MotionScript,
     PathMode, ProgrammedPath, Samples, Shape, Switching,
 };
-use gaugeblock_trace::scenario::AxisLimits;
-use gaugeblock_trace::{Axis, Block, Pin, Position};
+use gaugeblock_vocabulary::scenario::AxisLimits;
+use gaugeblock_vocabulary::{Axis, Block, Pin, Position};
 use proptest::prelude::*;
 
 fn element(shape: Shape, feed: Feed, mode: PathMode) -> Element {
