@@ -1,9 +1,10 @@
-//! How many instructions production executes for a block, against `budgets.toml`: the same on a busy machine, and on every x86-64 processor.
+//! How many instructions production executes for a block, against `budgets.toml`: the same on a busy machine, and on
+//! every x86-64 processor.
 //!
 //! `cargo bench -p gaugeblock-benches --bench instructions`
 //!
-//! It runs itself under callgrind, once for each long program, and fails where a program costs more than its budget allows. Without valgrind it
-//! says so and measures nothing.
+//! It runs itself under callgrind, once for each long program, and fails where a program costs more than its budget
+//! allows. Without valgrind it says so and measures nothing.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;
@@ -123,7 +124,8 @@ impl Sink for Counting {
     }
 }
 
-/// Interprets a program for as many steps as tell what a block costs; the number of its blocks. Callgrind counts within this function.
+/// Interprets a program for as many steps as tell what a block costs; the number of its blocks. Callgrind counts
+/// within this function.
 #[inline(never)]
 fn measured(text: &str) -> Result<u32> {
     let mut interpreter =

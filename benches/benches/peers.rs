@@ -2,9 +2,10 @@
 //!
 //! `cargo bench -p gaugeblock-benches --bench peers [-- [NAME] [RUNS]]`
 //!
-//! `rs274` runs as it is, its output to `/dev/null`, and once more with printing that does nothing (`peers/silent.c`, loaded before the C library), since a
-//! controller does not print either. A run of a program of one block is subtracted. The minimum of several runs counts; the three take turns,
-//! so that a busy machine is busy for all. Where `rs274` or a C compiler is missing, the table has fewer columns.
+//! `rs274` runs as it is, its output to `/dev/null`, and once more with printing that does nothing (`peers/silent.c`,
+//! loaded before the C library), since a controller does not print either. A run of a program of one block is
+//! subtracted. The minimum of several runs counts; the three take turns, so that a busy machine is busy for all.
+//! Where `rs274` or a C compiler is missing, the table has fewer columns.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;
@@ -141,7 +142,8 @@ fn run_ours(program: &LongProgram) -> Result<f64> {
     Ok(own_processor_time()? - start)
 }
 
-/// Seconds that this process has had of a processor, up to now: what `schedstat` tells of a process that runs is some milliseconds old.
+/// Seconds that this process has had of a processor, up to now: what `schedstat` tells of a process that runs is some
+/// milliseconds old.
 fn own_processor_time() -> Result<f64> {
     let time = Duration::try_from(clock_gettime(ClockId::ProcessCPUTime));
     time.map(|time| time.as_secs_f64()).map_err(Error::other)

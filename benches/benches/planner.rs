@@ -2,12 +2,14 @@
 //!
 //! `cargo bench -p gaugeblock-benches --bench planner`
 //!
-//! It runs itself under callgrind for each program, and fails where one costs more than its budget allows. Counted are the mean of all
-//! cycles, the largest cycle, and the mean of all segments queued. Beside it stands what a cycle takes with the segments queued before it,
-//! on this machine and without callgrind. Without valgrind it says so and measures nothing.
+//! It runs itself under callgrind for each program, and fails where one costs more than its budget allows. Counted
+//! are the mean of all cycles, the largest cycle, and the mean of all segments queued. Beside it stands what a cycle
+//! takes with the segments queued before it, on this machine and without callgrind. Without valgrind it says so and
+//! measures nothing.
 //!
-//! `cargo bench -p gaugeblock-benches --bench planner -- search` looks for the largest cycle with three axes: it draws programs and
-//! what the operator does, and changes those that cost most. The largest it has found are programs of the bench.
+//! `cargo bench -p gaugeblock-benches --bench planner -- search` looks for the largest cycle with three axes: it
+//! draws programs and what the operator does, and changes those that cost most. The largest it has found are programs
+//! of the bench.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;

@@ -2,8 +2,8 @@
 //!
 //! `cargo bench -p gaugeblock-benches --bench stream [-- MEGABYTES [BLOCKS]]`
 //!
-//! The first is made while it is read, so that nothing but the interpreter could hold it. The second is asked to stop again and again. Fails
-//! where the process takes more than 64 MiB.
+//! The first is made while it is read, so that nothing but the interpreter could hold it. The second is asked to stop
+//! again and again. Fails where the process takes more than 64 MiB.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 #![expect(clippy::disallowed_methods, reason = "a measurement takes the time")]
 

@@ -1,4 +1,5 @@
-//! Long programs, of some 200,000 executed blocks each, that are the same for every interpreter: text in a dialect that all of them read.
+//! Long programs, of some 200,000 executed blocks each, that are the same for every interpreter: text in a dialect
+//! that all of them read.
 
 use std::fmt::{Arguments, Write as _};
 
@@ -86,7 +87,8 @@ fn feed_move(text: &mut String, turn: u32, noise: &mut Noise) {
     text.push('\n');
 }
 
-/// Arcs with centres, of 0.3 to 3 radians and 1 to 8 millimetres, in each plane for a thousand blocks, around the point where they began.
+/// Arcs with centres, of 0.3 to 3 radians and 1 to 8 millimetres, in each plane for a thousand blocks, around the
+/// point where they began.
 fn arcs() -> String {
     let mut noise = Noise(7);
     let mut text = format!("{HEAD}G0 X0 Y0 Z0\n");

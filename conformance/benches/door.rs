@@ -1,14 +1,15 @@
-//! What the adapter protocol costs a case: production behind it less production in this process, against a bare round trip of lines of
-//! the same size through pipes.
+//! What the adapter protocol costs a case: production behind it less production in this process, against a bare round
+//! trip of lines of the same size through pipes.
 //!
 //! `cargo bench -p gaugeblock --bench door`
 //!
-//! Everything is measured case by case, by turns; what counts is the least of all rounds. In a campaign of one job is what a case costs whoever
-//! certifies: its model and its verdict are found while the controller works. A run alone is how long somebody waits for one outcome who does
-//! nothing meanwhile.
+//! Everything is measured case by case, by turns; what counts is the least of all rounds. In a campaign of one job is
+//! what a case costs whoever certifies: its model and its verdict are found while the controller works. A run alone
+//! is how long somebody waits for one outcome who does nothing meanwhile.
 //!
-//! What a case of a campaign is held against are bare round trips that follow at once on one another, so that neither side falls asleep. What one
-//! costs a campaign in this process that makes one beside each case, where both sides may sleep in between, is told below.
+//! What a case of a campaign is held against are bare round trips that follow at once on one another, so that neither
+//! side falls asleep. What one costs a campaign in this process that makes one beside each case, where both sides may
+//! sleep in between, is told below.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;

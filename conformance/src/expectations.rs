@@ -1,7 +1,7 @@
 //! Expectations: what a named controller is known to do otherwise. Strict, never stale.
 //!
-//! A known divergence names rule, case and what is found. It is a failure when the controller does something else, when it
-//! has been mended, and when it is not listed.
+//! A known divergence names rule, case and what is found. It is a failure when the controller does something else,
+//! when it has been mended, and when it is not listed.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -46,9 +46,9 @@ pub struct Departed<'a> {
 impl<'a> Departed<'a> {
     /// The other options under which the model does what the controller did; none where nothing is found.
     ///
-    /// One that the rule names is tried first, then each other quirk, then as few as possible of all that the controller is known
-    /// for, then one that the rule names together with another one. Nothing is explained where the outcomes are equal and
-    /// an assertion fails.
+    /// One that the rule names is tried first, then each other quirk, then as few as possible of all that the
+    /// controller is known for, then one that the rule names together with another one. Nothing is explained where
+    /// the outcomes are equal and an assertion fails.
     pub fn explanation(self) -> Vec<Other<'a>> {
         let found = Observed::of(self.found);
         let shows = self.controller.shows(self.scenario);

@@ -1,5 +1,5 @@
-//! The journal of a long run: a header that says of what, then a line for each piece that is done. A kill at any moment loses at most the
-//! pieces in work.
+//! The journal of a long run: a header that says of what, then a line for each piece that is done. A kill at any
+//! moment loses at most the pieces in work.
 
 use std::fs::{File, OpenOptions};
 use std::io::{BufRead as _, BufReader, Write as _};
@@ -18,7 +18,8 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Begins a journal in a folder, or goes on with the one there; `done` is told of each piece that is done, one at a time.
+    /// Begins a journal in a folder, or goes on with the one there; `done` is told of each piece that is done, one at
+    /// a time.
     ///
     /// # Errors
     /// The folder cannot be written, a journal is there although nothing is to be resumed, or it is of something else.

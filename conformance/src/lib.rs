@@ -1,8 +1,9 @@
 //! The referee: holds a controller to the documents, rule by rule.
 //!
-//! Data flows one way: the [`suite`] gives scenarios, an [adapter](adapters) runs each on a controller, the reference model
-//! runs it too, both outcomes are [folded](observe) and [compared](mod@compare), assertions are [judged](judge), and
-//! [`certify`] makes a verdict of it, which a [`report`] shows and [`expectations`] hold against what is known.
+//! Data flows one way: the [`suite`] gives scenarios, an [adapter](adapters) runs each on a controller, the reference
+//! model runs it too, both outcomes are [folded](observe) and [compared](mod@compare), assertions are
+//! [judged](judge), and [`certify`] makes a verdict of it, which a [`report`] shows and [`expectations`] hold against
+//! what is known.
 //!
 //! **Invariants.** The referee trusts no controller. What was not run, not understood or not shown is never a pass. The
 //! order in which cases run changes nothing.

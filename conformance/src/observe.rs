@@ -185,8 +185,8 @@ fn moves_coordinates(change: &Settings) -> bool {
         || change.tool_offset.is_some()
 }
 
-/// After a call or return, which the record of a call level tells, only those local named parameters exist that are recorded
-/// anew.
+/// After a call or return, which the record of a call level tells, only those local named parameters exist that are
+/// recorded anew.
 fn forget_local_names(state: &mut State, change: &State) {
     if let (State::Rs274(state), State::Rs274(change)) = (state, change)
         && change.call_level.is_some()

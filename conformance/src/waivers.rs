@@ -159,9 +159,9 @@ impl Waivers {
         })
     }
 
-    /// What is wrong in spite of the waivers, and what is waived: of `troubles`, or of all divergences of the run where it was held
-    /// against nothing else. A waiver waives what departs, never what was not judged. One of a rule or case that the run was not asked
-    /// for is left alone.
+    /// What is wrong in spite of the waivers, and what is waived: of `troubles`, or of all divergences of the run
+    /// where it was held against nothing else. A waiver waives what departs, never what was not judged. One of a rule
+    /// or case that the run was not asked for is left alone.
     pub fn hold(
         &self,
         run: &Run<'_>,

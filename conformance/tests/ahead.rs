@@ -1,4 +1,5 @@
-//! A controller that is told ahead what is run next works on it meanwhile; what comes of it is told to whoever runs that, and to nobody else.
+//! A controller that is told ahead what is run next works on it meanwhile; what comes of it is told to whoever runs
+//! that, and to nobody else.
 
 #[path = "common/adapter.rs"]
 #[expect(dead_code, reason = "other tests need more of it")]
@@ -123,7 +124,8 @@ fn an_answer_that_nobody_took_is_not_too_late() {
     assert!(matches!(outcome.end, End::Fault(_)), "{:?}", outcome.end);
 }
 
-/// It is set back while its answer is read: where that is none, nobody waits for what comes of the reset, however long an answer may take.
+/// It is set back while its answer is read: where that is none, nobody waits for what comes of the reset, however
+/// long an answer may take.
 #[test]
 fn who_has_failed_is_not_waited_for() {
     let rave = "import time; print('{\"id\": 0}', flush=True); time.sleep(4000)";

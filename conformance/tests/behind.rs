@@ -1,4 +1,5 @@
-//! Controllers of this project behind the protocol get the verdicts that they get without, in whichever way it is spoken.
+//! Controllers of this project behind the protocol get the verdicts that they get without, in whichever way it is
+//! spoken.
 
 mod common;
 

@@ -310,7 +310,8 @@ fn a_run_is_the_same_each_time_in_both_forms() {
         assert_eq!(once(), once());
     }
     let json = gaugeblock(&["run", &program, "--format", "json"]).stdout;
-    let outcome: gaugeblock_vocabulary::Outcome = serde_json::from_slice(&json).expect("an outcome");
+    let outcome: gaugeblock_vocabulary::Outcome =
+        serde_json::from_slice(&json).expect("an outcome");
     let text = gaugeblock(&["run", &program]).stdout;
     assert_eq!(outcome.to_text().as_bytes(), text);
 }

@@ -1,4 +1,5 @@
-//! LinuxCNC's whole controller, where it is installed and may have name spaces; where not, each test says what it left out.
+//! LinuxCNC's whole controller, where it is installed and may have name spaces; where not, each test says what it
+//! left out.
 
 use std::fs;
 use std::io::Write as _;

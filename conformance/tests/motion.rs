@@ -1,4 +1,5 @@
-//! `gaugeblock plan` and `gaugeblock judge`: samples of our planner keep the laws, broken ones are found, wrong calls are told.
+//! `gaugeblock plan` and `gaugeblock judge`: samples of our planner keep the laws, broken ones are found, wrong calls
+//! are told.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -1,4 +1,5 @@
-//! What an adapter may offer beyond the four operations, and TCP: the verdicts stay the same, and whatever goes wrong is charged to nobody else.
+//! What an adapter may offer beyond the four operations, and TCP: the verdicts stay the same, and whatever goes wrong
+//! is charged to nobody else.
 
 #[path = "common/adapter.rs"]
 mod adapter;

@@ -1,5 +1,5 @@
-//! The way there and back on paper: what is exported tells nothing of what is expected, what comes back gets the verdicts that the same controller
-//! gets directly, and what does not come back is no pass.
+//! The way there and back on paper: what is exported tells nothing of what is expected, what comes back gets the
+//! verdicts that the same controller gets directly, and what does not come back is no pass.
 
 mod common;
 
@@ -86,7 +86,8 @@ fn count(verdicts: &BTreeMap<(String, String), (String, Value)>, word: &str) -> 
     verdicts.values().filter(|(verdict, _)| verdict == word).count()
 }
 
-/// Fills a campaign in from a controller, and holds what comes back to what the controller gets directly, shown no more.
+/// Fills a campaign in from a controller, and holds what comes back to what the controller gets directly, shown no
+/// more.
 fn there_and_back(folder: &Path, name: &str, more: &[&str], (chapter, least): (&str, usize)) {
     ends_with(0, &[&["suite", "answer", path(folder), name], more].concat());
     let paper = controller(folder);

@@ -1,5 +1,5 @@
-//! What `gaugeblock rs274` prints, held to what LinuxCNC's `rs274` prints, byte for byte; where that is not installed, each test says what
-//! it left out.
+//! What `gaugeblock rs274` prints, held to what LinuxCNC's `rs274` prints, byte for byte; where that is not
+//! installed, each test says what it left out.
 
 use std::fmt::Write as _;
 use std::fs;

@@ -1,4 +1,5 @@
-//! The adapter protocol: the page and the schemas hold, and whatever an adapter does, the run is whole and nothing is left behind.
+//! The adapter protocol: the page and the schemas hold, and whatever an adapter does, the run is whole and nothing is
+//! left behind.
 
 #[path = "common/adapter.rs"]
 mod adapter;
@@ -39,8 +40,8 @@ fn the_examples_of_the_page_are_requests_and_answers() {
     assert!(read >= 25, "{read} examples");
 }
 
-/// Version 1 is frozen: what stands in it stays, and what comes is optional. Where the vocabulary has grown by something optional, `gaugeblock adapter schema`
-/// prints what is to be committed.
+/// Version 1 is frozen: what stands in it stays, and what comes is optional. Where the vocabulary has grown by
+/// something optional, `gaugeblock adapter schema` prints what is to be committed.
 #[test]
 fn the_schemas_are_those_of_version_1() {
     for (what, frozen) in [

@@ -411,7 +411,8 @@ fn a_baseline_knows_what_was() {
     assert_eq!(mended.len(), diverging(&after));
     assert_eq!(stored(&silent).hold(&after), (Vec::new(), Vec::new()));
 
-    // Unknown is no pass: what passed and is not judged any more has changed. What departed is neither mended nor broken, and told.
+    // Unknown is no pass: what passed and is not judged any more has changed. What departed is neither mended nor
+    // broken, and told.
     let without = run(&suite, &faulty(without), &only, 2);
     let (troubles, told) = stored(&whole).hold(&without);
     assert!(told.is_empty() && troubles.len() == before.cases.len(), "{told:?}");

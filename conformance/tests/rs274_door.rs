@@ -1,5 +1,5 @@
-//! rs274 through the door: the adapter that is built in gets the same verdicts behind the protocol; and so does one in Python that has grown from the
-//! template, case by case.
+//! rs274 through the door: the adapter that is built in gets the same verdicts behind the protocol; and so does one
+//! in Python that has grown from the template, case by case.
 
 mod common;
 

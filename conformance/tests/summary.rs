@@ -25,7 +25,8 @@ const HOSTILE: [&str; 8] = [
     "$`EVIL`$ $$EVIL$$ :EVIL: &EVIL; *EVIL* _EVIL_ ~~EVIL~~ a|EVIL|b",
 ];
 
-/// A page without what stands in code, as `CommonMark` reads it: fenced blocks first, then runs of backticks of equal length, block by block.
+/// A page without what stands in code, as `CommonMark` reads it: fenced blocks first, then runs of backticks of equal
+/// length, block by block.
 fn outside_of_code(page: &str) -> String {
     let (mut prose, mut fence) = (String::new(), None);
     for line in page.lines() {

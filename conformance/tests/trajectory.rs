@@ -1,4 +1,5 @@
-//! The pages of the laws of motion: each law has one, with good and bad samples and a program, and the table of faults is theirs.
+//! The pages of the laws of motion: each law has one, with good and bad samples and a program, and the table of
+//! faults is theirs.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;

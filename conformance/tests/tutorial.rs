@@ -1,4 +1,5 @@
-//! The tutorial is true: its files are written, its commands are run as they stand, and what they print is what it says.
+//! The tutorial is true: its files are written, its commands are run as they stand, and what they print is what it
+//! says.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};

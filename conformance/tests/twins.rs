@@ -1,5 +1,5 @@
-//! How the rules about post-processors and custom macros are held, most of which refuse nothing themselves: by twins, two programs
-//! that differ in one line, where what is asserted of the one does not hold of the other.
+//! How the rules about post-processors and custom macros are held, most of which refuse nothing themselves: by twins,
+//! two programs that differ in one line, where what is asserted of the one does not hold of the other.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
@@ -49,8 +49,8 @@ fn differ_in_one_line(one: &Case, other: &Case) -> bool {
     lines.len() == others.len() && apart == 1 && rest(one) == rest(other)
 }
 
-/// Whether something that a case asserts does not hold of its twin, in an edition in which both run. `bare` is the suite without
-/// its rules.
+/// Whether something that a case asserts does not hold of its twin, in an edition in which both run. `bare` is the
+/// suite without its rules.
 fn are_twins(bare: &Suite, rule: &Rule, case: &Case, twin: &Case) -> bool {
     if !differ_in_one_line(case, twin) {
         return false;

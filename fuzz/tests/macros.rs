@@ -1,4 +1,5 @@
-//! Custom macros: most programs are accepted, interpolations have the number of their closed form, and a call leaves its caller what it had.
+//! Custom macros: most programs are accepted, interpolations have the number of their closed form, and a call leaves
+//! its caller what it had.
 
 use gaugeblock_fuzz::generate::nct::{Counted, Pair, count, locals};
 use gaugeblock_fuzz::generate::{Dice, Recipe, from_seed};

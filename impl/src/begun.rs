@@ -39,7 +39,8 @@ impl BlockBegun<'_> {
         self.words.dollar
     }
 
-    /// The stored origin of a work coordinate system from 1 to 9 (machine units) and its rotation (degrees), as the block finds them.
+    /// The stored origin of a work coordinate system from 1 to 9 (machine units) and its rotation (degrees), as the
+    /// block finds them.
     pub fn work_offset(&self, system: u32) -> (Position, f64) {
         let origin = offsets::origin(self.numbered, system).position();
         (origin, offsets::rotation(self.numbered, system))

@@ -21,14 +21,16 @@ pub trait Sink {
     /// Performs an effect, or queues it, under the settings in force.
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply;
 
-    /// Performs a straight probe. Whoever knows a probe answers where it changed; this answers what [`Self::perform`] does.
+    /// Performs a straight probe. Whoever knows a probe answers where it changed; this answers what [`Self::perform`]
+    /// does.
     #[inline]
     fn probe(&mut self, line: u32, effect: &Effect, probing: &Probing) -> Reply {
         let _nothing = probing;
         self.perform(line, effect)
     }
 
-    /// The words of a block are about to be checked and executed; for those who show what a program says, besides what it does.
+    /// The words of a block are about to be checked and executed; for those who show what a program says, besides
+    /// what it does.
     #[inline]
     fn block_begun(&mut self, begun: &BlockBegun<'_>) {
         let _nothing = begun;
@@ -58,8 +60,9 @@ pub trait Sink {
 pub enum Reply {
     /// It is done or queued.
     Done,
-    /// Where the probe changed, in program coordinates and the active length unit; `None` where it did not. A probe that is not answered has
-    /// not changed. That it was in the target state before is a [`Reply::Failed`] of [`FaultKind::Probe`].
+    /// Where the probe changed, in program coordinates and the active length unit; `None` where it did not. A probe
+    /// that is not answered has not changed. That it was in the target state before is a [`Reply::Failed`] of
+    /// [`FaultKind::Probe`].
     Contact(Option<Position>),
     /// What M66 read: a level of 0 or 1, a voltage, or -1 after a time-out.
     Input(f64),
@@ -70,10 +73,12 @@ pub enum Reply {
     Failed(FaultKind),
     /// Stop here; the interpreter stays where it is and can be stepped on or aborted.
     Stop,
-    /// The block is broken off here: this effect was not done, and nothing after it is. What the block did before stays, as the interpreter stands
-    /// then; only [`Interpreter::abort`](crate::Interpreter::abort) or [`begin`](crate::Interpreter::begin) lead on.
+    /// The block is broken off here: this effect was not done, and nothing after it is. What the block did before
+    /// stays, as the interpreter stands then; only [`Interpreter::abort`](crate::Interpreter::abort) or
+    /// [`begin`](crate::Interpreter::begin) lead on.
     Broken,
-    /// The block is broken off here, and what follows is only read: it changes modes and parameters, and nothing of the machine. The
-    /// interpreter goes on as if this effect were done, until [`Interpreter::stand`](crate::Interpreter::stand).
+    /// The block is broken off here, and what follows is only read: it changes modes and parameters, and nothing of
+    /// the machine. The interpreter goes on as if this effect were done, until
+    /// [`Interpreter::stand`](crate::Interpreter::stand).
     Ahead,
 }

@@ -72,9 +72,9 @@ impl BlockDone<'_> {
         self.modal.settings()
     }
 
-    /// Tells each numbered parameter that was set since the last time this was asked, in ascending order, also where its value is the same as
-    /// before. A call and a return count as setting `#1` to `#30`. Position and tool, #5420 to #5428, are not among them: they are in
-    /// the state.
+    /// Tells each numbered parameter that was set since the last time this was asked, in ascending order, also where
+    /// its value is the same as before. A call and a return count as setting `#1` to `#30`. Position and tool, #5420
+    /// to #5428, are not among them: they are in the state.
     pub fn take_numbered(&mut self, tell: impl FnMut(u32, f64)) {
         self.parameters.numbered.take_changes(tell);
     }
@@ -84,14 +84,14 @@ impl BlockDone<'_> {
         self.modal.machine_point().position()
     }
 
-    /// Puts the values of HAL items at which programs look from the next block on, in the order in which they were declared
-    /// ([`Interpreter::declare_items`](crate::Interpreter::declare_items)).
+    /// Puts the values of HAL items at which programs look from the next block on, in the order in which they were
+    /// declared ([`Interpreter::declare_items`](crate::Interpreter::declare_items)).
     pub fn set_items(&mut self, values: &[f64]) {
         self.parameters.set_items(values);
     }
 
-    /// Every named parameter that exists and is seen at this call level, by name; global ones begin with an underscore. Predefined ones are not
-    /// among them.
+    /// Every named parameter that exists and is seen at this call level, by name; global ones begin with an
+    /// underscore. Predefined ones are not among them.
     pub fn named(&self) -> impl Iterator<Item = (&str, f64)> {
         self.parameters.named.existing(self.names)
     }

@@ -103,7 +103,8 @@ pub struct Interpreter {
     ended: Option<Result<End, Error>>,
 }
 
-/// Room for an interpreter's parameters, and how it has read the documents. To make it costs more than to run a program of a few blocks.
+/// Room for an interpreter's parameters, and how it has read the documents. To make it costs more than to run a
+/// program of a few blocks.
 #[derive(Debug, Default)]
 pub struct Room(Option<(Numbered, Readings)>);
 
@@ -207,24 +208,27 @@ impl Interpreter {
         Room(Some((numbered, self.readings)))
     }
 
-    /// Whether blocks that begin with a slash are skipped; they are not unless this is called before the program begins.
+    /// Whether blocks that begin with a slash are skipped; they are not unless this is called before the program
+    /// begins.
     pub fn set_block_delete(&mut self, skipped: bool) {
         self.packer.block_delete = skipped;
     }
 
-    /// Says that the sink is told of lines that hold a plain comment only, as of blocks that do nothing; otherwise they are none.
+    /// Says that the sink is told of lines that hold a plain comment only, as of blocks that do nothing; otherwise
+    /// they are none.
     pub fn set_comments_told(&mut self, told: bool) {
         self.packer.comments_told = told;
     }
 
-    /// Says that this run only shows what a program would do: `#<_task>` is 0 then, by which a program can spare a preview what only a
-    /// machine can answer (11.4.3.5).
+    /// Says that this run only shows what a program would do: `#<_task>` is 0 then, by which a program can spare a
+    /// preview what only a machine can answer (11.4.3.5).
     pub fn set_preview(&mut self, preview: bool) {
         self.parameters.drives = !preview;
     }
 
-    /// Does as LinuxCNC's `rs274` where that departs from its manual and a stand-in for it must follow: a few points only, which the module
-    /// `quirks` lists. Off unless this is called before the program begins, with all that is stored: also what is not persistent is taken over.
+    /// Does as LinuxCNC's `rs274` where that departs from its manual and a stand-in for it must follow: a few points
+    /// only, which the module `quirks` lists. Off unless this is called before the program begins, with all that is
+    /// stored: also what is not persistent is taken over.
     pub fn imitate(&mut self, stored: impl IntoIterator<Item = (u32, f64)>) {
         self.packer.imitates = true;
         for (number, value) in stored.into_iter().filter(|(number, _)| !is_stored(*number)) {
@@ -233,11 +237,13 @@ impl Interpreter {
         self.modal.imitate();
     }
 
-    /// Reads and executes one block, or a part of one: a canned cycle that is long takes more steps than one. An endless loop is a step that comes back `More`, for ever; a caller can stop it.
+    /// Reads and executes one block, or a part of one: a canned cycle that is long takes more steps than one. An
+    /// endless loop is a step that comes back `More`, for ever; a caller can stop it.
     ///
     /// # Errors
-    /// A refused block, a bound of [`Limits`], or a source that cannot be read. After an error the state is that after the
-    /// block before, unless its probe has moved and found nothing, and [`Self::abort`] makes it ready for another program.
+    /// A refused block, a bound of [`Limits`], or a source that cannot be read. After an error the state is that
+    /// after the block before, unless its probe has moved and found nothing, and [`Self::abort`] makes it ready for
+    /// another program.
     pub fn step<S: Source, K: Sink>(
         &mut self,
         source: &mut S,
@@ -276,8 +282,8 @@ impl Interpreter {
         Ok(Progress::More)
     }
 
-    /// Ends the program as an operator's abort does: call levels and what was saved in them are gone, what the main program has saved as the
-    /// options say, settings are reset.
+    /// Ends the program as an operator's abort does: call levels and what was saved in them are gone, what the main
+    /// program has saved as the options say, settings are reset.
     ///
     /// The interpreter stands before another program's first block then, as after [`Self::begin`].
     pub fn abort<K: Sink>(&mut self, sink: &mut K) {
@@ -290,8 +296,8 @@ impl Interpreter {
         self.modal.abort_idle(sink, self.parameters.line);
     }
 
-    /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it set stays, and what it
-    /// has saved as the options say. The value that a sub has returned is 0 then (11.4.3.5).
+    /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it
+    /// set stays, and what it has saved as the options say. The value that a sub has returned is 0 then (11.4.3.5).
     pub fn begin(&mut self) {
         self.parameters.value = 0.0;
         self.modal.end_run();
@@ -332,8 +338,8 @@ impl Interpreter {
         self.ended = None;
     }
 
-    /// Goes on behind a refused block: the next step executes the block after it, or, where calls were open, the one after the outermost call.
-    /// What a refused block has done already stays done.
+    /// Goes on behind a refused block: the next step executes the block after it, or, where calls were open, the one
+    /// after the outermost call. What a refused block has done already stays done.
     pub fn pass_refused(&mut self) {
         if let Some(frame) = self.scopes.frames.first() {
             self.cursor = frame.back;
@@ -344,8 +350,9 @@ impl Interpreter {
         self.ended = None;
     }
 
-    /// Makes it ready for a block that is entered by hand, as line `number` of a file of this name, in MDI mode. The states that are saved
-    /// at the level of the main program stay; what the last program has defined is forgotten. The source holds that one line.
+    /// Makes it ready for a block that is entered by hand, as line `number` of a file of this name, in MDI mode. The
+    /// states that are saved at the level of the main program stay; what the last program has defined is forgotten.
+    /// The source holds that one line.
     pub fn begin_by_hand(&mut self, file: &str, number: u32) {
         self.forget_program();
         self.reader.begin_at(number);
@@ -369,8 +376,8 @@ impl Interpreter {
         self.cursor.segment == STREAM && !self.held && self.unfinished.is_none()
     }
 
-    /// The file and line of the block that the next step executes; none where that goes on within a block or ends the run. The block is read and
-    /// kept, no more: a caller that does not ask loses nothing.
+    /// The file and line of the block that the next step executes; none where that goes on within a block or ends the
+    /// run. The block is read and kept, no more: a caller that does not ask loses nothing.
     pub fn next_block<S: Source>(&mut self, source: &mut S) -> Option<(&str, u32)> {
         if self.ended.is_some() || self.unfinished.is_some() {
             return None;
@@ -406,8 +413,8 @@ impl Interpreter {
         segment(&self.segments, at.segment).and_then(|code| code.block(at.place))
     }
 
-    /// Says which HAL items programs can read by `#<_hal[…]>`, before anything is read; there are none otherwise, nor where the INI
-    /// file disables them. Their values are zero until they are set.
+    /// Says which HAL items programs can read by `#<_hal[…]>`, before anything is read; there are none otherwise, nor
+    /// where the INI file disables them. Their values are zero until they are set.
     pub fn declare_items(&mut self, names: impl IntoIterator<Item = ItemName>) {
         if !self.packer.items_enabled {
             return;
@@ -436,13 +443,14 @@ impl Interpreter {
         self.modal.machine_point().position()
     }
 
-    /// Says that nothing is executed from here on, but only read: the steps that follow change modes and parameters, and not the machine.
+    /// Says that nothing is executed from here on, but only read: the steps that follow change modes and parameters,
+    /// and not the machine.
     pub fn read_ahead(&mut self) {
         self.modal.read_ahead();
     }
 
-    /// Ends reading ahead, which [`Self::read_ahead`] or [`Reply::Ahead`](crate::Reply::Ahead) has begun: the point stands where it stood, and
-    /// the tools are those that the machine has.
+    /// Ends reading ahead, which [`Self::read_ahead`] or [`Reply::Ahead`](crate::Reply::Ahead) has begun: the point
+    /// stands where it stood, and the tools are those that the machine has.
     pub fn stand(&mut self) {
         self.modal.stand(&mut self.parameters.numbered);
     }

@@ -143,8 +143,9 @@ pub(crate) fn lesser(one: f64, other: f64) -> f64 {
 pub(crate) fn greater(one: f64, other: f64) -> f64 {
     if other > one { other } else { one }
 }
-/// Sine and cosine of an angle in radians, to within 2^-52. It is asked for in each cycle on an arc, and takes half of what `libm::sincos` does:
-/// without the bits that only a small sine would show, one reduction to an eighth of a turn serves both. The series are those of `libm`.
+/// Sine and cosine of an angle in radians, to within 2^-52. It is asked for in each cycle on an arc, and takes half
+/// of what `libm::sincos` does: without the bits that only a small sine would show, one reduction to an eighth of a
+/// turn serves both. The series are those of `libm`.
 #[inline]
 pub(crate) fn turned(radians: f64) -> (f64, f64) {
     /// Within it, a number of quarters times the first part of one is exact.

@@ -30,7 +30,8 @@ impl Probing {
         self.to.position()
     }
 
-    /// A point of the machine in program coordinates and the active unit, as [`Reply::Contact`](crate::Reply::Contact) takes it.
+    /// A point of the machine in program coordinates and the active unit, as
+    /// [`Reply::Contact`](crate::Reply::Contact) takes it.
     pub fn program(&self, machine: Position) -> Position {
         let machine = Coordinates::from(machine).converted(self.stored_to_active);
         self.modes.program_of(machine).position()

@@ -1,9 +1,12 @@
-//! What LinuxCNC's `rs274` does otherwise than its manual, for who stands in for it: off the main path, and off unless it is asked for.
+//! What LinuxCNC's `rs274` does otherwise than its manual, for who stands in for it: off the main path, and off
+//! unless it is asked for.
 //!
-//! Only what cannot be had by printing otherwise is here. Each was observed; the page of its id in `suite/quirks` shows it.
+//! Only what cannot be had by printing otherwise is here. Each was observed; the page of its id in `suite/quirks`
+//! shows it.
 //!
-//! * `rs274.exists-numbered`: EXISTS takes a numbered parameter (`syntax::expression`). A function may stand behind a number sign
-//!   (`syntax::parameter`), and a name alone behind an O (`syntax::oword`): no page, since no document speaks of them.
+//! * `rs274.exists-numbered`: EXISTS takes a numbered parameter (`syntax::expression`). A function may stand behind a
+//!   number sign (`syntax::parameter`), and a name alone behind an O (`syntax::oword`): no page, since no document
+//!   speaks of them.
 //! * `rs274.file-with-two-subs`: `control::files`, but for calls of those other subs.
 //! * `rs274.unpassed-arguments-zero`: `control::calls`.
 //! * `rs274.orient-without-angle` and `rs274.orient-without-timeout`: `modal::spindle`.
@@ -12,9 +15,10 @@
 //! * `rs274.arc-radius-tolerance`: `modal::arcs`.
 //! * `rs274.arc-least-radius`: `modal::arcs`.
 //! * `rs274.continue-seeks-end`: `control::loops`.
-//! * `rs274.stored-rotation`: `modal`. What its parameter file holds of parameters that are not persistent it takes over, too (`interpret`).
-//! * `rs274.compensation-l-word`, `rs274.dynamic-compensation-r-word`, `rs274.synchronised-e-word` and `rs274.unused-q-minus-one`, but
-//!   for a row of cycles that peck: `modal::check`.
+//! * `rs274.stored-rotation`: `modal`. What its parameter file holds of parameters that are not persistent it takes
+//!   over, too (`interpret`).
+//! * `rs274.compensation-l-word`, `rs274.dynamic-compensation-r-word`, `rs274.synchronised-e-word` and
+//!   `rs274.unused-q-minus-one`, but for a row of cycles that peck: `modal::check`.
 //! * `rs274.offset-data-words`, of axis words alone: `modal::tool_table`.
 //! * `rs274.polar-repeated`: `syntax::block`.
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::units`, but for restores.
@@ -25,7 +29,8 @@ use crate::math;
 use crate::modal::letters::{E, L, Q, R};
 use crate::words::Words;
 
-/// Letters that a block may have though no code of it uses them: L with G41 and G42, R with G41.1 and G42.1, E with G33 and G33.1, and Q-1.
+/// Letters that a block may have though no code of it uses them: L with G41 and G42, R with G41.1 and G42.1, E with
+/// G33 and G33.1, and Q-1.
 pub(crate) fn ignored(words: &Words, compensation: Option<u16>, motion: Option<u16>) -> u32 {
     let order = words.get(b'L').and_then(math::near_integer);
     let takes_l = matches!(compensation, Some(410 | 420)) && order.is_some_and(|order| order >= 0);
@@ -64,5 +69,6 @@ pub(crate) fn arc_least_radius(units: LengthUnit) -> f64 {
     }
 }
 
-/// How far the centre of an arc is from its chord at least, in radii: half a circle has it not quite on it, which shows in the sign of a zero.
+/// How far the centre of an arc is from its chord at least, in radii: half a circle has it not quite on it, which
+/// shows in the sign of a zero.
 pub(crate) const ARC_HEIGHT: f64 = f64::EPSILON / 4.0;

@@ -7,10 +7,12 @@ use alloc::vec::Vec;
 
 /// The text of a program and of its subroutine files, as much at a time as lies ready.
 ///
-/// A main program is read from front to back and never held whole, so it may be larger than memory; what runs again (loops, subroutines)
-/// is kept in packed form by the interpreter. Lines that lie whole in what [`Self::text`] gives are read in place.
+/// A main program is read from front to back and never held whole, so it may be larger than memory; what runs again
+/// (loops, subroutines) is kept in packed form by the interpreter. Lines that lie whole in what [`Self::text`] gives
+/// are read in place.
 pub trait Source {
-    /// The text of the innermost open file from where reading stands; empty at its end. The same call again gives the same text.
+    /// The text of the innermost open file from where reading stands; empty at its end. The same call again gives the
+    /// same text.
     ///
     /// # Errors
     /// The file cannot be read on.
@@ -21,7 +23,8 @@ pub trait Source {
 
     /// Goes to a place of the innermost open file, bytes from its beginning; `false` where the source cannot.
     ///
-    /// It is asked for M98, whose subprogram stands later in the file, and for what jumps back to a loop that has ended.
+    /// It is asked for M98, whose subprogram stands later in the file, and for what jumps back to a loop that has
+    /// ended.
     ///
     /// # Errors
     /// The file cannot be read any more.
@@ -29,7 +32,8 @@ pub trait Source {
 
     /// Opens a subroutine file for reading; `false` where there is none of this name.
     ///
-    /// The name is what the program says and `.ngc`. Which folders are searched is the caller's affair: a program reaches no other file.
+    /// The name is what the program says and `.ngc`. Which folders are searched is the caller's affair: a program
+    /// reaches no other file.
     ///
     /// # Errors
     /// The file is there but cannot be read.

@@ -3,8 +3,8 @@
 /// What stands in a slot that no entry has.
 const NONE: u16 = u16::MAX;
 
-/// Of some thousand factors the one by which the fewest rules have to share a slot. Another one is found by trying odd numbers until the test of
-/// `witness` that counts them passes.
+/// Of some thousand factors the one by which the fewest rules have to share a slot. Another one is found by trying
+/// odd numbers until the test of `witness` that counts them passes.
 const FACTOR: u64 = 0x4484_31bc_e18c_b9a5;
 
 /// Values by name. To find one costs the same however many there are.
@@ -17,7 +17,8 @@ pub(crate) struct ByName<T> {
 }
 
 impl<T> ByName<T> {
-    /// In so many slots: a power of two, and several times as many as entries, so that most names lead to a slot of their own.
+    /// In so many slots: a power of two, and several times as many as entries, so that most names lead to a slot of
+    /// their own.
     pub(crate) fn new(slots: usize, entries: Vec<(&'static str, T)>) -> Self {
         let mut all = vec![NONE; slots];
         for (place, (name, _)) in (0..).zip(&entries) {
@@ -66,8 +67,8 @@ impl<T> ByName<T> {
     }
 }
 
-/// A number that is another one for most names: from their length, beginning, middle and end. For a name that stands in the text of the model the
-/// compiler knows it.
+/// A number that is another one for most names: from their length, beginning, middle and end. For a name that stands
+/// in the text of the model the compiler knows it.
 #[inline]
 pub(crate) fn hash(name: &str) -> usize {
     let bytes = name.as_bytes();

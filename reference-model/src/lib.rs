@@ -1,10 +1,10 @@
 //! The specification: what a CNC program means, as a model that runs.
 //!
-//! Read it top to bottom: [`rs274`] has the pipeline
-//! `text → syntax → read → modes → parameters → machine → check → order → step → control → task`. Each section carries the id
-//! of the rule that it states; the rule's page in the suite has its sentence, its sources and its cases. [`gpp`] has another
-//! language, in `text → formats → variables → toolpath → syntax → evaluate → status → print → record → run`; [`nct`] the third, in
-//! `text → syntax → programs → variables → evaluate → words → arguments → calls → modes → motion → record → run`.
+//! Read it top to bottom: [`rs274`] has the pipeline `text → syntax → read → modes → parameters → machine → check →
+//! order → step → control → task`. Each section carries the id of the rule that it states; the rule's page in the
+//! suite has its sentence, its sources and its cases. [`gpp`] has another language, in `text → formats → variables →
+//! toolpath → syntax → evaluate → status → print → record → run`; [`nct`] the third, in `text → syntax → programs →
+//! variables → evaluate → words → arguments → calls → modes → motion → record → run`.
 //!
 //! **Invariants.** It reads nothing but the scenario: no clock, no file, no environment, no random source. It panics on
 //! no scenario. It is written from the documents, without reading the production interpreter.
@@ -33,8 +33,8 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     run_with(&mut Kept::default(), scenario)
 }
 
-/// The same, faster where many runs follow one another: each keeps what the next one need not make anew. Nothing of it shows in what a
-/// run says.
+/// The same, faster where many runs follow one another: each keeps what the next one need not make anew. Nothing of
+/// it shows in what a run says.
 pub fn run_with(kept: &mut Kept, scenario: &Scenario) -> (Outcome, Evidence) {
     run_as(kept, scenario, Rounding::AsComputed)
 }

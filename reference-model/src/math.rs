@@ -10,7 +10,8 @@ pub(crate) fn cosine_of_degrees(degrees: f64) -> f64 {
     cosine(degrees.to_radians())
 }
 
-/// Sine and cosine of an angle in degrees; along an axis they are whole, so that nothing of a long way is left beside it.
+/// Sine and cosine of an angle in degrees; along an axis they are whole, so that nothing of a long way is left beside
+/// it.
 pub(crate) fn sine_and_cosine_of_degrees(degrees: f64) -> (f64, f64) {
     const AXES: [(f64, (f64, f64)); 5] = [
         (0.0, (0.0, 1.0)),
@@ -76,7 +77,8 @@ pub(crate) fn hypotenuse(first: f64, second: f64) -> f64 {
     libm::hypot(first, second)
 }
 
-/// The other leg of a right triangle with this hypotenuse and this leg; none is left where the leg is as long as the hypotenuse.
+/// The other leg of a right triangle with this hypotenuse and this leg; none is left where the leg is as long as the
+/// hypotenuse.
 ///
 /// It is worked out at the size of 1, which changes no bit, so that no square of a finite number is too great.
 pub(crate) fn other_leg(hypotenuse: f64, leg: f64) -> f64 {

@@ -1,7 +1,7 @@
 //! Who looks on while a run goes, and puts down which rules it reaches.
 //!
-//! Rules are reached some fifty times in a block, and nearly always they have been reached before. So each has a slot, and whether it was put down there
-//! already is seen by the number that the compiler makes of its id.
+//! Rules are reached some fifty times in a block, and nearly always they have been reached before. So each has a
+//! slot, and whether it was put down there already is seen by the number that the compiler makes of its id.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -10,7 +10,8 @@ use crate::by_name::{ByName, hash};
 use crate::evidence::{Evidence, Reached};
 use crate::{gpp, nct, rs274};
 
-/// The id of each rule that a run can reach, a line each: those of the suite's pages, which a test holds against this list.
+/// The id of each rule that a run can reach, a line each: those of the suite's pages, which a test holds against this
+/// list.
 pub const RULES: &str = include_str!("rules.txt");
 
 /// Slots of all rules; a power of two.

@@ -59,7 +59,8 @@ fn nothing_stands_behind_a_variable_alone_in_until() {
     }
 }
 
-/// `IF_SET` tests a reference: what would be open in a condition is none of it, and the index of a member is an expression.
+/// `IF_SET` tests a reference: what would be open in a condition is none of it, and the index of a member is an
+/// expression.
 #[test]
 fn what_is_open_in_a_condition_is_refused_where_there_is_none() {
     for (tested, wanted, in_old) in [

@@ -71,7 +71,8 @@ fn where_there_are_no_loops_there_is_no_do() {
     }
 }
 
-/// Of several words with a letter that has a variable of its own in such a block the last counts. No edition gives it one.
+/// Of several words with a letter that has a variable of its own in such a block the last counts. No edition gives it
+/// one.
 #[test]
 fn of_several_letters_in_a_block_that_is_taken_as_arguments_the_last_counts() {
     let program = "O1\nG66.1 P2\nG1 X5 L2 P7 G90 L3 P8\nG67\nM30\nO2\n#100 = #10\n#112 = #12\n#116 = #16\nM99";

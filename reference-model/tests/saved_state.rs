@@ -32,7 +32,8 @@ fn settings_after(outcome: &Outcome, line: u32) -> Settings {
     settings
 }
 
-/// The settings without the tolerances of G64 in another mode, numbers rounded so far that units changed there and back make no difference.
+/// The settings without the tolerances of G64 in another mode, numbers rounded so far that units changed there and
+/// back make no difference.
 fn shown(settings: &Settings) -> Vec<String> {
     let entries = settings.entries();
     let continuous = settings.path == Some(Path::Continuous);

@@ -1,9 +1,9 @@
 //! The vocabulary of Gaugeblock: what goes into a run and what can be observed of it.
 //!
 //! Read it in this order: [`Scenario`] (all that a run depends on), [`Outcome`] (what can be observed), [`Effect`],
-//! [`Settings`] and [`State`], [`Fault`]. Every type has a JSON form, whose schema is generated from it ([`schema`]); a
-//! scenario also has a TOML form and an outcome a line form that a person reads ([`text`]). What is commanded of the axes,
-//! cycle by cycle, has words of its own: [`motion`].
+//! [`Settings`] and [`State`], [`Fault`]. Every type has a JSON form, whose schema is generated from it ([`schema`]);
+//! a scenario also has a TOML form and an outcome a line form that a person reads ([`text`]). What is commanded of
+//! the axes, cycle by cycle, has words of its own: [`motion`].
 //!
 //! **Invariant:** this crate interprets nothing. It holds no block parser, no table of codes, no unit conversion and
 //! no arithmetic on positions; reference model and production interpreter share it and nothing else.

@@ -124,8 +124,8 @@ record! {
         prepared_tool: i32,
         /// Mode of the controller.
         controller_mode: ControllerMode,
-        /// Depth of calls; 0 in the main program. In the first record after a call or return it stands even when it is the
-        /// same: local named parameters that stand in no record since then do not exist.
+        /// Depth of calls; 0 in the main program. In the first record after a call or return it stands even when it
+        /// is the same: local named parameters that stand in no record since then do not exist.
         call_level: u32,
         /// Parameters that changed: `31` for `#31`, `x` for `#<x>`, `_x` for `#<_x>`. In a record with a call level all
         /// local named parameters that exist.
@@ -172,13 +172,13 @@ record! {
     pub struct NctState {
         /// Macro level: 0 in the main program, 1 and above in macros.
         macro_level: u32,
-        /// Local variables by `level.number`, as in `1.33`. Before the first record, and where no macro of that level is in
-        /// progress, they are vacant.
+        /// Local variables by `level.number`, as in `1.33`. Before the first record, and where no macro of that level
+        /// is in progress, they are vacant.
         local: Indexed<String, MacroValue>,
         /// Common variables by number; vacant before the first record.
         common: Indexed<u32, MacroValue>,
-        /// Programs of the modal calls in force, the one that was commanded last at the end, by depth from 0; 0 where there
-        /// is none (any more).
+        /// Programs of the modal calls in force, the one that was commanded last at the end, by depth from 0; 0 where
+        /// there is none (any more).
         modal_call: Indexed<u32, u32>,
         /// Motion mode.
         motion: Motion,

@@ -14,7 +14,8 @@ use serde::de::{
 };
 use serde_json::Value;
 
-/// Reads an object whose member `tag` names the variant of `T`, which would itself be read from an object with one member of that name.
+/// Reads an object whose member `tag` names the variant of `T`, which would itself be read from an object with one
+/// member of that name.
 pub(crate) fn read<'de, D, T>(deserializer: D, tag: &'static str) -> Result<T, D::Error>
 where
     D: Deserializer<'de>,

@@ -33,21 +33,23 @@ pub struct Capabilities {
     pub version: String,
     /// Largest absolute error of the numbers that it prints, in program units.
     pub resolution: f64,
-    /// Settings that it prints once, as lengths of the unit that is in force then, and the largest absolute error of their numbers where
-    /// that is the millimetre later on.
+    /// Settings that it prints once, as lengths of the unit that is in force then, and the largest absolute error of
+    /// their numbers where that is the millimetre later on.
     pub carried: BTreeMap<String, f64>,
     /// Names of the settings and state fields that it shows, without index.
     pub fields: BTreeSet<String>,
     /// Those of them whose value is also known at each effect, not only after the block, and after the program's end.
     pub fields_at_effects: BTreeSet<String>,
-    /// Whether it tells every field that it shows whenever that has a value: one that is missing then differs. Where not, it is not judged.
+    /// Whether it tells every field that it shows whenever that has a value: one that is missing then differs. Where
+    /// not, it is not judged.
     pub tells_all_fields: bool,
     /// Names of the effects that it shows.
     pub effects: BTreeSet<String>,
     /// Whether it shows a straight move whose end is where the controlled point is.
     pub moves_in_place: bool,
-    /// Whether it shows which blocks were executed, and the state after each. Where not, its effects stand in one step, with the state at the
-    /// end, which is compared unless a block was refused: what that one has done before is open.
+    /// Whether it shows which blocks were executed, and the state after each. Where not, its effects stand in one
+    /// step, with the state at the end, which is compared unless a block was refused: what that one has done before
+    /// is open.
     pub blocks: bool,
     /// Whether its faults may name their block.
     pub faults_have_blocks: bool,
@@ -191,7 +193,8 @@ pub trait Adapter: fmt::Debug + Send + Sync {
         None
     }
 
-    /// Digest of the suite, and the edition, that it has been asked by, where it was asked before: it can be held to nothing else.
+    /// Digest of the suite, and the edition, that it has been asked by, where it was asked before: it can be held to
+    /// nothing else.
     fn belongs_to(&self) -> Option<(&str, &str)> {
         None
     }
@@ -232,7 +235,8 @@ pub trait Adapter: fmt::Debug + Send + Sync {
         false
     }
 
-    /// Runs the scenario, whose outcome is known if the controller does what it should: where it does, the outcome need not be sent.
+    /// Runs the scenario, whose outcome is known if the controller does what it should: where it does, the outcome
+    /// need not be sent.
     ///
     /// # Errors
     /// Those of [`Adapter::run`].
@@ -245,13 +249,15 @@ pub trait Adapter: fmt::Debug + Send + Sync {
         self.run(scenario)
     }
 
-    /// Told what this thread most likely lets it run next, before that is asked for: a controller in a process of its own can begin with it
-    /// while what it did before is judged. What comes of it is known to whoever runs it then, and to nobody else.
+    /// Told what this thread most likely lets it run next, before that is asked for: a controller in a process of its
+    /// own can begin with it while what it did before is judged. What comes of it is known to whoever runs it then,
+    /// and to nobody else.
     fn ahead(&self, scenario: &Scenario) {
         let _when_it_is_run = scenario;
     }
 
-    /// Options of choices that it declares to read the documents by: they configure the specification that it is held to.
+    /// Options of choices that it declares to read the documents by: they configure the specification that it is held
+    /// to.
     fn options(&self) -> Options {
         Options::default()
     }

@@ -1,4 +1,5 @@
-//! A controller that shows no more than another one, and runs no more than that one can: so that two get their verdicts on the same ground.
+//! A controller that shows no more than another one, and runs no more than that one can: so that two get their
+//! verdicts on the same ground.
 
 use std::num::NonZero;
 

@@ -1,6 +1,7 @@
 //! A control that was asked on paper: its answers are read from the folder of a campaign ([`crate::offline`]).
 //!
-//! What a sheet leaves empty is masked, and what has no sheet was not run: a claim is as large as what was written down.
+//! What a sheet leaves empty is masked, and what has no sheet was not run: a claim is as large as what was written
+//! down.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

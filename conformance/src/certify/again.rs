@@ -1,4 +1,5 @@
-//! Cases that are run more than once: one that ends its controller is run again alone, and of every hundred one is run twice.
+//! Cases that are run more than once: one that ends its controller is run again alone, and of every hundred one is
+//! run twice.
 
 use gaugeblock_vocabulary::{Outcome, Scenario};
 use sha2::{Digest as _, Sha256};
@@ -8,8 +9,8 @@ use crate::adapters::{Adapter, Expected, HarnessError};
 use crate::compare::compare;
 use crate::observe::Observed;
 
-/// How many cases of a hundred are run twice. Which ones follows from their names alone, so that every part of a run, and one that is
-/// gone on with, chooses the same.
+/// How many cases of a hundred are run twice. Which ones follows from their names alone, so that every part of a run,
+/// and one that is gone on with, chooses the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Twice(pub u8);
 
@@ -44,7 +45,8 @@ pub(super) struct Runs<'a> {
 }
 
 impl Runs<'_> {
-    /// What the controller does, where the documents say `expected`; where `twice` says so, only if it does the same when it is asked again.
+    /// What the controller does, where the documents say `expected`; where `twice` says so, only if it does the same
+    /// when it is asked again.
     pub(super) fn outcome(self, expected: &Expected<'_>, twice: bool) -> Result<Ran, Unjudged> {
         let found = match self.controller.run_expecting(self.scenario, expected) {
             Ok(found) => found,
@@ -77,8 +79,8 @@ impl Runs<'_> {
         Some(format!("{place}{}: first {first}, then {second}", difference.field))
     }
 
-    /// There is no outcome. What fails alone, too, is the case's; what does not was left there by an earlier program if it never
-    /// fails alone, and chance otherwise.
+    /// There is no outcome. What fails alone, too, is the case's; what does not was left there by an earlier program
+    /// if it never fails alone, and chance otherwise.
     fn failed(self, error: &HarnessError) -> Result<Ran, Unjudged> {
         let anew = self.controller.run_anew(self.scenario);
         let is_always_new = anew.is_none();

@@ -10,8 +10,8 @@ pub const EXPECTATIONS: &str = "listed in the expectations";
 pub const BASELINE: &str = "as in the baseline";
 
 impl Run<'_> {
-    /// Names what is known, or waived, of what the run was held against; what is in `troubles` is neither. A departure that is
-    /// charged to other rules stays so: it is known, or not, there.
+    /// Names what is known, or waived, of what the run was held against; what is in `troubles` is neither. A
+    /// departure that is charged to other rules stays so: it is known, or not, there.
     pub fn excuse(&mut self, troubles: &[Trouble], waived: &[Waived], who: Option<&str>) {
         for result in &mut self.cases {
             let Verdict::Diverges(departure) = &result.verdict else { continue };

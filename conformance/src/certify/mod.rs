@@ -55,7 +55,8 @@ pub struct Course<'a, 'c> {
     pub done: Vec<CaseResult<'a>>,
     /// Which cases are run twice.
     pub twice: Twice,
-    /// How many programs are tried to make that of a divergence smaller, where nothing explains it; none where it stays as it is.
+    /// How many programs are tried to make that of a divergence smaller, where nothing explains it; none where it
+    /// stays as it is.
     pub shrink: u32,
     /// Told of each case that is run, one at a time.
     pub each: &'c mut (dyn FnMut(&CaseResult<'a>) + Send),
@@ -136,7 +137,8 @@ pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'
     }
 }
 
-/// The options that a controller is held to: the edition's, and on top of them those that it declares to read the documents by.
+/// The options that a controller is held to: the edition's, and on top of them those that it declares to read the
+/// documents by.
 pub fn options_of(suite: &Suite, edition: &Edition, controller: &dyn Adapter) -> Options {
     let mut options = suite.options(edition);
     for (id, option) in controller.options().0.iter() {
@@ -247,9 +249,9 @@ struct Against<'a> {
 }
 
 impl Against<'_> {
-    /// The departure that a controller shows on which nothing ran before, and what it did; another one may only have kept
-    /// something of an earlier program. What it is known to do needs no second run, and one that does something else each time has no
-    /// verdict.
+    /// The departure that a controller shows on which nothing ran before, and what it did; another one may only have
+    /// kept something of an earlier program. What it is known to do needs no second run, and one that does something
+    /// else each time has no verdict.
     fn lasting(
         &self,
         case: &Case,
@@ -295,8 +297,8 @@ impl Against<'_> {
         }
     }
 
-    /// Whether a pass would rest on nothing that the sentence is about: blocks are not told, or somebody wrote down what was seen, and all
-    /// that could be judged of the assertions is that the program was accepted.
+    /// Whether a pass would rest on nothing that the sentence is about: blocks are not told, or somebody wrote down
+    /// what was seen, and all that could be judged of the assertions is that the program was accepted.
     fn shows_nothing_of(&self, case: &Case, found: &Outcome) -> bool {
         let shows = self.controller.shows(self.scenario);
         if shows.blocks && self.controller.belongs_to().is_none() {

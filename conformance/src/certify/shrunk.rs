@@ -10,8 +10,8 @@ use crate::fuzz::groups::{Find, shrunk};
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{Came, Plan};
 
-/// The smallest program, out of so many that are tried, on which a controller differs from the specification in the same way as on this
-/// one; none where they do not differ without the case's assertions, or nothing smaller is found.
+/// The smallest program, out of so many that are tried, on which a controller differs from the specification in the
+/// same way as on this one; none where they do not differ without the case's assertions, or nothing smaller is found.
 pub(super) fn smallest(
     controller: &dyn Adapter,
     scenario: &Scenario,

@@ -233,8 +233,8 @@ pub struct CaseResult<'a> {
     pub masked: BTreeSet<String>,
     /// What was compared.
     pub compared: Tally,
-    /// Whether it was run again on a new controller, since the used one departed from the documents. What the new one did
-    /// is judged.
+    /// Whether it was run again on a new controller, since the used one departed from the documents. What the new one
+    /// did is judged.
     pub repeated: bool,
     /// How it failed where other programs had run before. It is judged by what it did alone.
     pub before: Option<String>,

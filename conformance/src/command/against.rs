@@ -17,7 +17,8 @@ pub(super) struct Against {
     /// What the controller is known to do otherwise; anything else fails
     #[arg(long, value_name = "FILE")]
     expectations: Option<PathBuf>,
-    /// An earlier report of this controller and edition, in any version: only what is new or has changed since fails, such as a case that passed and is not judged now
+    /// An earlier report of this controller and edition, in any version: only what is new or has changed since fails,
+    /// such as a case that passed and is not judged now
     #[arg(long, value_name = "REPORT", conflicts_with = "expectations")]
     baseline: Option<PathBuf>,
     /// Divergences that somebody answers for until a day: rule, case, reason, owner, expires (TOML)
@@ -51,7 +52,8 @@ impl Against {
 }
 
 impl Known {
-    /// Refuses what is of another controller, and a waiver of what the suite does not have. A note where a baseline is of another version.
+    /// Refuses what is of another controller, and a waiver of what the suite does not have. A note where a baseline
+    /// is of another version.
     pub(super) fn fits(&self, header: &Header, suite: &Suite) -> Result<Option<String>, Refused> {
         let waivers = self.waivers.as_ref();
         if let Some(unknown) = waivers.and_then(|(waivers, _)| waivers.unknown(suite)) {
@@ -87,8 +89,8 @@ impl Known {
         Ok(None)
     }
 
-    /// Where a run disagrees with what is known of it, and a note for each divergence that is mended. In the run what is known or
-    /// waived is named so. `whole` says that every case was selected.
+    /// Where a run disagrees with what is known of it, and a note for each divergence that is mended. In the run what
+    /// is known or waived is named so. `whole` says that every case was selected.
     pub(super) fn hold(
         &self,
         run: &mut Run<'_>,

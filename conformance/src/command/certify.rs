@@ -71,13 +71,15 @@ pub(super) struct Arguments {
     /// Write what it does otherwise as a file of expectations, to be read before it is used
     #[arg(long, value_name = "FILE")]
     write_expectations: Option<PathBuf>,
-    /// Write report.html, report.json, junit.xml, report.txt, summary.md (for a pull request) and cost.json into this folder, and a journal while it runs
+    /// Write report.html, report.json, junit.xml, report.txt, summary.md (for a pull request) and cost.json into this
+    /// folder, and a journal while it runs
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
     /// Go on with the journal in the folder of --report
     #[arg(long, requires = "report")]
     resume: bool,
-    /// A part: I of N, from 1; together the parts run every case once, and `gaugeblock report merge` makes one report of theirs
+    /// A part: I of N, from 1; together the parts run every case once, and `gaugeblock report merge` makes one report
+    /// of theirs
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: Shard,
     /// What to print
@@ -89,7 +91,8 @@ pub(super) struct Arguments {
     /// Look for the smallest program of each divergence that no quirk explains, trying so many [default: 300]
     #[arg(long, value_name = "ATTEMPTS", num_args = 0..=1, default_value_t = 0, default_missing_value = "300")]
     shrink: u32,
-    /// What the report says of each choice and quirk that the controller shows [default: where time is virtual and there is a report]
+    /// What the report says of each choice and quirk that the controller shows [default: where time is virtual and
+    /// there is a report]
     #[arg(long, value_name = "WHEN", value_enum)]
     fingerprint: Option<When>,
     /// Run each program also unobserved, to see that observing changes nothing [default: a sample]

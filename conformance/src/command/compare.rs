@@ -133,8 +133,8 @@ fn both(
 
 /// Whether two runs that came to their ends ask for the same path, however it is divided into moves.
 ///
-/// It is a remark and no verdict: the documents say which move each block makes, and a controller that shows moves is held to
-/// that. Who shows the path alone is to declare so.
+/// It is a remark and no verdict: the documents say which move each block makes, and a controller that shows moves is
+/// held to that. Who shows the path alone is to declare so.
 fn is_same_path(expected: &Outcome, found: &Outcome) -> bool {
     let path = |outcome: &Outcome| {
         let ended = matches!(outcome.end, End::ProgramEnd | End::PercentEnd);

@@ -23,7 +23,8 @@ pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
     controller_within(name, Limits::default(), Options::default())
 }
 
-/// The controller of a name; where it is behind an adapter, within these limits, and told no options that have these defaults.
+/// The controller of a name; where it is behind an adapter, within these limits, and told no options that have these
+/// defaults.
 pub(super) fn controller_within(
     name: &str,
     limits: Limits,
@@ -226,7 +227,8 @@ pub(super) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Resul
     }
 }
 
-/// Refuses an edition in another language than the controller's: of such programs each would be unsupported, which is no certificate.
+/// Refuses an edition in another language than the controller's: of such programs each would be unsupported, which is
+/// no certificate.
 pub(super) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), Refused> {
     if edition.language == Language::Rs274 {
         return Ok(());

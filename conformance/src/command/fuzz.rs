@@ -84,8 +84,8 @@ pub(super) struct Arguments {
     /// In how many of a hundred programs something is slightly wrong
     #[arg(long, value_name = "PERCENT", default_value_t = Recipe::default().wrong_programs, value_parser = clap::value_parser!(u32).range(0..=100))]
     wrong: u32,
-    /// How many of a hundred programs are put together from the suite's cases [default: so many that each outcome of a rule should be
-    /// reached 20 times, 10 to 32]
+    /// How many of a hundred programs are put together from the suite's cases [default: so many that each outcome of
+    /// a rule should be reached 20 times, 10 to 32]
     #[arg(long, value_name = "PERCENT", value_parser = clap::value_parser!(u32).range(0..=100))]
     spliced: Option<u32>,
     /// Write the journal, the report and each smallest program into this folder

@@ -45,8 +45,8 @@ pub(super) fn outcomes<'a>(
     })
 }
 
-/// What a run says little of: outcomes that few programs reached, and how many; and those that none did, and no case does that can be
-/// compared on these two. Nothing where only some rows are written.
+/// What a run says little of: outcomes that few programs reached, and how many; and those that none did, and no case
+/// does that can be compared on these two. Nothing where only some rows are written.
 pub(super) fn rarely_reached(
     suite: &Suite,
     edition: &Edition,

@@ -57,7 +57,8 @@ pub(super) struct Arguments {
     /// Change each program in all seven ways, not in one
     #[arg(long)]
     every_change: bool,
-    /// Write report.txt into this folder, and the smallest program of each kind of breach, its machine and its script, with the changed one where times differ
+    /// Write report.txt into this folder, and the smallest program of each kind of breach, its machine and its
+    /// script, with the changed one where times differ
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
 }

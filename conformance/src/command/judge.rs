@@ -71,7 +71,8 @@ pub(super) fn judge_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
     Ok(exit_status(&summary))
 }
 
-/// A law that cannot be judged is no failure, since a machine need not have every limit; that nothing was judged is no success.
+/// A law that cannot be judged is no failure, since a machine need not have every limit; that nothing was judged is
+/// no success.
 pub(super) fn exit_status(summary: &Summary) -> u8 {
     let mut laws = summary.judgement.0.iter();
     if !summary.holds() {

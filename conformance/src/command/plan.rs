@@ -63,7 +63,8 @@ pub(super) struct Arguments {
     /// What the operator does, by servo cycle, a TOML file
     #[arg(long, value_name = "FILE")]
     script: Option<PathBuf>,
-    /// Where the machine stands before: X,Y,Z,A,B,C,U,V,W, millimetres and degrees; the program begins from its origin otherwise
+    /// Where the machine stands before: X,Y,Z,A,B,C,U,V,W, millimetres and degrees; the program begins from its
+    /// origin otherwise
     #[arg(long, value_name = "NUMBERS", value_delimiter = ',', allow_hyphen_values = true, value_parser = coordinate)]
     start: Vec<f64>,
     /// Write a sample for each servo cycle: a table, or the compact form where the name ends in .bin

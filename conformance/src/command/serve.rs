@@ -37,8 +37,8 @@ pub(super) struct Arguments {
     /// [default: files,fresh,motion, and shows where less is observed of some scenarios than of others]
     #[arg(long, value_enum, value_name = "OFFER", value_delimiter = ',')]
     offer: Option<Vec<Offer>>,
-    /// Listen at this address instead of standard input, and print it; a port alone is that of the loopback address, port 0 any that is free. Whoever reaches it
-    /// can have programs run: nobody is asked who they are
+    /// Listen at this address instead of standard input, and print it; a port alone is that of the loopback address,
+    /// port 0 any that is free. Whoever reaches it can have programs run: nobody is asked who they are
     #[arg(long, value_name = "[HOST:]PORT")]
     tcp: Option<String>,
 }

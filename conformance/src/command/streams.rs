@@ -34,7 +34,8 @@ pub(super) fn write_error_in_colours(text: &str) {
     let _closed_pipe = anstream::stderr().write_all(format!("{text}\n").as_bytes());
 }
 
-/// Refuses to be done where standard output is cut off, as on a full disk. A reader that went away is no error: it has what it wanted.
+/// Refuses to be done where standard output is cut off, as on a full disk. A reader that went away is no error: it
+/// has what it wanted.
 pub(super) fn written() -> Result<(), Refused> {
     keep(io::stdout().flush());
     match TROUBLE.get() {

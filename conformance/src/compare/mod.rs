@@ -340,7 +340,8 @@ fn recorded(run: &Observed) -> Vec<(usize, &ObservedStep)> {
     run.steps.iter().enumerate().filter(|(_, step)| step.state.is_some()).collect()
 }
 
-/// Two faults are the same when they are at the same block; kinds are judged by assertions, where a document names them.
+/// Two faults are the same when they are at the same block; kinds are judged by assertions, where a document names
+/// them.
 fn same_fault(a: &Fault, b: &Fault) -> bool {
     match (&a.block, &b.block) {
         (Some(a), Some(b)) => a == b,

@@ -1,4 +1,5 @@
-//! Whether two outcomes are the same value by value: found out step by step, without writing down what is in force at each.
+//! Whether two outcomes are the same value by value: found out step by step, without writing down what is in force at
+//! each.
 
 use gaugeblock_vocabulary::{
     Effect, End, Entry, Event, Outcome, Pin, PinChange, Rs274State, Settings, State, Step,
@@ -6,8 +7,8 @@ use gaugeblock_vocabulary::{
 
 use super::tolerance;
 
-/// Whether two outcomes are surely equal; pins where `pins` says so and no block was refused, for what a refused block did to them is
-/// unspecified. A `false` says nothing.
+/// Whether two outcomes are surely equal; pins where `pins` says so and no block was refused, for what a refused
+/// block did to them is unspecified. A `false` says nothing.
 ///
 /// Most runs of two interpreters in this process are, and finding that out costs a fraction of a comparison.
 pub fn surely_same(expected: &Outcome, found: &Outcome, pins: bool) -> bool {
@@ -107,7 +108,8 @@ impl Both {
         }
     }
 
-    /// Whether the same is in force at each effect and after the block. Settings told in another order or number are the same.
+    /// Whether the same is in force at each effect and after the block. Settings told in another order or number are
+    /// the same.
     fn same_events(&mut self, a: &Step, b: &Step) -> bool {
         let (left, right) = (&mut self.settings.0, &mut self.settings.1);
         let (mut one, mut other) = (a.events.iter(), b.events.iter());

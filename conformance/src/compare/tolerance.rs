@@ -40,7 +40,8 @@ pub fn values(a: &Value, b: &Value, resolution: f64) -> bool {
     }
 }
 
-/// Whether two values of a field are equal. What a post-processor would print is read by a machine: there each character counts.
+/// Whether two values of a field are equal. What a post-processor would print is read by a machine: there each
+/// character counts.
 pub fn fields(field: &str, a: &Value, b: &Value, resolution: f64) -> bool {
     if field == "variable" { a == b } else { values(a, b, resolution) }
 }

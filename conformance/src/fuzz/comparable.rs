@@ -6,9 +6,10 @@ use crate::compare::{Divergence, end_text};
 
 /// Both runs as far as they can be compared.
 ///
-/// What a refused block did before it was refused is unspecified, and so are the parameters after it. A run whose budget ran out is the
-/// beginning of a longer one, and what a budget counts is each interpreter's own: blocks that both finished are compared. What a step of a
-/// post-processor costs is told, and so is what counts of custom macros, so that there budgets end both at the same step.
+/// What a refused block did before it was refused is unspecified, and so are the parameters after it. A run whose
+/// budget ran out is the beginning of a longer one, and what a budget counts is each interpreter's own: blocks that
+/// both finished are compared. What a step of a post-processor costs is told, and so is what counts of custom macros,
+/// so that there budgets end both at the same step.
 pub fn comparable(mut expected: Outcome, mut found: Outcome) -> (Outcome, Outcome) {
     if expected.language != Language::Rs274 && found.language != Language::Rs274 {
         return (expected, found);
@@ -43,8 +44,8 @@ fn cut(outcome: &mut Outcome, blocks: usize) {
     outcome.pins.clear();
 }
 
-/// The difference, named by the refusal where one side goes on behind a block that the other one refuses: what follows from that is
-/// not what differs.
+/// The difference, named by the refusal where one side goes on behind a block that the other one refuses: what
+/// follows from that is not what differs.
 pub(super) fn named(divergence: Divergence, expected: &Outcome, found: &Outcome) -> Divergence {
     let goes_on = divergence.field == "end"
         || divergence.field == "run"

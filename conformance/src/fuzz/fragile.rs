@@ -8,8 +8,8 @@ use crate::adapters::Capabilities;
 use crate::compare::{compare, surely_same};
 use crate::observe::Observed;
 
-/// Whether the model's own answer changes when every transcendental result moves by its last bit, or every position that a conversion of
-/// units, an offset or a polar word has computed is rounded in another way.
+/// Whether the model's own answer changes when every transcendental result moves by its last bit, or every position
+/// that a conversion of units, an offset or a polar word has computed is rounded in another way.
 ///
 /// It runs the scenario up to six times.
 pub fn is_fragile(scenario: &Scenario) -> bool {

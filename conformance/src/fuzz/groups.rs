@@ -113,13 +113,15 @@ impl Groups {
     }
 }
 
-/// Whether a block of this shape can be what is left of one of that shape: nothing stands in it that did not stand there. So a smaller program
-/// shows its difference where the larger one does, and is not another one that happens to look alike.
+/// Whether a block of this shape can be what is left of one of that shape: nothing stands in it that did not stand
+/// there. So a smaller program shows its difference where the larger one does, and is not another one that happens to
+/// look alike.
 fn is_left_of(shape: &str, larger: &str) -> bool {
     shape.split(' ').all(|word| larger.split(' ').any(|known| known == word))
 }
 
-/// Shrinks a find to the smallest program that still differs in the same way and at the same block, and names the rules of that.
+/// Shrinks a find to the smallest program that still differs in the same way and at the same block, and names the
+/// rules of that.
 pub fn shrunk(plan: &Plan<'_>, find: &Find, attempts: u32) -> Find {
     let mut unused = Statistics::default();
     let mut differs = |scenario: &Scenario| {

@@ -66,7 +66,8 @@ impl Plan<'_> {
         }
     }
 
-    /// Runs a scenario on the side that is compared with: what is expected of the other one, or what came of it already.
+    /// Runs a scenario on the side that is compared with: what is expected of the other one, or what came of it
+    /// already.
     pub(super) fn expected(
         &self,
         scenario: &Scenario,

@@ -1,8 +1,8 @@
 //! Two controllers on generated programs: what differs, by signature, with the smallest program of each.
 //!
-//! Programs are numbered; a number under a seed is one scenario ([`Plan::scenario`]). Chunks of numbers run in any order and on any
-//! machine, each is [journaled](journal) when it is done, and what they found is put together in the order of numbers, so that the same
-//! plan gives the same report however often it was interrupted.
+//! Programs are numbered; a number under a seed is one scenario ([`Plan::scenario`]). Chunks of numbers run in any
+//! order and on any machine, each is [journaled](journal) when it is done, and what they found is put together in the
+//! order of numbers, so that the same plan gives the same report however often it was interrupted.
 
 mod comparable;
 mod fragile;
@@ -56,7 +56,8 @@ pub struct Plan<'a> {
     pub spliced: u32,
     /// Those other ones: the suite's cases.
     pub seeds: Seeds,
-    /// The options of the edition that applies, without those that are the default of their choice: each run reads what is listed.
+    /// The options of the edition that applies, without those that are the default of their choice: each run reads
+    /// what is listed.
     pub options: Options,
     /// Choices of which each program takes some at random; none where the edition's options stand.
     pub random: Vec<Random<'a>>,
@@ -147,7 +148,8 @@ impl Plan<'_> {
                         .map(move |number| (*number, self.scenario_under(*number, options.clone())))
                 })
                 .collect();
-            // Each time the one that was made last comes first: most of it is still at hand. What is counted are sums, whatever the order.
+            // Each time the one that was made last comes first: most of it is still at hand. What is counted are
+            // sums, whatever the order.
             let last_first = scenarios.iter().rev();
             let expected = last_first.map(|(_, scenario)| self.expected(scenario, &mut statistics));
             let expected: Vec<_> = expected.collect();
@@ -190,7 +192,8 @@ pub struct Extent<'a> {
     pub stop: &'a AtomicBool,
 }
 
-/// Runs chunk after chunk; `each` is told of every one when it is done, on the caller's thread, and says whether to go on.
+/// Runs chunk after chunk; `each` is told of every one when it is done, on the caller's thread, and says whether to
+/// go on.
 pub fn run(plan: &Plan<'_>, extent: &Extent<'_>, each: &mut dyn FnMut(Chunk) -> bool) {
     let next = AtomicU64::new(0);
     let (sender, receiver) = mpsc::sync_channel::<Chunk>(64);

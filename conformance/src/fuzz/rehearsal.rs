@@ -19,7 +19,8 @@ const TRIALS: u64 = 16;
 const MOST: u64 = 96;
 /// The seed of rehearsals: what is rare is the same for all seeds of a plan.
 const SEED: u64 = 0;
-/// Programs of a plan that are to reach each outcome: more than [`ENOUGH`](super::statistics::ENOUGH), since a few are not judged in the end.
+/// Programs of a plan that are to reach each outcome: more than [`ENOUGH`](super::statistics::ENOUGH), since a few
+/// are not judged in the end.
 const WANTED: f64 = 24.0;
 /// By how many standard deviations chance may be unkind.
 const UNKIND: f64 = 3.0;
@@ -27,8 +28,8 @@ const UNKIND: f64 = 3.0;
 const OTHERS: [u32; 3] = [2, 8, 0];
 /// The fewest and the most splices of a hundred programs.
 const SPLICED: (u64, u64) = (10, 32);
-/// Plans of up to so many programs, and those without an end, are held for ones of [`SHORT`], all others for ones of [`LONG`], so that a plan
-/// may go on further than it was begun for.
+/// Plans of up to so many programs, and those without an end, are held for ones of [`SHORT`], all others for ones of
+/// [`LONG`], so that a plan may go on further than it was begun for.
 const SHORT_UP_TO: u64 = 100_000;
 const SHORT: u64 = 30_000;
 const LONG: u64 = 1_000_000;
@@ -42,8 +43,9 @@ pub fn is_long(programs: Option<u64>) -> bool {
 type Reached<'r> = (&'r str, RuleOutcome);
 
 impl Plan<'_> {
-    /// Runs some programs on the model, and puts down by which seeds those of some outcomes are reached that a plan of so many programs
-    /// would rarely reach. Without it splices take all seeds alike. How many of a hundred programs should be splices.
+    /// Runs some programs on the model, and puts down by which seeds those of some outcomes are reached that a plan
+    /// of so many programs would rarely reach. Without it splices take all seeds alike. How many of a hundred
+    /// programs should be splices.
     ///
     /// Costs a second or two.
     pub fn rehearse<'r>(
@@ -127,7 +129,8 @@ impl Plan<'_> {
         (by_seed, runs_on)
     }
 
-    /// Splices until an outcome is reached often enough: with others before it, unless fewer than half of them reach it.
+    /// Splices until an outcome is reached often enough: with others before it, unless fewer than half of them reach
+    /// it.
     fn made_for(
         &self,
         outcome: Reached<'_>,
@@ -217,7 +220,8 @@ fn number(count: u64) -> f64 {
     f64::from(u32::try_from(count).unwrap_or(u32::MAX))
 }
 
-/// Whether a scenario may run before another one: it needs nothing but its program, in which no O-word and no percent sign stands.
+/// Whether a scenario may run before another one: it needs nothing but its program, in which no O-word and no percent
+/// sign stands.
 fn may_precede(scenario: &Scenario, bench: Option<&String>) -> bool {
     let Program { main, .. } = &scenario.program;
     let answers = Bench { name: scenario.bench.name.clone(), ..Bench::default() };

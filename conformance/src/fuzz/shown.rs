@@ -15,8 +15,9 @@ pub type NotShown = BTreeMap<String, String>;
 const NO_CASE: &str = "no case reaches them as these options read the documents";
 
 impl Plan<'_> {
-    /// Those of some outcomes that none of the cases which both controllers run reaches, each with what is said of the first case that
-    /// would: by the one that does not run it, or by the model, which does not say what becomes of it.
+    /// Those of some outcomes that none of the cases which both controllers run reaches, each with what is said of
+    /// the first case that would: by the one that does not run it, or by the model, which does not say what becomes
+    /// of it.
     pub fn not_shown<'r>(
         &self,
         outcomes: impl IntoIterator<Item = (&'r str, RuleOutcome)>,

@@ -125,8 +125,8 @@ impl Statistics {
         }
     }
 
-    /// Those outcomes of some rules that fewer programs reached than [`ENOUGH`], none too, and by how many; those of the fewest first.
-    /// Nothing at all where the model is neither of the two controllers.
+    /// Those outcomes of some rules that fewer programs reached than [`ENOUGH`], none too, and by how many; those of
+    /// the fewest first. Nothing at all where the model is neither of the two controllers.
     pub fn rarely_reached<'a>(
         &self,
         outcomes: impl IntoIterator<Item = (&'a str, RuleOutcome)>,

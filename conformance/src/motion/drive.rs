@@ -42,8 +42,9 @@ pub struct Planned {
     pub samples: Samples,
     /// Speed along the path of all axes by sample, millimetres or degrees per second.
     pub speed: Vec<f64>,
-    /// The feed that is asked for, likewise, whichever way the path is run: the programmed one times what overrides make of it, and 0 where the
-    /// motion is held. Not a number in rapid moves and where it follows from a time or a spindle.
+    /// The feed that is asked for, likewise, whichever way the path is run: the programmed one times what overrides
+    /// make of it, and 0 where the motion is held. Not a number in rapid moves and where it follows from a time or a
+    /// spindle.
     pub asked: Vec<f64>,
 }
 
@@ -68,8 +69,8 @@ impl Stopped {
     }
 }
 
-/// Plans what a program does, from the machine's origin, while nobody touches anything. With `every` the planner gets one segment in so many cycles,
-/// else as many as it takes.
+/// Plans what a program does, from the machine's origin, while nobody touches anything. With `every` the planner gets
+/// one segment in so many cycles, else as many as it takes.
 ///
 /// # Errors
 /// As [`plan_under`].
@@ -84,8 +85,8 @@ pub fn plan(
 /// Plans what a program does under circumstances, to its end or to where the operator aborts it.
 ///
 /// # Errors
-/// An axis moves of which no limits are known, or what is asked for is no motion of a planner: a spline, a rigid tap, a thread on a spindle
-/// that stands. Or the motion is held and nobody lets it go on.
+/// An axis moves of which no limits are known, or what is asked for is no motion of a planner: a spline, a rigid tap,
+/// a thread on a spindle that stands. Or the motion is held and nobody lets it go on.
 pub fn plan_under(
     outcome: &Outcome,
     limits: &MotionLimits,

@@ -25,7 +25,8 @@ pub struct Picture<'a> {
     pub speed: &'a [f64],
     /// The feed that was asked for, by sample, overrides counted; not a number where none was, as in a rapid move.
     pub asked: &'a [f64],
-    /// What share of its limit each axis' acceleration takes, -1 to 1 where it is lawful: letter, and a number a sample.
+    /// What share of its limit each axis' acceleration takes, -1 to 1 where it is lawful: letter, and a number a
+    /// sample.
     pub acceleration: &'a [(char, Vec<f64>)],
 }
 
@@ -224,7 +225,8 @@ impl Picture<'_> {
         f64::from(u32::try_from(sample).unwrap_or(u32::MAX)) * self.period
     }
 
-    /// Points of a curve over time: the highest and the lowest number of each stretch that is no wider than can be seen.
+    /// Points of a curve over time: the highest and the lowest number of each stretch that is no wider than can be
+    /// seen.
     fn over_time(&self, numbers: &[f64], run: Range<usize>) -> Vec<(f64, f64)> {
         let step = (run.len() / (MOST_POINTS / 2)).max(1);
         let mut points = Vec::new();
@@ -251,7 +253,8 @@ fn span(numbers: impl Iterator<Item = f64>) -> Range<f64> {
     if low <= high { low..high } else { 0.0..0.0 }
 }
 
-/// Both ranges with some room around, and so that a millimetre is as long across as it is up; `shape` is width over height.
+/// Both ranges with some room around, and so that a millimetre is as long across as it is up; `shape` is width over
+/// height.
 fn same_scale(across: Range<f64>, up: Range<f64>, shape: f64) -> (Range<f64>, Range<f64>) {
     let high = (up.end - up.start).max((across.end - across.start) / shape) * 1.1;
     // Where nothing moves the room around it is a millimetre.

@@ -1,8 +1,8 @@
-//! Rides at random: every law holds for what the planner makes of them, and time is what it should be where the same ride is
-//! elsewhere or has more allowed.
+//! Rides at random: every law holds for what the planner makes of them, and time is what it should be where the same
+//! ride is elsewhere or has more allowed.
 //!
-//! Numbers under a seed are rides ([`ride`]); they can be judged in any order. The path is read by the model from what production says
-//! the program does: that both read programs alike, other programs test.
+//! Numbers under a seed are rides ([`ride`]); they can be judged in any order. The path is read by the model from
+//! what production says the program does: that both read programs alike, other programs test.
 
 use gaugeblock_fuzz::generate::Dice;
 use gaugeblock_fuzz::motion::change::Change;
@@ -149,8 +149,8 @@ fn planned(ride: &Ride, runs: Runs<'_>) -> Result<(Outcome, Planned), Stopped> {
     Ok((outcome, planned))
 }
 
-/// The two rides whose times are compared: one as fast as it can be fed, without an operator, and the same one changed. None where there
-/// is nothing to change.
+/// The two rides whose times are compared: one as fast as it can be fed, without an operator, and the same one
+/// changed. None where there is nothing to change.
 pub fn compared((seed, number): (u64, u64), ride: &Ride, change: Change) -> Option<(Ride, Ride)> {
     let mut alone = Ride { every: None, ..ride.clone() };
     // The spindle goes on turning.

@@ -1,4 +1,5 @@
-//! A small picture of a motion: the path from above and the speed over time, in a few hundred numbers, so that it can stand in a report.
+//! A small picture of a motion: the path from above and the speed over time, in a few hundred numbers, so that it can
+//! stand in a report.
 //!
 //! [`Picture`](super::Picture) is the large one.
 

@@ -4,7 +4,9 @@ use std::fmt;
 
 use gaugeblock_reference::motion::bound::{Kind, least_time};
 use gaugeblock_reference::motion::laws::{Judgement, Verdict, judge};
-use gaugeblock_vocabulary::motion::{MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_vocabulary::motion::{
+    MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples,
+};
 
 /// Most violations that are shown.
 const SHOWN: usize = 12;

@@ -10,8 +10,8 @@ use crate::adapters::{Adapter, Capabilities, HarnessError, Motion, NotMoved};
 use crate::observe::{Observed, value_of};
 use crate::suite::assertion::is_accepted;
 
-/// The files of a program's folder that a person fills in, by name, filled in from a run; nothing that the controller does not show. With
-/// `by_block`, positions after each block too, in place of the modes at the end.
+/// The files of a program's folder that a person fills in, by name, filled in from a run; nothing that the controller
+/// does not show. With `by_block`, positions after each block too, in place of the modes at the end.
 ///
 /// # Errors
 /// The controller failed: then there is nothing to fill in.

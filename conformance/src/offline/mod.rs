@@ -1,8 +1,8 @@
 //! The offline route: programs for a control that cannot host a process, and the answers that a person brings back.
 //!
-//! A campaign is a folder: a manifest, a page for the operator, and for each program a folder with its files, what to set up, and an answer
-//! sheet. **Invariant:** nothing that is exported says what is expected, nor the names of rules and cases, which often do: whoever fills in
-//! a sheet writes down what was seen and not what should have been.
+//! A campaign is a folder: a manifest, a page for the operator, and for each program a folder with its files, what to
+//! set up, and an answer sheet. **Invariant:** nothing that is exported says what is expected, nor the names of rules
+//! and cases, which often do: whoever fills in a sheet writes down what was seen and not what should have been.
 //!
 //! A case finds its sheet by the digest of its scenario, and cases with the same scenario share one.
 

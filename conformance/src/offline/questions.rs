@@ -24,8 +24,8 @@ pub struct Question {
     pub limits: Option<MotionLimits>,
 }
 
-/// What a suite asks under an edition of the rules of some profiles, all where there are none; and what cannot be carried, counted by
-/// the reason.
+/// What a suite asks under an edition of the rules of some profiles, all where there are none; and what cannot be
+/// carried, counted by the reason.
 pub fn questions(
     suite: &Suite,
     edition: &Edition,

@@ -1,5 +1,6 @@
-//! Answers to runs, which mostly begin alike, and mostly go on as expected: what is in force before the first block is half of what such an
-//! answer says, and is read when it changes; the steps are read where they are not the expected ones.
+//! Answers to runs, which mostly begin alike, and mostly go on as expected: what is in force before the first block
+//! is half of what such an answer says, and is read when it changes; the steps are read where they are not the
+//! expected ones.
 
 use std::io::{ErrorKind, Result, Write};
 
@@ -68,7 +69,8 @@ impl Alike {
         self.outcome(line).or_else(|_| serde_json::from_slice(line))
     }
 
-    /// An answer that begins as the last one that was read and goes on with the expected steps, as this project writes them: they are not read.
+    /// An answer that begins as the last one that was read and goes on with the expected steps, as this project
+    /// writes them: they are not read.
     fn as_expected(&self, line: &[u8], id: u64, expected: &Outcome) -> Option<Answer> {
         let (language, start) = (expected.language, self.start.0.as_bytes());
         if start.is_empty() {

@@ -1,4 +1,5 @@
-//! What a controller declares before it runs anything: the claim is bounded by it, and a word that is not of the vocabulary is an error.
+//! What a controller declares before it runs anything: the claim is bounded by it, and a word that is not of the
+//! vocabulary is an error.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -37,13 +38,16 @@ pub struct Declaration {
     /// Optional: the edition that it is held to where the caller names none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edition: Option<String>,
-    /// Optional: the edition of the suite that says what this controller really does, where there is one: what differs is explained by its quirks.
+    /// Optional: the edition of the suite that says what this controller really does, where there is one: what
+    /// differs is explained by its quirks.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub observed: Option<String>,
-    /// Optional: options of choices as this controller reads the documents. They configure the specification, and the report names them.
+    /// Optional: options of choices as this controller reads the documents. They configure the specification, and the
+    /// report names them.
     #[serde(default)]
     pub options: Options,
-    /// Optional: how many sessions may run at once; as many as there are processors where nothing is said, 1 for a single machine.
+    /// Optional: how many sessions may run at once; as many as there are processors where nothing is said, 1 for a
+    /// single machine.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sessions: Option<u16>,
     /// Optional: what it can do beyond the operations that each adapter has to know.
@@ -71,12 +75,12 @@ pub struct Observables {
     pub hidden_parameters: Vec<(u32, u32)>,
     /// Pins whose changes it tells.
     pub pins: BTreeSet<String>,
-    /// Optional: whether it tells each executed block as a step; true where nothing is said. Where not, all effects stand in one step, with the
-    /// state at the end.
+    /// Optional: whether it tells each executed block as a step; true where nothing is said. Where not, all effects
+    /// stand in one step, with the state at the end.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub blocks: bool,
-    /// Optional: fields whose number is told when it is set and not again when the length unit changes, with the largest error, in millimetres, of
-    /// one that was set in inches.
+    /// Optional: fields whose number is told when it is set and not again when the length unit changes, with the
+    /// largest error, in millimetres, of one that was set in inches.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub carried: BTreeMap<String, f64>,
     /// Optional: whether its faults may name their block; true where nothing is said.

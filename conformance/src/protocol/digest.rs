@@ -1,7 +1,7 @@
 //! The digest of an outcome: SHA-256 of its canonical JSON (RFC 8785), as lower-case hexadecimal digits.
 //!
-//! Canonical JSON has no white space, the members of an object in the order of their names, and numbers as ECMAScript prints them. So an adapter
-//! in any language comes to the same bytes.
+//! Canonical JSON has no white space, the members of an object in the order of their names, and numbers as ECMAScript
+//! prints them. So an adapter in any language comes to the same bytes.
 
 use std::fmt::Write as _;
 

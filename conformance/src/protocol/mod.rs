@@ -1,7 +1,8 @@
 //! The adapter protocol, version 1: one JSON object a line, a request and its answer by turns.
 //!
-//! `conformance/adapters/PROTOCOL.md` tells it to whoever writes an adapter; a test holds that page's examples to these types. The referee's side is
-//! [`crate::adapters::exec`], and [`serve`] speaks the controller's side for a controller of this project.
+//! `conformance/adapters/PROTOCOL.md` tells it to whoever writes an adapter; a test holds that page's examples to
+//! these types. The referee's side is [`crate::adapters::exec`], and [`serve`] speaks the controller's side for a
+//! controller of this project.
 
 mod alike;
 pub mod check;
@@ -67,7 +68,8 @@ pub enum Operation {
         #[serde(flatten)]
         ways: Ways,
     },
-    /// [`Offer::Motion`]: run this, and tell what is commanded of the axes. Answered by `samples`, `file` or `unsupported`.
+    /// [`Offer::Motion`]: run this, and tell what is commanded of the axes. Answered by `samples`, `file` or
+    /// `unsupported`.
     Move {
         /// All that the run depends on.
         scenario: Box<Scenario>,
@@ -84,7 +86,8 @@ pub enum Operation {
         /// What `run` will have.
         scenario: Box<Scenario>,
     },
-    /// [`Offer::Cancel`]: end the run that is going on and be as after `reset`. Answered by `done`; the run is not answered any more.
+    /// [`Offer::Cancel`]: end the run that is going on and be as after `reset`. Answered by `done`; the run is not
+    /// answered any more.
     Cancel {},
     /// [`Offer::State`]: tell what is in force now. Answered by `state`.
     State {},
@@ -182,8 +185,8 @@ pub enum Reply {
     Done {},
     /// To `run` and `outcome`: what was observed.
     Outcome(Box<Outcome>),
-    /// To `run` and `outcome`: the name of a file in the folder of `hello`, which holds the outcome as it would stand in the line; to `move`: one which holds
-    /// samples in either form.
+    /// To `run` and `outcome`: the name of a file in the folder of `hello`, which holds the outcome as it would stand
+    /// in the line; to `move`: one which holds samples in either form.
     File(String),
     /// To `move`: samples as a table of text.
     Samples(String),
@@ -197,9 +200,11 @@ pub enum Reply {
     At(u32),
     /// To `run`: the digest of the outcome, which can be asked for.
     Digest(String),
-    /// To `run`: the controller does not have what this scenario needs, and why. Nothing was run. It counts as unsupported.
+    /// To `run`: the controller does not have what this scenario needs, and why. Nothing was run. It counts as
+    /// unsupported.
     Unsupported(String),
-    /// To anything: the adapter does not know this operation, or could not do it, and why. It is never a verdict on the controller.
+    /// To anything: the adapter does not know this operation, or could not do it, and why. It is never a verdict on
+    /// the controller.
     Refused(String),
 }
 

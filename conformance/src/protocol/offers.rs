@@ -1,4 +1,5 @@
-//! Offers: what an adapter can do beyond the operations that each of them has to know. Nothing of it is asked of one that does not declare it.
+//! Offers: what an adapter can do beyond the operations that each of them has to know. Nothing of it is asked of one
+//! that does not declare it.
 
 use clap::ValueEnum;
 use schemars::JsonSchema;

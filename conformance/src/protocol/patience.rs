@@ -17,8 +17,9 @@ const MOST: u32 = 64;
 /// How many of this process wait like this.
 static WAITERS: AtomicUsize = AtomicUsize::new(0);
 
-/// Of one who waits again and again. A look keeps a processor from others, who may be those that it waits for: after a look in vain it makes do
-/// without for a while, for longer and longer, and it does not look at all where everybody who is awake does not have a processor of its own.
+/// Of one who waits again and again. A look keeps a processor from others, who may be those that it waits for: after
+/// a look in vain it makes do without for a while, for longer and longer, and it does not look at all where everybody
+/// who is awake does not have a processor of its own.
 #[derive(Debug)]
 pub(crate) struct Patience {
     looks: Looks,
@@ -32,7 +33,8 @@ impl Patience {
         Self { looks: Looks::default(), processors }
     }
 
-    /// Looks for something to read, or for the end of the stream; whether it was found. Where it was not, it is time to sleep.
+    /// Looks for something to read, or for the end of the stream; whether it was found. Where it was not, it is time
+    /// to sleep.
     pub(crate) fn look(&mut self, stream: impl AsFd) -> bool {
         // There is somebody at the other end of each.
         if 2 * WAITERS.load(Ordering::Relaxed) > self.processors || !self.looks.is_next() {

@@ -9,8 +9,8 @@ use crate::certify::{Run, Verdict};
 use crate::expectations::Trouble;
 
 impl Stored {
-    /// What a report has to be of so that a run can be held against it: the same controller, and the same edition. Another version of
-    /// the controller is what a baseline is for, and worth a note.
+    /// What a report has to be of so that a run can be held against it: the same controller, and the same edition.
+    /// Another version of the controller is what a baseline is for, and worth a note.
     ///
     /// # Errors
     /// It is of another controller or edition, with both names.
@@ -27,8 +27,8 @@ impl Stored {
             .then(|| format!("the baseline is of version {version}, this is version {now}")))
     }
 
-    /// Divergences that the earlier report does not have, or has otherwise, and cases that passed there of which nothing is known any more;
-    /// and a sentence for each divergence that is mended, or that is not judged any more.
+    /// Divergences that the earlier report does not have, or has otherwise, and cases that passed there of which
+    /// nothing is known any more; and a sentence for each divergence that is mended, or that is not judged any more.
     pub fn hold(&self, run: &Run<'_>) -> (Vec<Trouble>, Vec<String>) {
         let before: BTreeMap<(&str, &str), &StoredVerdict> = self
             .cases

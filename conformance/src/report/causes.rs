@@ -22,7 +22,8 @@ pub struct Group<'a, 'r> {
     pub cases: Vec<(&'r CaseResult<'a>, &'r Departure)>,
 }
 
-/// The departures of a run, alike ones together: what nobody knows of first, of that what nothing explains, of that what breaks most rules.
+/// The departures of a run, alike ones together: what nobody knows of first, of that what nothing explains, of that
+/// what breaks most rules.
 pub fn groups<'a, 'r>(report: &'r Report<'a>) -> Vec<Group<'a, 'r>> {
     let mut alike: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for result in &report.run.cases {
@@ -66,7 +67,8 @@ impl Group<'_, '_> {
 /// What is known of a departure beyond the documents.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Explained {
-    /// Whether it explains what this controller does. A quirk of another one does not: it may be chance that they do alike.
+    /// Whether it explains what this controller does. A quirk of another one does not: it may be chance that they do
+    /// alike.
     pub is_its_own: bool,
     /// In words.
     pub says: String,
@@ -91,7 +93,8 @@ pub fn explained(controller: &str, departure: &Departure) -> Option<Explained> {
 
 /// What differs, without what is accidental.
 fn what(departure: &Departure) -> String {
-    // What a block does that should have been refused, or what is missing behind one that should not, comes of that alone.
+    // What a block does that should have been refused, or what is missing behind one that should not, comes of that
+    // alone.
     if let Some(told) = departure.traces.as_ref().and_then(refusal) {
         return told;
     }

@@ -1,4 +1,5 @@
-//! What a run cost, beside what came of it: a file of its own, since no two runs cost the same and their reports are compared byte by byte.
+//! What a run cost, beside what came of it: a file of its own, since no two runs cost the same and their reports are
+//! compared byte by byte.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

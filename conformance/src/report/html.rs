@@ -1,6 +1,7 @@
 //! The report as one page that needs nothing beside it: worst first, with a search, and what each divergence is.
 //!
-//! What a controller says stands in it as text, whatever it is: the template escapes everything but pictures, which are made of numbers.
+//! What a controller says stands in it as text, whatever it is: the template escapes everything but pictures, which
+//! are made of numbers.
 
 use std::cmp::Reverse;
 use std::time::Duration;

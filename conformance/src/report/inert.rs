@@ -1,8 +1,10 @@
-//! Text of a controller that nothing obeys: no terminal, and no reader who sees letters in an order that they do not have.
+//! Text of a controller that nothing obeys: no terminal, and no reader who sees letters in an order that they do not
+//! have.
 
 use std::borrow::Cow;
 
-/// The text with everything that is no letter, but an order to whoever shows it, written out as JSON does; lines stay lines.
+/// The text with everything that is no letter, but an order to whoever shows it, written out as JSON does; lines stay
+/// lines.
 pub fn inert(text: &str) -> Cow<'_, str> {
     if !text.contains(is_an_order) {
         return Cow::Borrowed(text);

@@ -16,8 +16,8 @@ use crate::suite::Source;
 /// Version of the form.
 pub const VERSION: u32 = 1;
 
-/// A report: what it is of, what it comes to, and what came of each case. The same run gives the same bytes, so that what it cost is
-/// not here.
+/// A report: what it is of, what it comes to, and what came of each case. The same run gives the same bytes, so that
+/// what it cost is not here.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "Report")]
 pub struct Document {

@@ -7,7 +7,8 @@ use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
 use super::{Report, inert, inert_line};
 use crate::certify::{Unjudged, Verdict};
 
-/// The report as `JUnit` XML. The verdict is the type of a failure, an error, or what is skipped; what is known or waived is skipped.
+/// The report as `JUnit` XML. The verdict is the type of a failure, an error, or what is skipped; what is known or
+/// waived is skipped.
 ///
 /// # Errors
 /// A text that XML cannot hold.

@@ -1,7 +1,8 @@
-//! The report as a short page of Markdown, for a pull request: the verdict first, what is new, and the smallest programs.
+//! The report as a short page of Markdown, for a pull request: the verdict first, what is new, and the smallest
+//! programs.
 //!
-//! Whatever a controller says stands in code, in a run of backticks that it cannot close: no heading, no link, no mention, no HTML
-//! of its making. The page has a limit, and says what it leaves out.
+//! Whatever a controller says stands in code, in a run of backticks that it cannot close: no heading, no link, no
+//! mention, no HTML of its making. The page has a limit, and says what it leaves out.
 
 use gaugeblock_vocabulary::Language;
 
@@ -127,7 +128,8 @@ fn rules(report: &Report<'_>) -> String {
     )
 }
 
-/// What differs, alike departures together, each with its smallest program, in at most so many bytes: what nothing explains first.
+/// What differs, alike departures together, each with its smallest program, in at most so many bytes: what nothing
+/// explains first.
 fn divergences(report: &Report<'_>, room: usize) -> String {
     let troubles = report.troubles.as_ref();
     let is_known = |result: &CaseResult<'_>| {

@@ -203,7 +203,8 @@ impl<'a> Report<'a> {
         self.run.cases.iter().filter(diverges).collect()
     }
 
-    /// Cases that failed where other programs had run before, and not alone, with how they did: what those left there did it.
+    /// Cases that failed where other programs had run before, and not alone, with how they did: what those left there
+    /// did it.
     pub fn leaks(&self) -> Vec<(&CaseResult<'a>, &str)> {
         let leaks = |case: &'_ CaseResult<'a>| case.before.is_some();
         let leaking = self.run.cases.iter().filter(|case| leaks(case));
@@ -230,8 +231,8 @@ impl<'a> Report<'a> {
         reasons
     }
 
-    /// The exit status: 0 all that was judged is as documented or known, 1 a divergence, a wrong expectation or a claimed
-    /// profile that it does not pass, 3 not finished, or nothing was judged at all.
+    /// The exit status: 0 all that was judged is as documented or known, 1 a divergence, a wrong expectation or a
+    /// claimed profile that it does not pass, 3 not finished, or nothing was judged at all.
     pub fn exit_status(&self) -> u8 {
         let counts = self.counts();
         let wrong = match &self.troubles {

@@ -1,7 +1,7 @@
 //! What happens by the documents and on the controller, side by side: what differs is marked, and nothing else.
 //!
-//! A trace tells of the state what has changed. So a value is held against the one that is in force on the other side after the same block: to tell it
-//! again is no difference, and what the other side never tells is none either.
+//! A trace tells of the state what has changed. So a value is held against the one that is in force on the other side
+//! after the same block: to tell it again is no difference, and what the other side never tells is none either.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,5 @@
-//! The calls of a block, in the order in which `rs274` prints them: phase by phase, what the words say and what they did.
+//! The calls of a block, in the order in which `rs274` prints them: phase by phase, what the words say and what they
+//! did.
 
 use gaugeblock_impl::BlockBegun;
 use gaugeblock_vocabulary::{Effect, Event, FeedMode, LengthUnit, Plane, Position, Switch};
@@ -14,7 +15,8 @@ pub(super) struct Words {
     pub(super) m: Vec<u16>,
     letters: [Option<f64>; 26],
     pub(super) dollar: Option<f64>,
-    /// What is stored of the work coordinate system that the block selects before G10: origin (inches) and rotation (degrees).
+    /// What is stored of the work coordinate system that the block selects before G10: origin (inches) and rotation
+    /// (degrees).
     pub(super) stored: Option<(Position, f64)>,
 }
 

@@ -5,17 +5,21 @@
 //!              source (program, subroutine files)            └ text (number and comment of a line)
 //! ```
 //!
-//! The interpreter tells its sink the words of a block, what changed and what was done; the printer puts that into the order in which
-//! `rs274` prints a block, and prints what was programmed again though it did not change. What is printed was learned by running the program.
+//! The interpreter tells its sink the words of a block, what changed and what was done; the printer puts that into
+//! the order in which `rs274` prints a block, and prints what was programmed again though it did not change. What is
+//! printed was learned by running the program.
 //!
-//! **Not imitated:** the menu that is shown without `-g`, and its prompts; plug-in interpreters, Python and remapped codes; programs that are
-//! named by a word; O-words from standard input. A file without an end ends the run with `-n 0` too, where `rs274` says so for ever. Two codes
-//! of one block that change the same offset show its last value twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line
-//! of its own is printed as there: rounded F and S of saved state, switches that do not come back, subs that are defined behind their call,
-//! the way of cycles to the R plane, the passes of G76 (`threads`). A few that lead elsewhere the interpreter itself imitates
-//! (`Interpreter::imitate`). The others are not: tool offsets of saved state, the position after probing.
+//! **Not imitated:** the menu that is shown without `-g`, and its prompts; plug-in interpreters, Python and remapped
+//! codes; programs that are named by a word; O-words from standard input. A file without an end ends the run with `-n
+//! 0` too, where `rs274` says so for ever. Two codes of one block that change the same offset show its last value
+//! twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line of
+//! its own is printed as there: rounded F and S of saved state, switches that do not come back, subs that are defined
+//! behind their call, the way of cycles to the R plane, the passes of G76 (`threads`). A few that lead elsewhere the
+//! interpreter itself imitates (`Interpreter::imitate`). The others are not: tool offsets of saved state, the
+//! position after probing.
 //!
-//! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders. User-defined codes run nothing.
+//! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders.
+//! User-defined codes run nothing.
 
 mod arguments;
 mod block;

@@ -56,8 +56,8 @@ impl Printed<'_> {
 
     /// The moves of a cycle down to the R plane; whether there are any.
     ///
-    /// Where the point was below the R plane when the first of a row of cycles began, every one of them first moves to the R plane at its
-    /// old place, and only then is the path mode switched.
+    /// Where the point was below the R plane when the first of a row of cycles began, every one of them first moves
+    /// to the R plane at its old place, and only then is the path mode switched.
     fn come_to_r(&mut self, stage: &mut Modes, exact: bool) -> bool {
         let mut hole = None;
         while let Some(event) = self.events.get(self.at) {

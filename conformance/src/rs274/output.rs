@@ -138,7 +138,8 @@ impl Output {
     }
 }
 
-/// Writes a number with four decimals where that is simple: it is not large, and does not lie near the middle between two.
+/// Writes a number with four decimals where that is simple: it is not large, and does not lie near the middle between
+/// two.
 fn fixed(buffer: &mut Vec<u8>, value: f64) -> bool {
     let scaled = value.abs() * 10_000.0;
     if scaled.is_nan() || scaled >= 1.0e12 {

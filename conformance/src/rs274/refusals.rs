@@ -1,6 +1,7 @@
 //! Refused blocks: how far they came, and what is said.
 //!
-//! The sentences are our own, but for those on which programs depend that read the output of `rs274`: short facts of its interface, as observed.
+//! The sentences are our own, but for those on which programs depend that read the output of `rs274`: short facts of
+//! its interface, as observed.
 
 use gaugeblock_vocabulary::{Fault, FaultKind, Plane, Position};
 
@@ -22,7 +23,8 @@ pub(super) struct Refused<'a> {
     pub(super) percent: bool,
 }
 
-/// What is looked at before anything of a block is executed, and what after all but its motion, by how the message begins.
+/// What is looked at before anything of a block is executed, and what after all but its motion, by how the message
+/// begins.
 const AT_ONCE: [&str; 4] = [
     "axis words that two",
     "a rotary axis word in a canned",

@@ -220,7 +220,8 @@ impl Printed<'_> {
         }
     }
 
-    /// Coolant that was on comes back, and so do enabled overrides and inputs; what was off does not, but for both coolants.
+    /// Coolant that was on comes back, and so do enabled overrides and inputs; what was off does not, but for both
+    /// coolants.
     fn restored_switches(&mut self, before: &Modes, after: &Modes) {
         let off = (after.mist, after.flood) == (Switch::Off, Switch::Off);
         if (before.mist, before.flood) == (after.mist, after.flood) {

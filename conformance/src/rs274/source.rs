@@ -108,7 +108,8 @@ impl Files {
 /// Most characters of a line.
 const LONGEST: usize = 252;
 
-/// The first line that is not blank, where it is too long: `rs274` reads up to it when it opens a file, and does not begin.
+/// The first line that is not blank, where it is too long: `rs274` reads up to it when it opens a file, and does not
+/// begin.
 pub(super) fn overlong_beginning(text: &[u8]) -> Option<&[u8]> {
     let first = text.split(|byte| *byte == b'\n').find(|line| !line.trim_ascii().is_empty())?;
     (first.trim_ascii_end().len() > LONGEST).then_some(first)
@@ -120,7 +121,8 @@ pub(super) fn is_unclosed(main: &[u8]) -> bool {
     main.trim_ascii_start().starts_with(b"%") && lines.filter(|line| *line == b"%").count() == 1
 }
 
-/// The text of a sub that the main program defines, with empty lines before it so that its lines keep their numbers; none where there is none.
+/// The text of a sub that the main program defines, with empty lines before it so that its lines keep their numbers;
+/// none where there is none.
 ///
 /// `rs274` finds a sub that is defined behind its call. The interpreter does not, but looks for a file of its name.
 fn defined_later(main: &[u8], name: &str) -> Option<Vec<u8>> {

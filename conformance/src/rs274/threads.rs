@@ -32,9 +32,9 @@ impl Printed<'_> {
 
     /// Prints an effect of a thread; whether it is one that is printed otherwise there.
     ///
-    /// Quirk `rs274.thread-clearance`. Each pass begins and ends as far from its cut as the last one does from the drive line, and a last
-    /// traverse leads to the end of that line.
-    /// Quirk `rs274.thread-feed-override`. The feed override is disabled within a pass.
+    /// Quirk `rs274.thread-clearance`. Each pass begins and ends as far from its cut as the last one does from the
+    /// drive line, and a last traverse leads to the end of that line. Quirk `rs274.thread-feed-override`. The feed
+    /// override is disabled within a pass.
     pub(super) fn threaded(&mut self, event: &Event) -> bool {
         if self.words.g_of(&[THREAD]).is_none() {
             return false;
@@ -72,7 +72,8 @@ impl Printed<'_> {
         }
     }
 
-    /// How far a pass begins from its cut: the way from the deepest cut to the drive line, I and K, in length units along X.
+    /// How far a pass begins from its cut: the way from the deepest cut to the drive line, I and K, in length units
+    /// along X.
     fn clearance(&self) -> f64 {
         let [peak, depth] = [b'I', b'K'].map(|letter| self.words.get(letter).unwrap_or(0.0));
         let way = if peak < 0.0 { depth - peak } else { -depth - peak };

@@ -224,7 +224,8 @@ impl Suite {
         self.editions.iter().find(|edition| edition.id == id)
     }
 
-    /// All options of an edition that an interpreter reads: its own, its base's, and each default of a choice in its language.
+    /// All options of an edition that an interpreter reads: its own, its base's, and each default of a choice in its
+    /// language.
     pub fn options(&self, edition: &Edition) -> Options {
         let defaults = self.choices.iter().filter(|choice| choice.language == edition.language);
         let mut options: BTreeMap<String, String> = defaults

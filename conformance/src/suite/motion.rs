@@ -17,8 +17,8 @@ z = { velocity = 250, acceleration = 2000 }
 
 /// A program, limits, a script, and samples or none.
 ///
-/// With samples it is about a law: what the model's laws say of them. Without, it is about a controller: its own samples are
-/// judged.
+/// With samples it is about a law: what the model's laws say of them. Without, it is about a controller: its own
+/// samples are judged.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MotionCase {

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::Language;
-use gaugeblock_vocabulary::scenario::{Bench, Budget, Machine, OperatorEvent, Program, Scenario, Start};
+use gaugeblock_vocabulary::scenario::{
+    Bench, Budget, Machine, OperatorEvent, Program, Scenario, Start,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -211,7 +213,8 @@ pub struct ChoiceOption {
     pub assertions: Vec<String>,
 }
 
-/// A named point of motion that the documents leave open, and samples of which the laws say something else under each option.
+/// A named point of motion that the documents leave open, and samples of which the laws say something else under each
+/// option.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MotionChoice {

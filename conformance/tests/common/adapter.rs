@@ -43,7 +43,8 @@ pub(crate) fn limits() -> Limits {
     Limits { time, start, bytes: 1 << 20, whole: 1 << 20, ..Limits::default() }
 }
 
-/// The verdicts of one rule's cases: that of the case that is meddled with and whether it was judged alone, and the others.
+/// The verdicts of one rule's cases: that of the case that is meddled with and whether it was judged alone, and the
+/// others.
 pub(crate) fn verdicts_on(
     controller: &Exec,
     suite: &Suite,

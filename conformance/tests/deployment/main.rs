@@ -1,5 +1,5 @@
-//! What runs elsewhere (the action, workflows, jobs of a cluster, fuzzing in containers) and the pages about it: each is in its form, and
-//! calls this command as it can be called.
+//! What runs elsewhere (the action, workflows, jobs of a cluster, fuzzing in containers) and the pages about it: each
+//! is in its form, and calls this command as it can be called.
 
 mod shell;
 

@@ -1,8 +1,9 @@
 //! Scenarios from choices: a program and its subroutine files, a machine, a bench, an operator.
 //!
-//! Choices come from [bytes or a seed](Dice). A program is written from the rows of a [table](TABLE), each of which knows where
-//! it is possible, so that most programs are accepted; a dial makes some of them slightly wrong. [`odd`] writes programs that are
-//! refused more often than not, [`gpp`] those of a post-processor, [`nct`] custom macros, [`splice`] mixes what others wrote, [`pairs`] writes what must do the same as something else.
+//! Choices come from [bytes or a seed](Dice). A program is written from the rows of a [table](TABLE), each of which
+//! knows where it is possible, so that most programs are accepted; a dial makes some of them slightly wrong. [`odd`]
+//! writes programs that are refused more often than not, [`gpp`] those of a post-processor, [`nct`] custom macros,
+//! [`splice`] mixes what others wrote, [`pairs`] writes what must do the same as something else.
 
 mod dice;
 pub mod gpp;

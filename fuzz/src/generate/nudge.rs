@@ -15,8 +15,9 @@ const LAST_BIT: &str = "0.000000000000001";
 const UP: &str = "1.0000000000000002";
 const DOWN: &str = "0.9999999999999999";
 
-/// The scenario with the result of each function moved up or down by about one unit in its last place, and that of an angle's function by
-/// as much as one in the angle's moves it; none where no function stands. If its outcome is another one, nothing can be said of the program.
+/// The scenario with the result of each function moved up or down by about one unit in its last place, and that of an
+/// angle's function by as much as one in the angle's moves it; none where no function stands. If its outcome is
+/// another one, nothing can be said of the program.
 pub fn nudged(scenario: &Scenario, up: bool) -> Option<Scenario> {
     let mut other = scenario.clone();
     let brackets = scenario.program.language != Language::Nct;
@@ -31,8 +32,8 @@ fn text(text: &str, up: bool, brackets: bool) -> String {
     text.split_inclusive('\n').map(|piece| line(piece, up, brackets)).collect()
 }
 
-/// Inner functions stand to the right of outer ones, so that they are wrapped first. In custom macros brackets stand five deep at most, and a
-/// factor without them belongs to the function.
+/// Inner functions stand to the right of outer ones, so that they are wrapped first. In custom macros brackets stand
+/// five deep at most, and a factor without them belongs to the function.
 fn line(line: &str, up: bool, brackets: bool) -> String {
     let (factor, sign) = if up { (UP, '+') } else { (DOWN, '-') };
     let mut line = line.to_owned();
@@ -96,7 +97,8 @@ mod tests {
         assert_eq!(down.unwrap(), format!("#1 = [tan[180] * {DOWN} - {LAST_BIT}]\n"));
         assert_eq!(up("#1 = ASIN[.5]\n").unwrap(), format!("#1 = [ASIN[.5] * {UP}]\n"));
         assert_eq!(up("xsin[30]\n").unwrap(), format!("x[sin[30] * {UP} + {LAST_BIT}]\n"));
-        // How a half is rounded the documents say; where a computed position decides, the model is asked to round that otherwise.
+        // How a half is rounded the documents say; where a computed position decides, the model is asked to round
+        // that otherwise.
         assert_eq!(up("x round[#5420]\n"), None);
         let mut of_macros = Scenario::of("#1 = 2 * SIN[[30]]\n");
         of_macros.program.language = Language::Nct;

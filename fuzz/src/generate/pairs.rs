@@ -9,7 +9,8 @@ use super::{Dice, Recipe, Setups};
 pub enum Same {
     /// Effects and end; the lines at which they are do not count.
     Effects,
-    /// The same; but where something is missing at the end of a line, it may be refused for the comment that stands there.
+    /// The same; but where something is missing at the end of a line, it may be refused for the comment that stands
+    /// there.
     Commented,
     /// The path in machine coordinates: where each straight move ends, moves along one line taken together.
     Path,
@@ -39,8 +40,9 @@ struct Change {
 /// The change that puts a comment behind each line.
 const COMMENTS: &str = "comments";
 
-/// Modal codes that change nothing when they are repeated in the next block. Those of coordinate systems are not among them: what selects a
-/// system computes anew where the point is, and a program may do anything with how that is rounded.
+/// Modal codes that change nothing when they are repeated in the next block. Those of coordinate systems are not
+/// among them: what selects a system computes anew where the point is, and a program may do anything with how that is
+/// rounded.
 const REPEATABLE: &[&str] = &[
     "g17", "g18", "g19", "g20", "g21", "g90", "g91", "g90.1", "g91.1", "g98", "g99", "g61",
     "g61.1", "g7", "g8", "m7", "m8", "m9", "m48", "m49",
@@ -107,8 +109,8 @@ fn names_line(text: &str) -> bool {
     without_blanks(text).contains("_line")
 }
 
-/// Whether a line begins with letters that are an operator where a number stands before them: a word without its value is refused by another
-/// rule there.
+/// Whether a line begins with letters that are an operator where a number stands before them: a word without its
+/// value is refused by another rule there.
 fn begins_with_operator(line: &str) -> bool {
     let letters = without_blanks(line);
     OPERATORS.iter().any(|operator| letters.starts_with(operator))
@@ -125,8 +127,8 @@ fn is_plain(line: &str) -> bool {
     !line.trim().is_empty() && !line.contains(['(', ';', '%', '\r'])
 }
 
-/// Whether a comment may follow: a word without its value, or an expression or a name without its end, is refused by another rule where a comment
-/// stands in the place of what is missing.
+/// Whether a comment may follow: a word without its value, or an expression or a name without its end, is refused by
+/// another rule where a comment stands in the place of what is missing.
 fn ends_whole(line: &str) -> bool {
     let (mut depth, mut in_name) = (0_i32, false);
     for c in line.chars() {
@@ -264,7 +266,8 @@ fn steps(points: &[Point]) -> String {
     text + "m2\n"
 }
 
-/// Every other point in a system that is shifted, the rest in one that is turned, too. Each is selected twice, which changes nothing.
+/// Every other point in a system that is shifted, the rest in one that is turned, too. Each is selected twice, which
+/// changes nothing.
 fn shifted(points: &[Point]) -> String {
     let mut text = "g21 f100\ng10 l2 p2 x7 y-3 z2\ng10 l2 p3 x-4 y5 z1 r90\n".to_owned();
     for (number, (x, y, z)) in points.iter().enumerate() {

@@ -34,8 +34,9 @@ pub fn rare_among(splices: u64) -> u64 {
     splices - splices / ONE_IN
 }
 
-/// One of the scenarios with blocks of others in it, or changed slightly, or one that does something rare behind some others. Options
-/// are those of the first. What is rare comes in turns: which it is follows from how many splices a plan has had before.
+/// One of the scenarios with blocks of others in it, or changed slightly, or one that does something rare behind some
+/// others. Options are those of the first. What is rare comes in turns: which it is follows from how many splices a
+/// plan has had before.
 ///
 /// # Panics
 /// There is no scenario, or a turn is that of nothing.

@@ -101,7 +101,8 @@ impl Kind {
         Self::Polar,
     ];
 
-    /// Whether the model still ends most of this as unsupported: only some programs use it. To enable a kind, take it out here.
+    /// Whether the model still ends most of this as unsupported: only some programs use it. To enable a kind, take it
+    /// out here.
     pub fn is_later(self) -> bool {
         matches!(
             self,

@@ -166,7 +166,8 @@ fn double_limits(limits: &mut MotionLimits) {
     }
 }
 
-/// How much longer than a tolerance a line is of which blends at both ends take less than a third each, but for the flattest.
+/// How much longer than a tolerance a line is of which blends at both ends take less than a third each, but for the
+/// flattest.
 const BLENDS: f64 = 100.0;
 
 /// A line in continuous mode with a tolerance, at a feed that does not count moves, becomes two.

@@ -3,7 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use gaugeblock_vocabulary::Axis;
-use gaugeblock_vocabulary::motion::{MotionAction, MotionEvent, MotionLimits, MotionScript, PathMode};
+use gaugeblock_vocabulary::motion::{
+    MotionAction, MotionEvent, MotionLimits, MotionScript, PathMode,
+};
 use gaugeblock_vocabulary::scenario::AxisLimits;
 
 use super::{Axes, Pace, Plane, Ride, Step};

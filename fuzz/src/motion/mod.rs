@@ -1,7 +1,8 @@
 //! Motion: a part program of moves, the machine that makes them, and what an operator does meanwhile.
 //!
-//! A [`Ride`] is numbers, so that it can be moved, turned, mirrored, scaled and divided ([`change`]), drawn at random ([`draw`]), and made
-//! smaller ([`shrink`]); [`Ride::text`] is the program that a controller gets. Who plans it, and who judges samples, the caller knows.
+//! A [`Ride`] is numbers, so that it can be moved, turned, mirrored, scaled and divided ([`change`]), drawn at random
+//! ([`draw`]), and made smaller ([`shrink`]); [`Ride::text`] is the program that a controller gets. Who plans it, and
+//! who judges samples, the caller knows.
 
 pub mod change;
 pub mod draw;

@@ -6,7 +6,8 @@ use gaugeblock_vocabulary::motion::PathMode;
 
 use super::{Pace, Ride, Step};
 
-/// Tries smaller rides as long as there are attempts left; `holds` says of which ones it still holds. No clock, no chance.
+/// Tries smaller rides as long as there are attempts left; `holds` says of which ones it still holds. No clock, no
+/// chance.
 pub fn shrunk(ride: &Ride, mut attempts: u32, holds: &mut dyn FnMut(&Ride) -> bool) -> Ride {
     let mut best = ride.clone();
     loop {

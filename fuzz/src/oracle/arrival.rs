@@ -42,7 +42,8 @@ pub fn arrives(scenario: &Scenario, dice: &mut Dice<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// All that a sink is told of a run, in lines; how it ends only if that is within the budget, however many blocks are executed at a time.
+/// All that a sink is told of a run, in lines; how it ends only if that is within the budget, however many blocks are
+/// executed at a time.
 fn told(scenario: &Scenario, source: &mut impl Source, at_a_time: u64) -> String {
     let (machine, options) = (scenario.machine.clone(), scenario.options.clone());
     let mut interpreter = match Interpreter::new(machine, options, Limits::default()) {

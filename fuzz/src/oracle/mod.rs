@@ -1,8 +1,8 @@
 //! What must hold for every scenario, whatever its program says.
 //!
-//! Here is what needs no comparison of two controllers: the model keeps its promises, [pairs](same()) of scenarios do the same, a longer budget
-//! [goes on](goes_on) where a shorter one ended, and how a program [arrives] at the production interpreter changes nothing. That
-//! two controllers do the same is the referee's to say.
+//! Here is what needs no comparison of two controllers: the model keeps its promises, [pairs](same()) of scenarios do
+//! the same, a longer budget [goes on](goes_on) where a shorter one ended, and how a program [arrives] at the
+//! production interpreter changes nothing. That two controllers do the same is the referee's to say.
 
 mod arrival;
 mod prefix;

@@ -9,8 +9,8 @@ use crate::generate::pairs::{Pair, Same};
 /// Millimetres by which points may differ.
 const TOLERANCE: f64 = 1e-6;
 
-/// Runs both scenarios of a pair and compares what must be equal. A run that says nothing (`None`), is not supported, left open or
-/// exhausted is no trouble.
+/// Runs both scenarios of a pair and compares what must be equal. A run that says nothing (`None`), is not supported,
+/// left open or exhausted is no trouble.
 ///
 /// # Errors
 /// What differs, with both programs.

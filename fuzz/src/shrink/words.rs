@@ -236,7 +236,8 @@ fn bracket_end(bytes: &[u8], from: usize) -> usize {
     bytes.len()
 }
 
-/// Values that could be simpler, outer ones first: brackets with their function, and numbers that are no codes or names.
+/// Values that could be simpler, outer ones first: brackets with their function, and numbers that are no codes or
+/// names.
 fn values(line: &str) -> Vec<Range<usize>> {
     let bytes = line.as_bytes();
     let (mut values, mut at, mut is_code) = (Vec::new(), 0, false);

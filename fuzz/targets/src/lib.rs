@@ -1,7 +1,7 @@
 //! What each fuzzing target does with the bytes that it is given: a generator of `gaugeblock-fuzz`, then an oracle.
 //!
-//! The binaries in `fuzz_targets` are glue for libFuzzer. The corpus is replayed on stable Rust by a test, so that what was found once
-//! is held for ever.
+//! The binaries in `fuzz_targets` are glue for libFuzzer. The corpus is replayed on stable Rust by a test, so that
+//! what was found once is held for ever.
 
 use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::reference::Reference;
@@ -41,8 +41,8 @@ pub fn odd_program(bytes: &[u8]) {
     kept(oracle::model_keeps_its_promises(&odd::scenario(bytes)).map(drop));
 }
 
-/// A generated program does the same in model and production, however it arrives there; and a run whose budget ran out is the beginning of
-/// a longer one, in both.
+/// A generated program does the same in model and production, however it arrives there; and a run whose budget ran
+/// out is the beginning of a longer one, in both.
 ///
 /// # Panics
 /// A promise is broken.
@@ -115,7 +115,8 @@ pub fn agree(scenario: &Scenario) -> Agreement {
     agree_with(&Production::default(), scenario)
 }
 
-/// The model and a controller do the same with a scenario, where both say what that is. Of one that is not ours no more is asked than by `fuzz`.
+/// The model and a controller do the same with a scenario, where both say what that is. Of one that is not ours no
+/// more is asked than by `fuzz`.
 ///
 /// # Panics
 /// They differ, or one of them crashes.

@@ -1,8 +1,8 @@
 //! The planner of `gaugeblock-impl`, from the same files and without the rest: it needs `core`, `alloc` and `libm`.
 //!
-//! The gate builds it for a processor without an operating system, where a use of `std` anywhere in it has nothing to link to, and runs its
-//! samples on a second processor, where they must be the same to the last bit. The interpreter beside it speaks the vocabulary of
-//! `gaugeblock-vocabulary`, whose files are read with `std`.
+//! The gate builds it for a processor without an operating system, where a use of `std` anywhere in it has nothing to
+//! link to, and runs its samples on a second processor, where they must be the same to the last bit. The interpreter
+//! beside it speaks the vocabulary of `gaugeblock-vocabulary`, whose files are read with `std`.
 #![no_std]
 
 extern crate alloc;

@@ -1,4 +1,5 @@
-//! Samples have the bits that they have elsewhere, and nothing is allocated: tests of `gaugeblock-impl`, on whatever processor this is built for.
+//! Samples have the bits that they have elsewhere, and nothing is allocated: tests of `gaugeblock-impl`, on whatever
+//! processor this is built for.
 
 extern crate gaugeblock_bare as gaugeblock_impl;
 

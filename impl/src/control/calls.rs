@@ -109,7 +109,8 @@ impl Interpreter {
         let segment = match self.segment_of(label) {
             Some(segment) => segment,
             None => {
-                // What stands on the line is evaluated before the sub is sought (11.4.5), which may take other values in between.
+                // What stands on the line is evaluated before the sub is sought (11.4.5), which may take other values
+                // in between.
                 self.values(at, block, oword)?;
                 self.find_sub(label, source)?
             }
@@ -184,8 +185,8 @@ impl Interpreter {
         self.parameters.call_level = self.parameters.call_level.saturating_sub(1);
     }
 
-    /// The run is over, and with it every call: `#1` to `#30` and local names are those of the main program, which numbered
-    /// subprograms share. Nothing is restored besides: that is for a return (11.6.22).
+    /// The run is over, and with it every call: `#1` to `#30` and local names are those of the main program, which
+    /// numbered subprograms share. Nothing is restored besides: that is for a return (11.6.22).
     pub(crate) fn leave_calls(&mut self) {
         let first = self.scopes.frames.iter().find(|frame| frame.kind == FrameKind::Sub);
         if let Some(arguments) = first.map(|frame| frame.arguments) {

@@ -1,7 +1,9 @@
-//! The short way for a plain line of the main program, which runs once: its words are evaluated while they are read, in one pass.
+//! The short way for a plain line of the main program, which runs once: its words are evaluated while they are read,
+//! in one pass.
 //!
-//! **Invariant:** it only ever takes what the long way takes, with the same outcome. Whatever is unusual (an o-word, a line that is too long, an
-//! active comment, a digit that stands apart, a new name, and everything that is refused) is left alone, and the long way begins anew.
+//! **Invariant:** it only ever takes what the long way takes, with the same outcome. Whatever is unusual (an o-word,
+//! a line that is too long, an active comment, a digit that stands apart, a new name, and everything that is refused)
+//! is left alone, and the long way begins anew.
 
 use alloc::vec::Vec;
 
@@ -26,7 +28,8 @@ const M: u8 = b'm' - b'a';
 const ELSEWHERE: u32 = 1 << (b'n' - b'a') | 1 << (b'o' - b'a');
 
 impl Interpreter {
-    /// Reads and executes a plain line of the main program; none where that is not what comes next. Comments that do not act are passed over.
+    /// Reads and executes a plain line of the main program; none where that is not what comes next. Comments that do
+    /// not act are passed over.
     #[inline]
     pub(crate) fn direct_line<S: Source, K: Sink>(
         &mut self,
@@ -78,7 +81,8 @@ impl Interpreter {
     }
 }
 
-/// A line that is being read. Every method takes the text before something and gives the text behind it; none where it is unusual.
+/// A line that is being read. Every method takes the text before something and gives the text behind it; none where
+/// it is unusual.
 struct Reading<'a> {
     values: operand::Values<'a>,
     words: &'a mut Words,

@@ -38,7 +38,8 @@ impl Interpreter {
             }
             let block = segment(&self.segments, at.segment).and_then(|code| code.block(at.place));
             let Some(block) = block.copied() else {
-                // A segment is over; the last blocks of subs are ends of subs, so this is a loop or the last subprogram.
+                // A segment is over; the last blocks of subs are ends of subs, so this is a loop or the last
+                // subprogram.
                 if at.segment == LOOP {
                     self.cursor = Cursor::MAIN;
                     continue;

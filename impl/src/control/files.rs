@@ -110,8 +110,9 @@ impl Interpreter {
         Err(self.fault(number, line, kind, message.into(), None))
     }
 
-    /// Where a sub begins among numbered subprograms, it gets a segment of its own. One that does not end holds nothing: what follows its head can
-    /// begin a program. That none ends is found out once, so that the text is not read again for each.
+    /// Where a sub begins among numbered subprograms, it gets a segment of its own. One that does not end holds
+    /// nothing: what follows its head can begin a program. That none ends is found out once, so that the text is not
+    /// read again for each.
     fn called_sub_into<S: Source>(
         &mut self,
         head: &Block,
@@ -136,8 +137,8 @@ impl Interpreter {
         Ok(is_sub)
     }
 
-    /// Looks for the numbered subprograms in what follows of the main program (11.7.4.1), once, and packs them together, since one that does
-    /// not end runs into the next. False where the source cannot go back.
+    /// Looks for the numbered subprograms in what follows of the main program (11.7.4.1), once, and packs them
+    /// together, since one that does not end runs into the next. False where the source cannot go back.
     ///
     /// They follow the call, which stands before the place of the reader where a loop or sub holds it.
     pub(crate) fn gather_programs<S: Source>(

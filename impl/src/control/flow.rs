@@ -260,7 +260,8 @@ impl Interpreter {
         self.next_branch(at, block, label, source)
     }
 
-    /// Goes to the next branch of a condition, which is executed as one that was searched for: an elseif is asked, an else is taken.
+    /// Goes to the next branch of a condition, which is executed as one that was searched for: an elseif is asked, an
+    /// else is taken.
     fn next_branch<S: Source>(
         &mut self,
         at: Cursor,

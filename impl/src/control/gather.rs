@@ -41,7 +41,8 @@ pub(super) enum Bad {
 pub(super) struct Ends(BTreeMap<NameId, u32>);
 
 impl Ends {
-    /// Whether a sub with this label, whose head is at this line, ends; one whose label is not known ends at any endsub.
+    /// Whether a sub with this label, whose head is at this line, ends; one whose label is not known ends at any
+    /// endsub.
     pub(super) fn end(&self, label: NameId, head: u32) -> bool {
         if label == NONE {
             self.0.values().any(|line| *line > head)
@@ -105,8 +106,8 @@ impl Interpreter {
         })
     }
 
-    /// Packs a loop of the main program whose head has just been read; the head becomes its first block. A loop within a loop or sub is packed
-    /// already.
+    /// Packs a loop of the main program whose head has just been read; the head becomes its first block. A loop
+    /// within a loop or sub is packed already.
     pub(crate) fn gather_loop<S: Source>(
         &mut self,
         at: Cursor,
@@ -199,8 +200,8 @@ impl Interpreter {
         true
     }
 
-    /// Where a sub begins among packed blocks, it gets a segment of its own; one whose head is refused too, since who skips it looks at nothing else
-    /// of it. False where it begins and is none, since it does not end.
+    /// Where a sub begins among packed blocks, it gets a segment of its own; one whose head is refused too, since who
+    /// skips it looks at nothing else of it. False where it begins and is none, since it does not end.
     pub(super) fn sub_into<S: Source>(
         &mut self,
         head: &Block,
@@ -228,8 +229,8 @@ impl Interpreter {
         Ok(false)
     }
 
-    /// Packs the body of a sub whose head has just been read, up to its end. Where another one begins within it that is as far as it is read, unless
-    /// it is gathered through: then that one belongs to it, for who skips it.
+    /// Packs the body of a sub whose head has just been read, up to its end. Where another one begins within it that
+    /// is as far as it is read, unless it is gathered through: then that one belongs to it, for who skips it.
     pub(super) fn gather_sub<S: Source>(
         &mut self,
         label: NameId,

@@ -166,7 +166,8 @@ impl Interpreter {
         behind: bool,
         source: &mut S,
     ) -> Result<(), Halt> {
-        // Behind the loop in LOOP the text goes on where the source stands; from elsewhere one does not get back into it.
+        // Behind the loop in LOOP the text goes on where the source stands; from elsewhere one does not get back into
+        // it.
         let packed = head.at.segment > LOOP
             || head.at.segment == LOOP
                 && self.cursor.segment == LOOP

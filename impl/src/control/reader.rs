@@ -5,7 +5,8 @@ use alloc::vec::Vec;
 use crate::source::{Source, Unreadable};
 use crate::syntax::LinePlace;
 
-/// Most bytes of a line that are kept: one character of up to four bytes more than the longest line of the documents is enough to refuse it.
+/// Most bytes of a line that are kept: one character of up to four bytes more than the longest line of the documents
+/// is enough to refuse it.
 const LONGEST: usize = 4 * 257;
 
 /// Reads lines and knows where in the file it stands.
@@ -34,8 +35,8 @@ impl Reader {
         self.place.line = line;
     }
 
-    /// Where the next line begins. Behind a carriage return whose line feed may still come it is the carriage return, a blank line: whoever
-    /// goes back there takes both.
+    /// Where the next line begins. Behind a carriage return whose line feed may still come it is the carriage return,
+    /// a blank line: whoever goes back there takes both.
     pub(crate) fn place(&self) -> LinePlace {
         let before = u32::from(self.after_return);
         LinePlace {

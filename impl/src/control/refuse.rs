@@ -12,7 +12,8 @@ use crate::modal::Refusal;
 use crate::syntax::packed::Block;
 
 impl Interpreter {
-    /// A block of words that is refused while it is executed: its settings of parameters are taken back, unless what it did stays.
+    /// A block of words that is refused while it is executed: its settings of parameters are taken back, unless what
+    /// it did stays.
     #[cold]
     pub(crate) fn take_back(
         &mut self,

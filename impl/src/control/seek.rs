@@ -27,7 +27,8 @@ enum Seen {
 }
 
 impl Interpreter {
-    /// Finds the next block with a label, from the one that is being executed on, and makes it the next one to be executed.
+    /// Finds the next block with a label, from the one that is being executed on, and makes it the next one to be
+    /// executed.
     ///
     /// # Errors
     /// There is none: the label belongs to nothing that ends.
@@ -209,8 +210,8 @@ impl Interpreter {
         Ok(())
     }
 
-    /// A block that is skipped defines its label too, where the option says so, whatever else stands in it; one that must be computed it has where it
-    /// is come to.
+    /// A block that is skipped defines its label too, where the option says so, whatever else stands in it; one that
+    /// must be computed it has where it is come to.
     fn define_skipped(&mut self, at: Cursor, block: &Block, oword: OWord) {
         let head =
             matches!(oword.keyword, Keyword::If | Keyword::While | Keyword::Repeat | Keyword::Do);

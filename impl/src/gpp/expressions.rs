@@ -159,7 +159,8 @@ impl Compiler<'_> {
         self.depth = self.depth.saturating_sub(1);
     }
 
-    /// A variable by its name and, of an array, its index; whether it is a text. In an expression a name may be that of a function.
+    /// A variable by its name and, of an array, its index; whether it is a text. In an expression a name may be that
+    /// of a function.
     pub(super) fn reference(
         &mut self,
         word: &str,

@@ -9,12 +9,13 @@
 //! Sink       what is printed and warned of, and a look at each step when it is done     done
 //! ```
 //!
-//! Names are looked up while a program is compiled, and never while it runs. A variable keeps its text as it is printed, so that printing copies
-//! it, and a number is rounded to it by integers, exactly.
+//! Names are looked up while a program is compiled, and never while it runs. A variable keeps its text as it is
+//! printed, so that printing copies it, and a number is rounded to it by integers, exactly.
 //!
-//! **Invariants.** A step is one line of the toolpath, or one statement, or the part of an OUTPUT up to the newline procedure; its time is bounded by
-//! the text of its statement and by the variables that it sets, which it tells as its cost. In steady state nothing is allocated but for a
-//! warning. Memory is bounded by the texts of program and toolpath and by 25 000 variables.
+//! **Invariants.** A step is one line of the toolpath, or one statement, or the part of an OUTPUT up to the newline
+//! procedure; its time is bounded by the text of its statement and by the variables that it sets, which it tells as
+//! its cost. In steady state nothing is allocated but for a warning. Memory is bounded by the texts of program and
+//! toolpath and by 25 000 variables.
 
 mod calculate;
 mod choices;
@@ -109,7 +110,8 @@ impl PostProcessor {
     /// Compiles a program for a toolpath. Without one nothing is processed.
     ///
     /// # Errors
-    /// An option that there is not; a toolpath or program that is refused, at the first line that is; what the documents leave open.
+    /// An option that there is not; a toolpath or program that is refused, at the first line that is; what the
+    /// documents leave open.
     pub fn new(
         program: &str,
         toolpath: Option<&str>,
@@ -138,9 +140,10 @@ impl PostProcessor {
         self.0.advance()
     }
 
-    /// Makes the next step and tells the sink what it does: what is printed, on the channel of the output, and warnings, on the display. What the
-    /// sink answers changes nothing. The answer is what the step costs: one, one for each item that it prints or tries to, and one for each variable
-    /// that it sets; nothing where no step is left.
+    /// Makes the next step and tells the sink what it does: what is printed, on the channel of the output, and
+    /// warnings, on the display. What the sink answers changes nothing. The answer is what the step costs: one, one
+    /// for each item that it prints or tries to, and one for each variable that it sets; nothing where no step is
+    /// left.
     ///
     /// # Errors
     /// The statement or line is refused. What the sink was told of that step does not count, and the run is over.

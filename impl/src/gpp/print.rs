@@ -32,8 +32,8 @@ pub(super) struct Printing {
 }
 
 impl Runner {
-    /// An OUTPUT or PRINT up to its end or to the newline procedure; whether it is done. One within the procedure has no symbol, and the
-    /// one around it waits.
+    /// An OUTPUT or PRINT up to its end or to the newline procedure; whether it is done. One within the procedure has
+    /// no symbol, and the one around it waits.
     pub(super) fn print<S: Sink>(
         &mut self,
         (line, at): (u32, usize),

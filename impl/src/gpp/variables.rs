@@ -171,7 +171,8 @@ impl Variables {
         }
     }
 
-    /// Sets a number; whether the variable's text is another one now. Nothing changes where one of the identical variables cannot print it.
+    /// Sets a number; whether the variable's text is another one now. Nothing changes where one of the identical
+    /// variables cannot print it.
     ///
     /// # Errors
     /// One of them cannot.

@@ -1,7 +1,7 @@
 //! Arcs and helices: G2 and G3 in centre and radius format (11.5.5).
 //!
-//! An arc lies in the selected plane, of which the axes are called first and second so that counterclockwise is from the first to the second
-//! one: X Y, Z X, Y Z. Whatever else moves, moves along.
+//! An arc lies in the selected plane, of which the axes are called first and second so that counterclockwise is from
+//! the first to the second one: X Y, Z X, Y Z. Whatever else moves, moves along.
 
 use gaugeblock_vocabulary::{Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane};
 
@@ -116,8 +116,8 @@ impl Tolerances {
         }
     }
 
-    /// Whether the distances of both ends from the centre are radii of one arc: an error is "more than coarse, or more than fine and than a
-    /// thousandth of the radius"; the radius is that of the start.
+    /// Whether the distances of both ends from the centre are radii of one arc: an error is "more than coarse, or
+    /// more than fine and than a thousandth of the radius"; the radius is that of the start.
     fn agree(&self, start: f64, end: f64) -> bool {
         let difference = (start - end).abs();
         let radius = if self.of_larger { start.max(end) } else { start };
@@ -272,7 +272,8 @@ impl Modal {
     }
 }
 
-/// Radius format (11.5.5.3): of the two centres the one that makes the arc less than half a circle, with a negative R more.
+/// Radius format (11.5.5.3): of the two centres the one that makes the arc less than half a circle, with a negative R
+/// more.
 fn radius_centre(
     words: &Words,
     plane: &ArcPlane,
@@ -338,8 +339,8 @@ impl Wanted {
         if self.left { height } else { -height }
     }
 
-    /// The radius does not reach the end, unless it only seems so since the chord is longer than the largest number: then a quarter of everything
-    /// tells, and exactly.
+    /// The radius does not reach the end, unless it only seems so since the chord is longer than the largest number:
+    /// then a quarter of everything tells, and exactly.
     #[cold]
     fn out_of_reach(&self, start: InPlane, end: InPlane, length: f64) -> Result<InPlane, Refusal> {
         let (start, end) = (start.times(0.25), end.times(0.25));

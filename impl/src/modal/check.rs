@@ -1,4 +1,5 @@
-//! The checks of a block's words against each other: groups, numbers of words, words that nothing uses, words that are missing.
+//! The checks of a block's words against each other: groups, numbers of words, words that nothing uses, words that
+//! are missing.
 
 use alloc::format;
 
@@ -194,7 +195,8 @@ impl Modal {
             {
                 return refuse(FaultKind::UnusedWord, "G10 L0 with axis words");
             }
-            // G43.1 and a code of group 0 may both use them: only a code of group 1 beside one of those is an error (11.4.13, 11.5.29).
+            // G43.1 and a code of group 0 may both use them: only a code of group 1 beside one of those is an error
+            // (11.4.13, 11.5.29).
             (_, None | Some(800 | 53)) => block.motion = explicit,
             _ => return refuse(FaultKind::AxisWords, "axis words that two codes use"),
         }

@@ -6,7 +6,8 @@ use crate::error::Error;
 
 macro_rules! choices {
     ($($(#[$about:meta])* $name:ident: $id:literal, $first:literal, $second:literal;)*) => {
-        /// A field for each choice of two options: whether the second one applies. A choice that is not listed has its first.
+        /// A field for each choice of two options: whether the second one applies. A choice that is not listed has
+        /// its first.
         #[derive(Clone, Debug)]
         pub(crate) struct Choices {
             $($(#[$about])* pub(crate) $name: bool,)*

@@ -302,7 +302,8 @@ impl Modal {
         feed.map_or(Ok(()), |feed| self.set_feed(feed))
     }
 
-    /// A move under inverse time has its F in its block (11.5.59). Which mode is in force M72 of the same block may have decided.
+    /// A move under inverse time has its F in its block (11.5.59). Which mode is in force M72 of the same block may
+    /// have decided.
     pub(super) fn check_inverse_time(&self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
         // Where a motion code alone sets the mode and moves nothing, there is no move that F would time.
         let moves = block.axes_move || self.choices.move_in_place;
@@ -333,7 +334,8 @@ impl Modal {
         Ok(())
     }
 
-    /// Performs a move that has been made up to here in thought; where it is broken off the point is where the move began.
+    /// Performs a move that has been made up to here in thought; where it is broken off the point is where the move
+    /// began.
     pub(super) fn perform_move<K: Sink>(
         &mut self,
         line: u32,
@@ -372,8 +374,8 @@ impl Modal {
     }
 }
 
-/// The motion codes that take F under inverse time. 11.5.59 names G1 to G3; 11.5.24 says that a straight probe takes the specified time, and a
-/// spline is a feed move too.
+/// The motion codes that take F under inverse time. 11.5.59 names G1 to G3; 11.5.24 says that a straight probe takes
+/// the specified time, and a spline is a feed move too.
 const fn takes_inverse_time(code: u16) -> bool {
     matches!(code, 10 | 20 | 30 | 50 | 51 | 53 | 382..=385)
 }

@@ -9,7 +9,8 @@
 //! * The codes stand in one table, [`codes`]; no other file says which group a code is in or which words it takes.
 //! * A refused block leaves the modes as they were, [`undo`], unless its probe has moved and found nothing.
 //! * The sink hears of a setting when it changed, and before the next effect.
-//! * Positions are program coordinates in the active length unit; only an offset, a unit or G53 goes through machine coordinates.
+//! * Positions are program coordinates in the active length unit; only an offset, a unit or G53 goes through machine
+//!   coordinates.
 
 mod ahead;
 mod arcs;
@@ -258,8 +259,8 @@ impl Modal {
     }
 }
 
-/// The settings before the first block. A machine starts with the work coordinate system of 5220 (11.1.3.1) and with the
-/// stored offset of G92 (11.1.5.1).
+/// The settings before the first block. A machine starts with the work coordinate system of 5220 (11.1.3.1) and with
+/// the stored offset of G92 (11.1.5.1).
 fn initial_modes(machine: &Machine, choices: &Choices, numbered: &mut Numbered) -> Modes {
     let units =
         if choices.initial_machine_unit { machine.length_unit } else { LengthUnit::Millimetre };

@@ -1,6 +1,8 @@
-//! Coordinate systems (11.1): from program coordinates to those of the machine and back, and where the offsets are stored.
+//! Coordinate systems (11.1): from program coordinates to those of the machine and back, and where the offsets are
+//! stored.
 //!
-//! machine = rotation(program + G92) + G5x + tool: the offset of G52 and G92 applies in the turned system (11.1.4.1, 11.5.14).
+//! machine = rotation(program + G92) + G5x + tool: the offset of G52 and G92 applies in the turned system (11.1.4.1,
+//! 11.5.14).
 
 use gaugeblock_vocabulary::Tool;
 
@@ -60,7 +62,8 @@ impl Modes {
         machine.minus(self.tool_offset).minus(turned)
     }
 
-    /// The axes of which the coordinates change when those of `letters` do on the other side: where the system is turned, X and Y go together.
+    /// The axes of which the coordinates change when those of `letters` do on the other side: where the system is
+    /// turned, X and Y go together.
     pub(super) fn turned_letters(&self, letters: u32) -> u32 {
         let together = self.rotation.abs() > 0.0 && letters & (X | Y) != 0;
         if together { letters | X | Y } else { letters }
@@ -115,7 +118,8 @@ pub(crate) fn store_g92(numbered: &mut Numbered, offset: Coordinates) {
     set_row(numbered, G92_OFFSET, offset);
 }
 
-/// Stores what a straight probe found (11.5.24): where the probe changed, or else the programmed point, and which of both it is.
+/// Stores what a straight probe found (11.5.24): where the probe changed, or else the programmed point, and which of
+/// both it is.
 pub(crate) fn store_probe(numbered: &mut Numbered, position: Coordinates, changed: bool) {
     set_row(numbered, PROBE_RESULT, position);
     numbered.set(PROBE_SUCCESS, f64::from(u8::from(changed)));

@@ -14,7 +14,8 @@ use super::offsets;
 use super::refusal::{Refusal, refuse};
 
 impl Modal {
-    /// A straight move until the probe changes. Where it did, or else the programmed point, goes into 5061 to 5069, and into 5070 whether it did.
+    /// A straight move until the probe changes. Where it did, or else the programmed point, goes into 5061 to 5069,
+    /// and into 5070 whether it did.
     pub(super) fn probe<K: Sink>(
         &mut self,
         words: &Words,

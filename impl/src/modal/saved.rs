@@ -109,7 +109,8 @@ impl Modal {
         self.saved.leave_calls();
     }
 
-    /// The program has ended, or the next one begins: no call is open any more, and where the options say so nothing is saved either.
+    /// The program has ended, or the next one begins: no call is open any more, and where the options say so nothing
+    /// is saved either.
     pub(crate) fn end_run(&mut self) {
         self.saved.leave_calls();
         if self.choices.saved_for_one_run {

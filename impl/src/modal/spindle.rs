@@ -89,7 +89,8 @@ impl Modal {
     /// M3, M4, M5.
     pub(super) fn turn_spindle(&mut self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
         let without = if self.choices.turn_first { FIRST } else { self.all_spindles() };
-        // That -1 means all spindles is said of these codes only (11.6.5), also where S or another code stands beside them.
+        // That -1 means all spindles is said of these codes only (11.6.5), also where S or another code stands beside
+        // them.
         let all = self.choices.minus_one_all
             && block.words.dollar.is_some_and(|number| math::near_integer(number) == Some(-1));
         let which = if all { self.all_spindles() } else { self.selected(block, without)? };

@@ -1,5 +1,5 @@
-//! Where the axis words of a move lead: absolute and incremental (11.5.54), diameters (11.5.10), polar words (11.4.12), machine coordinates
-//! (11.5.33).
+//! Where the axis words of a move lead: absolute and incremental (11.5.54), diameters (11.5.10), polar words
+//! (11.4.12), machine coordinates (11.5.33).
 
 use gaugeblock_vocabulary::{Distance, FaultKind, Lathe};
 
@@ -77,8 +77,8 @@ impl Modal {
         if words.is_polar() { end.at_polar(self.position, words, incremental) } else { Ok(end) }
     }
 
-    /// G53: absolute positions whatever the distance mode says (11.1.2.1). Axes without a word stay where they are on the machine, also where
-    /// the system of the program is turned.
+    /// G53: absolute positions whatever the distance mode says (11.1.2.1). Axes without a word stay where they are on
+    /// the machine, also where the system of the program is turned.
     fn machine_target(&self, words: &Words) -> Result<Coordinates, Refusal> {
         let machine = self.in_force.now().machine_of(self.position);
         let adds = planted(Fault::MachineIncremental)
@@ -105,7 +105,8 @@ impl Modal {
 }
 
 impl Coordinates {
-    /// With X and Y of the polar words (11.4.12). In incremental mode distance and angle are added to those of the point.
+    /// With X and Y of the polar words (11.4.12). In incremental mode distance and angle are added to those of the
+    /// point.
     pub(super) fn at_polar(
         mut self,
         from: Self,

@@ -25,7 +25,8 @@ impl Modal {
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
     }
 
-    /// G33.1: there at K per revolution and back, where the move ends. I says how fast back, which the effect does not show.
+    /// G33.1: there at K per revolution and back, where the move ends. I says how fast back, which the effect does
+    /// not show.
     pub(super) fn tap_rigidly<K: Sink>(
         &mut self,
         block: &Block<'_>,
@@ -73,7 +74,8 @@ impl Modal {
         Ok(spindle.trailing_zeros())
     }
 
-    /// The move must not be faster than an axis is, by the speed that S says (11.5.22, 11.5.23). Under constant surface speed that is not known.
+    /// The move must not be faster than an axis is, by the speed that S says (11.5.22, 11.5.23). Under constant
+    /// surface speed that is not known.
     fn check_velocity(&self, end: Coordinates, pitch: f64, spindle: u32) -> Result<(), Refusal> {
         let now = self.in_force.now();
         let Some(spindle) = usize::try_from(spindle).ok().and_then(|at| now.spindles.get(at))

@@ -32,7 +32,8 @@ impl Modal {
         self.tools.iter().find(|tool| number_of(tool) == number)
     }
 
-    /// The tool in the spindle, when the tool table holds it. 11.5.28: number 0 is none, except where tools change places.
+    /// The tool in the spindle, when the tool table holds it. 11.5.28: number 0 is none, except where tools change
+    /// places.
     fn loaded(&self) -> Option<&Tool> {
         let none = self.tool == 0 && !self.random_tool_changer;
         self.tool_numbered(self.tool).filter(|_| !none)

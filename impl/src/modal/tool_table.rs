@@ -110,7 +110,8 @@ impl Modal {
         Ok(tool)
     }
 
-    /// The offsets under which L10 and L11 measure, with the entry as it is: those in force, or those of G59.3 without that of G92.
+    /// The offsets under which L10 and L11 measure, with the entry as it is: those in force, or those of G59.3
+    /// without that of G92.
     fn measuring_frame(&self, kind: i32, table: Coordinates, numbered: &Numbered) -> Modes {
         let conversion = self.stored_to_active();
         let now = Modes { tool_offset: table.converted(conversion), ..*self.in_force.now() };

@@ -1,5 +1,5 @@
-//! A refused block changes nothing: what it had changed until it was refused is taken back. Only one whose probe finds nothing has been executed so
-//! far.
+//! A refused block changes nothing: what it had changed until it was refused is taken back. Only one whose probe
+//! finds nothing has been executed so far.
 //!
 //! What the sink was told and did stays told and done; a caller that records looks at whole blocks.
 
@@ -11,7 +11,8 @@ use super::Modal;
 use super::coordinates::Coordinates;
 use super::cycles::Series;
 
-/// The state before a block, as far as it is small. Settings, tools, saved states and parameters are noted when they change.
+/// The state before a block, as far as it is small. Settings, tools, saved states and parameters are noted when they
+/// change.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Before {
     motion: Motion,

@@ -1,6 +1,8 @@
 //! Selecting: planes, units, distance modes, feed modes, return modes, path control, diameter mode.
 
-use gaugeblock_vocabulary::{Distance, FaultKind, FeedMode, Lathe, LengthUnit, Path, Plane, Retract};
+use gaugeblock_vocabulary::{
+    Distance, FaultKind, FeedMode, Lathe, LengthUnit, Path, Plane, Retract,
+};
 
 use crate::faults::{Fault, planted};
 use crate::words::Words;

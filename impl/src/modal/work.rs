@@ -1,4 +1,5 @@
-//! Work coordinate systems and offsets: G54 to G59.3, G10 L2 and L20, G52, G92 (11.1, 11.5.14, 11.5.17, 11.5.32, 11.5.34, 11.5.56).
+//! Work coordinate systems and offsets: G54 to G59.3, G10 L2 and L20, G52, G92 (11.1, 11.5.14, 11.5.17, 11.5.32,
+//! 11.5.34, 11.5.56).
 
 use alloc::format;
 

@@ -11,7 +11,8 @@ use crate::modal::Coordinates;
 /// By how much the distances of both ends from the centre may differ.
 const TOLERANCE: f64 = 0.01;
 
-/// By which part of it a radius may be shorter than half the way between the ends: half a circle does not hang on the last bit.
+/// By which part of it a radius may be shorter than half the way between the ends: half a circle does not hang on the
+/// last bit.
 const CHORD_TOLERANCE: f64 = 1e-9;
 
 /// A point in the selected plane: along the first and the second axis.

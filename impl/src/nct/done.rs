@@ -29,8 +29,8 @@ impl<'a> MacroStep<'a> {
         self.variables.changes()
     }
 
-    /// The modal call that was commanded or cancelled: its depth from 0, and the number of its program; 0 where it was cancelled, or where no
-    /// program can have the number.
+    /// The modal call that was commanded or cancelled: its depth from 0, and the number of its program; 0 where it
+    /// was cancelled, or where no program can have the number.
     pub fn modal_call(&self) -> Option<(u32, u32)> {
         self.told.modal_call
     }
@@ -40,7 +40,8 @@ impl<'a> MacroStep<'a> {
         self.told.motion
     }
 
-    /// The controlled point in program coordinates and the active length unit, where it is another one, and after the first step.
+    /// The controlled point in program coordinates and the active length unit, where it is another one, and after the
+    /// first step.
     pub fn position(&self) -> Option<Position> {
         self.told.position
     }

@@ -1,4 +1,5 @@
-//! Custom macros as on the NCT 99M and 2000M: macro calls and modal calls, macro levels, vacant variables, expressions and jumps.
+//! Custom macros as on the NCT 99M and 2000M: macro calls and modal calls, macro levels, vacant variables,
+//! expressions and jumps.
 //!
 //! ```text
 //! text       lines without blanks and comments               text
@@ -10,12 +11,13 @@
 //! Sink       settings, effects, and a look at each step when it is done     done
 //! ```
 //!
-//! The whole text is compiled before the first step: a jump goes to a place, and a word finds its variable without looking at text. What is wrong
-//! with a block is kept with it, and refuses it when it is reached.
+//! The whole text is compiled before the first step: a jump goes to a place, and a word finds its variable without
+//! looking at text. What is wrong with a block is kept with it, and refuses it when it is reached.
 //!
-//! **Invariants.** A step is one block, or the modal call behind one; its time is bounded by the text of its line, and that of a call by the
-//! number of variables. A sink hears of a block when nothing can refuse it any more. In steady state nothing is allocated. Memory is bounded by the
-//! text, and by the modal calls that are in force, of which a step commands one at most.
+//! **Invariants.** A step is one block, or the modal call behind one; its time is bounded by the text of its line,
+//! and that of a call by the number of variables. A sink hears of a block when nothing can refuse it any more. In
+//! steady state nothing is allocated. Memory is bounded by the text, and by the modal calls that are in force, of
+//! which a step commands one at most.
 
 mod arcs;
 mod calculate;
@@ -87,8 +89,8 @@ pub struct CustomMacros {
 }
 
 impl CustomMacros {
-    /// Compiles a text of programs, of which the first one is to be run, on a machine with these axes. With `block_delete`, blocks that begin with
-    /// a slash are skipped.
+    /// Compiles a text of programs, of which the first one is to be run, on a machine with these axes. With
+    /// `block_delete`, blocks that begin with a slash are skipped.
     ///
     /// # Errors
     /// [`Error::Configuration`] for an option that there is not.
@@ -108,7 +110,8 @@ impl CustomMacros {
         self.runner.modes.settings()
     }
 
-    /// Whether the program in progress has a block left, or a call behind one. Where it has none, or the run is over, the next step says how it ends.
+    /// Whether the program in progress has a block left, or a call behind one. Where it has none, or the run is over,
+    /// the next step says how it ends.
     pub fn has_next(&mut self) -> bool {
         self.over.is_none() && self.runner.has_next()
     }
@@ -116,8 +119,9 @@ impl CustomMacros {
     /// Makes the next step and tells the sink what it does. What the sink answers to effects changes nothing.
     ///
     /// # Errors
-    /// How the run has ended, and again whenever it is asked. After [`End::ProgramEnd`] and [`End::Endless`] the sink has been told of the last
-    /// step; a block that is refused, open or unsupported is none, and the sink has heard nothing of it.
+    /// How the run has ended, and again whenever it is asked. After [`End::ProgramEnd`] and [`End::Endless`] the sink
+    /// has been told of the last step; a block that is refused, open or unsupported is none, and the sink has heard
+    /// nothing of it.
     pub fn step<S: Sink>(&mut self, sink: &mut S) -> Result<(), Box<End>> {
         if let Some(end) = &self.over {
             return Err(end.clone());

@@ -142,7 +142,8 @@ impl Runner {
         block.and_then(|block| self.code.blocks.get(block)).map_or(0, |block| block.line)
     }
 
-    /// Goes on to the next block, past those that are skipped; the line at which the program has no end where there is none.
+    /// Goes on to the next block, past those that are skipped; the line at which the program has no end where there
+    /// is none.
     fn next_block(&mut self) -> Result<(u32, Kind), u32> {
         let program = self.frame().program;
         let Some(program) = self.code.programs.get(program).copied() else { return Err(1) };

@@ -1,4 +1,5 @@
-//! What the executor itself decides: ends of hostile programs in bounded memory, what a sink hears, and that no text makes it panic.
+//! What the executor itself decides: ends of hostile programs in bounded memory, what a sink hears, and that no text
+//! makes it panic.
 
 extern crate std;
 
@@ -179,7 +180,8 @@ fn calls_within_calls_have_an_end() {
 
 #[test]
 fn a_jump_takes_no_longer_in_a_long_program() {
-    // Loops within loops, none of which is entered, and a jump past all of them, 100,000 times: a search would take minutes.
+    // Loops within loops, none of which is entered, and a jump past all of them, 100,000 times: a search would take
+    // minutes.
     let mut text = String::from("O1\nN1 GOTO2\n");
     for number in 10..30_000 {
         text.push_str(&alloc::format!("N{number} WHILE [1 EQ 2] DO{}\n", number % 3 + 1));

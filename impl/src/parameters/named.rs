@@ -84,8 +84,9 @@ pub(crate) struct ScopeMark {
 
 /// Values of the named parameters.
 ///
-/// A name has one slot. A call opens a new scope, under which no slot of another scope is seen; what a scope overwrites is kept aside and
-/// put back at its end. Reading is one comparison, and a call that sets nothing costs nothing.
+/// A name has one slot. A call opens a new scope, under which no slot of another scope is seen; what a scope
+/// overwrites is kept aside and put back at its end. Reading is one comparison, and a call that sets nothing costs
+/// nothing.
 #[derive(Clone, Debug)]
 pub(crate) struct Named {
     slots: Vec<Slot>,
@@ -148,7 +149,8 @@ impl Named {
         before
     }
 
-    /// Makes a parameter what it was. One that its level hid stays noted as hidden, which restores it to the same once more.
+    /// Makes a parameter what it was. One that its level hid stays noted as hidden, which restores it to the same
+    /// once more.
     #[inline]
     pub(crate) fn put_back(&mut self, id: NameId, before: Slot) -> Slot {
         match usize::try_from(id).ok().and_then(|id| self.slots.get_mut(id)) {

@@ -64,8 +64,8 @@ impl Names {
         self.add(name, place)
     }
 
-    /// The number of a known name that stands at the beginning of a text, and its length with the bracket behind it. None where the name
-    /// is longer than seven characters, new, or not written as it is known.
+    /// The number of a known name that stands at the beginning of a text, and its length with the bracket behind it.
+    /// None where the name is longer than seven characters, new, or not written as it is known.
     #[inline(always)]
     pub(crate) fn find_short(&self, text: &[u8]) -> Option<(NameId, usize)> {
         const ONES: u64 = 0x0101_0101_0101_0101;

@@ -160,7 +160,8 @@ impl Numbered {
     }
 }
 
-/// Whether a parameter is stored while the machine is off. All others are volatile, and begin as if nothing were stored (11.4.3).
+/// Whether a parameter is stored while the machine is off. All others are volatile, and begin as if nothing were
+/// stored (11.4.3).
 pub(crate) fn is_stored(number: u32) -> bool {
     USER.contains(&number) || PERSISTENT.contains(&number)
 }

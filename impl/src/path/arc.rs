@@ -6,8 +6,8 @@ use crate::math;
 use crate::plan::{Axes, Path};
 
 impl Frame {
-    /// The arc from where the point is, machine coordinates, to a point of the program about a centre in the selected plane. Turns are positive
-    /// counterclockwise; an arc that ends where it begins goes once around for each.
+    /// The arc from where the point is, machine coordinates, to a point of the program about a centre in the selected
+    /// plane. Turns are positive counterclockwise; an arc that ends where it begins goes once around for each.
     pub(super) fn arc(&self, at: &Axes, end: Axes, centre: (f64, f64), turns: i32) -> Path {
         let [x, y, z, ..] = end;
         let (first, second) = centre;
@@ -31,8 +31,8 @@ impl Frame {
     }
 }
 
-/// Radians from one point of a plane to another about the origin: counterclockwise where the turns are positive, and a whole turn more for each
-/// above one.
+/// Radians from one point of a plane to another about the origin: counterclockwise where the turns are positive, and
+/// a whole turn more for each above one.
 fn angle(from: (f64, f64), to: (f64, f64), turns: i32) -> f64 {
     const TURN: f64 = core::f64::consts::TAU;
     let whole = TURN * f64::from(turns.unsigned_abs().saturating_sub(1));

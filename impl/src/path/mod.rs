@@ -5,8 +5,9 @@
 //! Sink::perform ─► Resolver ─► Asked           a segment to plan, an output to switch, or something that waits for rest
 //! ```
 //!
-//! Effects carry program coordinates in the active length unit. A planner takes machine coordinates: millimetres for X Y Z U V W, degrees for
-//! A B C. In between stand the offsets, the rotation, the units, the plane, and what F means.
+//! Effects carry program coordinates in the active length unit. A planner takes machine coordinates: millimetres for
+//! X Y Z U V W, degrees for A B C. In between stand the offsets, the rotation, the units, the plane, and what F
+//! means.
 //!
 //! **Invariant:** nothing here looks ahead. An effect becomes what it asks by what is in force when it comes.
 
@@ -23,7 +24,8 @@ use crate::plan::{Axes, Blend, Feed, OutputSwitch, Path, Segment};
 
 use frame::Frame;
 
-/// Axes that move less than this do not move, millimetres or degrees: offsets that are added and taken away again leave as much.
+/// Axes that move less than this do not move, millimetres or degrees: offsets that are added and taken away again
+/// leave as much.
 const NO_WAY: f64 = 1e-9;
 
 /// What an effect asks of whoever plans motion.
@@ -37,7 +39,8 @@ pub enum Asked {
     Rest,
     /// Nothing; motion goes on as if the effect were not there.
     Nothing,
-    /// A motion of which the effect does not tell the path (G5 to G5.3), or which follows a spindle there and back (G33.1, G84).
+    /// A motion of which the effect does not tell the path (G5 to G5.3), or which follows a spindle there and back
+    /// (G33.1, G84).
     Unplanned,
 }
 
@@ -78,8 +81,8 @@ pub struct Resolver {
 }
 
 impl Resolver {
-    /// Nothing in force but what holds when a controller is switched on: millimetres, XY, G94 without a rate, G64 without P, no offset. The
-    /// controlled point stands at `at`, machine coordinates.
+    /// Nothing in force but what holds when a controller is switched on: millimetres, XY, G94 without a rate, G64
+    /// without P, no offset. The controlled point stands at `at`, machine coordinates.
     pub fn new(at: Axes) -> Self {
         Self {
             frame: Frame::default(),
@@ -208,7 +211,8 @@ impl Resolver {
         self.feed_along(ways.iter().any(|way| way.abs() > NO_WAY))
     }
 
-    /// What F means for a move (2.5.2.5, 11.5.59): a length of X Y Z where one of them moves, else of U V W, else degrees, which no unit changes.
+    /// What F means for a move (2.5.2.5, 11.5.59): a length of X Y Z where one of them moves, else of U V W, else
+    /// degrees, which no unit changes.
     fn feed_along(&self, is_linear: bool) -> Feed {
         let along = |rate: f64| if is_linear { self.frame.millimetres(rate) } else { rate };
         if let Some(pitch) = self.pitch {

@@ -85,7 +85,8 @@ fn a_thread_follows_the_spindle_until_it_ends() {
     assert_eq!(back.feed, Feed::PerSecond(1.0));
 }
 
-/// An arc from the origin: plane, end, centre along the first and the second axis, turns; its centre, the axis of its normal, its angle.
+/// An arc from the origin: plane, end, centre along the first and the second axis, turns; its centre, the axis of its
+/// normal, its angle.
 struct Bend(Plane, [f64; 3], [f64; 2], i32, [f64; 3], usize, f64);
 
 #[test]

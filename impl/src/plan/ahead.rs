@@ -1,7 +1,8 @@
 //! Look-ahead: keeps `reach` of all queued pieces true, and raises it when more is queued.
 //!
-//! What is stored may be lower than it could be, never higher. So a lower value must reach all pieces that rely on it at
-//! once ([`Ahead::settle`]), and a higher one may run back through the queue a few pieces at a time ([`Ahead::work`]).
+//! What is stored may be lower than it could be, never higher. So a lower value must reach all pieces that rely on it
+//! at once ([`Ahead::settle`]), and a higher one may run back through the queue a few pieces at a time
+//! ([`Ahead::work`]).
 
 use super::limits::{Limits, squared};
 use super::piece::{Law, Piece};
@@ -13,11 +14,13 @@ use crate::math;
 /// Pieces before the one in execution that a change of override is planned for; and how near unplanned ones may come.
 const HORIZON: u64 = 256;
 const WHOLE: u64 = 2 * HORIZON;
-/// How many pieces next to the motion are planned for another scale first; then always so many times as many, up to two horizons.
+/// How many pieces next to the motion are planned for another scale first; then always so many times as many, up to
+/// two horizons.
 const GROWS: u64 = 4;
 /// So many are planned for a scale before another one may take its place.
 const FAR: u64 = 64;
-/// By so much the square of a speed may grow at most where axes do not let the motion slow down: many times of what it does.
+/// By so much the square of a speed may grow at most where axes do not let the motion slow down: many times of what
+/// it does.
 const FASTER: f64 = 2.0;
 /// How near the motion may come to pieces that could be raised, beyond what it takes to stop.
 const MARGIN: u64 = 32;
@@ -40,7 +43,8 @@ const UNBOUND: Scale = Scale { feed: f64::INFINITY, rapid: 1.0, turns: f64::INFI
 pub(super) struct Ahead {
     /// What is planned for from now on.
     pub(super) scale: Scale,
-    /// What pieces may still be planned for, while they are planned for another scale: at first those next to the motion, then from `stale` on.
+    /// What pieces may still be planned for, while they are planned for another scale: at first those next to the
+    /// motion, then from `stale` on.
     before: Option<Scale>,
     /// By how much the squares of speeds are less that are allowed where those begin.
     eased: f64,
@@ -86,8 +90,9 @@ impl Ahead {
         }
     }
 
-    /// Computes the pieces from `changed` on, and lowers those before them that relied on more, those behind the motion, too, which may
-    /// run back. Gives back the first piece that is another now. A lower value runs back through as many pieces as it takes to stop, at most.
+    /// Computes the pieces from `changed` on, and lowers those before them that relied on more, those behind the
+    /// motion, too, which may run back. Gives back the first piece that is another now. A lower value runs back
+    /// through as many pieces as it takes to stop, at most.
     pub(super) fn settle(
         &mut self,
         ring: &mut Ring<Piece>,
@@ -145,8 +150,9 @@ impl Ahead {
         first
     }
 
-    /// How fast a piece may be entered that the motion has passed, whatever it is planned for: as the axes allow it. And what is planned for one
-    /// that lies before the motion while some are still planned for another scale: where these begin, the one after it may be entered eased.
+    /// How fast a piece may be entered that the motion has passed, whatever it is planned for: as the axes allow it.
+    /// And what is planned for one that lies before the motion while some are still planned for another scale: where
+    /// these begin, the one after it may be entered eased.
     #[cold]
     #[inline(never)]
     fn beside(
@@ -169,7 +175,8 @@ impl Ahead {
         computed(piece, *next, scale, limits)
     }
 
-    /// A wave has come to its end while some pieces are planned for another scale: what it has planned is known where it joins what was.
+    /// A wave has come to its end while some pieces are planned for another scale: what it has planned is known where
+    /// it joins what was.
     #[cold]
     #[inline(never)]
     fn planned_to(&mut self, wave: &Wave, at: u64) {
@@ -182,7 +189,8 @@ impl Ahead {
         }
     }
 
-    /// Raises pieces for so much work. With `eager` it begins as soon as there is something to raise, otherwise when it is worth it.
+    /// Raises pieces for so much work. With `eager` it begins as soon as there is something to raise, otherwise when
+    /// it is worth it.
     pub(super) fn work(
         &mut self,
         ring: &mut Ring<Piece>,
@@ -335,12 +343,14 @@ impl Ahead {
         self.take_up(ring, at);
     }
 
-    /// Whether another scale may be planned for: so much is planned for this one that it does not happen in each cycle, or nothing is left to do.
+    /// Whether another scale may be planned for: so much is planned for this one that it does not happen in each
+    /// cycle, or nothing is left to do.
     pub(super) fn is_far(&self, at: u64) -> bool {
         self.span >= FAR || !self.pressing(at)
     }
 
-    /// Takes up pieces that are planned for another scale when the motion comes near: a few at first, so that it need not wait for many.
+    /// Takes up pieces that are planned for another scale when the motion comes near: a few at first, so that it need
+    /// not wait for many.
     pub(super) fn refresh(&mut self, ring: &Ring<Piece>, at: u64) {
         if !(self.stale > at.saturating_add(HORIZON) || self.span < WHOLE && self.pressing(at)) {
             self.take_up(ring, at);
@@ -371,7 +381,8 @@ fn computed(piece: &Piece, next: f64, scale: Scale, limits: &Limits) -> f64 {
     forward(piece, next / squared(piece.exit), caps(piece, scale), limits)
 }
 
-/// Whether the axes allow the motion, as fast as it is, to keep to a path that is changed from a piece on, whatever is planned for it.
+/// Whether the axes allow the motion, as fast as it is, to keep to a path that is changed from a piece on, whatever
+/// is planned for it.
 #[cold]
 #[inline(never)]
 pub(super) fn allowed(ring: &Ring<Piece>, motion: &Motion, changed: u64, limits: &Limits) -> bool {

@@ -1,7 +1,8 @@
 //! A cycle of motion on a bend, where each axis is looked at by itself.
 //!
-//! An acceleration that is kept up to the end of a bend is within the limits of an axis everywhere if it is so at both ends. A motion may do
-//! what it likes as long as after each cycle there is such an acceleration that leads to what the next piece allows.
+//! An acceleration that is kept up to the end of a bend is within the limits of an axis everywhere if it is so at
+//! both ends. A motion may do what it likes as long as after each cycle there is such an acceleration that leads to
+//! what the next piece allows.
 
 use super::limits::{Limits, PLANNED, squared};
 use super::piece::{Law, Piece};
@@ -34,7 +35,8 @@ impl Motion {
             let ceiling = if self.backwards { piece.ceiling } else { piece.last_ceiling };
             let eased = End { exit: math::lesser(wish.ease * exit, ceiling), ..end };
             let met = (eased.exit - squared(self.speed)) / (2.0 * remaining);
-            // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of override that is too late.
+            // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of
+            // override that is too late.
             let eases = wish.rapid < 1.0;
             let fastest =
                 if eases { self.fastest_within(piece, remaining, left) } else { piece.fastest };
@@ -56,7 +58,8 @@ impl Motion {
         self.go(piece, math::greater(most, least), end, left)
     }
 
-    /// What is easily told of an acceleration: that it can be kept up to the end of a bend, or that more leads to one that can.
+    /// What is easily told of an acceleration: that it can be kept up to the end of a bend, or that more leads to one
+    /// that can.
     #[inline]
     pub(super) fn kept_or_quicker<const N: usize>(
         &mut self,
@@ -74,7 +77,8 @@ impl Motion {
         Some(even)
     }
 
-    /// An acceleration that can be kept up to the end of a bend, where it is easily told: what is asked for, or less of it.
+    /// An acceleration that can be kept up to the end of a bend, where it is easily told: what is asked for, or less
+    /// of it.
     #[inline]
     pub(super) fn kept_up<const N: usize>(
         &self,
@@ -93,7 +97,8 @@ impl Motion {
         self.allows::<N>(piece, remaining, asked, limits).then_some(asked)
     }
 
-    /// An acceleration that can be kept up to the end of a bend, where what is asked for is little; none where it is less than the least that could be.
+    /// An acceleration that can be kept up to the end of a bend, where what is asked for is little; none where it is
+    /// less than the least that could be.
     #[inline]
     pub(super) fn barely<const N: usize>(
         &self,
@@ -109,8 +114,8 @@ impl Motion {
         Some(math::lesser(asked, math::greater(high, low)))
     }
 
-    /// The least acceleration that all axes allow within this cycle. That may be more than can be kept up to the end of the piece, and the more,
-    /// the less far it leads.
+    /// The least acceleration that all axes allow within this cycle. That may be more than can be kept up to the end
+    /// of the piece, and the more, the less far it leads.
     #[inline(never)]
     fn least_now<const N: usize>(
         &self,
@@ -150,15 +155,16 @@ impl Motion {
         math::lesser(self.fastest(piece, 0.0), self.fastest(piece, near))
     }
 
-    /// Whether the motion is so much slower than a bend may be passed evenly that it is worth to be faster: mostly it is not.
+    /// Whether the motion is so much slower than a bend may be passed evenly that it is worth to be faster: mostly it
+    /// is not.
     #[inline]
     fn is_slow(&self, piece: &Piece) -> bool {
         let Law::Bent { even: most } = piece.law else { return false };
         most - squared(self.speed) > WORTH * most
     }
 
-    /// On a bend that lasts for some cycles, more than the acceleration that can be kept up to its end: as much as is asked for, if another one can
-    /// be kept up then.
+    /// On a bend that lasts for some cycles, more than the acceleration that can be kept up to its end: as much as is
+    /// asked for, if another one can be kept up then.
     #[inline(never)]
     fn quicker<const N: usize>(
         &mut self,
@@ -313,8 +319,8 @@ impl Motion {
         greatest.into_iter().fold(f64::INFINITY, math::lesser)
     }
 
-    /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is planned
-    /// with, so that a speed that rounding has made too high comes down again.
+    /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is
+    /// planned with, so that a speed that rounding has made too high comes down again.
     pub(super) fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
         let (y, thrice) = (squared(self.speed), 3.0 * ahead);
         let sense = if self.backwards { -1.0 } else { 1.0 };

@@ -10,8 +10,8 @@ use crate::math;
 const BRAKED: u32 = 4;
 
 impl Motion {
-    /// The least acceleration that all axes allow on an arc in this cycle. Its law has one limit for all directions, which is less than the
-    /// axes can do in most of them; who holds the motion, or slows it down, wants all of it.
+    /// The least acceleration that all axes allow on an arc in this cycle. Its law has one limit for all directions,
+    /// which is less than the axes can do in most of them; who holds the motion, or slows it down, wants all of it.
     ///
     /// It is found once in a cycle: where the motion stays for half of it, or up to its end.
     pub(super) fn hardest(&mut self, piece: &Piece, limits: &Limits, left: f64) -> f64 {

@@ -15,22 +15,24 @@ const HALVINGS: u32 = 12;
 const ROUND_KINK: f64 = 0.075;
 /// The share of the acceleration that a blend may cost where it has the length to choose.
 const COST: f64 = 0.05;
-/// How fast a spindle is taken to turn where that decides how long a blend with a rapid move is: in turns per second. It is not known when the
-/// blend is made, and may be four times as fast until the blend costs something.
+/// How fast a spindle is taken to turn where that decides how long a blend with a rapid move is: in turns per second.
+/// It is not known when the blend is made, and may be four times as fast until the blend costs something.
 const TURNS: f64 = 10.0;
 /// The angle of an arc that is bent for a corner at most, radians: its acceleration is bounded over the whole of that.
 const ROUND: f64 = 0.1;
 /// How much of a tolerance is used: rounding has the rest.
 const KEPT: f64 = 1.0 - 1e-9;
-/// A blend that turns by less, radians, and is longer than an axis moves in so many cycles from rest, may be worth to speed up and slow down in.
+/// A blend that turns by less, radians, and is longer than an axis moves in so many cycles from rest, may be worth to
+/// speed up and slow down in.
 const FLAT: f64 = 0.2;
 const WORTH: f64 = 4.0;
 /// How much less the square of a speed is than another one at least, where that decides how long a blend is.
 const UNEQUAL_FEED: f64 = 0.9;
 /// For how many cycles a leg lasts at least for that, at its own speed or the other one's.
 const LASTING: f64 = 0.25;
-/// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much where a feed limits it, but
-/// chords whose ends are rounded are never quite equal, and what remains of them would crowd a cycle with pieces that are next to nothing.
+/// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much
+/// where a feed limits it, but chords whose ends are rounded are never quite equal, and what remains of them would
+/// crowd a cycle with pieces that are next to nothing.
 const UNEQUAL: f64 = 1.02;
 
 /// What may be done at a corner, before the lengths of its legs are shared out.
@@ -107,7 +109,8 @@ impl Corner {
             _ => fastest,
         };
         let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, axes));
-        // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them and other corners.
+        // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them
+        // and other corners.
         let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
         let enough = if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough };
         let most = (4.0 * KEPT * tolerance / break_).min(enough);
@@ -118,16 +121,17 @@ impl Corner {
 
 /// A corner of an exact path that is passed without rest.
 ///
-/// An exact path is one whose every commanded point lies on it, and points are commanded once in a cycle. Between two of them the
-/// velocity may jump at a corner, if it could have changed by as much in the time. What an axis is seen to accelerate is a mean over
-/// two cycles, in which the middle counts most (a triangle of height 1/h): so a jump J counts at most as J/h there.
+/// An exact path is one whose every commanded point lies on it, and points are commanded once in a cycle. Between two
+/// of them the velocity may jump at a corner, if it could have changed by as much in the time. What an axis is seen
+/// to accelerate is a mean over two cycles, in which the middle counts most (a triangle of height 1/h): so a jump J
+/// counts at most as J/h there.
 ///
 /// Let jumps be spread evenly over times of T about their corners, which do not overlap: T is a cycle h at most, and
-/// no longer than the way to the next corner. Then such a spread jump counts as much as the jump itself, but for the one that holds the
-/// middle: J/h against J/h·(1 - T/4h). If J ≤ c·T, that is c/4·T/h too little, and leaving another c/3 within T makes up for it,
-/// since T·(1 - T/4h)/3 ≥ T/4. So an axis that can do a keeps its limit if along the path it is given a - 4c/3 within T.
-/// With c ≤ a/2 a corner between two samples is missed by their chord no farther than by a motion that accelerates evenly: by
-/// J·h/4 ≤ a·h²/8.
+/// no longer than the way to the next corner. Then such a spread jump counts as much as the jump itself, but for the
+/// one that holds the middle: J/h against J/h·(1 - T/4h). If J ≤ c·T, that is c/4·T/h too little, and leaving another
+/// c/3 within T makes up for it, since T·(1 - T/4h)/3 ≥ T/4. So an axis that can do a keeps its limit if along the
+/// path it is given a - 4c/3 within T. With c ≤ a/2 a corner between two samples is missed by their chord no farther
+/// than by a motion that accelerates evenly: by J·h/4 ≤ a·h²/8.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Kink {
     /// The square of the speed at which it may be passed.
@@ -145,7 +149,8 @@ impl Kink {
         let jump = 0.5 * least(&limits.planned, turn, turn.len());
         let rounds = before.whole.circle.is_some() || after.whole.circle.is_some();
         let jump = if rounds { ROUND_KINK * jump } else { jump };
-        // The most that the speed rises within a cycle: the way to the next corner takes no less than length / (speed + rise).
+        // The most that the speed rises within a cycle: the way to the next corner takes no less than length / (speed
+        // + rise).
         let (one, other) = (along(before), along(after));
         let rise = one.max(other) * h;
         let length = before.whole.length.min(after.whole.length);
@@ -211,8 +216,9 @@ fn round(leg: &Leg) -> f64 {
     leg.whole.circle.map_or(f64::INFINITY, |circle| ROUND / circle.turn)
 }
 
-/// Whether a blend of two legs takes longer the longer it is, since all of it is as slow as the slower one: then it is no longer than the programmed
-/// feed needs. Where legs are short a long one saves a piece, of which too many would fit into a cycle.
+/// Whether a blend of two legs takes longer the longer it is, since all of it is as slow as the slower one: then it
+/// is no longer than the programmed feed needs. Where legs are short a long one saves a piece, of which too many
+/// would fit into a cycle.
 #[inline(never)]
 fn costs(before: &Leg, after: &Leg, limits: &Limits) -> bool {
     let (one, other) = (asked(before), asked(after));
@@ -230,8 +236,8 @@ fn asked(leg: &Leg) -> f64 {
     }
 }
 
-/// How much of each leg a blend takes, given what there is: equal lengths, or nearly so between lines. An arc's parameter may run a little
-/// slower or faster at its end than the path: then lengths are equal along the path.
+/// How much of each leg a blend takes, given what there is: equal lengths, or nearly so between lines. An arc's
+/// parameter may run a little slower or faster at its end than the path: then lengths are equal along the path.
 pub(super) fn share(most: f64, (before, after): (f64, f64), lines: bool, exit: f64) -> (f64, f64) {
     let (before, after) = (most.min(before), most.min(after));
     let short = before.min(after);
@@ -272,17 +278,17 @@ pub(super) fn parabola(
     (blend.number, blend.index) = (after.whole.number, after.whole.index);
     blend.probing = after.whole.probing;
     limits.rule(blend);
-    // On its way from one direction to the other a blend has more of what a feed is measured along than one of its legs, and no more than the
-    // other.
+    // On its way from one direction to the other a blend has more of what a feed is measured along than one of its
+    // legs, and no more than the other.
     let most = before.felt.max(after.felt);
     blend.feed *= after.felt / most;
     slower(blend, &before.whole, before.whole.feed * before.felt / most);
     blend.feed /= blend.exit.max(1.0);
 }
 
-/// Where a parabola is halved into two pieces, each with a law of its own: a long flat blend between two slow corners can speed
-/// up and slow down in it, and where speed is limited by another axis at its end than at its start both have what they allow. `None` where
-/// nothing is won, or where the halves would be over within a cycle.
+/// Where a parabola is halved into two pieces, each with a law of its own: a long flat blend between two slow corners
+/// can speed up and slow down in it, and where speed is limited by another axis at its end than at its start both
+/// have what they allow. `None` where nothing is won, or where the halves would be over within a cycle.
 #[inline]
 pub(super) fn middle(blend: &Piece, limits: &Limits) -> Option<f64> {
     let Law::Bent { even } = blend.law else { return None };

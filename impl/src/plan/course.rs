@@ -1,8 +1,9 @@
 //! From segments to pieces: what a new segment does to the end of the path that is queued.
 //!
-//! A segment may go on in the last leg, where both are over within a cycle. The last two legs are open. A corner gets what it can use of its legs, at least half of each; how much the corner after it
-//! leaves is known when that one is, and the corner is then made anew. A path that has been promised to the motion
-//! is never changed so that it could not be kept to: then the corner keeps the form it has, a stop at worst.
+//! A segment may go on in the last leg, where both are over within a cycle. The last two legs are open. A corner gets
+//! what it can use of its legs, at least half of each; how much the corner after it leaves is known when that one is,
+//! and the corner is then made anew. A path that has been promised to the motion is never changed so that it could
+//! not be kept to: then the corner keeps the form it has, a stop at worst.
 
 use super::ahead::{Ahead, allowed};
 use super::corner::{Corner, bent_end, bent_start, middle, parabola, share, turn};
@@ -57,7 +58,8 @@ pub(super) struct Queue<'a> {
     pub(super) limits: &'a Limits,
     /// The first piece that has been changed, or that has been lowered for it.
     pub(super) changed: u64,
-    /// Whether the motion is still faster than it is planned, since an override has been lowered: what is planned says nothing of it then.
+    /// Whether the motion is still faster than it is planned, since an override has been lowered: what is planned
+    /// says nothing of it then.
     pub(super) late: bool,
 }
 

@@ -1,7 +1,7 @@
 //! A cycle of motion where look-ahead and axes leave more than is asked for, which is most of them.
 //!
-//! It runs forward at the overrides that look-ahead has planned for, up to a piece where that is not known to be easy, and leaves the rest of the
-//! cycle to `step`. What it does, that would do too, but for rounding.
+//! It runs forward at the overrides that look-ahead has planned for, up to a piece where that is not known to be
+//! easy, and leaves the rest of the cycle to `step`. What it does, that would do too, but for rounding.
 
 use super::limits::{Limits, squared};
 use super::piece::{Law, Pace, Piece};
@@ -142,10 +142,12 @@ impl Motion {
         }
     }
 
-    /// Whether the motion is where look-ahead has planned a bend to be run through, or slower, so that it may slow down evenly to its exit.
+    /// Whether the motion is where look-ahead has planned a bend to be run through, or slower, so that it may slow
+    /// down evenly to its exit.
     ///
-    /// The axes allow the plan: from `reach`, where the bend begins, to the exit that this relied on. And they allow to go on as fast as there, if that
-    /// is below `even`. What they allow is convex, so that all that lies between these is allowed, as long as the exit is no less than the plan's.
+    /// The axes allow the plan: from `reach`, where the bend begins, to the exit that this relied on. And they allow
+    /// to go on as fast as there, if that is below `even`. What they allow is convex, so that all that lies between
+    /// these is allowed, as long as the exit is no less than the plan's.
     #[inline]
     fn keeps_to_plan(&self, (piece, next): (&Piece, &Piece), exit: f64, even: f64) -> bool {
         let planned = exit * self.x + piece.reach * (piece.length - self.x);

@@ -8,11 +8,13 @@ use super::segment::Blend;
 use super::segment::{Feed, Path, Segment};
 use crate::math;
 
-/// A segment that is no longer leads nowhere, millimetres: what rounding leaves of one that does. The next one takes it up.
+/// A segment that is no longer leads nowhere, millimetres: what rounding leaves of one that does. The next one takes
+/// it up.
 const NOWHERE: f64 = 1e-10;
 /// The most of a tolerance that segments may be away from the one leg that is made of them: blends have the rest.
 const STRAYED: f64 = 0.25;
-/// At least so many segments of a length make a leg, since legs of unequal length are slower to go round a curve than equal ones.
+/// At least so many segments of a length make a leg, since legs of unequal length are slower to go round a curve than
+/// equal ones.
 const EVENLY: f64 = 4.0;
 /// The change of direction, radians, up to which two segments may become one leg.
 const STRAIGHT: f64 = 0.2;
@@ -101,7 +103,8 @@ pub(super) fn resolve(
 }
 
 impl Leg {
-    /// Whether the next leg may become one with this: both are lines alike that go on nearly straight and are over within a cycle.
+    /// Whether the next leg may become one with this: both are lines alike that go on nearly straight and are over
+    /// within a cycle.
     #[inline]
     pub(super) fn goes_on_in(&self, next: &Self, limits: &Limits) -> bool {
         let (one, other) = (&self.whole, &next.whole);

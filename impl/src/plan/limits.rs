@@ -12,12 +12,13 @@ pub(super) const PLANNED: f64 = 1.0 - 1e-7;
 const VELOCITY_KEPT: f64 = 1.0 - 1e-9;
 /// A break of direction as small as this is none: at 1000 mm/s and 1 ms it costs 1e-4 mm/s².
 pub(super) const SMOOTH: f64 = 1e-10;
-/// How much of an acceleration limit an arc that is bent may use across the path; the rest is kept for along it. Where it hardly
-/// bends it is mostly passed at an even speed, where it bends much the motion slows down towards its corner.
+/// How much of an acceleration limit an arc that is bent may use across the path; the rest is kept for along it.
+/// Where it hardly bends it is mostly passed at an even speed, where it bends much the motion slows down towards its
+/// corner.
 const ACROSS: f64 = 0.95;
 const ACROSS_CORNER: f64 = 0.8;
-/// How far p' and p'' of an arc are from the line between their ends, over what they swing by and the square of its angle: an eighth, and more where
-/// the radius changes.
+/// How far p' and p'' of an arc are from the line between their ends, over what they swing by and the square of its
+/// angle: an eighth, and more where the radius changes.
 const BOWED: f64 = 0.25;
 /// The change of direction from which a bend is a corner, radians.
 const CORNER: f64 = 0.1;
@@ -48,7 +49,8 @@ impl Limits {
         }
     }
 
-    /// Gives a piece its law and its ceiling. A bend without a circle is looked at exactly, all else by bounds over the piece.
+    /// Gives a piece its law and its ceiling. A bend without a circle is looked at exactly, all else by bounds over
+    /// the piece.
     pub(super) fn rule(&self, piece: &mut Piece) {
         let axes = piece.axes;
         let bends = piece.bend.iter().any(|bend| bend.abs() > 0.0);
@@ -79,9 +81,10 @@ impl Limits {
         piece.fastest = math::sqrt(piece.ceiling);
     }
 
-    /// An axis that has a share p' of the speed at one end of a bend and q at the other, and more there, is within its limit v at that end with v²/q²,
-    /// and everywhere if the square of the speed changes evenly from there to v²/q²·(3 - 2p/q) at most: its own is (p'·speed)², whose
-    /// logarithm bends downwards along the bend, so that it is greatest at that end if it does not fall towards it.
+    /// An axis that has a share p' of the speed at one end of a bend and q at the other, and more there, is within
+    /// its limit v at that end with v²/q², and everywhere if the square of the speed changes evenly from there to
+    /// v²/q²·(3 - 2p/q) at most: its own is (p'·speed)², whose logarithm bends downwards along the bend, so that it
+    /// is greatest at that end if it does not fall towards it.
     fn rule_bent<const N: usize>(&self, piece: &mut Piece) {
         let [mut starts, mut ends] = [[0.0; N]; 2];
         let axes = self.velocity.iter().zip(&piece.rate).zip(&piece.bend);
@@ -102,12 +105,14 @@ impl Limits {
         piece.fastest = math::sqrt(math::greater(piece.ceiling, piece.last_ceiling));
     }
 
-    /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may need.
+    /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may
+    /// need.
     fn rule_round(&self, piece: &mut Piece, circle: &Circle) {
         let axes = piece.axes;
         let most = greatest(piece, circle);
         let acceleration = least(&self.acceleration, &most, axes);
-        // While the speed falls along the curve that is planned, a cycle begins faster than its mean: by a share of its angle.
+        // While the speed falls along the curve that is planned, a cycle begins faster than its mean: by a share of
+        // its angle.
         let angle = math::sqrt(circle.turn * acceleration) * self.cycle;
         let planned = acceleration * math::sqrt((1.0 - angle).max(0.25));
         piece.law = Law::Round { acceleration, planned };
@@ -157,8 +162,8 @@ fn greatest(piece: &Piece, circle: &Circle) -> Axes {
     greatest
 }
 
-/// How far p' swings on X, Y and Z. Where the radius grows by g, p'·u + p''·y turns with u·(turn·grown, g) + y·turn·(2g, turn·grown) about the
-/// centre, which is no longer than √(u² + (turn·y)²) times turn·grown + √5·|g|.
+/// How far p' swings on X, Y and Z. Where the radius grows by g, p'·u + p''·y turns with u·(turn·grown, g) +
+/// y·turn·(2g, turn·grown) about the centre, which is no longer than √(u² + (turn·y)²) times turn·grown + √5·|g|.
 fn amplitudes(circle: &Circle, length: f64) -> [f64; 3] {
     const GROWING: f64 = 2.236_067_977_499_79;
     let grown = circle.grown(length).max(1.0);

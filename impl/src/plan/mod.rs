@@ -1,7 +1,7 @@
 //! The trajectory planner: canonical moves in, one servo sample out per cycle.
 //!
-//! A caller queues [`Segment`]s while the planner runs, and calls [`Planner::update`] once per servo cycle with what the
-//! outside wants now ([`InputParameter`]); it gets where the machine shall be next ([`OutputParameter`]).
+//! A caller queues [`Segment`]s while the planner runs, and calls [`Planner::update`] once per servo cycle with what
+//! the outside wants now ([`InputParameter`]); it gets where the machine shall be next ([`OutputParameter`]).
 //!
 //! ```text
 //! Segment
@@ -14,12 +14,13 @@
 //! OutputParameter
 //! ```
 //!
-//! Each stage sees the one before it through [`piece::Piece`] alone, so that another profile is another `reach` and `step`.
+//! Each stage sees the one before it through [`piece::Piece`] alone, so that another profile is another `reach` and
+//! `step`.
 //!
-//! **Invariants.** No limit of an axis is broken, whatever the feed of segments, overrides, holds or aborts. A cycle's work is
-//! bounded and allocates nothing: all memory is taken by [`Planner::new`]. When the queue runs short, the machine stops
-//! on its path. Samples depend on segments and inputs alone, and on the time of queueing only where the queue is so short that the machine
-//! could not go faster for it.
+//! **Invariants.** No limit of an axis is broken, whatever the feed of segments, overrides, holds or aborts. A
+//! cycle's work is bounded and allocates nothing: all memory is taken by [`Planner::new`]. When the queue runs short,
+//! the machine stops on its path. Samples depend on segments and inputs alone, and on the time of queueing only where
+//! the queue is so short that the machine could not go faster for it.
 
 mod ahead;
 mod bend;
@@ -61,9 +62,11 @@ const WORK_QUEUED: u32 = 24;
 const WORK_CYCLE: u32 = 4;
 /// How many pieces may be made when a segment is queued, at most.
 const MADE: u64 = 8;
-/// The slowest override, and turns of a spindle per second, that running back is planned for, and that the motion is eased to.
+/// The slowest override, and turns of a spindle per second, that running back is planned for, and that the motion is
+/// eased to.
 const SLOWEST: f64 = 0.01;
-/// How much slower or faster than planned a spindle may turn before look-ahead plans anew, and how much faster it plans then.
+/// How much slower or faster than planned a spindle may turn before look-ahead plans anew, and how much faster it
+/// plans then.
 const WAVERING: f64 = 0.02;
 
 /// What the machine can do, and how the planner is built.
@@ -73,7 +76,8 @@ pub struct Dynamics {
     pub velocity: Axes,
     /// Highest acceleration per axis, millimetres or degrees per second squared.
     pub acceleration: Axes,
-    /// Highest jerk per axis, millimetres or degrees per second cubed; `None` for profiles that are not limited in jerk.
+    /// Highest jerk per axis, millimetres or degrees per second cubed; `None` for profiles that are not limited in
+    /// jerk.
     pub jerk: Option<Axes>,
     /// Servo cycle, seconds.
     pub cycle: f64,
@@ -211,15 +215,15 @@ impl Planner {
         Ok(())
     }
 
-    /// Keeps the next segment from becoming one with those before it, which short ones may within their tolerance: for instance where
-    /// other overrides act on it.
+    /// Keeps the next segment from becoming one with those before it, which short ones may within their tolerance:
+    /// for instance where other overrides act on it.
     pub fn keep_apart(&mut self) {
         self.apart = true;
     }
 
-    /// Lets an output switch when the next segment that is not queued yet begins: in the cycle in which the commanded point passes the
-    /// start of the segment, or on a blend its middle. A segment that moves nothing begins with the one after it, or where the path ends.
-    /// Without such a segment it never switches.
+    /// Lets an output switch when the next segment that is not queued yet begins: in the cycle in which the commanded
+    /// point passes the start of the segment, or on a blend its middle. A segment that moves nothing begins with the
+    /// one after it, or where the path ends. Without such a segment it never switches.
     ///
     /// # Errors
     /// As many wait as the queue holds segments.
@@ -266,7 +270,8 @@ impl Planner {
         &self.dynamics
     }
 
-    /// Finds the last piece that follows the spindle: a leg takes the corner with it, which is made with the next leg and anew with the one after.
+    /// Finds the last piece that follows the spindle: a leg takes the corner with it, which is made with the next leg
+    /// and anew with the one after.
     fn follow(&mut self) {
         let end = self.ring.end();
         let follows = |place: &u64| self.ring.get(*place).is_some_and(|p| p.pace == Pace::Turn);
@@ -384,7 +389,8 @@ impl Planner {
         }
     }
 
-    /// Turns per second to plan for: others than before where something follows the spindle, and its speed has changed by more than it wavers.
+    /// Turns per second to plan for: others than before where something follows the spindle, and its speed has
+    /// changed by more than it wavers.
     fn turns_to_plan_for(&self, turns: f64) -> f64 {
         let planned = self.ahead.scale.turns;
         let near = turns <= planned && turns >= planned * (1.0 - 2.0 * WAVERING);

@@ -78,7 +78,8 @@ pub struct OutputParameter {
     pub acceleration: Axes,
     /// What the planner is doing.
     pub phase: Phase,
-    /// Caller's number of the segment that is being executed, or was last; of several that are over within a cycle, the last one.
+    /// Caller's number of the segment that is being executed, or was last; of several that are over within a cycle,
+    /// the last one.
     pub segment: u64,
     /// Speed along the path of all nine axes, millimetres or degrees per second.
     pub speed: f64,

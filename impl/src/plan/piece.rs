@@ -1,8 +1,10 @@
 //! Pieces of the commanded path, by a parameter that runs like the distance.
 //!
-//! A piece is p(x) = origin + rate·x + bend·x²/2, and on arcs a circle about it. Its parameter x runs from 0 to `length`, and
+//! A piece is p(x) = origin + rate·x + bend·x²/2, and on arcs a circle about it. Its parameter x runs from 0 to
+//! `length`, and
 //! |p'| is 1 at its start: so the speed of x is the path's speed wherever pieces meet. Lines have no bend, blends of two
-//! lines are bends alone, and a blend with an arc is that arc with a bend added, which takes the break out of its direction.
+//! lines are bends alone, and a blend with an arc is that arc with a bend added, which takes the break out of its
+//! direction.
 
 use super::parameters::{Axes, lead};
 use super::strips::Strips;
@@ -17,8 +19,9 @@ pub(super) struct Circle {
     pub(super) sine: [f64; 3],
     /// Radians per unit of the parameter; never negative, since `sine` has the sense of the turn.
     pub(super) turn: f64,
-    /// How much the radius grows per unit of the parameter, over what it is where the piece begins: an end point that is rounded is
-    /// never quite on the circle of its start, and the distance from the axis changes evenly between them.
+    /// How much the radius grows per unit of the parameter, over what it is where the piece begins: an end point that
+    /// is rounded is never quite on the circle of its start, and the distance from the axis changes evenly between
+    /// them.
     pub(super) growth: f64,
 }
 
@@ -28,7 +31,8 @@ impl Circle {
         1.0 + self.growth * x
     }
 
-    /// Whether what lies so far ahead limits no speed here: whatever the speed there, it is planned to fall within half of that angle.
+    /// Whether what lies so far ahead limits no speed here: whatever the speed there, it is planned to fall within
+    /// half of that angle.
     pub(super) fn is_far(&self, distance: f64) -> bool {
         2.0 * self.turn * distance >= core::f64::consts::FRAC_PI_2
     }
@@ -85,8 +89,9 @@ pub(super) enum Law {
         /// What is planned with: less by what a speed that changes in steps of a cycle loses.
         planned: f64,
     },
-    /// On an arc that is bent acceleration along the path and across it share what the axes can do: |u| + less·v² ≤ most, planned with. Both are
-    /// less than what the axes can do by what a speed that changes in steps of a cycle loses: less·v times the cycle at the highest speed.
+    /// On an arc that is bent acceleration along the path and across it share what the axes can do: |u| + less·v² ≤
+    /// most, planned with. Both are less than what the axes can do by what a speed that changes in steps of a cycle
+    /// loses: less·v times the cycle at the highest speed.
     Shared {
         /// Per second squared, at rest.
         most: f64,

@@ -1,8 +1,9 @@
 //! How fast a piece may be entered so that it, and all after it, can be kept to.
 //!
-//! With the parameter accelerated by a constant u, the square of its speed y changes evenly along the piece, by 2u per
-//! unit. On a bend each axis limits both ends of that (`strips`). All that is within limits makes a convex set that holds rest, so that whatever is slower than a plan can be kept to as well:
-//! neither overrides nor holds can trap the machine. (Pham and Pham, time-optimal path parameterisation by reachability.)
+//! With the parameter accelerated by a constant u, the square of its speed y changes evenly along the piece, by 2u
+//! per unit. On a bend each axis limits both ends of that (`strips`). All that is within limits makes a convex set
+//! that holds rest, so that whatever is slower than a plan can be kept to as well: neither overrides nor holds can
+//! trap the machine. (Pham and Pham, time-optimal path parameterisation by reachability.)
 
 use super::SLOWEST;
 use super::limits::{Limits, squared};
@@ -22,7 +23,8 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// What squares of speeds that are planned for another scale are multiplied by, so that they suit this one: no more than 1.
+    /// What squares of speeds that are planned for another scale are multiplied by, so that they suit this one: no
+    /// more than 1.
     ///
     /// What an override of zero asks for is a little more, so that the motion creeps until that is planned for.
     pub(super) fn ease(self, planned: Self) -> f64 {
@@ -124,8 +126,8 @@ pub(super) fn along(law: Law, circle: &Option<Circle>, exit: f64, distance: f64)
             }
         }
         (Law::Shared { most, less }, _) => {
-            // dy/dx = -2·(most - less·y) gives an exponential. What stands here for 1 - e^-z is never more, and rises no steeper than what is
-            // left of its way to 1.
+            // dy/dx = -2·(most - less·y) gives an exponential. What stands here for 1 - e^-z is never more, and rises
+            // no steeper than what is left of its way to 1.
             let far = math::lesser(2.0 * less * distance, MOST_FAR);
             let way = if far < MOST_FAR { distance } else { MOST_FAR / (2.0 * less) };
             let share = 1.0 / (1.0 + far * (0.5 + far * (1.0 / 12.0)));

@@ -1,8 +1,9 @@
 //! How fast the path behind the motion may be run back.
 //!
-//! It is planned from a piece behind up to the motion, which may run back to the beginning of that piece and no farther. What lies near comes first,
-//! so that the motion need not wait for all; while it runs back the rest follows, in stretches that begin farther and farther behind. What earlier
-//! runs left is worth nothing, since the path may have changed.
+//! It is planned from a piece behind up to the motion, which may run back to the beginning of that piece and no
+//! farther. What lies near comes first, so that the motion need not wait for all; while it runs back the rest
+//! follows, in stretches that begin farther and farther behind. What earlier runs left is worth nothing, since the
+//! path may have changed.
 
 use super::SLOWEST;
 use super::limits::{Limits, squared};
@@ -89,7 +90,8 @@ impl Planned {
         Self { from, next: from, known }
     }
 
-    /// How fast the next piece may be entered from its end. Where that is no more than is known already, so is all up to the motion.
+    /// How fast the next piece may be entered from its end. Where that is no more than is known already, so is all up
+    /// to the motion.
     fn plan(&mut self, ring: &mut Ring<Piece>, at: u64, scale: Scale, limits: &Limits) {
         let place = self.next;
         self.next = place.saturating_add(1);

@@ -10,8 +10,8 @@ pub enum Path {
         /// End point.
         end: Axes,
     },
-    /// An arc or helix about an axis through the centre; all other axes move evenly with it. Where the end point does not lie on
-    /// the circle, the difference is spread evenly over the arc.
+    /// An arc or helix about an axis through the centre; all other axes move evenly with it. Where the end point does
+    /// not lie on the circle, the difference is spread evenly over the arc.
     Arc {
         /// End point.
         end: Axes,
@@ -40,21 +40,24 @@ pub enum Feed {
     PerSecond(f64),
     /// The whole segment in so many seconds, were it not for acceleration.
     InTime(f64),
-    /// Millimetres or degrees per turn of the spindle; feed override and adaptive feed apply. Look-ahead plans for the speed that the spindle has; where it turns slower all of a
-    /// sudden, the motion comes down to its feed as fast as the axes allow.
+    /// Millimetres or degrees per turn of the spindle; feed override and adaptive feed apply. Look-ahead plans for
+    /// the speed that the spindle has; where it turns slower all of a sudden, the motion comes down to its feed as
+    /// fast as the axes allow.
     PerTurn(f64),
 }
 
-/// What may happen at the corner after a segment. Between a line and another is a parabola, otherwise the path itself bent.
+/// What may happen at the corner after a segment. Between a line and another is a parabola, otherwise the path itself
+/// bent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Blend {
     /// G61.1: come to rest.
     #[default]
     ExactStop,
-    /// G61: keep to the path, without rest where it goes on smoothly, or so nearly that the axes can follow from one cycle to the next.
+    /// G61: keep to the path, without rest where it goes on smoothly, or so nearly that the axes can follow from one
+    /// cycle to the next.
     ExactPath,
-    /// G64 with a tolerance: leave the path by this much at most, in the length of all nine axes, millimetres. Lines of which several are over
-    /// within a cycle become one within it.
+    /// G64 with a tolerance: leave the path by this much at most, in the length of all nine axes, millimetres. Lines
+    /// of which several are over within a cycle become one within it.
     Within(f64),
     /// G64 without one: leave the path between the midpoints of the two segments.
     BetweenMidpoints,

@@ -1,7 +1,8 @@
 //! The motion itself: a cycle at a time along the pieces, never faster than look-ahead says.
 //!
-//! Within a piece and a cycle the acceleration of the parameter is constant, so that the speed has no jumps and each axis
-//! keeps its limits at every instant. Differences of samples are means of such accelerations, whatever their period.
+//! Within a piece and a cycle the acceleration of the parameter is constant, so that the speed has no jumps and each
+//! axis keeps its limits at every instant. Differences of samples are means of such accelerations, whatever their
+//! period.
 
 use super::ahead::exit;
 use super::limits::{Limits, PLANNED, squared};
@@ -20,7 +21,8 @@ pub(super) const TOUCHED: u32 = 12;
 pub(super) const BEND: u32 = 2;
 /// What costs much in a cycle is left out, or to the next one, where this much has been done.
 pub(super) const ENOUGH: u32 = 5;
-/// For how many cycles a bend must still last at the present speed where another acceleration is looked for than one that can be kept up to its end.
+/// For how many cycles a bend must still last at the present speed where another acceleration is looked for than one
+/// that can be kept up to its end.
 pub(super) const LASTING: f64 = 2.0;
 
 /// What is asked for in a cycle.
@@ -60,8 +62,8 @@ pub(super) struct Motion {
     /// The segment under way: planner's number and caller's.
     pub(super) begun: u64,
     pub(super) number: u64,
-    /// How much work this cycle has been, in parts of it on a line; one on a bend counts as two, one on an arc as three, and where all is easy each piece that is
-    /// passed as one.
+    /// How much work this cycle has been, in parts of it on a line; one on a bend counts as two, one on an arc as
+    /// three, and where all is easy each piece that is passed as one.
     pub(super) effort: u32,
     /// Whether the least acceleration on an arc has been found in it.
     pub(super) braked: bool,
@@ -69,7 +71,8 @@ pub(super) struct Motion {
     pub(super) owed: f64,
 }
 
-/// Least and greatest acceleration, and the square of the speed that look-ahead allows: `bound`, and `slope` more per unit.
+/// Least and greatest acceleration, and the square of the speed that look-ahead allows: `bound`, and `slope` more per
+/// unit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ramp {
     low: f64,
@@ -145,8 +148,8 @@ impl Motion {
         if self.backwards { self.x } else { piece.length - self.x }
     }
 
-    /// The end of the piece in the direction of motion. An override makes no more of its exit than the next piece is asked to have, where that is planned
-    /// for more.
+    /// The end of the piece in the direction of motion. An override makes no more of its exit than the next piece is
+    /// asked to have, where that is planned for more.
     #[inline]
     fn end(&self, ring: &Ring<Piece>, piece: &Piece, remaining: f64, wish: &Wish) -> End {
         if self.backwards {
@@ -166,7 +169,8 @@ impl Motion {
         End { exit, remaining, open: next.entry > 0.0 }
     }
 
-    /// The square of the speed at which a piece is left where an override asks for rest at its end when the motion can no more come to it, since `late`.
+    /// The square of the speed at which a piece is left where an override asks for rest at its end when the motion
+    /// can no more come to it, since `late`.
     #[inline]
     pub(super) fn opened(&self, piece: &Piece, end: End, late: impl Fn(f64) -> bool) -> f64 {
         let far = end.remaining * ROUNDED + 8.0 * f64::EPSILON * piece.length;
@@ -382,8 +386,8 @@ impl Motion {
         let exit = self.opened(piece, ahead, |far| y > along(piece.law, &piece.circle, 0.0, far));
         let (mut last, mut brakes) = (y + 2.0 * acceleration * remaining, 0.0);
         if exit <= 0.0 && last >= -1e-6 * y {
-            // The square of the last speed is the difference of two numbers that should be equal. Less is left of it by braking a little harder
-            // than by resting all of a sudden.
+            // The square of the last speed is the difference of two numbers that should be equal. Less is left of it
+            // by braking a little harder than by resting all of a sudden.
             last = 0.0;
             // What is left of a long piece is rounded, and so how long that takes; how long the brakes take is not.
             if acceleration < 0.0 {
@@ -414,8 +418,8 @@ impl Motion {
         left
     }
 
-    /// Comes to rest at the end of a piece with the end of a cycle, where rounding leaves a speed of it. What that would still take is less than
-    /// the place can show, but an axis that turns round needs the time.
+    /// Comes to rest at the end of a piece with the end of a cycle, where rounding leaves a speed of it. What that
+    /// would still take is less than the place can show, but an axis that turns round needs the time.
     #[cold]
     fn rest(&mut self, end: f64, left: f64) {
         let takes = -end / self.acceleration;

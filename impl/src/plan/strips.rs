@@ -1,8 +1,8 @@
 //! How fast a bend may be entered: what each axis allows of entry and exit.
 //!
-//! On a bend the acceleration of an axis is p'·u + p''·y, which runs evenly where the square of the speed y does: within limits at both ends it
-//! is within limits between. So each axis keeps the squares of the speeds at entry and exit in two strips, one for each end, and the
-//! highest entry is a linear programme in two variables.
+//! On a bend the acceleration of an axis is p'·u + p''·y, which runs evenly where the square of the speed y does:
+//! within limits at both ends it is within limits between. So each axis keeps the squares of the speeds at entry and
+//! exit in two strips, one for each end, and the highest entry is a linear programme in two variables.
 
 use super::limits::Limits;
 use super::parameters::Axes;
@@ -42,7 +42,8 @@ impl<const N: usize> Default for Strips<N> {
     }
 }
 
-/// The highest entry on a bend that leads to an exit of at most so much, and is itself no more than a cap; run forward, or back from its end.
+/// The highest entry on a bend that leads to an exit of at most so much, and is itself no more than a cap; run
+/// forward, or back from its end.
 #[inline]
 pub(super) fn highest(piece: &Piece, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
     if forward && piece.axes <= 3 {

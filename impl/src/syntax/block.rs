@@ -1,4 +1,5 @@
-//! A line becomes a block (11.4.2): block delete, line number, then words, settings of parameters and comments in any order.
+//! A line becomes a block (11.4.2): block delete, line number, then words, settings of parameters and comments in any
+//! order.
 
 use alloc::collections::BTreeMap;
 use alloc::string::String;
@@ -109,7 +110,8 @@ impl Packer {
         }
     }
 
-    /// Packs a line behind the blocks of a segment. A line that is no block is packed too: as one that is refused when it is executed.
+    /// Packs a line behind the blocks of a segment. A line that is no block is packed too: as one that is refused
+    /// when it is executed.
     #[inline]
     pub(crate) fn pack(&mut self, line: &[u8], place: LinePlace, into: &mut Segment) -> Taken {
         let mut cursor = Cursor::new(line);
@@ -193,7 +195,8 @@ impl Packer {
         Ok(())
     }
 
-    /// What of a line lies within the 256 characters that it may have (11.4.2), of which the line end may be one. One of several bytes is one.
+    /// What of a line lies within the 256 characters that it may have (11.4.2), of which the line end may be one. One
+    /// of several bytes is one.
     #[inline]
     fn within_length<'a>(&self, line: &'a [u8]) -> &'a [u8] {
         let longest = if self.choices.line_end_free { 256 } else { 255 };
@@ -205,7 +208,8 @@ impl Packer {
         line.get(..behind.map_or(line.len(), |(at, _)| at)).unwrap_or(line)
     }
 
-    /// A line that is too long is the o-word that its first characters are, or none: a search passes over a keyword that stands behind them.
+    /// A line that is too long is the o-word that its first characters are, or none: a search passes over a keyword
+    /// that stands behind them.
     #[cold]
     fn cut_off(&mut self, within: &[u8], block: &mut Block, into: &mut Segment) {
         let Kind::Control(_) = core::mem::replace(&mut block.kind, Kind::Plain) else { return };

@@ -73,7 +73,8 @@ fn after<'a>(text: &'a [u8], word: &[u8]) -> Option<&'a [u8]> {
     Some(rest)
 }
 
-/// What stands behind the blanks at the beginning: spaces and tabs are blanks (11.4.2), other control characters are not.
+/// What stands behind the blanks at the beginning: spaces and tabs are blanks (11.4.2), other control characters are
+/// not.
 fn behind_blanks(mut text: &[u8]) -> &[u8] {
     while let [b' ' | b'\t', rest @ ..] = text {
         text = rest;

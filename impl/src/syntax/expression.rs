@@ -1,6 +1,7 @@
 //! Values: numbers, parameters, expressions and functions become operations (11.4.5 to 11.4.8).
 //!
-//! Constants are folded on the way, unless that fails: a wrong constant is an error of the block, and an error waits for its execution.
+//! Constants are folded on the way, unless that fails: a wrong constant is an error of the block, and an error waits
+//! for its execution.
 
 use gaugeblock_vocabulary::FaultKind;
 

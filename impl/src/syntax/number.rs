@@ -82,7 +82,8 @@ impl Short {
     }
 }
 
-/// Up to seven digits at the beginning of a text, read at once, and how many they are. None where there may be more of them.
+/// Up to seven digits at the beginning of a text, read at once, and how many they are. None where there may be more
+/// of them.
 #[inline(always)]
 fn few_digits(text: &[u8]) -> Option<(u64, usize)> {
     const ZEROS: u64 = 0x3030_3030_3030_3030;

@@ -32,8 +32,8 @@ const KEYWORDS: [(&[u8], Keyword); 15] = [
 ];
 
 impl Packer {
-    /// An o-word and everything behind it. The label and the keyword stand in the block even where the rest is refused, so that a search
-    /// for them ends here.
+    /// An o-word and everything behind it. The label and the keyword stand in the block even where the rest is
+    /// refused, so that a search for them ends here.
     pub(crate) fn oword(
         &mut self,
         cursor: &mut Cursor<'_>,
@@ -68,7 +68,8 @@ impl Packer {
         Ok(())
     }
 
-    /// A number, a name in angle brackets, or what is computed (11.7.8): a parameter, an expression or a function of one, whose operations are emitted.
+    /// A number, a name in angle brackets, or what is computed (11.7.8): a parameter, an expression or a function of
+    /// one, whose operations are emitted.
     fn label(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<NameId> {
         let mut text = core::mem::take(&mut self.scratch);
         text.clear();
@@ -155,7 +156,8 @@ impl Packer {
         label
     }
 
-    /// The values that the keyword takes; between those of a call comments may stand, as between words (11.4.23). Whether there are any.
+    /// The values that the keyword takes; between those of a call comments may stand, as between words (11.4.23).
+    /// Whether there are any.
     fn values(
         &mut self,
         cursor: &mut Cursor<'_>,

@@ -1,7 +1,8 @@
 //! The packed form: what is left of a line when text, names and constants have been dealt with.
 //!
-//! A block is a run of operations for a machine with a stack of numbers. Most operations of a plain line carry their number with them and
-//! never touch the stack. Blocks that run again (a loop, a sub) lie one after the other in a segment.
+//! A block is a run of operations for a machine with a stack of numbers. Most operations of a plain line carry their
+//! number with them and never touch the stack. Blocks that run again (a loop, a sub) lie one after the other in a
+//! segment.
 
 use alloc::vec::Vec;
 
@@ -191,8 +192,8 @@ pub(crate) struct OWord {
     pub(crate) label: NameId,
     /// How many numbers the operations push after the label: arguments, a condition, a count, a returned value.
     pub(crate) values: u8,
-    /// The next block of the segment with the same label; [`NONE`] where there is none. Where the label is computed: one past the
-    /// last of the block's operations that compute it.
+    /// The next block of the segment with the same label; [`NONE`] where there is none. Where the label is computed:
+    /// one past the last of the block's operations that compute it.
     pub(crate) next: u32,
 }
 

@@ -133,8 +133,8 @@ impl Packer {
         place
     }
 
-    /// Reads a name in angle brackets into a text. Nothing limits its characters but what ends it (11.4.3.3), so that it may be written in
-    /// any language.
+    /// Reads a name in angle brackets into a text. Nothing limits its characters but what ends it (11.4.3.3), so that
+    /// it may be written in any language.
     pub(crate) fn read_name(&self, cursor: &mut Cursor<'_>, name: &mut String) -> Packed<()> {
         let start = cursor.at();
         name.clear();
@@ -182,7 +182,8 @@ impl Packer {
         place
     }
 
-    /// Where a named parameter lies whose short name stands at the beginning of a text and is known, and the length of the name with its bracket.
+    /// Where a named parameter lies whose short name stands at the beginning of a text and is known, and the length
+    /// of the name with its bracket.
     #[inline(always)]
     pub(crate) fn known(&self, text: &[u8]) -> Option<(Place, usize)> {
         let (id, length) = self.names.find_short(text)?;
@@ -224,7 +225,8 @@ impl Packer {
     }
 }
 
-/// What stands behind such a word in a name, the bracket included; a name without one there, or without its end, is one like any other.
+/// What stands behind such a word in a name, the bracket included; a name without one there, or without its end, is
+/// one like any other.
 fn bracketed<'a>(name: &'a str, word: &str) -> Option<&'a str> {
     name.strip_prefix(word).filter(|rest| rest.starts_with('['))
 }

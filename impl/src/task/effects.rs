@@ -1,4 +1,5 @@
-//! Effects and settings on their way from the interpreter to the machine: each is handed on when the machine may have it.
+//! Effects and settings on their way from the interpreter to the machine: each is handed on when the machine may have
+//! it.
 
 use gaugeblock_vocabulary::{Effect, FaultKind, Settings};
 
@@ -32,7 +33,8 @@ impl<M: Machine> Desk<M> {
         reply
     }
 
-    /// What is answered to an effect that was broken off; where the interpreter reads ahead it goes on, but for what waits for the machine.
+    /// What is answered to an effect that was broken off; where the interpreter reads ahead it goes on, but for what
+    /// waits for the machine.
     pub(super) fn broken_off(&mut self) -> Reply {
         if self.broken == Some(Break::Abort) && self.choices.read_on && self.doing == Doing::Program
         {

@@ -1,4 +1,5 @@
-//! HAL items that a program can read (11.4.3.7): the inputs and pins of the machine, under the manual's names (5.6.1.2, 5.6.2.1, 5.6.4.1).
+//! HAL items that a program can read (11.4.3.7): the inputs and pins of the machine, under the manual's names
+//! (5.6.1.2, 5.6.2.1, 5.6.4.1).
 
 use gaugeblock_vocabulary::{Machine, Pin};
 

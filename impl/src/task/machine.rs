@@ -7,8 +7,9 @@ use crate::canon::Sink;
 
 /// A machine that a [`Task`](super::Task) drives.
 ///
-/// As a [`Sink`] it is given settings and effects when they happen: a move when it may begin, a dwell or a wait when it begins. The reply to an effect says whether it can be done at all; how long it takes the task finds out by [`Self::wait`] and
-/// [`Self::state_of`].
+/// As a [`Sink`] it is given settings and effects when they happen: a move when it may begin, a dwell or a wait when
+/// it begins. The reply to an effect says whether it can be done at all; how long it takes the task finds out by
+/// [`Self::wait`] and [`Self::state_of`].
 pub trait Machine: Sink {
     /// Seconds since some beginning.
     fn time(&self) -> f64;
@@ -16,7 +17,8 @@ pub trait Machine: Sink {
     /// Lets time go by until then, or until something happens. It comes back at the first happening, and once for each.
     fn wait(&mut self, until: Option<f64>) -> Happening;
 
-    /// What the operator has asked since the last time this was called, without letting time go by; the task asks between blocks.
+    /// What the operator has asked since the last time this was called, without letting time go by; the task asks
+    /// between blocks.
     fn asked(&mut self) -> Option<Action>;
 
     /// The value of an input now; 0 and 1 for digital ones.
@@ -28,15 +30,18 @@ pub trait Machine: Sink {
     /// Puts a value on a pin, which had another one.
     fn pin(&mut self, pin: Pin, value: f64);
 
-    /// The last wait for an input ([`Effect::WaitInput`](gaugeblock_vocabulary::Effect::WaitInput)) is over, and this was read: -1 where nothing came in time.
+    /// The last wait for an input ([`Effect::WaitInput`](gaugeblock_vocabulary::Effect::WaitInput)) is over, and this
+    /// was read: -1 where nothing came in time.
     fn has_read(&mut self, value: f64) {
         let _nothing = value;
     }
 
-    /// The block that is being executed was broken off: what it has begun is not done, and [`Sink::block_done`] is not called for it.
+    /// The block that is being executed was broken off: what it has begun is not done, and [`Sink::block_done`] is
+    /// not called for it.
     fn broken_off(&mut self) {}
 
-    /// Whether there is a program of a user-defined code: where the interpreter reads ahead, it executes none, but misses one.
+    /// Whether there is a program of a user-defined code: where the interpreter reads ahead, it executes none, but
+    /// misses one.
     fn has_user_program(&self, code: u32) -> bool {
         let _code = code;
         true

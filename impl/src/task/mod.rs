@@ -9,13 +9,16 @@
 //!                                                      └► pins as a function of all that is in force
 //! ```
 //!
-//! A [`Task`] runs an [`Interpreter`] and answers for everything that its sink would have to know of the controller: it pauses at M0, M1 and
-//! M60, holds motion, lets outputs switch with it, waits for inputs, tool changers, spindles and user-defined codes, derives the pins, and keeps
-//! to the modes of the controller. What a machine is, and what time it is there, says a [`Machine`].
+//! A [`Task`] runs an [`Interpreter`] and answers for everything that its sink would have to know of the controller:
+//! it pauses at M0, M1 and M60, holds motion, lets outputs switch with it, waits for inputs, tool changers, spindles
+//! and user-defined codes, derives the pins, and keeps to the modes of the controller. What a machine is, and what
+//! time it is there, says a [`Machine`].
 //!
 //! **Invariants.**
-//! * Time goes by in [`Machine::wait`] alone, which is the embedder's; the task computes when it wants to be called again.
-//! * Pins are a function of the settings in force, of the panel and of the outputs: there is no second state to go astray.
+//! * Time goes by in [`Machine::wait`] alone, which is the embedder's; the task computes when it wants to be called
+//!   again.
+//! * Pins are a function of the settings in force, of the panel and of the outputs: there is no second state to go
+//!   astray.
 //! * Nothing is allocated while a program runs.
 
 mod by_hand;
@@ -194,12 +197,14 @@ impl<M: Machine> Task<M> {
         self.desk.within
     }
 
-    /// Where the next block stands, its file and its line; none where the next step goes on within a block or ends the run.
+    /// Where the next block stands, its file and its line; none where the next step goes on within a block or ends
+    /// the run.
     pub fn next_block<S: Source>(&mut self, source: &mut S) -> Option<(&str, u32)> {
         self.interpreter.next_block(source)
     }
 
-    /// Executes a block, or a part of one. What the operator asks meanwhile is answered, and before the block what was asked before.
+    /// Executes a block, or a part of one. What the operator asks meanwhile is answered, and before the block what
+    /// was asked before.
     ///
     /// # Errors
     /// As for [`Interpreter::step`]. The run is over then.
@@ -226,9 +231,9 @@ impl<M: Machine> Task<M> {
         }
     }
 
-    /// Executes a block that is entered by hand, the first line of a text, as line `number` of the file [`BY_HAND`]; subs are found where `source`
-    /// finds them. The mode is
-    /// MDI mode then. It comes back with [`Activity::Entered`] or with an end.
+    /// Executes a block that is entered by hand, the first line of a text, as line `number` of the file [`BY_HAND`];
+    /// subs are found where `source` finds them. The mode is MDI mode then. It comes back with [`Activity::Entered`]
+    /// or with an end.
     ///
     /// # Errors
     /// As for [`Interpreter::step`].
@@ -241,8 +246,8 @@ impl<M: Machine> Task<M> {
         self.enter_while(text, number, source, |_| true)
     }
 
-    /// The same, as long as it may go on: that is asked between blocks, of which a call of a sub has many. It comes back with [`Activity::More`] where it
-    /// may not; what begins next forgets the rest.
+    /// The same, as long as it may go on: that is asked between blocks, of which a call of a sub has many. It comes
+    /// back with [`Activity::More`] where it may not; what begins next forgets the rest.
     ///
     /// # Errors
     /// As for [`Interpreter::step`].
@@ -343,7 +348,8 @@ impl<M: Machine> Task<M> {
         ahead.map(|()| Activity::Ended(End::Aborted))
     }
 
-    /// Where an abort leaves what was read ahead, the interpreter goes on up to a block that waits for the machine, and nothing of that is done.
+    /// Where an abort leaves what was read ahead, the interpreter goes on up to a block that waits for the machine,
+    /// and nothing of that is done.
     ///
     /// # Errors
     /// It comes to no such block, nor to an end, within as many blocks as may be read.

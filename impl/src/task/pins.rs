@@ -1,4 +1,5 @@
-//! Pins as a function of what is in force: settings, the operator's overrides, and spindles that are on their way to an angle.
+//! Pins as a function of what is in force: settings, the operator's overrides, and spindles that are on their way to
+//! an angle.
 
 use gaugeblock_vocabulary::{OrientDirection, Pin, Settings, SpindleMode, SpindleTurn, Switch};
 
@@ -15,7 +16,8 @@ pub(super) struct Spindle {
     /// S: revolutions per minute, or a surface speed.
     speed: f64,
     turn: SpindleTurn,
-    /// Under constant surface speed (G96) S is no speed of the spindle: that follows from where the tool is, which motion knows.
+    /// Under constant surface speed (G96) S is no speed of the spindle: that follows from where the tool is, which
+    /// motion knows.
     surface_speed: bool,
     override_enabled: bool,
     orientation: Orientation,
@@ -110,8 +112,8 @@ impl Followed {
         spindles || changed.mist.is_some() || changed.flood.is_some()
     }
 
-    /// Takes over settings that were only read ahead: nobody has told a spindle to turn to an angle, or taken that back. One that turns now is held
-    /// at none.
+    /// Takes over settings that were only read ahead: nobody has told a spindle to turn to an angle, or taken that
+    /// back. One that turns now is held at none.
     pub(super) fn take_over(&mut self, changed: &Settings) {
         let orientations = self.spindles.map(|spindle| spindle.orientation);
         self.set(changed);
@@ -182,8 +184,8 @@ impl Spindle {
         let locked = self.orientation == Orientation::Locked;
         let asked =
             self.orientation == Orientation::Asked || locked && planted(Fault::OrientRequestStays);
-        // M19 tells that it turns to an angle just before it says to which. A spindle that was started at a speed of zero is not braked: a speed
-        // may come at any time.
+        // M19 tells that it turns to an angle just before it says to which. A spindle that was started at a speed of
+        // zero is not braked: a speed may come at any time.
         let begins = self.turn == SpindleTurn::Oriented && !locked;
         let brake = if brake_while_locked { locked } else { told == 0.0 && !asked && !begins };
         [

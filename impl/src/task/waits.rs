@@ -1,4 +1,5 @@
-//! Time that goes by: dwells, pauses, held moves, inputs (M66), works outside. What the operator asks meanwhile is answered.
+//! Time that goes by: dwells, pauses, held moves, inputs (M66), works outside. What the operator asks meanwhile is
+//! answered.
 
 use gaugeblock_vocabulary::{Effect, FaultKind, WaitMode};
 

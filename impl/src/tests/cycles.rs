@@ -173,7 +173,8 @@ proptest! {
         prop_assert_eq!(effects(&program, every, blocks, 100_000), whole, "{}", program);
     }
 
-    /// A cycle ends at its clear level, moves along the normal axis while it is in the hole, and never goes below its bottom.
+    /// A cycle ends at its clear level, moves along the normal axis while it is in the hole, and never goes below its
+    /// bottom.
     #[test]
     fn a_hole_is_a_hole(cycle in cycle(), start in 0_i8..6, old in proptest::bool::ANY) {
         check_hole(&cycle, start, if old { "g98" } else { "g99" });

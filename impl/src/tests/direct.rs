@@ -1,4 +1,5 @@
-//! The short way through a plain line has the outcome of the long way. A source that gives a byte at a time never takes the short way.
+//! The short way through a plain line has the outcome of the long way. A source that gives a byte at a time never
+//! takes the short way.
 
 extern crate std;
 

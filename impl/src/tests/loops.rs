@@ -166,7 +166,8 @@ fn a_sub_in_a_loop_that_holds_another_one_is_refused_where_it_is_come_to() {
     ]);
 }
 
-/// Nothing says when the number of a sub is computed that is defined in a loop; in a called program it is refused whatever its number is.
+/// Nothing says when the number of a sub is computed that is defined in a loop; in a called program it is refused
+/// whatever its number is.
 #[test]
 fn a_sub_in_a_loop_has_no_computed_label() {
     check("o7 do\no#2 sub\no0 endsub\no7 while [0]\nm2\n", "ends unspecified");

@@ -114,9 +114,9 @@ impl Case<'_> {
     }
 }
 
-/// Runs a program and compares what came of it with expectations, separated by `; `:
-/// `accepted`, `refused at 3`, `refused at 3 unknown_sub`, `refused missing_end`, `ends endless`, `#31 = 4`, `#<_x> = 4`, `no #<x>`,
-/// `messages: a | b`, `count straight_feed = 3`, `at 2 straight_feed end=(x1)`.
+/// Runs a program and compares what came of it with expectations, separated by `; `: `accepted`, `refused at 3`,
+/// `refused at 3 unknown_sub`, `refused missing_end`, `ends endless`, `#31 = 4`, `#<_x> = 4`, `no #<x>`, `messages: a
+/// | b`, `count straight_feed = 3`, `at 2 straight_feed end=(x1)`.
 #[track_caller]
 fn check(program: &str, expectations: &str) {
     Case::default().check(program, expectations);

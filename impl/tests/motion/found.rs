@@ -177,7 +177,8 @@ fn blend_after_the_last_feed_per_turn_follows_the_spindle() {
     }
 }
 
-/// A blend that lasts for many cycles between rest, or slow corners, was passed with one acceleration, so that a longer one took longer.
+/// A blend that lasts for many cycles between rest, or slow corners, was passed with one acceleration, so that a
+/// longer one took longer.
 #[test]
 fn blend_speeds_up_within_its_length_and_slows_down_again() {
     let time = |feed: f64, tolerance: f64, ends: &[(f64, f64)]| {
@@ -214,7 +215,8 @@ fn program_that_ends_with_a_cycle_comes_to_its_end() {
     assert_eq!(run.samples.last(), Some(&at(0.0, 0.006_23, -0.007_46)));
 }
 
-/// A blend was passed no faster than its slower end: a longer one took longer where another axis limits the speed behind the corner.
+/// A blend was passed no faster than its slower end: a longer one took longer where another axis limits the speed
+/// behind the corner.
 #[test]
 fn blend_is_as_fast_at_each_end_as_the_axes_allow_there() {
     let mut dynamics = dynamics();

@@ -1,4 +1,5 @@
-//! Once a planner is made it allocates nothing: not for a segment, an output or a cycle, with a full queue and whatever an operator does.
+//! Once a planner is made it allocates nothing: not for a segment, an output or a cycle, with a full queue and
+//! whatever an operator does.
 
 use std::hint::black_box;
 

@@ -54,7 +54,8 @@ fn adaptive_feed_below_zero_retraces_the_path() {
     assert_eq!(run.samples.last(), Some(&at(100.0, 0.0, 0.0)));
 }
 
-/// What lies near behind the motion is planned first: it is not to wait at rest until all that is remembered is planned.
+/// What lies near behind the motion is planned first: it is not to wait at rest until all that is remembered is
+/// planned.
 #[test]
 fn a_long_path_is_run_back_at_once_and_to_its_beginning() {
     let program = dense(Blend::Within(0.01));
@@ -74,7 +75,8 @@ fn a_long_path_is_run_back_at_once_and_to_its_beginning() {
     assert_eq!(run.samples.last(), path.last());
 }
 
-/// What an earlier run back has left behind what is planned for this one is worth nothing: once it broke a limit 3.4 times over.
+/// What an earlier run back has left behind what is planned for this one is worth nothing: once it broke a limit 3.4
+/// times over.
 #[test]
 fn a_path_is_run_back_again_after_somebody_has_asked_for_it_for_a_moment() {
     let quick = Dynamics { velocity: [500.0; 9], acceleration: [20_000.0; 9], ..dynamics() };
@@ -99,7 +101,8 @@ fn a_path_is_run_back_again_after_somebody_has_asked_for_it_for_a_moment() {
     assert!(run.samples[583][0] < 10.0, "{}", run.samples[583][0]);
 }
 
-/// A bend that was planned for another override, and is passed again behind a piece that has been planned anew: its plan holds no more.
+/// A bend that was planned for another override, and is passed again behind a piece that has been planned anew: its
+/// plan holds no more.
 #[test]
 fn bend_is_run_through_again_at_a_lower_override() {
     let corner = at(50.0037, 0.0, 0.0);
@@ -116,7 +119,8 @@ fn bend_is_run_through_again_at_a_lower_override() {
     assert!(run.samples[1030][0] < corner[0] - 5.0, "{}", run.samples[1030][0]);
 }
 
-/// What has been planned for a higher override, and is passed again, is planned anew: once a slower segment was entered four times too fast.
+/// What has been planned for a higher override, and is passed again, is planned anew: once a slower segment was
+/// entered four times too fast.
 #[test]
 fn slower_segment_is_entered_at_its_own_feed_after_running_back() {
     let to = |x: f64| line(at(x, 0.0, 0.0), Blend::ExactPath);
@@ -134,8 +138,8 @@ fn slower_segment_is_entered_at_its_own_feed_after_running_back() {
     }
 }
 
-/// What a new segment makes of the path ahead counts behind the motion, too, which may run back and come again: once it came to the end
-/// of all at its full speed.
+/// What a new segment makes of the path ahead counts behind the motion, too, which may run back and come again: once
+/// it came to the end of all at its full speed.
 #[test]
 fn path_that_changes_is_kept_to_from_behind_after_running_back() {
     let (mut here, mut heading, mut program) = (ORIGIN, 0.3, Vec::new());
@@ -156,7 +160,8 @@ fn path_that_changes_is_kept_to_from_behind_after_running_back() {
     }
 }
 
-/// What lies next is kept to as soon as it is planned for a lowered override: once the motion crept, for as long as a long queue took.
+/// What lies next is kept to as soon as it is planned for a lowered override: once the motion crept, for as long as a
+/// long queue took.
 #[test]
 fn a_lowered_override_is_kept_to_at_once_on_a_long_queue() {
     let run = operated(&dense(Blend::Within(0.01)), |cycle| InputParameter {
@@ -169,8 +174,8 @@ fn a_lowered_override_is_kept_to_at_once_on_a_long_queue() {
     }
 }
 
-/// What lies far ahead is planned for a lowered override before the motion comes to it, however short it is: once a slower row was entered at
-/// 9 times its feed.
+/// What lies far ahead is planned for a lowered override before the motion comes to it, however short it is: once a
+/// slower row was entered at 9 times its feed.
 #[test]
 fn a_lowered_override_is_kept_to_where_a_slower_row_of_short_segments_begins() {
     let program: Vec<Segment> = (1..=1500_u32)
@@ -226,7 +231,8 @@ fn corner_that_is_queued_as_soon_as_an_override_falls_can_be_kept_to() {
     }
 }
 
-/// A corner is no narrower than the motion can come to that is still faster than a lowered override asks for: once it was made for the override.
+/// A corner is no narrower than the motion can come to that is still faster than a lowered override asks for: once it
+/// was made for the override.
 #[test]
 fn corner_that_is_queued_while_an_override_falls_can_be_kept_to() {
     let mut chance = chance(151_772, false);
@@ -253,7 +259,8 @@ fn corner_that_is_queued_while_an_override_falls_can_be_kept_to() {
     assert!(used <= 1.0 + 1e-9, "{used}");
 }
 
-/// A corner that is queued while the motion slows down for a lower override is one like all others: once these became stops.
+/// A corner that is queued while the motion slows down for a lower override is one like all others: once these became
+/// stops.
 #[test]
 fn corners_queued_while_an_override_falls_are_passed() {
     let mut planner = Planner::new(Dynamics { queue: 10, ..dynamics() }, ORIGIN).expect("limits");

@@ -92,7 +92,8 @@ fn no_limit_is_broken_at_any_feeding() {
             let (path, vertices) = programmed(*start, program);
             assert_eq!(run.samples.last(), vertices.last(), "{feeding:?}");
             if matches!(feeding, Feeding::Full | Feeding::Every(0, 31)) {
-                // Chords of arcs lie 0.01² r/8 within them; between samples the path bends by an eighth of a cycle's square.
+                // Chords of arcs lie 0.01² r/8 within them; between samples the path bends by an eighth of a cycle's
+                // square.
                 let (arcs, chord) = (1.3e-4, 2000.0 * 1.5 * 1e-6 / 8.0);
                 let (far, missed) =
                     (farthest(&run.samples, &path), farthest(&vertices, &run.samples));

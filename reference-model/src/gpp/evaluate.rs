@@ -128,8 +128,8 @@ impl Run<'_> {
         }
     }
 
-    /// Rule gpp.comparison. Numbers are compared as they are printed: a variable in its own format, an expression in that of the
-    /// variable on the other side, and two expressions in that of reals.
+    /// Rule gpp.comparison. Numbers are compared as they are printed: a variable in its own format, an expression in
+    /// that of the variable on the other side, and two expressions in that of reals.
     fn compared(&mut self, one: &Side, other: &Side) -> Result<Ordering, Halt> {
         let (left, right) = (self.value(one)?, self.value(other)?);
         let (left, right) = match (left, right) {

@@ -1,6 +1,7 @@
 //! Formats: how a number is printed, and what it is when it is read back.
 //!
-//! A format has no modality of its own in GPP2. In the old GPP it has one, which is that of the variables declared with it.
+//! A format has no modality of its own in GPP2. In the old GPP it has one, which is that of the variables declared
+//! with it.
 
 use std::cmp::Ordering;
 
@@ -106,8 +107,8 @@ impl Rounded {
 }
 
 impl Format {
-    /// Rule gpp.number-format. A number is rounded to the most digits of a fraction, and has so many digits, zeros, blanks and signs as
-    /// its format says.
+    /// Rule gpp.number-format. A number is rounded to the most digits of a fraction, and has so many digits, zeros,
+    /// blanks and signs as its format says.
     ///
     /// # Errors
     /// It has too many digits before the point.
@@ -162,8 +163,8 @@ impl Format {
 
 /// The digits of a number that is not negative, before and after the point.
 ///
-/// Sixty digits after the point tell every tie from what is none: a number in the middle between two of `most` (14 or fewer) digits
-/// ends soon after, and no other binary number is closer to it than 1e-31.
+/// Sixty digits after the point tell every tie from what is none: a number in the middle between two of `most` (14 or
+/// fewer) digits ends soon after, and no other binary number is closer to it than 1e-31.
 fn rounded_digits(value: f64, most: usize, tie: Tie) -> (String, String) {
     let exact = format!("{value:.60}");
     let (whole, fraction) = exact.split_once('.').unwrap_or((&exact, ""));

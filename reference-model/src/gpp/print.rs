@@ -50,8 +50,8 @@ impl Run<'_> {
         }
     }
 
-    /// Rule gpp.newline-symbol. The symbol runs its procedure: at each occurrence, or, in the old GPP, when something is printed
-    /// after it.
+    /// Rule gpp.newline-symbol. The symbol runs its procedure: at each occurrence, or, in the old GPP, when something
+    /// is printed after it.
     fn newline(&mut self, printing: &mut Printing) -> Result<(), Halt> {
         self.evidence.accepted("gpp.newline-symbol");
         if self.program.procedure.is_empty() {
@@ -81,8 +81,8 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Rules gpp.off-printed and gpp.off-modal. A variable is printed whether it is on or off. In the old GPP a modal variable that is off
-    /// is left out.
+    /// Rules gpp.off-printed and gpp.off-modal. A variable is printed whether it is on or off. In the old GPP a modal
+    /// variable that is off is left out.
     fn put_variable(&mut self, printing: &mut Printing, reference: &Reference) -> Result<(), Halt> {
         let variable = reference.variable;
         let cell = self.cell(reference)?;
@@ -108,9 +108,9 @@ impl Run<'_> {
         self.put(printing, &text)
     }
 
-    /// Rules gpp.output-turns-off, gpp.print-turns-off, gpp.non-modal-stays, gpp.modal-members and gpp.identical-printed. A modal variable that
-    /// has been printed goes off, with all that are identical to it; one that is not modal stays as it is. In the old GPP members of
-    /// modal arrays stay on.
+    /// Rules gpp.output-turns-off, gpp.print-turns-off, gpp.non-modal-stays, gpp.modal-members and
+    /// gpp.identical-printed. A modal variable that has been printed goes off, with all that are identical to it; one
+    /// that is not modal stays as it is. In the old GPP members of modal arrays stay on.
     fn goes_off(&mut self, variable: usize, cell: usize, printer: Printer) {
         let declared = &self.variables.all[variable];
         let (is_modal, is_member) = (declared.modal, declared.size.is_some());

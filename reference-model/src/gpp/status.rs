@@ -37,8 +37,8 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Rules gpp.changed and gpp.presence. The toolpath gives a system variable a value. One of the class change goes on if its value is
-    /// another one, one of the class presence because it is there.
+    /// Rules gpp.changed and gpp.presence. The toolpath gives a system variable a value. One of the class change goes
+    /// on if its value is another one, one of the class presence because it is there.
     ///
     /// # Errors
     /// The value has no text in a format.
@@ -78,8 +78,8 @@ impl Run<'_> {
         }
     }
 
-    /// Rule gpp.changed-by-format. Sets a value; whether it is another one is told by the text in the variable's format. All that are
-    /// identical have it, each in a format of its own.
+    /// Rule gpp.changed-by-format. Sets a value; whether it is another one is told by the text in the variable's
+    /// format. All that are identical have it, each in a format of its own.
     fn set_value(&mut self, variable: usize, cell: usize, value: Value) -> Result<bool, Halt> {
         let tie = self.readings.tie;
         let sharing = self.variables.of_cell(cell);
@@ -129,8 +129,8 @@ impl Run<'_> {
         (0..members).map(|member| (variable, declared.cell + member)).collect()
     }
 
-    /// Rules gpp.set-flag, gpp.member-flag, gpp.identical-on and gpp.identical-off. Each variable has a flag, and each member of an array its
-    /// own; identical variables have one together.
+    /// Rules gpp.set-flag, gpp.member-flag, gpp.identical-on and gpp.identical-off. Each variable has a flag, and
+    /// each member of an array its own; identical variables have one together.
     pub(super) fn turn(&mut self, variable: usize, cell: usize, on: bool) {
         let is_member = self.variables.all[variable].size.is_some();
         self.evidence.accepted(if is_member { "gpp.member-flag" } else { "gpp.set-flag" });

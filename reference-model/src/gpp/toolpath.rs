@@ -273,7 +273,8 @@ fn character(text: &str) -> Result<Option<char>, Halt> {
     }
 }
 
-/// Words of letters, digits and underscores in capitals, with one blank between them; `None` where there is none, or another sign.
+/// Words of letters, digits and underscores in capitals, with one blank between them; `None` where there is none, or
+/// another sign.
 fn words(text: &str) -> Option<String> {
     let words: Vec<String> =
         text.split([' ', '\t']).filter(|w| !w.is_empty()).map(str::to_ascii_uppercase).collect();

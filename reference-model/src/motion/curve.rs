@@ -265,7 +265,8 @@ impl Curve {
         (point, rate)
     }
 
-    /// The parameter from `from` to `to` that is nearest to a point: of a line exactly, of an arc of at most a quarter to the last place.
+    /// The parameter from `from` to `to` that is nearest to a point: of a line exactly, of an arc of at most a
+    /// quarter to the last place.
     pub(super) fn nearest(&self, point: &Nine, from: f64, to: f64) -> f64 {
         if self.is_straight() {
             return vector::nearest_part(&self.start, &self.end, point).clamp(from, to);
@@ -301,8 +302,9 @@ impl Curve {
     }
 }
 
-/// The last place on the way from one where a function is at most zero to one where it is more: where their line crosses zero, again and again,
-/// with half the value of an end that has stayed for two times, and halfway every fourth time.
+/// The last place on the way from one where a function is at most zero to one where it is more: where their line
+/// crosses zero, again and again, with half the value of an end that has stayed for two times, and halfway every
+/// fourth time.
 fn boundary(inside: (f64, f64), outside: (f64, f64), excess: impl Fn(f64) -> f64) -> f64 {
     let ((mut inside, mut below), (mut outside, mut above)) = (inside, outside);
     let mut went_out = None;

@@ -7,8 +7,8 @@
 //! | [`bound`] | a lower bound on the time of a path, and the distance in which a motion can stop |
 //! | `curve`, `route`, `vector` | the geometry below: lines, arcs and helices; legs and corners; nine coordinates |
 //!
-//! **Invariants.** It reads its arguments and nothing else. It is written from the documents and from mechanics, without a look
-//! at any planner. What it cannot know it does not judge, and says so.
+//! **Invariants.** It reads its arguments and nothing else. It is written from the documents and from mechanics,
+//! without a look at any planner. What it cannot know it does not judge, and says so.
 
 pub mod bound;
 mod curve;

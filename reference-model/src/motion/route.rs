@@ -198,10 +198,10 @@ impl<'a> Route<'a> {
 
     /// Whether a row of lines that is merged into one line can have this corner inside.
     ///
-    /// Rule trajectory.merging. Lines at one feed that move X, Y, Z alone are merged where they are less than Q away from
-    /// one line; so are the halves of an arc in XY that is less than Q from a line, or less than P: two sections differ, and the
-    /// wider one is granted. Whatever row it is, the neighbours of the corner are within Q of its line, so
-    /// that the corner is within 2 Q of the line between them. What fails that is no corner of a merged row.
+    /// Rule trajectory.merging. Lines at one feed that move X, Y, Z alone are merged where they are less than Q away
+    /// from one line; so are the halves of an arc in XY that is less than Q from a line, or less than P: two sections
+    /// differ, and the wider one is granted. Whatever row it is, the neighbours of the corner are within Q of its
+    /// line, so that the corner is within 2 Q of the line between them. What fails that is no corner of a merged row.
     fn can_be_merged(&self, corner: usize, merge: f64) -> bool {
         let (before, after) = (&self.legs[corner - 1], &self.legs[corner]);
         let bow = |leg: &Leg<'_>| match leg.element.mode {

@@ -1,7 +1,7 @@
 //! Nine coordinates as a vector: X Y Z A B C U V W, millimetres and degrees.
 //!
-//! Where a distance counts all nine, a degree counts like a millimetre: the documents give path tolerances in length units
-//! and say nothing of rotary axes.
+//! Where a distance counts all nine, a degree counts like a millimetre: the documents give path tolerances in length
+//! units and say nothing of rotary axes.
 
 use crate::math;
 

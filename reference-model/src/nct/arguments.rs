@@ -32,7 +32,8 @@ const LETTERS: &[(char, usize)] = &[
     ('Z', 26),
 ];
 
-/// Letters that are no arguments, with the variables that some controllers give them in a block that is taken as arguments.
+/// Letters that are no arguments, with the variables that some controllers give them in a block that is taken as
+/// arguments.
 const OTHERS: &[(char, usize)] = &[('G', 10), ('L', 12), ('P', 16)];
 
 /// How many sets of I, J and K have begun.
@@ -66,8 +67,8 @@ impl Sets {
 impl Run<'_> {
     /// The local variables with which a macro begins.
     ///
-    /// Rule nct.arguments. Each letter stands for a variable of its own; G, L, N, O and P are no arguments.
-    /// Rule nct.argument-sets. I, J and K in their n-th set are #3n+1, #3n+2 and #3n+3, for ten sets; of two words for one
+    /// Rule nct.arguments. Each letter stands for a variable of its own; G, L, N, O and P are no arguments. Rule
+    /// nct.argument-sets. I, J and K in their n-th set are #3n+1, #3n+2 and #3n+3, for ten sets; of two words for one
     /// variable the later one counts. So it does where G, L or P has a variable.
     pub(super) fn arguments(&mut self, words: &Words, is_block: bool) -> Result<Locals, Halt> {
         let mut locals: Locals = [None; 33];

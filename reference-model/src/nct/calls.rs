@@ -192,10 +192,9 @@ impl Run<'_> {
 
     /// A macro begins.
     ///
-    /// Rule nct.level-rises. It is one level above the program that calls it.
-    /// Rule nct.stored-on-call. The local variables of that program are stored; those of the macro are the arguments, and
-    /// others are vacant.
-    /// Rule nct.level-limit. Choice nct.depth: how many levels there are.
+    /// Rule nct.level-rises. It is one level above the program that calls it. Rule nct.stored-on-call. The local
+    /// variables of that program are stored; those of the macro are the arguments, and others are vacant. Rule
+    /// nct.level-limit. Choice nct.depth: how many levels there are.
     pub(super) fn enter(
         &mut self,
         program: i64,

@@ -116,8 +116,8 @@ impl Run<'_> {
             .map_err(|()| refuse_form(FaultKind::OutOfDomain, "a number that is too large"))
     }
 
-    /// Rule nct.bits. NOT, AND, OR and XOR take whole numbers of 32 bits: 3091 ERRONEOUS OPERATION WITH # where there is none.
-    /// Choice nct.thirty-two-bits: with a sign or without.
+    /// Rule nct.bits. NOT, AND, OR and XOR take whole numbers of 32 bits: 3091 ERRONEOUS OPERATION WITH # where there
+    /// is none. Choice nct.thirty-two-bits: with a sign or without.
     fn bits(&mut self, left: f64, right: f64, operation: fn(u32, u32) -> u32) -> Result<f64, Halt> {
         let unsigned = self.readings.unsigned;
         let bits = |number: f64| {

@@ -1,4 +1,5 @@
-//! NCT custom macros: calls at once and modal, levels of local variables, vacant values, and the motion that shows them.
+//! NCT custom macros: calls at once and modal, levels of local variables, vacant values, and the motion that shows
+//! them.
 //!
 //! | room | what it settles |
 //! | --- | --- |

@@ -9,7 +9,8 @@ use crate::math;
 
 /// How far the radii of an arc may be apart, active length unit.
 const RADIUS_TOLERANCE: f64 = 0.01;
-/// How much longer than the radius half the chord may be, as a part of it: half a circle does not hang on the last bit of its numbers.
+/// How much longer than the radius half the chord may be, as a part of it: half a circle does not hang on the last
+/// bit of its numbers.
 const CHORD_TOLERANCE: f64 = 1e-9;
 
 /// An axis by its letter.
@@ -76,7 +77,8 @@ fn plane(plane: Plane) -> [(Axis, char); 2] {
     }
 }
 
-/// Rule nct.arc. The centre counts from the start; R is the radius of the shorter arc, or, below zero, of the longer one.
+/// Rule nct.arc. The centre counts from the start; R is the radius of the shorter arc, or, below zero, of the longer
+/// one.
 fn arc(modes: &Modes, end: Position, words: &Words) -> Result<Effect, Halt> {
     let rule = "nct.arc";
     let [(first, of_first), (second, of_second)] = plane(modes.plane);
@@ -126,8 +128,8 @@ fn of_offsets(from: (f64, f64), to: (f64, f64), offsets: (f64, f64)) -> Result<(
 
 /// The centre by the radius: beside the middle of the chord.
 ///
-/// All is computed at a quarter of its size, so that no length on the way to a finite centre is too large for a number; that rounds
-/// nothing but what is close to the smallest numbers.
+/// All is computed at a quarter of its size, so that no length on the way to a finite centre is too large for a
+/// number; that rounds nothing but what is close to the smallest numbers.
 fn of_radius(
     from: (f64, f64),
     to: (f64, f64),

@@ -102,7 +102,8 @@ impl Program {
         self.faults.get(&place).map_or(Ok(()), |fault| Err(fault.clone()))
     }
 
-    /// Rule nct.goto. A jump leads to the block that its sequence number opens: 3070 NOT EXISTING BLOCK NO. P where none does.
+    /// Rule nct.goto. A jump leads to the block that its sequence number opens: 3070 NOT EXISTING BLOCK NO. P where
+    /// none does.
     ///
     /// # Errors
     /// There is no such block in the program, or several; or it stands in a loop in which the jump does not.
@@ -132,9 +133,9 @@ impl Program {
 
 /// Which END belongs to which DO.
 ///
-/// Rule nct.loop-pairs. An END ends the innermost DO that is open where it stands, which has its number. A DO has an END, and no
-/// other one of its number is open where it stands.
-/// Rule nct.block-delete. Of a block that is skipped only the numbers count.
+/// Rule nct.loop-pairs. An END ends the innermost DO that is open where it stands, which has its number. A DO has an
+/// END, and no other one of its number is open where it stands. Rule nct.block-delete. Of a block that is skipped
+/// only the numbers count.
 fn loops(blocks: &[Block], block_delete: bool) -> (BTreeMap<usize, usize>, BTreeMap<usize, Halt>) {
     let rule = "nct.loop-pairs";
     let (mut pairs, mut faults) = (BTreeMap::new(), BTreeMap::new());

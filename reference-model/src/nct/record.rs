@@ -78,7 +78,8 @@ impl Record {
         }
     }
 
-    /// The step in progress is complete. The level stands in each; what else is the same as in the step before does not.
+    /// The step in progress is complete. The level stands in each; what else is the same as in the step before does
+    /// not.
     ///
     /// # Errors
     /// There are more effects than the budget allows, or more time has gone by.

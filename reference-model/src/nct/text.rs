@@ -54,7 +54,8 @@ fn line(number: u32, text: &str) -> Option<Line> {
 }
 
 impl Line {
-    /// Splits off the program number and the sequence number that a block begins with. A number counts whatever is wrong behind it.
+    /// Splits off the program number and the sequence number that a block begins with. A number counts whatever is
+    /// wrong behind it.
     fn split(&mut self, mut rest: &str) -> Result<(), Halt> {
         for (letter, place) in [('O', &mut self.program), ('N', &mut self.sequence)] {
             if let Some(after) = rest.strip_prefix(letter) {
@@ -68,7 +69,8 @@ impl Line {
     }
 }
 
-/// A line in capitals, without blanks and comments, up to what is wrong with it. One carriage return belongs to its end.
+/// A line in capitals, without blanks and comments, up to what is wrong with it. One carriage return belongs to its
+/// end.
 fn plain(text: &str) -> (String, Option<Halt>) {
     let mut plain = String::new();
     let mut in_comment = false;

@@ -22,14 +22,15 @@ pub struct State {
     pub readings: Shared<Readings>,
     /// The machine that it drives.
     pub machine: Shared<Machine>,
-    /// The mode in force of each modal group, with feed, speeds, coolant, overrides, offsets: all that M70 can save and more.
+    /// The mode in force of each modal group, with feed, speeds, coolant, overrides, offsets: all that M70 can save
+    /// and more.
     pub modes: Modes,
     /// The controlled point in program coordinates: active length unit and degrees.
     pub position: Position,
     /// Tool number in the spindle; 0 for none.
     pub tool: i32,
-    /// The tool that parameters and codes without a tool number take to be in the spindle: that one, but for the stub of the stand-alone
-    /// interpreter, which tells of neither M61 nor a change to no tool.
+    /// The tool that parameters and codes without a tool number take to be in the spindle: that one, but for the stub
+    /// of the stand-alone interpreter, which tells of neither M61 nor a change to no tool.
     pub known_tool: i32,
     /// Tool number that T selected for the next change; -1 for none.
     pub prepared_tool: i32,
@@ -104,8 +105,8 @@ impl Panel {
     }
 }
 
-/// The tool that is in the spindle at the start; 0 for none. Pocket 0 represents the spindle where tools change places (11.2.2.1); of any
-/// other changer a pocket's number says nothing.
+/// The tool that is in the spindle at the start; 0 for none. Pocket 0 represents the spindle where tools change
+/// places (11.2.2.1); of any other changer a pocket's number says nothing.
 pub(crate) fn in_pocket_zero(machine: &Machine) -> i32 {
     let mut tools = machine.tools.iter().filter(|_| machine.random_tool_changer);
     let tool = tools.find(|tool| tool.pocket == Some(0));

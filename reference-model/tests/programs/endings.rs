@@ -71,7 +71,8 @@ fn a_short_run_is_a_prefix_of_a_longer_one() {
     assert_eq!(short.steps[..], long.steps[..50]);
 }
 
-/// The system, the tool and the point are those before it, with an operator too; only a probe that finds nothing has made its way.
+/// The system, the tool and the point are those before it, with an operator too; only a probe that finds nothing has
+/// made its way.
 #[test]
 fn a_refused_block_has_done_nothing() {
     let before = [(5220, 1.0), (5400, 0.0), (5420, 7.0)];
@@ -165,7 +166,8 @@ fn whether_the_subs_of_an_ended_program_can_be_called_by_hand_is_left_open() {
     assert_eq!(ending("#32=[100/#31]"), "program_end");
 }
 
-/// Of a word that is missing the block alone tells, before it waits; of other faults nobody says whether it waits before.
+/// Of a word that is missing the block alone tells, before it waits; of other faults nobody says whether it waits
+/// before.
 #[test]
 fn a_block_without_a_word_that_it_needs_waits_for_nothing() {
     let options = [("inputs.without-timeout", "accepted")];

@@ -122,7 +122,8 @@ fn a_condition_that_goes_on_behind_a_numbered_program_is_left_open_by_a_computed
     }
 }
 
-/// The number of a sub may have to be computed: what stands up to its own end belongs to it, and not what stands up to any end.
+/// The number of a sub may have to be computed: what stands up to its own end belongs to it, and not what stands up
+/// to any end.
 #[test]
 fn a_sub_with_a_computed_number_holds_what_stands_before_its_own_end() {
     let program = "#1 = 9\no#1 sub\no6 endsub\no3 repeat [2]\no3 endrepeat\no9 endsub\no3 repeat [2]\n#31 = [#31 + 1]\no3 endrepeat\nm2\n";

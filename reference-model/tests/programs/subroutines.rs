@@ -129,7 +129,8 @@ fn disabled_numbered_programs_are_refused() {
     assert_eq!(ending(&run(&scenario).0), "fanuc_disabled at main.ngc:2");
 }
 
-/// Its number is computed where its sub is defined. For a sub that is skipped, or defined in a loop, nothing says when it is.
+/// Its number is computed where its sub is defined. For a sub that is skipped, or defined in a loop, nothing says
+/// when it is.
 #[test]
 fn a_computed_endsub_ends_the_sub_whose_label_it_has() {
     let body = "o[#1 + 2] endsub\n#31 = [#31 + 1]\no1 if [1]\no1 endif\no[#1 + 1] endsub\n";

@@ -1,8 +1,8 @@
 //! Samples in few bytes.
 //!
-//! All numbers are little-endian. In order: eight bytes `GBSAMPLE`; version, u16, 0; number of columns, u16; period and
-//! resolution, f64; for each column the length of its name, u8, and the name; number of rows, u64; for each row and column a
-//! value, f64; a check, u64: FNV-1a with 64 bits over all bytes before it.
+//! All numbers are little-endian. In order: eight bytes `GBSAMPLE`; version, u16, 0; number of columns, u16; period
+//! and resolution, f64; for each column the length of its name, u8, and the name; number of rows, u64; for each row
+//! and column a value, f64; a check, u64: FNV-1a with 64 bits over all bytes before it.
 
 use super::samples::{Column, Samples, SamplesError};
 
@@ -45,8 +45,8 @@ impl Samples {
     /// Reads the compact form; what `to_bytes` wrote comes back equal.
     ///
     /// # Errors
-    /// Not this form or version, cut short, too long, a check that does not fit, or a value that samples cannot have, with
-    /// the byte or row where it stands. Memory is taken only for bytes that are there.
+    /// Not this form or version, cut short, too long, a check that does not fit, or a value that samples cannot have,
+    /// with the byte or row where it stands. Memory is taken only for bytes that are there.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, SamplesError> {
         let mut reader = Reader { bytes, place: 0 };
         if reader.take::<8>()? != *MAGIC {

@@ -111,8 +111,8 @@ pub struct Samples {
 impl Samples {
     /// No sample yet.
     ///
-    /// The period is in seconds. The resolution is how far a recorded position may be from the commanded one, millimetres and
-    /// degrees: half of the last digit that is written; zero where positions are written in full.
+    /// The period is in seconds. The resolution is how far a recorded position may be from the commanded one,
+    /// millimetres and degrees: half of the last digit that is written; zero where positions are written in full.
     ///
     /// # Errors
     /// A period that is not above zero, a resolution below it, no column at all, or one that stands twice.

@@ -40,8 +40,8 @@ pub struct MotionEvent {
     pub action: MotionAction,
 }
 
-/// Actions in the order of their cycles. Before the first one overrides are at 1, nothing is held and no spindle's speed is
-/// known.
+/// Actions in the order of their cycles. Before the first one overrides are at 1, nothing is held and no spindle's
+/// speed is known.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct MotionScript {
@@ -61,8 +61,8 @@ impl MotionScript {
     /// Reads the text form.
     ///
     /// # Errors
-    /// Not TOML, an unknown key, a value of the wrong kind, a number that is not finite, events out of order, or an override
-    /// below zero.
+    /// Not TOML, an unknown key, a value of the wrong kind, a number that is not finite, events out of order, or an
+    /// override below zero.
     pub fn from_text(text: &str) -> Result<Self, TextError> {
         let script: Self = crate::text::from_toml(text)?;
         let places = script.events.windows(2).enumerate();

@@ -11,8 +11,8 @@ use crate::position::Position;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Bench {
-    /// A named bench. `stand-alone rs274` answers as that program's stubs do, whatever is said below; `whole controller`
-    /// answers as said below, and stands where an edition would else name its own.
+    /// A named bench. `stand-alone rs274` answers as that program's stubs do, whatever is said below; `whole
+    /// controller` answers as said below, and stands where an edition would else name its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Digital outputs wired to digital inputs, output number to input number; what comes in there is what goes out.

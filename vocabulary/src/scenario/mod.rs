@@ -76,8 +76,8 @@ pub enum Start {
 pub struct Program {
     /// Language of the program.
     pub language: Language,
-    /// Text of the main program, whose file name is `main.ngc`. Bytes that are not UTF-8 are out of a scenario's reach, and so
-    /// is a NUL, which is no text: controllers need not agree on it, and the command refuses it.
+    /// Text of the main program, whose file name is `main.ngc`. Bytes that are not UTF-8 are out of a scenario's
+    /// reach, and so is a NUL, which is no text: controllers need not agree on it, and the command refuses it.
     pub main: String,
     /// Text of subroutine files, by file name. One in the folder `elsewhere/` is where no controller looks.
     pub files: BTreeMap<String, String>,
@@ -100,8 +100,8 @@ impl Program {
 }
 
 impl Language {
-    /// The lines of a program's text, as blocks are numbered, without their ends: a line feed, a carriage return before it too, and in
-    /// RS-274 also a carriage return alone.
+    /// The lines of a program's text, as blocks are numbered, without their ends: a line feed, a carriage return
+    /// before it too, and in RS-274 also a carriage return alone.
     pub fn lines(self, text: &str) -> impl Iterator<Item = &str> {
         let ends: &[char] = match self {
             Self::Rs274 => &['\r', '\n'],

@@ -1,26 +1,30 @@
 //! What a person or a panel does, and when.
 //!
-//! **When a block begins.** Each line that a run comes to is a block that begins, also where nothing of it is done: an `endif` to
-//! which a condition that is false leads, the end of a sub, a comment, a slash alone. Blank lines, those that block delete skips, percent
-//! signs and what is jumped over are none. A block begins when the one before is over, also where the program has been paused by then:
-//! it stands before it does anything.
+//! **When a block begins.** Each line that a run comes to is a block that begins, also where nothing of it is done:
+//! an `endif` to which a condition that is false leads, the end of a sub, a comment, a slash alone. Blank lines,
+//! those that block delete skips, percent signs and what is jumped over are none. A block begins when the one before
+//! is over, also where the program has been paused by then: it stands before it does anything.
 //!
-//! **In which order.** Events happen in the order of their times, those at one time as they are listed. All that is due when a block
-//! begins, or where the text ends, happens before anything else does; what is due when a dwell or a wait ends comes before its end. What the
-//! bench does at the same time comes after it: an encoder at whose answer somebody aborts has not answered.
+//! **In which order.** Events happen in the order of their times, those at one time as they are listed. All that is
+//! due when a block begins, or where the text ends, happens before anything else does; what is due when a dwell or a
+//! wait ends comes before its end. What the bench does at the same time comes after it: an encoder at whose answer
+//! somebody aborts has not answered.
 //!
-//! **A pause** holds what has not begun: the next move, the next block. What waits for something outside goes on waiting.
+//! **A pause** holds what has not begun: the next move, the next block. What waits for something outside goes on
+//! waiting.
 //!
-//! **A block is done move by move**, also where it is a canned cycle. Before a move that is held everything has been done that comes before it
-//! in its block, the start of synchronisation with a spindle too, and is recorded although the block is not over; nothing that comes
-//! after it has, not even that outputs switch which wait for a motion. An abort leaves the controlled point where the last move has led.
-//! M19 waits for one spindle after the other, each wait being told of where it begins.
+//! **A block is done move by move**, also where it is a canned cycle. Before a move that is held everything has been
+//! done that comes before it in its block, the start of synchronisation with a spindle too, and is recorded although
+//! the block is not over; nothing that comes after it has, not even that outputs switch which wait for a motion. An
+//! abort leaves the controlled point where the last move has led. M19 waits for one spindle after the other, each
+//! wait being told of where it begins.
 //!
-//! **Blocks by hand** are lines of the file `mdi`, the line being the place of the event among those that enter one, from 1, as they are
-//! listed. So a block has a name whatever becomes of the others, and events can stand at it.
+//! **Blocks by hand** are lines of the file `mdi`, the line being the place of the event among those that enter one,
+//! from 1, as they are listed. So a block has a name whatever becomes of the others, and events can stand at it.
 //!
-//! **The end** of the run is that of the program or block by hand that ended last: by M2 or M30, by a percent sign, by an abort. Other
-//! blocks by hand end nothing. A program whose lines are entered by hand ends as its last line does, paused if that ends nothing.
+//! **The end** of the run is that of the program or block by hand that ended last: by M2 or M30, by a percent sign,
+//! by an abort. Other blocks by hand end nothing. A program whose lines are entered by hand ends as its last line
+//! does, paused if that ends nothing.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -13,9 +13,9 @@
 //! pin digital_out[0] time=0 value=1
 //! ```
 //!
-//! One line per record, `name=value` separated by blanks; texts stand in double quotes with the escapes of JSON, and so do
-//! file names and indices with other characters than letters, digits and a few signs. A field stands once in a line,
-//! the state last below its block. A pin line is one change of one pin; time is virtual, in seconds.
+//! One line per record, `name=value` separated by blanks; texts stand in double quotes with the escapes of JSON, and
+//! so do file names and indices with other characters than letters, digits and a few signs. A field stands once in a
+//! line, the state last below its block. A pin line is one change of one pin; time is virtual, in seconds.
 
 mod line;
 mod read;

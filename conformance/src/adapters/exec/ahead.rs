@@ -1,7 +1,7 @@
 //! A run that is asked for before anybody waits for it: the controller works while what it did before is judged.
 //!
-//! One request is under way at a time, as ever. What comes of such a run is told to whoever asked for it, and to nobody else. Where something
-//! else is run instead, it is let end, and nobody looks at what came of it.
+//! One request is under way at a time, as ever. What comes of such a run is told to whoever asked for it, and to
+//! nobody else. Where something else is run instead, it is let end, and nobody looks at what came of it.
 
 use std::thread::{self, ThreadId};
 
@@ -22,7 +22,8 @@ pub(super) struct Begun {
 }
 
 impl Exec {
-    /// Begins a run in an idle session. Where there is none, or it fails before, nothing is lost: it is begun when it is wanted.
+    /// Begins a run in an idle session. Where there is none, or it fails before, nothing is lost: it is begun when it
+    /// is wanted.
     pub(super) fn begin_ahead(&self, scenario: &Scenario) {
         self.let_begun_end();
         // What is observed of it is asked first.

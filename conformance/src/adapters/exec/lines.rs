@@ -122,7 +122,8 @@ impl Lines {
         unsent.to_vec()
     }
 
-    /// Writes a line, or nothing, and reads one. `is_gone` tells whether nobody is there any more to answer: somebody else may hold the streams open.
+    /// Writes a line, or nothing, and reads one. `is_gone` tells whether nobody is there any more to answer: somebody
+    /// else may hold the streams open.
     pub(super) fn ask(
         &mut self,
         line: &[u8],

@@ -1,8 +1,10 @@
-//! Any controller: a command that speaks the [adapter protocol](crate::protocol) on its standard streams, or whoever speaks it at an address.
+//! Any controller: a command that speaks the [adapter protocol](crate::protocol) on its standard streams, or whoever
+//! speaks it at an address.
 //!
-//! Nothing of what it says is trusted. It runs in a process group of its own, with limits of time, output and memory; whoever breaks a limit, dies or
-//! answers something else than was asked is ended with all that it started, and the next scenario gets a new one. What it declares before it runs
-//! anything bounds what is asked of it and what is judged.
+//! Nothing of what it says is trusted. It runs in a process group of its own, with limits of time, output and memory;
+//! whoever breaks a limit, dies or answers something else than was asked is ended with all that it started, and the
+//! next scenario gets a new one. What it declares before it runs anything bounds what is asked of it and what is
+//! judged.
 
 mod ahead;
 mod lines;

@@ -1,4 +1,5 @@
-//! A run within a session: told at once, in batches, in a file or by its digest; fed with what an operator does; cancelled when it takes too long.
+//! A run within a session: told at once, in batches, in a file or by its digest; fed with what an operator does;
+//! cancelled when it takes too long.
 
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::scenario::OperatorEvent;
@@ -48,8 +49,8 @@ struct Before {
 }
 
 impl Session {
-    /// Runs a scenario. `expected` is what the specification says, where somebody wants to know: it is found out while the controller runs, and may
-    /// save that the outcome is sent.
+    /// Runs a scenario. `expected` is what the specification says, where somebody wants to know: it is found out
+    /// while the controller runs, and may save that the outcome is sent.
     pub(super) fn run(
         &mut self,
         scenario: &Scenario,
@@ -84,7 +85,8 @@ impl Session {
         Asked { unsent: self.lines.say(&line), by_digest: ways.digest, before }
     }
 
-    /// What comes of a run that was asked for. It has its time from now on: whoever asks early may do something else meanwhile.
+    /// What comes of a run that was asked for. It has its time from now on: whoever asks early may do something else
+    /// meanwhile.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
     pub(super) fn outcome_of(
         &mut self,

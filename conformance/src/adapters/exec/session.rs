@@ -120,7 +120,8 @@ impl Session {
         self.has_run && self.offers(Offer::Fresh) && !self.offers(Offer::State)
     }
 
-    /// Asks for a reset whose answer [`Session::reset`] takes: the controller is set back while something else is done here.
+    /// Asks for a reset whose answer [`Session::reset`] takes: the controller is set back while something else is
+    /// done here.
     pub(super) fn reset_ahead(&mut self) {
         if self.is_set_back_by_running() {
             return;
@@ -203,7 +204,8 @@ impl Session {
         unasked.map_or(Ok(()), |line| Err(unreadable("it speaks without being asked", line)))
     }
 
-    /// Writes what is to be said, if anything, and reads an answer to the last request; of a run, perhaps this outcome is expected.
+    /// Writes what is to be said, if anything, and reads an answer to the last request; of a run, perhaps this
+    /// outcome is expected.
     pub(super) fn exchange(
         &mut self,
         line: &[u8],

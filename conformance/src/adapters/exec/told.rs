@@ -1,5 +1,5 @@
-//! A scenario as it is told: what has its default is left out, as the protocol allows. Most of a scenario is options, and most of those
-//! are the first of their choice.
+//! A scenario as it is told: what has its default is left out, as the protocol allows. Most of a scenario is options,
+//! and most of those are the first of their choice.
 
 use std::collections::BTreeMap;
 use std::ops::Not;

@@ -44,7 +44,8 @@ impl Exec {
         }
     }
 
-    /// Cancels a run at once, then runs another scenario in the same session. None where the cancel was not answered as it must be.
+    /// Cancels a run at once, then runs another scenario in the same session. None where the cancel was not answered
+    /// as it must be.
     ///
     /// # Errors
     /// The other one has no outcome.

@@ -1,10 +1,11 @@
 //! LinuxCNC's whole controller, version 2.9: headless, with a simulated machine.
 //!
-//! A scenario becomes a configuration (`setup`), which a controller in name spaces of its own is started with (`session`)
-//! and kept for the next scenario that needs the same one (`pool`). Inside, a script of ours (`driver.py`) is the display:
-//! it resets the controller, runs the program, plays the bench and the operator, and samples the pins. The controller
-//! prints each block that it reads and each command that it issues (`stream`); commands become settings and effects
-//! (`canon`), probe lines within the program the state after each block, and all together an outcome (`assemble`).
+//! A scenario becomes a configuration (`setup`), which a controller in name spaces of its own is started with
+//! (`session`) and kept for the next scenario that needs the same one (`pool`). Inside, a script of ours
+//! (`driver.py`) is the display: it resets the controller, runs the program, plays the bench and the operator, and
+//! samples the pins. The controller prints each block that it reads and each command that it issues (`stream`);
+//! commands become settings and effects (`canon`), probe lines within the program the state after each block, and all
+//! together an outcome (`assemble`).
 //!
 //! Where no person interrupts, it reads ahead no more than one command, so that all that stands before a refused block
 //! has been carried out.
@@ -104,7 +105,8 @@ impl LinuxCnc {
     /// Records the servo samples of a program, which it runs at its own pace.
     ///
     /// # Errors
-    /// It cannot run the program to its end, or samples are lost; a servo period that is not a whole number of nanoseconds.
+    /// It cannot run the program to its end, or samples are lost; a servo period that is not a whole number of
+    /// nanoseconds.
     pub fn record(&self, scenario: &Scenario, limits: &MotionLimits) -> Result<Samples, NotMoved> {
         self.supports(scenario).map_err(NotMoved::Unsupported)?;
         recorder::record(scenario, limits)
@@ -123,8 +125,9 @@ impl LinuxCnc {
         let names = foreign_names(source);
         // Stored parameters change where the machine stands to begin with.
         let stores = !scenario.machine.parameters.0.is_empty();
-        // A controller that was used before may be other than a new one; then the run is repeated on a new one. One that
-        // prints what it should not is given another chance there, too: on a loaded machine its real-time tasks are too late.
+        // A controller that was used before may be other than a new one; then the run is repeated on a new one. One
+        // that prints what it should not is given another chance there, too: on a loaded machine its real-time tasks
+        // are too late.
         let mut chances = CHANCES;
         loop {
             let mut session = self.pool.take(&setup, &names, &tools, new || stores)?;

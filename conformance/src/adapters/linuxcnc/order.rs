@@ -1,5 +1,5 @@
-//! What is asked of a controller for a scenario: how its program is observed, what the driver is to do meanwhile, and the
-//! way back to where the next program begins.
+//! What is asked of a controller for a scenario: how its program is observed, what the driver is to do meanwhile, and
+//! the way back to where the next program begins.
 
 use std::collections::BTreeSet;
 

@@ -27,8 +27,8 @@ struct State {
 }
 
 impl Pool {
-    /// A controller of this setup in which none of the names was ever given a value, or a `new` one; another waiting one
-    /// makes room where there are too many.
+    /// A controller of this setup in which none of the names was ever given a value, or a `new` one; another waiting
+    /// one makes room where there are too many.
     ///
     /// # Errors
     /// It does not start.

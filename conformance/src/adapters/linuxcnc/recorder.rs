@@ -1,8 +1,8 @@
 //! Servo samples of a program, recorded while the controller runs it at its own pace.
 //!
 //! Each recording has a controller of its own, which reads ahead as far as it likes and has the axes' limits in its
-//! configuration. A sampler in its servo thread takes down where it commands the axes to be, the line that it says it executes, and
-//! the outputs, cycle by cycle (`record.py` starts and ends it).
+//! configuration. A sampler in its servo thread takes down where it commands the axes to be, the line that it says it
+//! executes, and the outputs, cycle by cycle (`record.py` starts and ends it).
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -39,8 +39,8 @@ const INCH: f64 = 25.4;
 /// Records the samples of a program.
 ///
 /// # Errors
-/// The controller cannot run it to its end within the time, says nothing that can be read, or loses samples; a servo period that is not a whole
-/// number of nanoseconds.
+/// The controller cannot run it to its end within the time, says nothing that can be read, or loses samples; a servo
+/// period that is not a whole number of nanoseconds.
 pub(super) fn record(scenario: &Scenario, limits: &MotionLimits) -> Result<Samples, NotMoved> {
     let mut scenario = scenario.clone();
     scenario.machine.limits = limits_in_units(&scenario.machine, limits);

@@ -106,7 +106,8 @@ impl Session {
         })
     }
 
-    /// Starts a controller that records the motion of one program, and waits until it has ended. The samples, as the sampler prints them.
+    /// Starts a controller that records the motion of one program, and waits until it has ended. The samples, as the
+    /// sampler prints them.
     ///
     /// # Errors
     /// It could not be started, complained, hung or flooded, or left no samples.

@@ -59,8 +59,8 @@ pub(super) fn has_own_pace(scenario: &Scenario) -> bool {
     !scenario.operator.is_empty() || !scenario.bench.inputs.is_empty()
 }
 
-/// A person acts on what is read ahead, and what changes meanwhile in HAL is read ahead too; otherwise the controller reads
-/// ahead as little as it can, so that what stands before a refused block has been executed.
+/// A person acts on what is read ahead, and what changes meanwhile in HAL is read ahead too; otherwise the controller
+/// reads ahead as little as it can, so that what stands before a refused block has been executed.
 fn reads_ahead(scenario: &Scenario) -> bool {
     let interrupts = |action: &Action| {
         matches!(action, Action::Abort | Action::Pause | Action::FeedHold(_) | Action::Mode(_))

@@ -67,8 +67,8 @@ fn by_hand(scenario: &Scenario) -> Result<(), String> {
     Ok(())
 }
 
-/// Its clock is that of the wall, and blocks that do nothing go by unseen: what happens there, or when something else does, happens in
-/// some order.
+/// Its clock is that of the wall, and blocks that do nothing go by unseen: what happens there, or when something else
+/// does, happens in some order.
 fn at_one_time(scenario: &Scenario) -> Result<(), String> {
     let events = &scenario.operator;
     let text = |event: &OperatorEvent| {

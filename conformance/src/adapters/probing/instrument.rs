@@ -14,8 +14,8 @@ pub(in crate::adapters) const LAST_PARAMETER: u32 = 5601;
 /// Longest line that the interpreter reads.
 pub(in crate::adapters) const LONGEST_LINE: usize = 252;
 
-/// How many parameters a probe line shows: a message that has more than about 500 characters, once its values are in it, makes the
-/// interpreter crash, and large numbers are long.
+/// How many parameters a probe line shows: a message that has more than about 500 characters, once its values are in
+/// it, makes the interpreter crash, and large numbers are long.
 const MOST_VALUES: usize = 12;
 
 /// Characters that binding an end to a parameter may take.
@@ -173,8 +173,8 @@ impl Plan {
 
     /// What is entered by hand once the program has stopped: a sign, the end before which it stopped, and a probe.
     ///
-    /// An end is bound to a parameter that is set before it, so that none is executed where an error stopped the program;
-    /// one that leaves no room for that is entered as it is ([`Ends::are_bound`]).
+    /// An end is bound to a parameter that is set before it, so that none is executed where an error stopped the
+    /// program; one that leaves no room for that is entered as it is ([`Ends::are_bound`]).
     pub(in crate::adapters) fn by_hand(&self, ends: &Ends) -> String {
         let mut text = format!("(PRINT,{})\n", self.by_hand_sign());
         for (block, end) in ends.blocks.iter().enumerate() {

@@ -57,7 +57,8 @@ impl Lengths {
         Settings { feed_rate: Some(rate), ..Settings::default() }
     }
 
-    /// F as a parameter tells it, with more decimals than the call has; where they differ by more than those, the parameter means something else.
+    /// F as a parameter tells it, with more decimals than the call has; where they differ by more than those, the
+    /// parameter means something else.
     pub(in crate::adapters) fn precise_feed(&mut self, told: f64) {
         if let Some((rate, unit)) = &mut self.feed
             && *unit == self.unit

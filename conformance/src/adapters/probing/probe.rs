@@ -59,8 +59,8 @@ impl<'a> Reader<'a> {
         Self { plan, parts, values: Vec::new(), place: None, next: 0, broken_off: false }
     }
 
-    /// A reader where a run was broken off, perhaps within a probe: what is left of that one is passed over. The run may
-    /// begin another one before it stands.
+    /// A reader where a run was broken off, perhaps within a probe: what is left of that one is passed over. The run
+    /// may begin another one before it stands.
     pub(in crate::adapters) fn broken_off(plan: &'a Plan) -> Self {
         Self { broken_off: true, ..Self::new(plan) }
     }

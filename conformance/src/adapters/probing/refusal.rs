@@ -44,7 +44,8 @@ pub(in crate::adapters) fn fault(
     } else if matches!(kind, FaultKind::UnknownSub | FaultKind::MixedStyles)
         || message.starts_with("M7x:")
     {
-        // The echo is the last line that a call sought through, or the definition that it found, or what a restore tried.
+        // The echo is the last line that a call sought through, or the definition that it found, or what a restore
+        // tried.
         next
     } else {
         refused_line(echo, source, plan, next)

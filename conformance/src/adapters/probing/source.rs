@@ -111,7 +111,8 @@ impl Source {
         self.all().any(|(_, _, line)| compact(line).contains("#<_line>"))
     }
 
-    /// Whether a block has M0 or M60, which would stop until someone resumes; not one that is refused for two such codes.
+    /// Whether a block has M0 or M60, which would stop until someone resumes; not one that is refused for two such
+    /// codes.
     pub(in crate::adapters) fn pauses(&self) -> bool {
         self.all().any(|(_, _, line)| {
             let code = without_names(&code(line));

@@ -10,7 +10,8 @@ use gaugeblock_vocabulary::scenario::{Action, OperatorEvent};
 pub(super) struct Operator<'a> {
     /// What stands at a block that has not been reached yet, with its place in the list.
     ahead: Vec<(usize, &'a OperatorEvent)>,
-    /// What falls due, when, and where it stands in the list of events; of those at one time the one listed first comes first.
+    /// What falls due, when, and where it stands in the list of events; of those at one time the one listed first
+    /// comes first.
     due: Vec<(f64, usize, &'a Action)>,
     /// How often each block has been executed that something stands at.
     executions: BTreeMap<Block, u32>,

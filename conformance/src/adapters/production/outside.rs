@@ -1,10 +1,13 @@
-//! What the outside answers to the production controller, as the scenario's bench says. Time is virtual: only waits move it.
+//! What the outside answers to the production controller, as the scenario's bench says. Time is virtual: only waits
+//! move it.
 
 use std::collections::BTreeMap;
 
 use gaugeblock_impl::Probing;
 use gaugeblock_impl::task::{Happening, Input, Work, WorkState};
-use gaugeblock_vocabulary::scenario::{Action, Bench, Folder, OrientAnswer, ProbeContact, UserProgram};
+use gaugeblock_vocabulary::scenario::{
+    Action, Bench, Folder, OrientAnswer, ProbeContact, UserProgram,
+};
 use gaugeblock_vocabulary::{Block, Effect, FaultKind, Pin, Position, Scenario};
 
 use super::operator::Operator;

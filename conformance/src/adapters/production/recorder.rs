@@ -1,4 +1,5 @@
-//! Writes down what the production controller does: settings, effects and pins as it tells them, and the state after each block.
+//! Writes down what the production controller does: settings, effects and pins as it tells them, and the state after
+//! each block.
 
 use std::collections::BTreeMap;
 
@@ -183,8 +184,8 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// What changed since a state was recorded last. After a call or return the level is recorded anew, and with it the local
-    /// named parameters that exist.
+    /// What changed since a state was recorded last. After a call or return the level is recorded anew, and with it
+    /// the local named parameters that exist.
     fn changes(&mut self, done: &BlockDone<'_>) -> Rs274State {
         if std::mem::take(&mut self.elsewhere) {
             self.state.call_level = None;

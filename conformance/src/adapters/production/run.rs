@@ -5,7 +5,9 @@ use std::cell::Cell;
 use gaugeblock_impl::task::{Activity, BY_HAND, Idle, Stuck, Task};
 use gaugeblock_impl::{Error, Interpreter, Limits, Memory, Room};
 use gaugeblock_vocabulary::scenario::Start;
-use gaugeblock_vocabulary::{Block, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario};
+use gaugeblock_vocabulary::{
+    Block, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario,
+};
 
 use super::super::HarnessError;
 use super::outside::Outside;
@@ -57,8 +59,8 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     Ok(outcome)
 }
 
-/// Parameters before a block that asks for more effects than there are, which is not recorded: the interpreter has executed some of it. So the
-/// blocks before it are executed again.
+/// Parameters before a block that asks for more effects than there are, which is not recorded: the interpreter has
+/// executed some of it. So the blocks before it are executed again.
 fn before_last(
     scenario: &Scenario,
     outcome: &Outcome,
@@ -202,8 +204,8 @@ impl Run<'_> {
     }
 }
 
-/// The bound of the budget that is used up. It is looked at between blocks, so that a short run is a prefix of a longer one; within a block only
-/// whether it asks for more effects than there are.
+/// The bound of the budget that is used up. It is looked at between blocks, so that a short run is a prefix of a
+/// longer one; within a block only whether it asks for more effects than there are.
 fn exhausted(scenario: &Scenario, task: &Task<Recorder<'_>>) -> Option<Bound> {
     let (budget, recorder) = (&scenario.budget, task.machine());
     if recorder.steps() >= budget.steps {

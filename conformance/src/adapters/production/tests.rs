@@ -74,7 +74,8 @@ fn an_entry_whose_file_has_no_end_is_refused() {
     assert_eq!(ends(&scenario), "missing_end");
 }
 
-/// However many strokes the interpreter executes at a time, and whatever the block did: the parameters are those before it.
+/// However many strokes the interpreter executes at a time, and whatever the block did: the parameters are those
+/// before it.
 #[test]
 fn a_block_with_more_effects_than_there_are_is_not_recorded() {
     let mut scenario = Scenario::of("f100 g0 x1\n#31=7 g73 q1 x9 z-60 r2\nm2\n");

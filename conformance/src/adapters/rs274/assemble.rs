@@ -107,7 +107,8 @@ pub(super) fn decided_by_line(source: &Source) -> Outcome {
 /// Why a block is not judged that has a spline and a tool change or the program end.
 const HIDDEN_SPLINE: &str = "where a spline ends beside a tool change or the program end";
 
-/// T0 selects no tool, since tools do not change places here; once a tool was selected, or the table written, it shows as tool 0.
+/// T0 selects no tool, since tools do not change places here; once a tool was selected, or the table written, it
+/// shows as tool 0.
 fn select_none(step: &mut Step) {
     if let Some(State::Rs274(state)) = &mut step.state
         && state.prepared_tool == Some(0)

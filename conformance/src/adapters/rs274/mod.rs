@@ -1,10 +1,11 @@
 //! LinuxCNC's stand-alone interpreter `rs274`, version 2.9.
 //!
 //! It prints canonical calls, and what an error is, but neither blocks nor modes. The program is therefore run with a
-//! probe line after each line (`instrument`), which prints the place and the modes. A sample of programs, or all, are run
-//! once more without, to see that observing changed nothing (`session`). A run is a fork of a controller that has started
-//! (`fork`); those of the sample are started each, so that forking is checked with observing. Calls become settings and effects (`canon`),
-//! probes the rest of the state (`state`), the error message a fault (`refusal`, `faults`).
+//! probe line after each line (`instrument`), which prints the place and the modes. A sample of programs, or all, are
+//! run once more without, to see that observing changed nothing (`session`). A run is a fork of a controller that has
+//! started (`fork`); those of the sample are started each, so that forking is checked with observing. Calls become
+//! settings and effects (`canon`), probes the rest of the state (`state`), the error message a fault (`refusal`,
+//! `faults`).
 //!
 //! What it cannot show: the tool length mode apart from the offset, F under inverse time (had back from the moves), and
 //! anything that it stubs: pins, inputs, probing, user-defined codes, pauses, M99 in the main program.
@@ -42,7 +43,8 @@ const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 }
 /// Calls have four decimals, and probes show a value below a ten-thousandth as zero.
 const RESOLUTION: f64 = 1.0e-4;
 
-/// Lengths that are printed when they are set and not when the length unit changes: set in inches, they are shown with the error of inches.
+/// Lengths that are printed when they are set and not when the length unit changes: set in inches, they are shown
+/// with the error of inches.
 const CARRIED: &[&str] = &[
     "feed_rate",
     "blend_tolerance",
@@ -111,9 +113,9 @@ impl Adapter for Rs274 {
         &self.capabilities
     }
 
-    /// Stored data of a millimetre machine stay hidden: this controller stores inches. Where a program asks for the number of a line, probes
-    /// change what it computes, and where its moves lead. F under inverse time is had from the text, or back from the moves, if they lead
-    /// anywhere.
+    /// Stored data of a millimetre machine stay hidden: this controller stores inches. Where a program asks for the
+    /// number of a line, probes change what it computes, and where its moves lead. F under inverse time is had from
+    /// the text, or back from the moves, if they lead anywhere.
     fn shows(&self, scenario: &Scenario) -> Capabilities {
         let mut shows = self.capabilities.clone();
         let source = Source::new(&scenario.program);
@@ -210,8 +212,8 @@ impl Adapter for Rs274 {
     }
 }
 
-/// Parameters at the end, without those of probing, which are not stored, those that only repeat position and tool, and without stored lengths on a machine
-/// whose unit is not the one in which this controller stores them.
+/// Parameters at the end, without those of probing, which are not stored, those that only repeat position and tool,
+/// and without stored lengths on a machine whose unit is not the one in which this controller stores them.
 fn shown_parameters(scenario: &Scenario, parameters: &BTreeMap<u32, f64>) -> BTreeMap<u32, f64> {
     let inch = scenario.machine.length_unit == LengthUnit::Inch;
     let shown = |number: &u32| match *number {

@@ -126,8 +126,8 @@ impl Session<'_> {
         digest.is_multiple_of(SAMPLE)
     }
 
-    /// The run with probes, and beyond the program's end: there no probe is reached, so that the program is stopped by an
-    /// error before its last block, with its state alive, and that block and a probe are entered by hand.
+    /// The run with probes, and beyond the program's end: there no probe is reached, so that the program is stopped
+    /// by an error before its last block, with its state alive, and that block and a probe are entered by hand.
     ///
     /// Once more where it turns out that a parameter was written that no probe showed.
     fn run_probed(&self, ends: &Ends) -> Result<Observed, HarnessError> {

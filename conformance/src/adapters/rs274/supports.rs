@@ -37,8 +37,8 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
 /// Codes that store lengths.
 const STORING: &[&str] = &["g10", "g28.1", "g30.1", "g52", "g92"];
 
-/// Parameters that are stored lengths are inches here, whatever the machine's unit is: where the program sets one, or lets a code set it and
-/// reads it, it does something else.
+/// Parameters that are stored lengths are inches here, whatever the machine's unit is: where the program sets one, or
+/// lets a code set it and reads it, it does something else.
 fn stored_lengths(scenario: &Scenario) -> Result<(), String> {
     let inch = scenario.machine.length_unit == LengthUnit::Inch;
     let source = Source::new(&scenario.program);
@@ -51,7 +51,8 @@ fn stored_lengths(scenario: &Scenario) -> Result<(), String> {
     Ok(())
 }
 
-/// Whether a stored parameter is a length along X, Y, Z, U, V or W: of the points of G28 and G30, the offset of G92, or a coordinate system.
+/// Whether a stored parameter is a length along X, Y, Z, U, V or W: of the points of G28 and G30, the offset of G92,
+/// or a coordinate system.
 fn is_linear(number: u32) -> bool {
     let first = match number {
         5161..=5169 => 5161,

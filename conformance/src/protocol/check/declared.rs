@@ -1,4 +1,5 @@
-//! What an adapter declares to show, each looked for once: a member that is misspelt or has another form is found here, and not in the middle of a night.
+//! What an adapter declares to show, each looked for once: a member that is misspelt or has another form is found
+//! here, and not in the middle of a night.
 
 use std::collections::{BTreeMap, BTreeSet};
 

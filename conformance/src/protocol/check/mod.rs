@@ -1,4 +1,5 @@
-//! What is wrong with an adapter, before anything is certified: each check is one scenario or two, and says in a sentence what came of it.
+//! What is wrong with an adapter, before anything is certified: each check is one scenario or two, and says in a
+//! sentence what came of it.
 
 mod declared;
 mod offered;

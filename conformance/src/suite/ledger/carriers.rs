@@ -27,7 +27,8 @@ struct Item {
     quirks: Vec<Spanned<String>>,
 }
 
-/// Each rule, choice or quirk that the text of a ledger names and the suite does not have, with its line. A text that is no ledger names none.
+/// Each rule, choice or quirk that the text of a ledger names and the suite does not have, with its line. A text that
+/// is no ledger names none.
 pub fn absent(text: &str, suite: &Suite) -> Vec<(usize, String)> {
     let Ok(names) = toml::from_str::<Names>(text) else { return Vec::new() };
     let is_choice = |id: &str, kind: ChoiceKind| {

@@ -1,7 +1,8 @@
 //! Scenarios of a post-processor: a program, and the toolpath that drives it.
 //!
-//! Most of them are accepted: variables are declared before they are used, have the type that belongs there, and mostly a value. A dial spoils
-//! some statements and lines. Nothing is nudged: GPP has no function, and its rounding is told to the last bit.
+//! Most of them are accepted: variables are declared before they are used, have the type that belongs there, and
+//! mostly a value. A dial spoils some statements and lines. Nothing is nudged: GPP has no function, and its rounding
+//! is told to the last bit.
 
 mod odd;
 mod pairs;

@@ -32,8 +32,8 @@ pub fn modality(dice: &mut Dice<'_>) -> Pair {
 }
 
 impl Pair {
-    /// Whether two outcomes are the same but for what says which variables are modal: also where a budget ended one of them earlier, since
-    /// warnings cost something.
+    /// Whether two outcomes are the same but for what says which variables are modal: also where a budget ended one
+    /// of them earlier, since warnings cost something.
     pub fn agrees(one: &Outcome, other: &Outcome) -> bool {
         let (mut first, mut second) = (seen(one), seen(other));
         let exhausted = [one, other].iter().any(|o| matches!(o.end, End::BudgetExhausted { .. }));

@@ -1,7 +1,8 @@
 //! Scenarios of custom macros: a main program, macros and subprograms behind it, and how blocks are deleted.
 //!
-//! Most of them are accepted: programs that are called exist, loops are closed, labels stand once and ahead of their jumps, and a feed is set before
-//! anything moves. What documents leave open is written seldom. A dial spoils some blocks.
+//! Most of them are accepted: programs that are called exist, loops are closed, labels stand once and ahead of their
+//! jumps, and a feed is set before anything moves. What documents leave open is written seldom. A dial spoils some
+//! blocks.
 
 mod odd;
 mod pairs;

@@ -19,8 +19,9 @@ pub struct Counted {
     pub interpolations: u64,
 }
 
-/// Modal calls within each other. With n of them in force, of which the last calls a macro of m motions L times, a motion of the main program is
-/// F(n) = 1 + L m F(n - 1) interpolations, and F(0) = 1: each motion of that macro reaches the n - 1 before.
+/// Modal calls within each other. With n of them in force, of which the last calls a macro of m motions L times, a
+/// motion of the main program is F(n) = 1 + L m F(n - 1) interpolations, and F(0) = 1: each motion of that macro
+/// reaches the n - 1 before.
 pub fn count(dice: &mut Dice<'_>) -> Counted {
     let calls = dice.range(0, 4);
     let mut main = String::from("O1\nG1 F100\n");

@@ -1,8 +1,8 @@
 //! Odd programs, from bytes: almost valid, and often refused.
 //!
-//! Each byte chooses a row of a table, so that a small change of the bytes is a small change of the program; an engine
-//! that mutates bytes and a library that shrinks them both work on it. Most blocks are well formed, since what is refused at
-//! its first word tests little; some are broken on purpose.
+//! Each byte chooses a row of a table, so that a small change of the bytes is a small change of the program; an
+//! engine that mutates bytes and a library that shrinks them both work on it. Most blocks are well formed, since what
+//! is refused at its first word tests little; some are broken on purpose.
 
 mod tables;
 

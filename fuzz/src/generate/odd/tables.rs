@@ -1,7 +1,7 @@
 //! The tables that programs are written from.
 //!
-//! A row is text with placeholders: `{B}` is a body of nested statements, `{O}` the number that the statement has for itself
-//! (its label, and the parameter that it counts in), every other letter a table of its own.
+//! A row is text with placeholders: `{B}` is a body of nested statements, `{O}` the number that the statement has for
+//! itself (its label, and the parameter that it counts in), every other letter a table of its own.
 
 /// Statements that stand at the top of a program only. They are well formed, as are [`NESTED`].
 pub(super) const TOP: &[&str] = &[

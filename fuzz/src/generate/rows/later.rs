@@ -1,5 +1,5 @@
-//! What model or production may still end as unsupported. Each row is ready; [`Kind::is_later`] says which kinds only some
-//! programs use.
+//! What model or production may still end as unsupported. Each row is ready; [`Kind::is_later`] says which kinds only
+//! some programs use.
 
 use super::super::table::{Kind, Row};
 

@@ -59,7 +59,8 @@ pub(in super::super) const ROWS: &[Row] = &[
 ];
 
 impl Writer<'_, '_> {
-    /// Lets all spindles turn where none may do so yet: constant surface speed is refused while they stand, which is worth a few programs.
+    /// Lets all spindles turn where none may do so yet: constant surface speed is refused while they stand, which is
+    /// worth a few programs.
     fn turns_first(&mut self) {
         if !self.state.turning && self.dice.chance(85) {
             self.block("m3 s800");

@@ -1,6 +1,8 @@
-//! Programs of a few lines that have to do with each other, whole and broken, of few labels, names and words, under any options.
+//! Programs of a few lines that have to do with each other, whole and broken, of few labels, names and words, under
+//! any options.
 //!
-//! Generated programs are right for the most part, and bytes are not: neither has a broken sub in a skipped condition in a loop.
+//! Generated programs are right for the most part, and bytes are not: neither has a broken sub in a skipped condition
+//! in a loop.
 
 mod gpp;
 mod nct;
@@ -101,7 +103,8 @@ fn hold<S: Strategy>(share: u32, kind: S, scenario: impl Fn(S::Value) -> Scenari
 
 /// Two controllers do the same with as many scenarios of a kind as is said.
 ///
-/// At least `share` of them, in per cent, are judged to their end: programs of which one side says nothing would hold for ever.
+/// At least `share` of them, in per cent, are judged to their end: programs of which one side says nothing would hold
+/// for ever.
 fn hold_with<S: Strategy>(
     agree: impl Fn(&Scenario) -> Agreement,
     (share, config): (u32, ProptestConfig),

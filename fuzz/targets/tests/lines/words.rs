@@ -1,4 +1,5 @@
-//! Every code with every word: beside it, instead of one that it needs, with every other code, and in whatever state it comes.
+//! Every code with every word: beside it, instead of one that it needs, with every other code, and in whatever state
+//! it comes.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -210,7 +211,8 @@ fn change() -> impl Strategy<Value = Change> {
     ]
 }
 
-/// A block of the table that is changed a little, or two of them in one line or one behind the other, and what comes before.
+/// A block of the table that is changed a little, or two of them in one line or one behind the other, and what comes
+/// before.
 pub(super) fn program() -> impl Strategy<Value = String> {
     let two = (select(BEFORE), select(BLOCKS), select(&[" ", "\n"][..]), select(BLOCKS));
     let two = two.prop_map(|(before, one, between, two)| {

@@ -1,4 +1,5 @@
-//! Canned cycles: G73, G74, G81 to G89 (11.5.40, 11.5.41, 11.5.43 to 11.5.53, 11.5.61), which rewrite a block into plain moves.
+//! Canned cycles: G73, G74, G81 to G89 (11.5.40, 11.5.41, 11.5.43 to 11.5.53, 11.5.61), which rewrite a block into
+//! plain moves.
 //!
 //! ```text
 //! Words ─► series (sticky words, initial level) ─► Drilling (a hole as numbers) ─► strokes (one move, dwell or switch at a time)
@@ -185,8 +186,8 @@ impl Modal {
         Ok(())
     }
 
-    /// R, the bottom and the clear level as positions. In incremental mode R counts from where the axis is, and the bottom from R
-    /// (11.5.43.2).
+    /// R, the bottom and the clear level as positions. In incremental mode R counts from where the axis is, and the
+    /// bottom from R (11.5.43.2).
     fn levels(&self, numbers: &Numbers, normal: Axis, start: Coordinates) -> Levels {
         let now = self.in_force.now();
         let (retract, bottom) = if self.is_incremental() {
@@ -207,7 +208,8 @@ impl Modal {
         Levels { retract, bottom, clear }
     }
 
-    /// Where the first hole is, and how far each is from the one before: in absolute mode they are all in one place (11.5.43.3).
+    /// Where the first hole is, and how far each is from the one before: in absolute mode they are all in one place
+    /// (11.5.43.3).
     fn holes(
         &self,
         words: &Words,

@@ -40,7 +40,8 @@ pub(super) fn axis_word(words: &Words, axis: Axis) -> Option<f64> {
 }
 
 impl Numbers {
-    /// Reads the words of a cycle; `sticky` are those of the block before, where it was of the same cycle. `tap` is the P of a tap that has none.
+    /// Reads the words of a cycle; `sticky` are those of the block before, where it was of the same cycle. `tap` is
+    /// the P of a tap that has none.
     pub(super) fn read(
         words: &Words,
         code: u16,

@@ -1,7 +1,8 @@
-//! What a series of contiguous blocks of one motion keeps from block to block: sticky words and the initial level of canned cycles
-//! (11.5.43.2, 11.5.61), and an open data block of G5.2 (11.5.9).
+//! What a series of contiguous blocks of one motion keeps from block to block: sticky words and the initial level of
+//! canned cycles (11.5.43.2, 11.5.61), and an open data block of G5.2 (11.5.9).
 //!
-//! A motion mode that ends a series does not come here: what is kept holds only while the motion mode in force is one of its own.
+//! A motion mode that ends a series does not come here: what is kept holds only while the motion mode in force is one
+//! of its own.
 
 use gaugeblock_vocabulary::Motion;
 

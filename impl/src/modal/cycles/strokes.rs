@@ -22,7 +22,8 @@ enum Stroke {
     Drill,
     /// Feed moves to the bottom, an increment at a time, each but the last followed by a short rapid move up.
     DrillBreaking,
-    /// Feed moves to the bottom, an increment at a time, each but the last followed by a rapid move to the R plane and back.
+    /// Feed moves to the bottom, an increment at a time, each but the last followed by a rapid move to the R plane
+    /// and back.
     DrillPecking,
     /// P seconds.
     Dwell,

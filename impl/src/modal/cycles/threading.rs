@@ -1,7 +1,7 @@
 //! G76: a thread in passes (11.5.42).
 //!
-//! The drive line is where the X axis is at the start, and goes along Z. A pass goes from the drive line to its depth, along the thread in step
-//! with the spindle, and back to the drive line.
+//! The drive line is where the X axis is at the start, and goes along Z. A pass goes from the drive line to its
+//! depth, along the thread in step with the spindle, and back to the drive line.
 
 use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Lathe, Plane};
 

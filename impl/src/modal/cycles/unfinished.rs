@@ -38,7 +38,8 @@ impl Modal {
         self.unfinished = Some(Unfinished { line, job, stop: None, before: None });
     }
 
-    /// Gives up a block that is not finished: the point stays where it is, and overrides are as they were before the cycle.
+    /// Gives up a block that is not finished: the point stays where it is, and overrides are as they were before the
+    /// cycle.
     pub(in super::super) fn abandon(&mut self) {
         if let Some(Unfinished { job: Job::Drilling(drilling), .. }) = self.unfinished.take() {
             self.restore_overrides(&drilling);
@@ -74,7 +75,8 @@ impl Modal {
         self.end_step(before, flow, numbered)
     }
 
-    /// Behind a step of a block that can be refused: it is taken back, or done, or can still be refused in a later step.
+    /// Behind a step of a block that can be refused: it is taken back, or done, or can still be refused in a later
+    /// step.
     #[inline]
     pub(in super::super) fn end_step(
         &mut self,

@@ -305,7 +305,10 @@ fn in_moved_systems() {
         Effects("3 arc_feed end=(x2) first_centre=1 second_centre=0 turns=-1"),
     );
     check_on(
-        &gaugeblock_vocabulary::Machine { axes: [gaugeblock_vocabulary::Axis::X].into(), ..machine() },
+        &gaugeblock_vocabulary::Machine {
+            axes: [gaugeblock_vocabulary::Axis::X].into(),
+            ..machine()
+        },
         &[],
         "f1; g2 x2 y0 r1",
         Refused(gaugeblock_vocabulary::FaultKind::NoSuchAxis),

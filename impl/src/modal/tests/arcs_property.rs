@@ -101,7 +101,8 @@ proptest! {
         prop_assert_eq!(sweep > 180.0, beyond, "{}", sweep);
     }
 
-    /// A point that the arc's own centre turns to its end is accepted, incrementally and absolutely, with the same centre.
+    /// A point that the arc's own centre turns to its end is accepted, incrementally and absolutely, with the same
+    /// centre.
     #[test]
     fn centre_format(
         start in point(), centre in point(), angle in 0.0..360.0_f64, plane in plane(), counterclockwise: bool, turns in 1_u8..9,

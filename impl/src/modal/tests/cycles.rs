@@ -139,7 +139,11 @@ fn pecks() {
 
 /// What the settings are at each effect of a cycle.
 fn settings_at(program: &str, setting: &str) -> alloc::string::String {
-    struct Watch<'a>(&'a str, gaugeblock_vocabulary::Settings, alloc::vec::Vec<alloc::string::String>);
+    struct Watch<'a>(
+        &'a str,
+        gaugeblock_vocabulary::Settings,
+        alloc::vec::Vec<alloc::string::String>,
+    );
     impl crate::Sink for Watch<'_> {
         fn set(&mut self, _line: u32, changed: &gaugeblock_vocabulary::Settings) {
             self.1.overlay(changed);

@@ -36,7 +36,8 @@ use crate::words::Words;
 
 use super::{Flow, Modal, Refusal};
 
-/// Writes down effects with their lines, and answers inputs with 0.5, probes with a contact at Z-1, user code 199 and orientations beyond 9 s with no.
+/// Writes down effects with their lines, and answers inputs with 0.5, probes with a contact at Z-1, user code 199 and
+/// orientations beyond 9 s with no.
 #[derive(Default)]
 pub(super) struct Recorder {
     pub(super) effects: Vec<String>,

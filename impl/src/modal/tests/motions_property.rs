@@ -69,7 +69,8 @@ proptest! {
         prop_assert!((x - last.0).abs() + (y - last.1).abs() < 1e-12);
     }
 
-    /// Each pass is deeper than the one before up to K, there is a way back to the drive line, and the tool ends at its end.
+    /// Each pass is deeper than the one before up to K, there is a way back to the drive line, and the tool ends at
+    /// its end.
     #[test]
     fn a_thread_is_cut_in_passes(
         (first, full, degression) in (1_u8..9, 1_u8..30, 1_u8..4),

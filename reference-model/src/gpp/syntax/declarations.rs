@@ -115,7 +115,8 @@ impl Reader<'_> {
         place.ok_or_else(|| no_such(&name))
     }
 
-    /// Rules gpp.modal-declaration and gpp.array-modality. MODAL makes variables modal; an array whole, and no member alone.
+    /// Rules gpp.modal-declaration and gpp.array-modality. MODAL makes variables modal; an array whole, and no member
+    /// alone.
     fn modality(&mut self, modal: bool) -> Result<(), Halt> {
         self.take();
         loop {

@@ -21,7 +21,8 @@ const COMPARISONS: &[(&str, &str, &[Ordering])] = &[
 ];
 
 impl Reader<'_> {
-    /// A condition in its parentheses. A variable alone counts as a test of its flag where `lone` says so, and is noted.
+    /// A condition in its parentheses. A variable alone counts as a test of its flag where `lone` says so, and is
+    /// noted.
     pub(super) fn condition(&mut self, lone: bool) -> Result<Vec<Test>, Halt> {
         self.alone = 0;
         self.expect("(")?;

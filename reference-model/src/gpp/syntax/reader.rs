@@ -55,7 +55,8 @@ pub(super) struct Reader<'a> {
     /// The newline symbol, once it is declared.
     pub(super) symbol: Option<&'static str>,
     pub(super) in_procedure: bool,
-    /// Within the parentheses of a condition, and not within the brackets of an index there. It tells where reading has stopped, too.
+    /// Within the parentheses of a condition, and not within the brackets of an index there. It tells where reading
+    /// has stopped, too.
     pub(super) in_condition: bool,
     /// How many parentheses, brackets and signs are open.
     pub(super) depth: usize,

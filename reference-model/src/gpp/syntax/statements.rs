@@ -11,7 +11,8 @@ use crate::gpp::text::Token;
 pub(super) const SYMBOLS: &[&str] = &["!", "#", "$", "%", "&", "@", "?", "^", "~"];
 
 impl Reader<'_> {
-    /// The statements up to the next heading, the end of the program, or a word that ends or divides the statement around them.
+    /// The statements up to the next heading, the end of the program, or a word that ends or divides the statement
+    /// around them.
     pub(super) fn statements(&mut self) -> Result<Vec<Statement>, Halt> {
         let mut statements = Vec::new();
         loop {
@@ -144,8 +145,8 @@ impl Reader<'_> {
         Ok(Action::If { condition, then, otherwise })
     }
 
-    /// The word that ends a statement stands here. At a heading or the end of the program it is missing, which the statement is refused
-    /// for; another such word belongs to no statement that is open.
+    /// The word that ends a statement stands here. At a heading or the end of the program it is missing, which the
+    /// statement is refused for; another such word belongs to no statement that is open.
     fn ends(&mut self, line: u32, word: &str) -> Result<(), Halt> {
         if self.is_heading() || *self.peek() == Token::End {
             self.begun = line;
@@ -155,7 +156,8 @@ impl Reader<'_> {
         if self.word() == Some(word) { Ok(()) } else { Err(self.odd(word)) }
     }
 
-    /// The condition of `IF_SET`: one variable, which is warned of when it is tested. The old GPP has conditions there, too.
+    /// The condition of `IF_SET`: one variable, which is warned of when it is tested. The old GPP has conditions
+    /// there, too.
     fn flag(&mut self) -> Result<Condition, Halt> {
         let warnings = self.warnings.len();
         let tests = match self.condition(true) {

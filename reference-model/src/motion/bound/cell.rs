@@ -2,9 +2,9 @@
 //!
 //! Along a curve p(τ) a motion is y = τ̇² over τ, and u = τ̈, with dy/dτ = 2u. The limits are |p'|²y ≤ v² and
 //! |p'u + p''y| ≤ a, axis by axis. On a cell of width w about its middle m they are replaced twice by constraints on the
-//! value of y where the cell starts and on one u: once by weaker ones, which every lawful motion meets in the mean over the
-//! cell, and once by stronger ones, which imply the limits at each of its points for a steady u. With Mₖ the k-th derivative in the
-//! middle, Bₖ a bound of it on the whole curve, U a bound of |u| and Y one of y on the cell:
+//! value of y where the cell starts and on one u: once by weaker ones, which every lawful motion meets in the mean
+//! over the cell, and once by stronger ones, which imply the limits at each of its points for a steady u. With Mₖ the
+//! k-th derivative in the middle, Bₖ a bound of it on the whole curve, U a bound of |u| and Y one of y on the cell:
 //!
 //! * the mean of p'u + p''y is M₁ū + M₂(y₀ + wū) up to |M₂|Uw/4 + w²(B₃U/8 + |M₃|U/6 + B₄Y/24): what is linear in
 //!   τ - m contributes -M₂/w·∫(τ - m)u, by parts;
@@ -111,7 +111,8 @@ impl Cell {
         Self { width, highest, steepest, straight, scales: (ends[0], ends[1]), demands }
     }
 
-    /// The lowest and the highest u at a y where the cell starts; the first may be above the second, and then there is none.
+    /// The lowest and the highest u at a y where the cell starts; the first may be above the second, and then there
+    /// is none.
     fn rates(&self, y: f64) -> (f64, f64) {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for demand in &self.demands {

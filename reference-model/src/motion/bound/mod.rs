@@ -8,12 +8,12 @@
 //! | `stopping` | the distance in which a motion can stop |
 //!
 //! A path is divided where the motion must rest: at exact stops, dwells and waits, and where an exact path breaks its
-//! direction. The bounds of the stretches add up. It is slow and sure: every lower bound is proved in the section that computes
-//! it, up to the rounding of its sums.
+//! direction. The bounds of the stretches add up. It is slow and sure: every lower bound is proved in the section
+//! that computes it, up to the rounding of its sums.
 //!
-//! What is bounded is a motion that keeps its limits at every instant. The laws hold samples to them, and between two samples a velocity may
-//! jump by what an axis could have changed it by in the time: so an exact path whose direction breaks slightly can be passed lawfully
-//! without the rest that is counted here, in less time than the bound.
+//! What is bounded is a motion that keeps its limits at every instant. The laws hold samples to them, and between two
+//! samples a velocity may jump by what an axis could have changed it by in the time: so an exact path whose direction
+//! breaks slightly can be passed lawfully without the rest that is counted here, in less time than the bound.
 
 mod cell;
 mod reach;
@@ -74,8 +74,8 @@ pub struct TimeBound {
 
 /// The least time of a path under limits, with no feed faster than programmed times `fastest`: the highest override.
 ///
-/// Limits of jerk are dropped, which leaves a lower bound; then nothing is said to be achieved. So does the feed per turn of a
-/// spindle, whose speed nobody knows beforehand.
+/// Limits of jerk are dropped, which leaves a lower bound; then nothing is said to be achieved. So does the feed per
+/// turn of a spindle, whose speed nobody knows beforehand.
 ///
 /// # Errors
 /// Why there is none: an element of which only the end is known, or an axis that moves and has no limits.
@@ -181,8 +181,8 @@ fn speed(leg: &Leg<'_>) -> f64 {
 
 /// How fast the point can be in space on the way along the legs of a stretch.
 ///
-/// By trajectory.feed it is no faster than the feed of the legs that it may be on. About a corner these are the ones next to it, and
-/// further ones where a leg is shorter than the tolerances. A rapid has the speeds of the axes.
+/// By trajectory.feed it is no faster than the feed of the legs that it may be on. About a corner these are the ones
+/// next to it, and further ones where a leg is shorter than the tolerances. A rapid has the speeds of the axes.
 struct Fastest {
     /// On a leg itself, and where it may be on others too.
     legs: Vec<(f64, f64)>,
@@ -253,7 +253,8 @@ fn gates(route: &Route<'_>, (first, last): (usize, usize), fastest: &Fastest) ->
     gates
 }
 
-/// Where on a leg gates stand: some of each radian of an arc, and so far from its ends that the point is on this leg alone.
+/// Where on a leg gates stand: some of each radian of an arc, and so far from its ends that the point is on this leg
+/// alone.
 fn parts(curve: &Curve, apart: f64) -> Vec<f64> {
     let cells = curve.cells(8.0);
     let mut parts: Vec<f64> =

@@ -1,10 +1,10 @@
 //! The least time along exact curves, by reachability.
 //!
-//! Time-optimal path parametrisation after H. Pham and Q.-C. Pham, "A New Approach to Time-Optimal Path Parameterization Based on
-//! Reachability Analysis", IEEE Transactions on Robotics, 2018: backwards over the path, the set of squared speeds from which
-//! rest at its end can be reached; forwards, the highest speeds within these sets. Here each cell is solved twice, with
-//! constraints that are weaker and stronger than the limits (see `cell`), so that the least time is bracketed, and cells are divided
-//! until the bracket is narrow.
+//! Time-optimal path parametrisation after H. Pham and Q.-C. Pham, "A New Approach to Time-Optimal Path
+//! Parameterization Based on Reachability Analysis", IEEE Transactions on Robotics, 2018: backwards over the path,
+//! the set of squared speeds from which rest at its end can be reached; forwards, the highest speeds within these
+//! sets. Here each cell is solved twice, with constraints that are weaker and stronger than the limits (see `cell`),
+//! so that the least time is bracketed, and cells are divided until the bracket is narrow.
 
 use super::cell::{Cell, Side, speed};
 use super::smooth::Smooth;
@@ -26,8 +26,8 @@ pub(super) struct Bracket {
     pub(super) achieved: f64,
 }
 
-/// The least time from rest to rest along curves that go on into each other without a break, each with the highest speed that its
-/// feed allows.
+/// The least time from rest to rest along curves that go on into each other without a break, each with the highest
+/// speed that its feed allows.
 pub(super) fn bracket(curves: &[(&dyn Smooth, f64)], envelope: &Envelope) -> Bracket {
     let mut per_radian = 50.0;
     let mut best = Bracket { least: 0.0, achieved: f64::INFINITY };

@@ -1,7 +1,7 @@
 //! Lower bounds for a path that may be rounded.
 //!
-//! A motion that keeps the laws passes gates in order: each programmed corner within its tolerance, at the ends exactly and at
-//! rest. What every such motion needs at least is bounded in two ways that forget most of the problem.
+//! A motion that keeps the laws passes gates in order: each programmed corner within its tolerance, at the ends
+//! exactly and at rest. What every such motion needs at least is bounded in two ways that forget most of the problem.
 
 use super::trapezoid::rest_to_rest;
 use crate::motion::vector::{Nine, direction, distance, dot, minus};
@@ -15,10 +15,11 @@ pub(super) struct Gate {
 
 /// Each axis alone, forgetting the others: it visits the intervals of its gates in order.
 ///
-/// Let the axis need to be at M or above at some time, and then at m < M or below, and so on. Where it
-/// is highest between the time before and the time after, it is at M or above and rests, and these moments come in order. So from
-/// each turn to the next it goes from rest to rest over M - m at least, and the times add up. The sequence of turns that is found
-/// here is what one axis needs: the sum is the least time of the relaxed problem, not only a bound of it.
+/// Let the axis need to be at M or above at some time, and then at m < M or below, and so on. Where it is highest
+/// between the time before and the time after, it is at M or above and rests, and these moments come in order. So
+/// from each turn to the next it goes from rest to rest over M - m at least, and the times add up. The sequence of
+/// turns that is found here is what one axis needs: the sum is the least time of the relaxed problem, not only a
+/// bound of it.
 pub(super) fn axis(gates: &[Gate], axis: usize, speed: f64, acceleration: f64) -> f64 {
     let Some(first) = gates.first() else { return 0.0 };
     // The last turn, and how far the axis needs to go from there, up or down.
@@ -40,12 +41,12 @@ pub(super) fn axis(gates: &[Gate], axis: usize, speed: f64, acceleration: f64) -
     seconds + rest_to_rest((reach - turn).abs(), speed, acceleration)
 }
 
-/// The time that the shortest way through the gates takes at least, in coordinates `counted`, where `fastest` holds the speed that is
-/// not exceeded on the way to each gate; on the way to the first it means nothing.
+/// The time that the shortest way through the gates takes at least, in coordinates `counted`, where `fastest` holds
+/// the speed that is not exceeded on the way to each gate; on the way to the first it means nothing.
 ///
-/// Between two gates the motion makes no more than their fastest speed Fᵢ. So for any vectors uᵢ no longer
-/// than 1/Fᵢ a motion through points xᵢ within Pᵢ of vᵢ takes Σ uᵢ·(xᵢ₊₁ - xᵢ) at least, which is Σ uᵢ·(vᵢ₊₁ - vᵢ) - Σ Pᵢ|uᵢ₋₁ - uᵢ| or
-/// more. The vectors have directions of the path, taken over more and more of it; the best of them counts.
+/// Between two gates the motion makes no more than their fastest speed Fᵢ. So for any vectors uᵢ no longer than 1/Fᵢ
+/// a motion through points xᵢ within Pᵢ of vᵢ takes Σ uᵢ·(xᵢ₊₁ - xᵢ) at least, which is Σ uᵢ·(vᵢ₊₁ - vᵢ) - Σ Pᵢ|uᵢ₋₁
+/// - uᵢ| or more. The vectors have directions of the path, taken over more and more of it; the best of them counts.
 pub(super) fn shortest(gates: &[Gate], fastest: &[f64], counted: std::ops::Range<usize>) -> f64 {
     let only = |vector: Nine| -> Nine {
         std::array::from_fn(|axis| if counted.contains(&axis) { vector[axis] } else { 0.0 })

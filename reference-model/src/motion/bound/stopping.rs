@@ -35,17 +35,19 @@ impl Stop {
 
 /// A distance in which a motion at a point of a route can stop on it, from a speed, however its corners are rounded.
 ///
-/// The point brakes as hard as the axis that is loaded most allows, with what turning leaves of its acceleration. How long the blend at a
-/// corner is, only who plans it knows. Where turning into the other leg takes all of the acceleration, it is so short that it ends within
-/// [`Blend::inner`]: there the speed is steady, and no higher than the longest blend is passed with. Where a blend is twice as long, half of the
-/// acceleration is left: so much brakes as far as the longest blend reaches. Beyond the end of the route there is nothing to stop on.
+/// The point brakes as hard as the axis that is loaded most allows, with what turning leaves of its acceleration. How
+/// long the blend at a corner is, only who plans it knows. Where turning into the other leg takes all of the
+/// acceleration, it is so short that it ends within [`Blend::inner`]: there the speed is steady, and no higher than
+/// the longest blend is passed with. Where a blend is twice as long, half of the acceleration is left: so much brakes
+/// as far as the longest blend reaches. Beyond the end of the route there is nothing to stop on.
 pub(in crate::motion) fn stopping(
     route: &Route<'_>,
     envelope: &Envelope,
     from: (usize, f64),
     speed: f64,
 ) -> Stop {
-    // Where the leg ends or turns to axes that are livelier, the motion brakes for that before; in no less time than it takes here.
+    // Where the leg ends or turns to axes that are livelier, the motion brakes for that before; in no less time than
+    // it takes here.
     let (first, second) = route.legs[from.0].curve.derivatives(from.1);
     let rate = rate(envelope, (&first, &second), speed);
     let seconds = if rate > 0.0 { speed / rate } else { 0.0 };
@@ -66,12 +68,14 @@ pub(in crate::motion) fn stopping(
     Stop { seconds: stop.seconds.max(seconds), ..stop }
 }
 
-/// What it takes to stop from a velocity on the blend that a motion may be on at a point of a route; nothing where it is on none.
+/// What it takes to stop from a velocity on the blend that a motion may be on at a point of a route; nothing where it
+/// is on none.
 ///
-/// On a blend that takes all of the acceleration the velocity goes evenly from that along one leg to that along the other, so that its shares along
-/// both tell how much is left of the blend. Where it is left as fast as it was entered, their sum is the speed at its end: in the middle the path is
-/// slower, and nobody can brake before that. It may be left faster or slower, since an axis that turns little has to change its speed less then.
-/// No blend is left faster than the longest one that is entered with the same share of that speed.
+/// On a blend that takes all of the acceleration the velocity goes evenly from that along one leg to that along the
+/// other, so that its shares along both tell how much is left of the blend. Where it is left as fast as it was
+/// entered, their sum is the speed at its end: in the middle the path is slower, and nobody can brake before that. It
+/// may be left faster or slower, since an axis that turns little has to change its speed less then. No blend is left
+/// faster than the longest one that is entered with the same share of that speed.
 pub(in crate::motion) fn stopping_on_blend(
     route: &Route<'_>,
     envelope: &Envelope,
@@ -107,8 +111,9 @@ pub(in crate::motion) enum Shortest {
 
 /// How a motion at a point of a route stops from a speed, if nothing is known but so many legs.
 ///
-/// What is left of the speed at the end of the last of them is braked as hard as it is there. A leg that nobody knows of yet may
-/// be one on which braking takes longer, and it must not count. A corner that is not rounded costs nothing.
+/// What is left of the speed at the end of the last of them is braked as hard as it is there. A leg that nobody knows
+/// of yet may be one on which braking takes longer, and it must not count. A corner that is not rounded costs
+/// nothing.
 pub(in crate::motion) fn shortest_stopping(
     route: &Route<'_>,
     envelope: &Envelope,
@@ -247,10 +252,11 @@ fn rate(envelope: &Envelope, (first, second): (&Nine, &Nine), speed: f64) -> f64
 /// A corner that may be rounded.
 #[derive(Clone, Copy, Debug, Default)]
 struct Blend {
-    /// How much of a leg the longest blend takes: what the tolerance allows of a parabola that is tangent to both legs, and no more than the
-    /// shorter leg, or its half between midpoints.
+    /// How much of a leg the longest blend takes: what the tolerance allows of a parabola that is tangent to both
+    /// legs, and no more than the shorter leg, or its half between midpoints.
     reach: f64,
-    /// What turning costs: the acceleration of the axis that turns most, over its limit, for a square of speed and per length of a blend's half.
+    /// What turning costs: the acceleration of the axis that turns most, over its limit, for a square of speed and
+    /// per length of a blend's half.
     turn: f64,
     /// How hard the point may brake in either direction.
     rate: f64,
@@ -296,7 +302,8 @@ impl Blend {
         crate::math::square_root(self.reach / self.turn)
     }
 
-    /// The speed with which the longest one is left that is entered with this share of it, and takes all of the acceleration.
+    /// The speed with which the longest one is left that is entered with this share of it, and takes all of the
+    /// acceleration.
     fn left(&self, envelope: &Envelope, entered: f64) -> f64 {
         let [before, after] = &self.directions;
         let turn = (0..9)
@@ -431,8 +438,8 @@ mod tests {
             stopping_on_blend(&route, &envelope(), (0, part), &velocity)
         };
         let reach = 0.4 / std::f64::consts::SQRT_2;
-        // A blend that is entered with a quarter of the speed with which it is left: where it is nearest to the corner, its time that has passed is
-        // the cube root of a sixteenth of what is left.
+        // A blend that is entered with a quarter of the speed with which it is left: where it is nearest to the
+        // corner, its time that has passed is the cube root of a sixteenth of what is left.
         let ratio = 0.396_850_262_992;
         let all = (1.0 + ratio) * (1.0 + ratio);
         let fast = 0.1 * all / crate::math::hypotenuse(0.25, ratio * ratio);

@@ -67,8 +67,8 @@ fn exact_stops_have_a_closed_form() {
     assert!((square.least - 1.8).abs() < 1e-9, "{}", square.least);
 }
 
-/// The first and the last tooth start and end at rest in their corners, and not within P of them: a little more than 200 times
-/// the way between two rounded teeth, which is 6.197 s and 4.899 s.
+/// The first and the last tooth start and end at rest in their corners, and not within P of them: a little more than
+/// 200 times the way between two rounded teeth, which is 6.197 s and 4.899 s.
 #[test]
 fn teeth_are_bounded_by_the_axis_that_turns() {
     let leg = |way: f64| 2.0 * (way / 2000.0_f64).sqrt();

@@ -2,8 +2,8 @@
 
 use crate::math::square_root;
 
-/// The least time between two points of a way, from the square of a speed to that of another one, with a limit of acceleration
-/// and one of the square of the speed.
+/// The least time between two points of a way, from the square of a speed to that of another one, with a limit of
+/// acceleration and one of the square of the speed.
 ///
 /// What the two speeds need more of the way than there is, is not looked for: they are bounds themselves.
 pub(super) fn least_time(squares: (f64, f64), way: f64, acceleration: f64, highest: f64) -> f64 {

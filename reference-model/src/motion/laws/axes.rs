@@ -1,8 +1,8 @@
 //! Velocity, acceleration and jerk of each axis, by differences of samples.
 //!
 //! A motion whose k-th derivative is bounded has k-th differences, over the k-th power of the period, within the same
-//! bound, whatever the period: the difference is a mean of the derivative. What is added to a limit is what numbers lose:
-//! 1e-9 of it, last places of the positions, and what a recorded position may be off.
+//! bound, whatever the period: the difference is a mean of the derivative. What is added to a limit is what numbers
+//! lose: 1e-9 of it, last places of the positions, and what a recorded position may be off.
 
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::Column;
@@ -25,8 +25,8 @@ struct Order {
     unit: &'static str,
 }
 
-/// Rule trajectory.velocity. The first difference of an axis is within its velocity (manual of 2.9, section 2.3.1.1: maximum
-/// velocity and acceleration of an axis must be obeyed).
+/// Rule trajectory.velocity. The first difference of an axis is within its velocity (manual of 2.9, section 2.3.1.1:
+/// maximum velocity and acceleration of an axis must be obeyed).
 pub(super) fn velocity(record: &Record<'_>) -> Verdict {
     let limit = |limits: &AxisLimits| limits.velocity;
     differences(

@@ -12,10 +12,11 @@ use crate::motion::vector::{Nine, minus};
 
 const RELATIVE: f64 = 1e-9;
 
-/// Rule trajectory.feed. The commanded point is no faster than the feed of the legs that it may be on, times the overrides that
-/// act there: feed override (M50) and the size of the adaptive feed (M52). Under inverse time a leg takes its time at
-/// least; per turn the spindle's speed counts. On a rapid leg no axis is faster than its limit times the rapid override.
-/// What lowers an override lowers the allowed speed after the time that braking takes, and two cycles.
+/// Rule trajectory.feed. The commanded point is no faster than the feed of the legs that it may be on, times the
+/// overrides that act there: feed override (M50) and the size of the adaptive feed (M52). Under inverse time a leg
+/// takes its time at least; per turn the spindle's speed counts. On a rapid leg no axis is faster than its limit
+/// times the rapid override. What lowers an override lowers the allowed speed after the time that braking takes, and
+/// two cycles.
 pub(super) fn feed(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,

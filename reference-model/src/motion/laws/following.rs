@@ -39,9 +39,9 @@ pub(super) fn deviations(record: &Record<'_>) -> Vec<f64> {
     record.points.iter().zip(&matching.legs).map(off).collect()
 }
 
-/// Rule trajectory.deviation. Every commanded point is within P of the programmed path (G64 P, section 2.3.1.3: the tool path
-/// can stay within the tolerance); on it where the path is exact (G61, G61.1: followed exactly). A row of lines that may be
-/// merged is Q wider.
+/// Rule trajectory.deviation. Every commanded point is within P of the programmed path (G64 P, section 2.3.1.3: the
+/// tool path can stay within the tolerance); on it where the path is exact (G61, G61.1: followed exactly). A row of
+/// lines that may be merged is Q wider.
 pub(super) fn deviation(record: &Record<'_>) -> Verdict {
     let words = |_: &Route<'_>, miss: &Miss| {
         let far = miss.what == Missed::Path;
@@ -56,9 +56,9 @@ pub(super) fn deviation(record: &Record<'_>) -> Verdict {
     findings.verdict()
 }
 
-/// Rule trajectory.vertex. The commanded path passes every programmed corner within P (section 2.3.1.3: no more than P from
-/// the actual endpoints), exactly where a leg is exact. A corner that may be merged is passed within P + Q. Between two samples
-/// a motion can be a·h²/8 from their chord, and that much is granted.
+/// Rule trajectory.vertex. The commanded path passes every programmed corner within P (section 2.3.1.3: no more than
+/// P from the actual endpoints), exactly where a leg is exact. A corner that may be merged is passed within P + Q.
+/// Between two samples a motion can be a·h²/8 from their chord, and that much is granted.
 pub(super) fn vertex(record: &Record<'_>) -> Verdict {
     let words = |route: &Route<'_>, miss: &Miss| match miss.what {
         Missed::Corner(corner) => {
@@ -76,9 +76,9 @@ pub(super) fn vertex(record: &Record<'_>) -> Verdict {
     }
 }
 
-/// Rule trajectory.order. Every element that leads somewhere is passed, in the order of the program; one that leads nowhere
-/// changes nothing. Where a controller records which element or line it executes, it names none that comes before one that it
-/// named already, but while it runs backwards.
+/// Rule trajectory.order. Every element that leads somewhere is passed, in the order of the program; one that leads
+/// nowhere changes nothing. Where a controller records which element or line it executes, it names none that comes
+/// before one that it named already, but while it runs backwards.
 pub(super) fn order(record: &Record<'_>) -> Verdict {
     let last = record.points.len() - 1;
     let unfinished = |miss: &Miss| record.requests.aborted.is_some() && miss.sample == last;
@@ -106,8 +106,8 @@ pub(super) fn order(record: &Record<'_>) -> Verdict {
     findings.verdict()
 }
 
-/// Rule trajectory.progress. The path is followed forwards, but that a negative adaptive feed runs it backwards (M52, section
-/// 11.6.12), exactly as it came.
+/// Rule trajectory.progress. The path is followed forwards, but that a negative adaptive feed runs it backwards (M52,
+/// section 11.6.12), exactly as it came.
 pub(super) fn progress(record: &Record<'_>) -> Verdict {
     let words = |_: &Route<'_>, miss: &Miss| {
         let back = miss.what == Missed::Order;
@@ -121,10 +121,10 @@ pub(super) fn progress(record: &Record<'_>) -> Verdict {
     }
 }
 
-/// Rule trajectory.midpoints. Without a tolerance (G64 alone) a corner is rounded between the middles of its legs: the middle
-/// of each leg is passed, and between two of them the commanded point stays in the triangle of middle, corner and middle: that
-/// of another corner does not count, since a sample stands for points between two middles only after the first was passed.
-/// The manual says that each movement is touched at one point at least.
+/// Rule trajectory.midpoints. Without a tolerance (G64 alone) a corner is rounded between the middles of its legs:
+/// the middle of each leg is passed, and between two of them the commanded point stays in the triangle of middle,
+/// corner and middle: that of another corner does not count, since a sample stands for points between two middles
+/// only after the first was passed. The manual says that each movement is touched at one point at least.
 pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
     let (route, matching) = match matched(record) {
         Ok(matched) => matched,
@@ -159,7 +159,8 @@ pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
     findings.verdict()
 }
 
-/// The distance of a point from the triangle of a corner and the middles of its legs. The middle of an arc makes no triangle with a corner.
+/// The distance of a point from the triangle of a corner and the middles of its legs. The middle of an arc makes no
+/// triangle with a corner.
 fn from_corner(route: &Route<'_>, corner: usize, point: &Nine) -> f64 {
     let at = route.corners[corner].at;
     let beside = [corner.checked_sub(1), Some(corner)].into_iter().flatten();

@@ -1,8 +1,8 @@
 //! The laws of motion: what every trajectory must satisfy, whoever planned it.
 //!
-//! Samples of any controller are held against the programmed path, the limits of the machine, and what an operator did. Each
-//! law is a section with the id of its rule; it answers with what is broken, where and by how much, or with why it cannot be
-//! judged. A law accuses only where every reading of the documents does.
+//! Samples of any controller are held against the programmed path, the limits of the machine, and what an operator
+//! did. Each law is a section with the id of its rule; it answers with what is broken, where and by how much, or with
+//! why it cannot be judged. A law accuses only where every reading of the documents does.
 //!
 //! | read | laws |
 //! | --- | --- |
@@ -80,8 +80,8 @@ pub fn judge_under(
     Judgement(Law::ALL.iter().map(|law| (*law, verdict(law))).collect())
 }
 
-/// How far each sample is off the programmed path (millimetres, and degrees of rotary axes): off the nearest point of the legs for which it
-/// can stand. Nothing where samples cannot be matched to a path.
+/// How far each sample is off the programmed path (millimetres, and degrees of rotary axes): off the nearest point of
+/// the legs for which it can stand. Nothing where samples cannot be matched to a path.
 pub fn deviations(
     samples: &Samples,
     path: &ProgrammedPath,

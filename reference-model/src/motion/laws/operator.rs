@@ -16,9 +16,10 @@ const CYCLES: usize = 2;
 const STEP: f64 = 0.005;
 
 impl Record<'_> {
-    /// Whether something holds the motion at a sample: the operator, the feed stop where M53 lets it, an override or an adaptive
-    /// feed of zero where M50 and M52 let them (section 11.6.12: zero is as good as a feed hold). That is said of the
-    /// adaptive feed; of an override of the feed nobody says that it acts on rapid moves, which have one of their own (section 13.3.4.17).
+    /// Whether something holds the motion at a sample: the operator, the feed stop where M53 lets it, an override or
+    /// an adaptive feed of zero where M50 and M52 let them (section 11.6.12: zero is as good as a feed hold). That is
+    /// said of the adaptive feed; of an override of the feed nobody says that it acts on rapid moves, which have one
+    /// of their own (section 13.3.4.17).
     pub(super) fn holds(&self, sample: usize) -> bool {
         let requests = &self.requests;
         let Ok((route, matching)) = &self.matched else { return requests.hold[sample] };
@@ -33,8 +34,8 @@ impl Record<'_> {
     }
 }
 
-/// Rule trajectory.hold. A hold stops the motion on the path, within the distance in which it can stop and two cycles, and it
-/// rests until nothing holds it any more. That it goes on along the path, deviation and progress say.
+/// Rule trajectory.hold. A hold stops the motion on the path, within the distance in which it can stop and two
+/// cycles, and it rests until nothing holds it any more. That it goes on along the path, deviation and progress say.
 pub(super) fn hold(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -120,8 +121,9 @@ fn stops(
     }
 }
 
-/// How far a motion goes on along a route at least, since each axis needs its way to brake: from a point, with what the axes make from
-/// some samples to the next ones. On a leg on which an axis has a smaller share of the path, its way is longer along that.
+/// How far a motion goes on along a route at least, since each axis needs its way to brake: from a point, with what
+/// the axes make from some samples to the next ones. On a leg on which an axis has a smaller share of the path, its
+/// way is longer along that.
 ///
 /// Where an axis turns round on the route, that brakes it, and this says nothing of it.
 fn carried(
@@ -164,11 +166,12 @@ fn carried(
     (0..9).map(axis).fold(0.0, f64::max)
 }
 
-/// Rule trajectory.reserve. At each instant the elements that the planner was given suffice to stop on, so that it may be
-/// starved at any cycle (section 2.3.1.3: never at such a speed that it cannot come to an exact stop).
+/// Rule trajectory.reserve. At each instant the elements that the planner was given suffice to stop on, so that it
+/// may be starved at any cycle (section 2.3.1.3: never at such a speed that it cannot come to an exact stop).
 ///
-/// The speed from one sample to the next is that of some instant between them, at which the motion is no nearer than at the first of
-/// them: from there the speed has to suffice. On the way through a blend each axis has to stop by itself at least.
+/// The speed from one sample to the next is that of some instant between them, at which the motion is no nearer than
+/// at the first of them: from there the speed has to suffice. On the way through a blend each axis has to stop by
+/// itself at least.
 pub(super) fn reserve(record: &Record<'_>) -> Verdict {
     let Some(queued) = record.samples.column(Column::Queued) else {
         return Verdict::NotJudged("what was queued is not recorded".to_owned());
@@ -189,7 +192,8 @@ pub(super) fn reserve(record: &Record<'_>) -> Verdict {
     let mut findings = Findings::of(Law::Reserve);
     for (sample, queued) in queued.iter().enumerate().skip(1) {
         let (place, behind) = (matching.places[sample - 1], matching.places[sample]);
-        // Who runs back stops on what has been passed; and so does who may do so, where the path comes back along itself.
+        // Who runs back stops on what has been passed; and so does who may do so, where the path comes back along
+        // itself.
         let earlier = matching.legs[sample].0 < place.leg;
         if behind < place || record.backwards[sample] && earlier {
             continue;
@@ -239,8 +243,8 @@ pub(super) fn reserve(record: &Record<'_>) -> Verdict {
     findings.verdict()
 }
 
-/// Holds each axis by itself to what some legs leave it from a point on: however corners are rounded, an axis moves on for as
-/// long as it brakes.
+/// Holds each axis by itself to what some legs leave it from a point on: however corners are rounded, an axis moves
+/// on for as long as it brakes.
 fn each_axis(
     record: &Record<'_>,
     sample: usize,

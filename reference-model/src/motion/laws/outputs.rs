@@ -45,11 +45,12 @@ impl Expected {
     }
 }
 
-/// Rule trajectory.outputs. An output of M62, M63 or M67 switches at the start of the next motion (sections 11.6.15 and
-/// 11.6.17): in the sample that is nearest to the corner, or a cycle beside it; where the motion rests at the corner, beside the last
-/// sample there. Where a blend is a motion's start is a choice. Of several settings before that motion the latest counts; one without a motion after it never switches.
-/// An output of M64, M65 or M68 switches at once: while the motion rests where it was programmed. Nothing else switches. A value
-/// that lasts for no time may be missing, and so may what an abort came before.
+/// Rule trajectory.outputs. An output of M62, M63 or M67 switches at the start of the next motion (sections 11.6.15
+/// and 11.6.17): in the sample that is nearest to the corner, or a cycle beside it; where the motion rests at the
+/// corner, beside the last sample there. Where a blend is a motion's start is a choice. Of several settings before
+/// that motion the latest counts; one without a motion after it never switches. An output of M64, M65 or M68 switches
+/// at once: while the motion rests where it was programmed. Nothing else switches. A value that lasts for no time may
+/// be missing, and so may what an abort came before.
 pub(super) fn outputs(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -81,7 +82,8 @@ pub(super) fn outputs(record: &Record<'_>) -> Verdict {
     if recorded { findings.verdict() } else { Verdict::NothingAsked }
 }
 
-/// From which sample on each corner is passed, since the one before it is passed then, and by which one, since the next one is.
+/// From which sample on each corner is passed, since the one before it is passed then, and by which one, since the
+/// next one is.
 fn spans(record: &Record<'_>, route: &Route<'_>, visits: &[Option<Visit>]) -> Vec<(usize, usize)> {
     let end = record.points.len() - 1;
     let mut spans = vec![(0, end); visits.len()];
@@ -140,11 +142,12 @@ fn ask(
     }
 }
 
-/// First and last of the samples with which the motion from a corner may start: where it comes nearest, or does so after the corner before, or by
-/// the next one. Far beside the path nobody knows by its place which movement a sample belongs to.
+/// First and last of the samples with which the motion from a corner may start: where it comes nearest, or does so
+/// after the corner before, or by the next one. Far beside the path nobody knows by its place which movement a sample
+/// belongs to.
 ///
-/// Choice trajectory.motion-start. At a rounded corner it starts nearest to the corner, or where the blend has ended: at the first
-/// sample on its own path. Elsewhere these are the same.
+/// Choice trajectory.motion-start. At a rounded corner it starts nearest to the corner, or where the blend has ended:
+/// at the first sample on its own path. Elsewhere these are the same.
 fn start(
     record: &Record<'_>,
     (route, matching): (&Route<'_>, &Matching),
@@ -181,9 +184,10 @@ fn start(
 
 /// The samples that may show an output first that switches while the motion rests at a corner.
 ///
-/// A sample at the corner may, of any time that the motion stays there; where the rest lies between two samples, the second of these. Where
-/// samples are farther apart than servo cycles, the rest may outlast the last sample there; and where the motion runs back from there, which
-/// no output holds up, the next sample is the first one that can show what has switched at the last.
+/// A sample at the corner may, of any time that the motion stays there; where the rest lies between two samples, the
+/// second of these. Where samples are farther apart than servo cycles, the rest may outlast the last sample there;
+/// and where the motion runs back from there, which no output holds up, the next sample is the first one that can
+/// show what has switched at the last.
 fn at_once(record: &Record<'_>, corner: &Corner, visit: Visit) -> Vec<(usize, usize)> {
     if visit.at.is_some() {
         let sparse = usize::from(record.period > record.limits.period * (1.0 + 1e-9));

@@ -1,6 +1,8 @@
 //! What is judged: samples, path, limits and script, and what all laws need of them.
 
-use gaugeblock_vocabulary::motion::{MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_vocabulary::motion::{
+    MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples,
+};
 
 use super::matching::{self, Matching, Measure};
 use super::readings::Readings;
@@ -170,8 +172,8 @@ impl<'a> Record<'a> {
     }
 }
 
-/// How far a motion under these limits can be from the chord between two samples. Where an axis moves that has no limit: as
-/// far as the chord is long.
+/// How far a motion under these limits can be from the chord between two samples. Where an axis moves that has no
+/// limit: as far as the chord is long.
 fn bulge(points: &[Nine], envelope: &Envelope, period: f64) -> f64 {
     let moves =
         |axis: usize| points.iter().any(|point| point[axis].to_bits() != points[0][axis].to_bits());
@@ -187,11 +189,12 @@ fn bulge(points: &[Nine], envelope: &Envelope, period: f64) -> f64 {
     crate::math::square_root(square) * period * period / 8.0
 }
 
-/// How much longer it takes to stop on a circle whose turning takes all of the acceleration at first than on a line: the integral of 1/√(1 - u⁴) from
-/// 0 to 1.
+/// How much longer it takes to stop on a circle whose turning takes all of the acceleration at first than on a line:
+/// the integral of 1/√(1 - u⁴) from 0 to 1.
 const TURNING: f64 = 1.311_028_777;
 
-/// Where the path may be followed backwards: while the adaptive feed asks for it, and as long afterwards as it takes to stop.
+/// Where the path may be followed backwards: while the adaptive feed asks for it, and as long afterwards as it takes
+/// to stop.
 fn backwards(points: &[Nine], requests: &Requests, envelope: &Envelope, period: f64) -> Vec<bool> {
     let mut left: f64 = 0.0;
     let mut allowed = Vec::with_capacity(points.len());

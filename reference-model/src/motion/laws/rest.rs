@@ -11,12 +11,13 @@ use crate::motion::vector::{Nine, count, distance};
 
 const RELATIVE: f64 = 1e-9;
 
-/// Rule trajectory.stop. The motion rests at the end of each element that asks for it: under exact stop (G61.1, section 11.5.36:
-/// movement stops at the end of each segment), before a dwell (section 2.5.2.7), a wait, a probe, and an output at once, which
-/// breaks blending (section 11.6.15).
+/// Rule trajectory.stop. The motion rests at the end of each element that asks for it: under exact stop (G61.1,
+/// section 11.5.36: movement stops at the end of each segment), before a dwell (section 2.5.2.7), a wait, a probe,
+/// and an output at once, which breaks blending (section 11.6.15).
 ///
-/// The moment of rest may lie between two samples: then the times that both are away from the point at least fit into a period.
-/// Only samples count that can stand for points on both sides of the corner, and rests come in the order of the corners.
+/// The moment of rest may lie between two samples: then the times that both are away from the point at least fit into
+/// a period. Only samples count that can stand for points on both sides of the corner, and rests come in the order of
+/// the corners.
 pub(super) fn stop(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -57,9 +58,9 @@ fn unstated(record: &Record<'_>) -> Option<String> {
     Some(format!("{axis} moves and no limit of it is stated"))
 }
 
-/// Rule trajectory.ends. The first sample is where the path starts, the last one where it ends, exactly; at both the motion
-/// rests, so that its neighbour is no farther away than an axis comes from rest in a period. After an abort it ends anywhere, at
-/// rest.
+/// Rule trajectory.ends. The first sample is where the path starts, the last one where it ends, exactly; at both the
+/// motion rests, so that its neighbour is no farther away than an axis comes from rest in a period. After an abort it
+/// ends anywhere, at rest.
 pub(super) fn ends(record: &Record<'_>) -> Verdict {
     let last = record.points.len() - 1;
     let mut findings = Findings::of(Law::Ends);
@@ -109,10 +110,10 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
     findings.verdict()
 }
 
-/// Rule trajectory.dwell. The axes stand for the time of a dwell (G4), to the cycle more or less; at least so long where
-/// something else is waited for or held there too, or where the planner does not know yet how it goes on. An abort ends it. Who runs
-/// back out of it makes the rest of it, or all, when the motion has come again. Where the motion rests more than once that may be it, one
-/// rest of the right length is enough.
+/// Rule trajectory.dwell. The axes stand for the time of a dwell (G4), to the cycle more or less; at least so long
+/// where something else is waited for or held there too, or where the planner does not know yet how it goes on. An
+/// abort ends it. Who runs back out of it makes the rest of it, or all, when the motion has come again. Where the
+/// motion rests more than once that may be it, one rest of the right length is enough.
 pub(super) fn dwell(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -191,8 +192,8 @@ fn kept(record: &Record<'_>, next: Option<&Leg<'_>>, end: usize) -> bool {
 struct Rest {
     /// First and last sample there, or those between which it was.
     at: Option<(usize, usize)>,
-    /// How long it may have been, at least and at most, seconds: from the first to the last sample there, and beyond them as long as the
-    /// axes do not need to come and to go.
+    /// How long it may have been, at least and at most, seconds: from the first to the last sample there, and beyond
+    /// them as long as the axes do not need to come and to go.
     least: f64,
     most: f64,
 }
@@ -209,7 +210,8 @@ impl Rest {
     }
 }
 
-/// All rests of a visit: those of which samples tell, then those for which there is time between two that are away from the corner.
+/// All rests of a visit: those of which samples tell, then those for which there is time between two that are away
+/// from the corner.
 fn rests(record: &Record<'_>, visit: Visit, corner: &Nine) -> Vec<Rest> {
     let rest = |(first, last): (usize, usize)| {
         let least = count(last - first) * record.period;

@@ -11,13 +11,15 @@ use crate::motion::vector::{Nine, distance, from_segment};
 pub(super) struct Visit {
     /// The first sample that can stand for the corner or for a point behind it.
     pub(super) first: usize,
-    /// The last sample that can stand for the corner or for a point before it; the one before `first` where none can do both.
+    /// The last sample that can stand for the corner or for a point before it; the one before `first` where none can
+    /// do both.
     pub(super) last: usize,
     /// First and last sample at it.
     pub(super) at: Option<(usize, usize)>,
     /// Whether a later sample can stand for points behind it alone, so that it was passed for sure.
     pub(super) passed: bool,
-    /// Where the motion has run back from it and come again: the first sample of the last time, and first and last sample at it then.
+    /// Where the motion has run back from it and come again: the first sample of the last time, and first and last
+    /// sample at it then.
     again: Option<(usize, Option<(usize, usize)>)>,
     /// The same where nobody knows which of both movements the motion was on before it ran back.
     perhaps: Option<(usize, Option<(usize, usize)>)>,
@@ -41,7 +43,8 @@ impl Visit {
         std::iter::once(self.latest()).chain(perhaps)
     }
 
-    /// Whether an abort ends the record before any sample stands for points behind it alone: what was asked for there is perhaps not done.
+    /// Whether an abort ends the record before any sample stands for points behind it alone: what was asked for there
+    /// is perhaps not done.
     pub(super) fn is_aborted(self, record: &Record<'_>) -> bool {
         record.requests.aborted.is_some() && self.last + 1 == record.points.len()
     }
@@ -88,9 +91,9 @@ impl Visit {
 
     /// First and last of the samples that may be the nearest one.
     ///
-    /// Between two samples the motion may have been as near, since it is a·h²/8 from their chord at most. And where it comes near more than
-    /// once, nobody knows which time is the corner's, if one is no farther away than the other and the way to the next sample, or than
-    /// the corner may be missed by.
+    /// Between two samples the motion may have been as near, since it is a·h²/8 from their chord at most. And where
+    /// it comes near more than once, nobody knows which time is the corner's, if one is no farther away than the
+    /// other and the way to the next sample, or than the corner may be missed by.
     fn near(&self, record: &Record<'_>, corner: &Corner) -> (usize, usize) {
         let missed = match corner.passing {
             Passing::Within(tolerance) => tolerance,
@@ -133,9 +136,9 @@ impl Visit {
 
 /// The first visit of each corner, `None` for one that is not reached.
 ///
-/// Where a sample can stand for points on both sides of a corner, all of the documents' readings allow either. So a visit is
-/// a span of samples and no single one: what is asked for at the corner must happen within it. The work is linear in samples
-/// and corners while a sample can stand for a few legs only.
+/// Where a sample can stand for points on both sides of a corner, all of the documents' readings allow either. So a
+/// visit is a span of samples and no single one: what is asked for at the corner must happen within it. The work is
+/// linear in samples and corners while a sample can stand for a few legs only.
 pub(super) fn visits(
     record: &Record<'_>,
     route: &Route<'_>,
@@ -184,7 +187,8 @@ pub(super) fn visits(
     visits
 }
 
-/// The time that passes at least from a sample to rest at a point, or from such rest to it: from rest an axis is a·t²/2 away after t.
+/// The time that passes at least from a sample to rest at a point, or from such rest to it: from rest an axis is
+/// a·t²/2 away after t.
 pub(super) fn to_rest(record: &Record<'_>, sample: usize, corner: &Nine) -> f64 {
     let away = |axis: usize| {
         let off = ((record.points[sample][axis] - corner[axis]).abs() - record.slack).max(0.0);
@@ -212,8 +216,8 @@ fn between_rests(record: &Record<'_>, one: &Nine, other: &Nine) -> f64 {
 
 /// Rest at one corner after the other, each between two samples.
 ///
-/// All axes rest at the same moment, so that the slowest one decides how long before and after it a sample must be. Several rests
-/// between the same samples share the time between these.
+/// All axes rest at the same moment, so that the slowest one decides how long before and after it a sample must be.
+/// Several rests between the same samples share the time between these.
 pub(super) struct Rests<'r, 'a> {
     record: &'r Record<'a>,
     /// The sample after which the motion rested last, the time from that sample to this rest, and where it was.
@@ -236,8 +240,8 @@ impl<'r, 'a> Rests<'r, 'a> {
         (until, until + to_rest(self.record, sample + 1, corner))
     }
 
-    /// The first pair of samples of a visit between which there can be rest, or the one that comes nearest to that; and the time
-    /// that it needs between its samples.
+    /// The first pair of samples of a visit between which there can be rest, or the one that comes nearest to that;
+    /// and the time that it needs between its samples.
     pub(super) fn next(&mut self, visit: Visit, corner: &Nine) -> Option<(usize, f64)> {
         let earliest = self.before.map_or(0, |(sample, ..)| sample);
         let mut best: Option<(usize, f64, f64)> = None;

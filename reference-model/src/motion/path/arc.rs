@@ -11,8 +11,9 @@ const SAME_DIRECTION: f64 = 1e-7;
 
 /// What an arc is on the machine, from where it stands.
 ///
-/// Rules arcs.direction, arcs.turns and arcs.full-circle. The sign of the turns is the direction, seen from the positive end
-/// of the axis that stands on the plane; each turn after the first is a full circle; ends that coincide are a full circle too.
+/// Rules arcs.direction, arcs.turns and arcs.full-circle. The sign of the turns is the direction, seen from the
+/// positive end of the axis that stands on the plane; each turn after the first is a full circle; ends that coincide
+/// are a full circle too.
 pub(super) fn shape(here: Position, effect: &Effect, settings: &Settings) -> Shape {
     let Effect::ArcFeed { end: program_end, first_centre, second_centre, turns } = effect else {
         return Shape::Curve { end: here };

@@ -1,7 +1,8 @@
 //! The path that a program asks for: effects with the settings in force, in machine coordinates.
 //!
-//! An outcome has program coordinates in the active length unit; here offsets, rotation, tool offset, units, planes and feed
-//! modes are resolved. What breaks the path (a dwell, a wait, an output that switches at once) is an element of its own.
+//! An outcome has program coordinates in the active length unit; here offsets, rotation, tool offset, units, planes
+//! and feed modes are resolved. What breaks the path (a dwell, a wait, an output that switches at once) is an element
+//! of its own.
 
 mod arc;
 mod frame;
@@ -20,8 +21,8 @@ pub use same::{Difference, differ};
 /// The path that an outcome asks for, from where the machine stands before: machine coordinates, millimetres and
 /// degrees.
 ///
-/// An arc that no circle describes, and a spline, whose control points an outcome does not show, are curves of which only the
-/// end is known. So is a rigid tap, which overshoots by what the spindle needs to reverse.
+/// An arc that no circle describes, and a spline, whose control points an outcome does not show, are curves of which
+/// only the end is known. So is a rigid tap, which overshoots by what the spindle needs to reverse.
 pub fn programmed(outcome: &Outcome, start: Position) -> ProgrammedPath {
     let mut walk = Walk {
         settings: outcome.start.clone(),
@@ -119,9 +120,10 @@ impl Walk {
         }
     }
 
-    /// Rules outputs.at-next-motion, outputs.latest-counts and outputs.without-motion. An output of M62, M63 or M67 switches where
-    /// the next motion starts, the latest setting of each counts, and one without a motion after it never switches.
-    /// Rules outputs.on-at-once and outputs.off-at-once. One of M64, M65 or M68 switches before anything else moves.
+    /// Rules outputs.at-next-motion, outputs.latest-counts and outputs.without-motion. An output of M62, M63 or M67
+    /// switches where the next motion starts, the latest setting of each counts, and one without a motion after it
+    /// never switches. Rules outputs.on-at-once and outputs.off-at-once. One of M64, M65 or M68 switches before
+    /// anything else moves.
     fn output(
         &mut self,
         (number, pin): (i32, fn(u16) -> Pin),
@@ -178,9 +180,9 @@ impl Walk {
         Element { block: block.clone(), shape, feed, mode: self.mode(), controls, switches }
     }
 
-    /// Rules feed.per-minute, feed.inverse-time and feed.per-revolution. G94 counts lengths or degrees a minute, G93 gives
-    /// the whole move a part of a minute, G95 counts lengths a turn of the spindle. Which spindle G95 follows no
-    /// setting shows: it is taken for the first.
+    /// Rules feed.per-minute, feed.inverse-time and feed.per-revolution. G94 counts lengths or degrees a minute, G93
+    /// gives the whole move a part of a minute, G95 counts lengths a turn of the spindle. Which spindle G95 follows
+    /// no setting shows: it is taken for the first.
     fn feed(&self, shape: &Shape) -> Feed {
         let rate = self.settings.feed_rate.unwrap_or(0.0);
         let turns_only = Curve::of(self.here, shape)
@@ -196,7 +198,8 @@ impl Walk {
         }
     }
 
-    /// Rules path-control.exact-path, path-control.exact-stop, path-control.tolerance and path-control.without-tolerance.
+    /// Rules path-control.exact-path, path-control.exact-stop, path-control.tolerance and
+    /// path-control.without-tolerance.
     fn mode(&self) -> PathMode {
         let size = frame::unit(&self.settings);
         let tolerance = self.settings.blend_tolerance.unwrap_or(0.0) * size;

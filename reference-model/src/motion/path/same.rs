@@ -20,10 +20,10 @@ pub struct Difference {
 
 /// The first place at which two paths are not the same, or `None`.
 ///
-/// Two paths are the same if they lead over the same points, within a tolerance in millimetres, at the
-/// same feed, in the same mode, with the same stops and outputs in the same places. How their motion is divided into moves makes
-/// no difference: a move may be split or merged where it goes straight on, and an arc may be chords within the tolerance. Under
-/// exact stop each end of a move is a stop. A spline is the same as one that ends in the same place.
+/// Two paths are the same if they lead over the same points, within a tolerance in millimetres, at the same feed, in
+/// the same mode, with the same stops and outputs in the same places. How their motion is divided into moves makes no
+/// difference: a move may be split or merged where it goes straight on, and an arc may be chords within the
+/// tolerance. Under exact stop each end of a move is a stop. A spline is the same as one that ends in the same place.
 pub fn differ(
     first: &ProgrammedPath,
     second: &ProgrammedPath,

@@ -1,4 +1,5 @@
-//! Words that a code needs beside it, whatever modes are in force. Without them the block is refused before it waits for anything.
+//! Words that a code needs beside it, whatever modes are in force. Without them the block is refused before it waits
+//! for anything.
 //!
 //! What G43.2 needs it is asked for when its phase comes: quirk rs274.rest-of-restore-block can drop it before.
 

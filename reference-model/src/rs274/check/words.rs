@@ -36,8 +36,8 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
     one_meaning_of_p(words, state)
 }
 
-/// P of one code is not that of another: seconds, a number of a coordinate system, a tolerance, a switch. No document says
-/// whose it is when two codes of a block use it. M50 to M53 mean the same by it.
+/// P of one code is not that of another: seconds, a number of a coordinate system, a tolerance, a switch. No document
+/// says whose it is when two codes of a block use it. M50 to M53 mean the same by it.
 fn one_meaning_of_p(words: &Words, state: &State) -> Result<(), Halt> {
     if !words.letters.contains_key(&'p') {
         return Ok(());
@@ -73,8 +73,8 @@ fn axes(words: &Words, state: &mut State) -> Result<(), Halt> {
     Err(refuse(rule, FaultKind::NoSuchAxis, message))
 }
 
-/// Rule modal-groups.unused-word. A word needs a code of its block that uses it, or the motion mode where axis words alone
-/// repeat it; $ serves S too.
+/// Rule modal-groups.unused-word. A word needs a code of its block that uses it, or the motion mode where axis words
+/// alone repeat it; $ serves S too.
 fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let serves_speed = letter == '$' && words.letters.contains_key(&'s');
     let uses = |code: &Code| code.words.contains(letter);
@@ -145,8 +145,8 @@ fn by_arc(letter: char, words: &Words, state: &State) -> bool {
 
 /// The rule that refuses a word without a use: some chapters say it of a word of their own.
 ///
-/// Rules modal-groups.unused-arc-word (I, J, K), spindle.unused-dollar, spindle.unused-limit (D), tool.unused-length (H),
-/// path-control.unused-tolerance, overrides.both-unused-p, overrides.feed-takes-no-dollar.
+/// Rules modal-groups.unused-arc-word (I, J, K), spindle.unused-dollar, spindle.unused-limit (D), tool.unused-length
+/// (H), path-control.unused-tolerance, overrides.both-unused-p, overrides.feed-takes-no-dollar.
 fn unused(letter: char, words: &Words, state: &mut State) -> Halt {
     let m = |codes: &[u32]| words.m.iter().any(|code| codes.contains(code));
     let exact = words.g.iter().any(|code| [610, 611].contains(code));

@@ -139,8 +139,8 @@ impl Control {
 
     /// A label of a condition or loop is defined once in its sub, and does not meet the sub's own number.
     ///
-    /// Choice control.skipped-definition: where only what is executed defines a label, nothing says whether what another call of the sub has
-    /// executed counts.
+    /// Choice control.skipped-definition: where only what is executed defines a label, nothing says whether what
+    /// another call of the sub has executed counts.
     pub(super) fn defined_once(
         &mut self,
         label: &str,
@@ -177,8 +177,8 @@ impl Control {
     ///
     /// Rule control.labels-in-subs. In each of several subs, and in the main program, it may be defined again.
     ///
-    /// Choice control.skipped-definition: whether the first definition is the first one in the text, or the first one that is
-    /// executed.
+    /// Choice control.skipped-definition: whether the first definition is the first one in the text, or the first one
+    /// that is executed.
     pub(super) fn defined_elsewhere(&mut self, label: &str, state: &mut State) -> Option<u32> {
         let Place { file, line: here } = self.place;
         let labels = self.files.labels(file);

@@ -73,8 +73,8 @@ impl Labels {
         }
     }
 
-    /// Gives each mark its scope: what stands between a sub and its endsub, or after a program's number. A sub without its end holds
-    /// nothing.
+    /// Gives each mark its scope: what stands between a sub and its endsub, or after a program's number. A sub
+    /// without its end holds nothing.
     pub(super) fn finish(&mut self) {
         let (marks, ends) = (std::mem::take(&mut self.marks), std::mem::take(&mut self.ends));
         *self = Self { marks, ends, ..Self::default() };
@@ -135,8 +135,8 @@ impl Labels {
         }
     }
 
-    /// Line of the endsub of a sub that is defined: the first one behind it that has its label as things stand now. What stands before it
-    /// belongs to the sub from now on.
+    /// Line of the endsub of a sub that is defined: the first one behind it that has its label as things stand now.
+    /// What stands before it belongs to the sub from now on.
     pub(super) fn end_of_defined(
         &mut self,
         label: &str,
@@ -201,8 +201,8 @@ impl Labels {
         self.marks.iter().find(fits).map(|mark| mark.line)
     }
 
-    /// Quirk rs274.ends-in-other-subs. Line of the next block after `after` with this label and one of these keywords, whichever sub it
-    /// stands in, before a numbered program begins.
+    /// Quirk rs274.ends-in-other-subs. Line of the next block after `after` with this label and one of these
+    /// keywords, whichever sub it stands in, before a numbered program begins.
     pub(super) fn find_in_any_sub(
         &self,
         label: &str,
@@ -219,7 +219,8 @@ impl Labels {
         found.map(|mark| mark.line)
     }
 
-    /// Whether a block with this label and one of these keywords stands further on, behind the beginning of a numbered program.
+    /// Whether a block with this label and one of these keywords stands further on, behind the beginning of a
+    /// numbered program.
     pub(super) fn ends_in_program(
         &self,
         label: &str,
@@ -232,7 +233,8 @@ impl Labels {
         behind.filter(|mark| keywords.contains(&mark.keyword)).any(|mark| mark.has(label, state))
     }
 
-    /// What defines a label in the scope of a line, in the order of the text: if, do, repeat, and a while that ends no do.
+    /// What defines a label in the scope of a line, in the order of the text: if, do, repeat, and a while that ends
+    /// no do.
     pub(super) fn definitions(&self, label: &str, at: u32) -> &[Definition] {
         let found = self.definitions.get(&(self.scope(at), label.to_owned()));
         found.map_or(&[], Vec::as_slice)
@@ -286,7 +288,8 @@ impl Labels {
     }
 }
 
-/// The label, or none where it depends on parameters; nothing at all where it can be no label, so that nothing leads there.
+/// The label, or none where it depends on parameters; nothing at all where it can be no label, so that nothing leads
+/// there.
 fn written_label(label: &Label, state: &mut State) -> Option<Option<String>> {
     match label {
         Label::Name(name) => Some(Some(name.clone())),
@@ -330,8 +333,8 @@ impl Ends {
         ends
     }
 
-    /// The line that ends a sub as far as the text tells: the endsub with its label; else, where a label must be computed, the next one
-    /// that may have it.
+    /// The line that ends a sub as far as the text tells: the endsub with its label; else, where a label must be
+    /// computed, the next one that may have it.
     fn of_sub(&self, sub: &Mark) -> Option<u32> {
         let next = |lines: &[u32]| {
             let after = lines.partition_point(|line| *line <= sub.line);

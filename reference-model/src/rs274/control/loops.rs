@@ -99,9 +99,9 @@ impl Control {
 
     /// The beginning of a do loop.
     ///
-    /// Choice control.do-label: whether several do loops may carry the same label, which the list of errors does not name.
-    /// What a do is whose label a condition or another loop defines, it does not tell at all; nor which while ends which of two, where one
-    /// stands in the other.
+    /// Choice control.do-label: whether several do loops may carry the same label, which the list of errors does not
+    /// name. What a do is whose label a condition or another loop defines, it does not tell at all; nor which while
+    /// ends which of two, where one stands in the other.
     pub(super) fn do_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         self.not_of_sub(label, "control.do-while", state)?;
         let first = self.defined_elsewhere(label, state);
@@ -211,8 +211,8 @@ impl Control {
 
     /// The refusal of an endwhile or endrepeat without its head.
     ///
-    /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether it points to one that is in
-    /// the text and was not entered.
+    /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether it
+    /// points to one that is in the text and was not entered.
     fn unmatched(&self, label: &str, head: Keyword, state: &State) -> Halt {
         let in_text = self
             .definitions(label)
@@ -258,8 +258,8 @@ impl Control {
         Ok(Next::At(self.line(line + 1)))
     }
 
-    /// A break or continue stands in the loop that it names. One behind it is reached only where a condition that was skipped overlaps the loop,
-    /// which the documents do not know.
+    /// A break or continue stands in the loop that it names. One behind it is reached only where a condition that was
+    /// skipped overlaps the loop, which the documents do not know.
     fn within(
         &self,
         label: &str,
@@ -289,9 +289,11 @@ impl Control {
 
     /// Rule control.continue. It goes to the next test of the condition.
     ///
-    /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether that is tested again.
+    /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether that is
+    /// tested again.
     ///
-    /// Quirk rs274.continue-seeks-end. In a while it looks for the end of the loop before that, so that it is refused where there is none.
+    /// Quirk rs274.continue-seeks-end. In a while it looks for the end of the loop before that, so that it is refused
+    /// where there is none.
     pub(super) fn continue_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
         let ended = state.frame().ended_loops.get(label);
         let ended =

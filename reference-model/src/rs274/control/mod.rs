@@ -217,8 +217,8 @@ impl Control {
 
     /// Rule control.missing-end. What is skipped must have its end further on, within its sub.
     ///
-    /// A sub without its end is refused where it is come to; what it holds where it is skipped nothing says. Nor does anything say when
-    /// the number of a sub or endsub is computed that is skipped.
+    /// A sub without its end is refused where it is come to; what it holds where it is skipped nothing says. Nor does
+    /// anything say when the number of a sub or endsub is computed that is skipped.
     fn end_of_skipped(
         &mut self,
         label: &str,

@@ -120,7 +120,8 @@ impl Control {
     ///
     /// Rule fanuc-subs.sub-follows. It stands later in the file than its call.
     ///
-    /// Rule fanuc-subs.mixed-m98. A sub that begins with sub is called by an O-word only, and a numbered program cannot take its number.
+    /// Rule fanuc-subs.mixed-m98. A sub that begins with sub is called by an O-word only, and a numbered program
+    /// cannot take its number.
     ///
     /// Choice fanuc-subs.call-itself: whether it is enough that it follows an earlier call.
     fn numbered_program(&self, label: &str, state: &mut State) -> Result<Place, Halt> {

@@ -81,7 +81,8 @@ impl Control {
 
     /// The end of a sub, with its value.
     ///
-    /// Rules subroutines.stray-endsub, subroutines.missing-endsub: it ends the sub that is being executed, and carries its number.
+    /// Rules subroutines.stray-endsub, subroutines.missing-endsub: it ends the sub that is being executed, and
+    /// carries its number.
     ///
     /// Quirk rs274.any-endsub: it ends that sub whatever its number.
     pub(super) fn end_sub(
@@ -220,8 +221,8 @@ impl Control {
         Err(refuse("subroutines.unknown-sub", FaultKind::UnknownSub, message))
     }
 
-    /// Rules subroutines.file-call, subroutines.file-numbered, subroutines.file-name-case. A sub that the program does not
-    /// define is sought in the file of its name, in lower case.
+    /// Rules subroutines.file-call, subroutines.file-numbered, subroutines.file-name-case. A sub that the program
+    /// does not define is sought in the file of its name, in lower case.
     ///
     /// Rule subroutines.file-folder. A file in another folder does not count.
     ///
@@ -345,8 +346,8 @@ fn leave_sub(values: &[Expression], state: &mut State, record: &mut Record) -> R
     Ok(Next::At(left.expect("control: only a called frame is left").back))
 }
 
-/// Rules subroutines.return-value, subroutines.no-return-value. The value is evaluated in the sub that ends; without one
-/// both value parameters are 0.
+/// Rules subroutines.return-value, subroutines.no-return-value. The value is evaluated in the sub that ends; without
+/// one both value parameters are 0.
 fn keep_value(values: &[Expression], state: &mut State) -> Result<(), Halt> {
     match values {
         [] => {

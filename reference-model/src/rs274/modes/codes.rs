@@ -1,4 +1,5 @@
-//! The table of codes: the modal group of each code, the words that it uses, and what this model leaves to a later issue.
+//! The table of codes: the modal group of each code, the words that it uses, and what this model leaves to a later
+//! issue.
 
 use super::groups::ModalGroup;
 use super::groups::ModalGroup as Group;

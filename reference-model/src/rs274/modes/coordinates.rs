@@ -17,8 +17,8 @@ pub fn unit_size(unit: LengthUnit) -> f64 {
 
 /// What becomes of the last bits of a coordinate that a conversion of units, an offset or a polar word has computed.
 ///
-/// The documents do not say how exactly a controller computes, so that nothing can be said of a program whose meaning depends on it: there
-/// the model's own answer changes with this.
+/// The documents do not say how exactly a controller computes, so that nothing can be said of a program whose meaning
+/// depends on it: there the model's own answer changes with this.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rounding {
     /// They stay.
@@ -43,8 +43,9 @@ impl Rounding {
         })
     }
 
-    /// The distance and the angle of a polar point, of which either may have been computed from another point: each time they are moved on
-    /// by more than the rounding error of a point, so that two points that may be one become different.
+    /// The distance and the angle of a polar point, of which either may have been computed from another point: each
+    /// time they are moved on by more than the rounding error of a point, so that two points that may be one become
+    /// different.
     pub(crate) fn of_polar(self, distance: f64, angle: f64) -> (f64, f64) {
         let part = match self {
             Self::AsComputed | Self::ToDecimals => return (distance, angle),
@@ -103,7 +104,8 @@ pub fn converted(position: Position, from: LengthUnit, to: LengthUnit) -> Positi
 impl Modes {
     /// The machine position of a program point, active length unit.
     ///
-    /// Rule offsets.local. A local offset is applied after the rotation of the coordinate system, so that it turns with it.
+    /// Rule offsets.local. A local offset is applied after the rotation of the coordinate system, so that it turns
+    /// with it.
     pub fn machine_point(&self, program: Position) -> Position {
         let local = each(program, self.g92_offset, |point, offset| point + offset);
         let turned = turned(local, self.rotation);

@@ -137,8 +137,8 @@ impl Spindle {
 impl Modes {
     /// The modes before the first block.
     ///
-    /// Rule modal-groups.initial-modes. XY plane, radius mode, incremental arc distance, blending without a tolerance, and
-    /// the coordinate system that #5220 names. Motion mode, return mode and length unit are choices.
+    /// Rule modal-groups.initial-modes. XY plane, radius mode, incremental arc distance, blending without a
+    /// tolerance, and the coordinate system that #5220 names. Motion mode, return mode and length unit are choices.
     ///
     /// The documents say no more. Everything else begins as the README of this crate tells: absolute distance, feed per
     /// minute, nothing on but overrides and feed stop.
@@ -197,8 +197,8 @@ impl Modes {
     }
 }
 
-/// Rule offsets.start-system. #5220 names the coordinate system at the start; without a number from 1 to 9 it is the first.
-/// Rule numbers.near-integer. What is stored is such a number where it is close to one.
+/// Rule offsets.start-system. #5220 names the coordinate system at the start; without a number from 1 to 9 it is the
+/// first. Rule numbers.near-integer. What is stored is such a number where it is close to one.
 pub fn start_system(machine: &Machine) -> u32 {
     let named = stored(machine, 5220).and_then(near_integer);
     let system = named.and_then(|named| u32::try_from(named).ok());

@@ -117,7 +117,8 @@ fn perform(
     Ok(Rest::Execute)
 }
 
-/// M62 to M68. Where a block may hold several of them they come as the list names them, wherever they stand (order.words-in-any-order).
+/// M62 to M68. Where a block may hold several of them they come as the list names them, wherever they stand
+/// (order.words-in-any-order).
 fn inputs_outputs(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
     let mut codes: Vec<u32> =
         words.m.iter().copied().filter(|code| (62..=68).contains(code)).collect();

@@ -5,8 +5,9 @@ use crate::rs274::read::Words;
 
 /// A phase of a block. The order of the list is the order of execution.
 ///
-/// The document's list leaves out the spindle mode, the lathe mode and the arc distance mode. The spindle mode goes with
-/// its S word, the lathe mode with the length unit, since both say how long a word is, and the arc distance mode with the distance mode.
+/// The document's list leaves out the spindle mode, the lathe mode and the arc distance mode. The spindle mode goes
+/// with its S word, the lathe mode with the length unit, since both say how long a word is, and the arc distance mode
+/// with the distance mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Phase {
     /// The comment, when it is active.

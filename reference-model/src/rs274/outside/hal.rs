@@ -27,8 +27,8 @@ pub(super) struct Synchronised {
 }
 
 impl Item {
-    /// The item of a name. A machine has its inputs, outputs, spindles and coolant, under the names of the manual, and no
-    /// other item.
+    /// The item of a name. A machine has its inputs, outputs, spindles and coolant, under the names of the manual,
+    /// and no other item.
     pub(crate) fn of(name: &str, machine: &Machine) -> Option<Self> {
         match name {
             "motion.adaptive-feed" => return Some(Self::AdaptiveFeed),

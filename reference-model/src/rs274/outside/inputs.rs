@@ -50,7 +50,8 @@ impl Outside {
         self.wire(input).map_or_else(|| self.input_at(input, self.time), |pin| self.level(pin))
     }
 
-    /// What comes of a wait for an input that begins now and lasts until the input does what is awaited, or for so many seconds.
+    /// What comes of a wait for an input that begins now and lasts until the input does what is awaited, or for so
+    /// many seconds.
     pub(crate) fn awaited(&self, input: Input, mode: WaitMode, timeout: Option<f64>) -> Awaited {
         let end = timeout.map(|seconds| self.time + seconds);
         match self.event(input, mode).filter(|event| end.is_none_or(|end| *event <= end)) {

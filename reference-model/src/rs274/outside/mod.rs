@@ -109,10 +109,11 @@ impl Outside {
         self.time = time;
     }
 
-    /// A wait that was counted as a whole is broken off now: what would have come about by its end has not, neither on the pins nor with
-    /// spindles on their way.
+    /// A wait that was counted as a whole is broken off now: what would have come about by its end has not, neither
+    /// on the pins nor with spindles on their way.
     ///
-    /// There were so many changes of pins when the wait was counted; what has changed since is what somebody did meanwhile.
+    /// There were so many changes of pins when the wait was counted; what has changed since is what somebody did
+    /// meanwhile.
     pub(crate) fn drop_what_was_to_come(&mut self, before: &Self, counted: usize) {
         let known = before.changes.len();
         let (began, now) = (before.time, self.time);

@@ -24,7 +24,8 @@ pub(crate) enum Missing {
 }
 
 impl Outside {
-    /// The program of a user-defined M code: the first executable one, in the folder of programs before the search path.
+    /// The program of a user-defined M code: the first executable one, in the folder of programs before the search
+    /// path.
     ///
     /// # Errors
     /// Why there is none.

@@ -1,7 +1,8 @@
 //! What the stand-alone interpreter has in place of a machine: a point that follows what it is told.
 //!
-//! It is told of moves, coordinate systems and local offsets, but not of tool offsets, nor of how a coordinate system is turned. Where the
-//! interpreter asks for the point, after M6, M61 and G10 L0, it gets one that those have not changed.
+//! It is told of moves, coordinate systems and local offsets, but not of tool offsets, nor of how a coordinate system
+//! is turned. Where the interpreter asks for the point, after M6, M61 and G10 L0, it gets one that those have not
+//! changed.
 
 use gaugeblock_vocabulary::{LengthUnit, Position};
 

@@ -178,10 +178,10 @@ pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Rule parameters.read-only. Assigning to a predefined named parameter is refused.
-/// Rule parameters.ini-read-only. Assigning to an INI or HAL parameter is refused.
-/// Choice parameters.read-only-numbered: whether 5400 to 5428 can be set.
-/// Quirk rs274.hal-assignment: a name of the form of a HAL item or an INI entry, where there is no such thing, can be assigned.
+/// Rule parameters.read-only. Assigning to a predefined named parameter is refused. Rule parameters.ini-read-only.
+/// Assigning to an INI or HAL parameter is refused. Choice parameters.read-only-numbered: whether 5400 to 5428 can be
+/// set. Quirk rs274.hal-assignment: a name of the form of a HAL item or an INI entry, where there is no such thing,
+/// can be assigned.
 ///
 /// # Errors
 /// It is read-only.

@@ -116,8 +116,11 @@ fn only_letters_of_ascii_have_a_case_in_ini_entries() {
 #[test]
 fn tool_parameters_are_those_of_the_tool_in_the_spindle() {
     let mut state = State::under(&[]);
-    let tool =
-        gaugeblock_vocabulary::Tool { number: 7, diameter: 3.0, ..gaugeblock_vocabulary::Tool::default() };
+    let tool = gaugeblock_vocabulary::Tool {
+        number: 7,
+        diameter: 3.0,
+        ..gaugeblock_vocabulary::Tool::default()
+    };
     state.machine.tools = vec![tool];
     check(&Name::Numbered(5410), &state, 0.0);
     state.known_tool = 7;

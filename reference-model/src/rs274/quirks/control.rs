@@ -43,8 +43,9 @@ pub fn shared_repeat(
     Ok(Next::Following)
 }
 
-/// Quirk rs274.file-with-two-subs. Within a called file the head of another sub is passed over: what follows is executed.
-/// Quirk rs274.sub-found-later. So it is within a sub of the main program, which nobody has looked at where it was found by its call.
+/// Quirk rs274.file-with-two-subs. Within a called file the head of another sub is passed over: what follows is
+/// executed. Quirk rs274.sub-found-later. So it is within a sub of the main program, which nobody has looked at where
+/// it was found by its call.
 pub fn is_head_within(control: &Control, state: &State) -> bool {
     let quirk = if control.place.file == 0 {
         state.frame().is_sub() && state.readings.quirk("rs274.sub-found-later")
@@ -54,7 +55,8 @@ pub fn is_head_within(control: &Control, state: &State) -> bool {
     state.call_level() > 0 && quirk
 }
 
-/// Quirk rs274.numbers-of-all-files. The numbered program of this number that was called first, whichever file it stands in.
+/// Quirk rs274.numbers-of-all-files. The numbered program of this number that was called first, whichever file it
+/// stands in.
 pub fn known_number(control: &Control, label: &str, state: &State) -> Option<Place> {
     let first = control.numbers_called.get(label).copied();
     first.filter(|_| state.readings.quirk("rs274.numbers-of-all-files"))
@@ -79,8 +81,8 @@ pub fn level_left_behind(control: &Control, frame: Frame, state: &mut State) -> 
     Next::At(Place { line: control.place.line + 1, ..control.place })
 }
 
-/// Quirk rs274.continue-remembered. A continue in a do loop is remembered until a while or repeat ends; whether this one
-/// begins again. A while tests its condition once more, which changes something only where it is broken.
+/// Quirk rs274.continue-remembered. A continue in a do loop is remembered until a while or repeat ends; whether this
+/// one begins again. A while tests its condition once more, which changes something only where it is broken.
 pub fn begins_again(control: &mut Control) -> bool {
     std::mem::take(&mut control.continue_remembered)
 }
@@ -98,8 +100,8 @@ pub fn while_ends(control: &mut Control, label: &str, end: u32, state: &mut Stat
     breaks_skipped(control, label, end, state);
 }
 
-/// Quirk rs274.continue-remembered, and rs274.break-remembered for a break that is skipped: a do loop is continued whose
-/// while stands on line `end`.
+/// Quirk rs274.continue-remembered, and rs274.break-remembered for a break that is skipped: a do loop is continued
+/// whose while stands on line `end`.
 pub fn do_continues(control: &mut Control, label: &str, end: u32, state: &mut State) {
     control.continue_remembered = state.readings.quirk("rs274.continue-remembered");
     breaks_skipped(control, label, end, state);

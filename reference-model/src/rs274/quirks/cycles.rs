@@ -6,14 +6,14 @@ use crate::rs274::machine::State;
 use crate::rs274::read::Words;
 use crate::rs274::step::whole;
 
-/// Quirk rs274.cycle-rise. Whether there is a rise before the first move in the plane goes by the level at which the row of
-/// cycles began, not by the current one.
+/// Quirk rs274.cycle-rise. Whether there is a rise before the first move in the plane goes by the level at which the
+/// row of cycles began, not by the current one.
 pub(crate) fn rises(below: bool, began_below: bool, state: &State) -> bool {
     if state.readings.quirk("rs274.cycle-rise") { began_below } else { below }
 }
 
-/// Quirk rs274.cycle-rise. In a row that began above R the first move in the plane rises to the clear height on its way, when
-/// it begins at R or below.
+/// Quirk rs274.cycle-rise. In a row that began above R the first move in the plane rises to the clear height on its
+/// way, when it begins at R or below.
 pub(crate) fn rise_on_the_way(normal: Axis, [retract, clear]: [f64; 2], state: &mut State) {
     let at_retract = state.position.get(normal) <= retract;
     if at_retract && state.readings.quirk("rs274.cycle-rise") {
@@ -21,8 +21,8 @@ pub(crate) fn rise_on_the_way(normal: Axis, [retract, clear]: [f64; 2], state: &
     }
 }
 
-/// Quirk rs274.tap-axes. Where a feed of G74 or G84 leads: outside of the XY plane its axes are in another order, and the point is none the
-/// less where it should be.
+/// Quirk rs274.tap-axes. Where a feed of G74 or G84 leads: outside of the XY plane its axes are in another order, and
+/// the point is none the less where it should be.
 pub(crate) fn tapped(state: &State) -> Position {
     let end = state.position;
     let Position { x, y, z, .. } = end;

@@ -10,8 +10,8 @@ use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::motion::{is_arc, motion_of};
 use crate::rs274::step::word;
 
-/// Quirk rs274.arc-radius-tolerance. How far the radii at start and end of an arc may be apart: about five times as far as
-/// documented. The larger holds always, the smaller for arcs of which it is more than a thousandth.
+/// Quirk rs274.arc-radius-tolerance. How far the radii at start and end of an arc may be apart: about five times as
+/// far as documented. The larger holds always, the smaller for arcs of which it is more than a thousandth.
 pub(crate) fn radius_tolerances(state: &State) -> Option<(f64, f64)> {
     if !state.readings.quirk("rs274.arc-radius-tolerance") {
         return None;
@@ -32,7 +32,8 @@ pub(crate) fn least_radius(state: &State) -> f64 {
     }
 }
 
-/// Quirk rs274.arc-no-radius. A radius of zero that is within what is lost when numbers are written has a centre that is no number.
+/// Quirk rs274.arc-no-radius. A radius of zero that is within what is lost when numbers are written has a centre that
+/// is no number.
 pub(crate) fn arcs_without_radius(state: &State) -> bool {
     state.readings.quirk("rs274.arc-no-radius")
 }
@@ -48,8 +49,8 @@ pub(crate) fn computes_all_anew(state: &State) -> bool {
     state.readings.quirk("rs274.machine-zero-sign")
 }
 
-/// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, or the program end turns back to G54, the point
-/// is turned without the local offset, which it keeps as it was.
+/// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, or the program end turns back to
+/// G54, the point is turned without the local offset, which it keeps as it was.
 pub(crate) fn turn_system(reload: fn(&mut State), state: &mut State) {
     if !state.readings.quirk("rs274.rotation-under-local-offset") {
         return reload(state);
@@ -64,8 +65,8 @@ pub(crate) fn table_under_compensation(state: &State) -> bool {
     state.readings.quirk("rs274.tool-entry-under-compensation")
 }
 
-/// Quirk rs274.per-revolution-standing. Under feed per revolution straight feeds and arcs are refused while the speed of the spindle is zero,
-/// whether it turns or not. Which spindle that is, quirk rs274.chosen-spindle says.
+/// Quirk rs274.per-revolution-standing. Under feed per revolution straight feeds and arcs are refused while the speed
+/// of the spindle is zero, whether it turns or not. Which spindle that is, quirk rs274.chosen-spindle says.
 pub(crate) fn per_revolution(words: &Words, state: &State) -> Result<(), Halt> {
     let rule = "rs274.per-revolution-standing";
     let moves =
@@ -80,8 +81,8 @@ pub(crate) fn per_revolution(words: &Words, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Quirk rs274.feed-name-inverse-time. Under inverse time a straight feed leaves its own feed rate: the length of its way, of X, Y and Z
-/// where one of them moves, times F, and a tenth at least.
+/// Quirk rs274.feed-name-inverse-time. Under inverse time a straight feed leaves its own feed rate: the length of its
+/// way, of X, Y and Z where one of them moves, times F, and a tenth at least.
 pub(crate) fn feed_of_move(motion: Motion, end: Position, state: &mut State) {
     let modes = &mut state.modes;
     if motion != Motion::Feed || modes.feed_mode != FeedMode::InverseTime {
@@ -102,7 +103,8 @@ pub(crate) fn takes_no_time(state: &State) -> bool {
         && state.readings.quirk("rs274.inverse-time-zero-rate")
 }
 
-/// Quirk rs274.polar-needs-angle. At the origin a polar move without an angle is refused, in absolute distance mode too.
+/// Quirk rs274.polar-needs-angle. At the origin a polar move without an angle is refused, in absolute distance mode
+/// too.
 pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), Halt> {
     let rule = "rs274.polar-needs-angle";
     let at_origin = state.position.x == 0.0 && state.position.y == 0.0;
@@ -129,8 +131,8 @@ pub(crate) fn polar_names_none(state: &State) -> bool {
     state.modes.plane != Plane::Xy && state.readings.quirk("rs274.polar-arc-plane")
 }
 
-/// Quirk rs274.polar-plane. Polar words are refused where the block before left another plane than XY; what their own block selects does
-/// not count.
+/// Quirk rs274.polar-plane. Polar words are refused where the block before left another plane than XY; what their own
+/// block selects does not count.
 pub(crate) fn polar_plane(state: &State) -> Result<(), Halt> {
     let rule = "rs274.polar-plane";
     if state.plane_before != Plane::Xy && state.readings.quirk(rule) {

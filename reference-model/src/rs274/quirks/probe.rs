@@ -14,7 +14,8 @@ pub(crate) fn feed_mode(state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Quirk rs274.probe-inverse-time. Under inverse time probing ignores F in its block, and goes at the rate that was set before.
+/// Quirk rs274.probe-inverse-time. Under inverse time probing ignores F in its block, and goes at the rate that was
+/// set before.
 pub(crate) fn keeps_rate(state: &State) -> bool {
     state.readings.quirk("rs274.probe-inverse-time")
 }

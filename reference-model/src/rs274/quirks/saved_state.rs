@@ -14,8 +14,8 @@ use crate::rs274::refusal::{Halt, refuse};
 use crate::rs274::step::restore::{restored_turn, same};
 use crate::rs274::step::tool_length::{apply, table_offset};
 
-/// Quirk rs274.tool-offset-restore. G43 is programmed again when the offset is off, with the tool in the spindle; an offset
-/// that is on stays as it is. One of zero counts as off.
+/// Quirk rs274.tool-offset-restore. G43 is programmed again when the offset is off, with the tool in the spindle; an
+/// offset that is on stays as it is. One of zero counts as off.
 pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     let is_on = |modes: &Modes| modes.tool_offset != Position::default();
     match (is_on(&state.modes), is_on(saved)) {
@@ -29,8 +29,8 @@ pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), Halt> 
     Ok(())
 }
 
-/// Quirk rs274.rest-of-restore-block. Whether something is programmed again that can leave all as it was: a tool offset where none is known,
-/// a feed or speed that is rounded to the one in force, overrides.
+/// Quirk rs274.rest-of-restore-block. Whether something is programmed again that can leave all as it was: a tool
+/// offset where none is known, a feed or speed that is rounded to the one in force, overrides.
 pub(crate) fn programs(saved: &Modes, now: &Modes) -> bool {
     let is_on = |modes: &Modes| modes.tool_offset != Position::default();
     let timed = saved.feed_mode == FeedMode::InverseTime;
@@ -71,7 +71,8 @@ pub(crate) fn retract(saved: &Modes, state: &State) -> Result<(), Halt> {
     retract_under_compensation(state)
 }
 
-/// Quirk rs274.retract-under-compensation. The return mode of canned cycles stays as it is while the cutter is compensated.
+/// Quirk rs274.retract-under-compensation. The return mode of canned cycles stays as it is while the cutter is
+/// compensated.
 pub(crate) fn retract_under_compensation(state: &State) -> Result<(), Halt> {
     let rule = "rs274.retract-under-compensation";
     if state.modes.compensation != Compensation::Off && state.readings.quirk(rule) {
@@ -81,7 +82,8 @@ pub(crate) fn retract_under_compensation(state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Quirk rs274.path-under-compensation. G61, G61.1 or G64 is programmed, behind G41 or G42 where that was in force at the save.
+/// Quirk rs274.path-under-compensation. G61, G61.1 or G64 is programmed, behind G41 or G42 where that was in force at
+/// the save.
 pub(crate) fn path_refused(saved: &Modes, state: &State) -> Result<(), Halt> {
     if programs_path(saved, &state.modes) {
         return path_under(saved.compensation, state);
@@ -103,8 +105,8 @@ fn path_under(compensation: Compensation, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Quirk rs274.local-offset-restore. A local offset that did not apply at the save is suspended, and one that did apply resumed: by its
-/// parameters, as they are now.
+/// Quirk rs274.local-offset-restore. A local offset that did not apply at the save is suspended, and one that did
+/// apply resumed: by its parameters, as they are now.
 pub(crate) fn local_offset(saved: &Modes, state: &mut State) {
     if state.modes.local_applies == saved.local_applies {
         return;
@@ -133,10 +135,10 @@ pub(crate) fn compensation(saved: &Modes, state: &mut State) {
 pub(crate) const FEED: &[&str] =
     &["rs274.feed-mode-feed", "rs274.feed-speed-rounded", "rs274.feed-unit"];
 
-/// Quirk rs274.feed-speed-rounded. A feed that changed comes back with one decimal.
-/// Quirk rs274.feed-mode-feed. With another mode it does not come back: F is ignored under inverse time, and G94 and G95
-/// leave no feed when F is not programmed again, because it is the same.
-/// Quirk rs274.feed-unit. F comes back as the number that was programmed, whatever the length unit was.
+/// Quirk rs274.feed-speed-rounded. A feed that changed comes back with one decimal. Quirk rs274.feed-mode-feed. With
+/// another mode it does not come back: F is ignored under inverse time, and G94 and G95 leave no feed when F is not
+/// programmed again, because it is the same. Quirk rs274.feed-unit. F comes back as the number that was programmed,
+/// whatever the length unit was.
 pub(crate) fn feed(saved: &Modes, state: &mut State) {
     let by_number = state.readings.quirk("rs274.feed-unit");
     let number = |modes: &Modes| if by_number { modes.feed_number } else { modes.feed_rate };
@@ -179,9 +181,8 @@ pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Quirk rs274.feed-speed-rounded. A speed that changed comes back as an integer.
-/// Quirk rs274.surface-speed-restore. G96 comes back without D, and is refused when S is not programmed again, because it
-/// is the same.
+/// Quirk rs274.feed-speed-rounded. A speed that changed comes back as an integer. Quirk rs274.surface-speed-restore.
+/// G96 comes back without D, and is refused when S is not programmed again, because it is the same.
 fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Halt> {
     let is_same = same(saved.speed, now.speed);
     let rounded = state.readings.quirk("rs274.feed-speed-rounded");
@@ -211,9 +212,9 @@ fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Hal
     })
 }
 
-/// Quirk rs274.oriented-as-stopped. A spindle that has been oriented is taken for one that is stopped, which it was at the save.
-/// Quirk rs274.orient-forgets-turning. One that is taken for stopped is not stopped either. Returns how it turns, and whether it is taken
-/// for stopped.
+/// Quirk rs274.oriented-as-stopped. A spindle that has been oriented is taken for one that is stopped, which it was
+/// at the save. Quirk rs274.orient-forgets-turning. One that is taken for stopped is not stopped either. Returns how
+/// it turns, and whether it is taken for stopped.
 fn restored(saved: &Spindle, now: &Spindle, state: &State) -> (SpindleTurn, bool) {
     let as_stopped = state.readings.quirk("rs274.oriented-as-stopped");
     let was_stopped = taken_turn(saved, state) == SpindleTurn::Stopped;
@@ -279,8 +280,8 @@ pub(crate) enum Control {
     FeedStop,
 }
 
-/// Quirk rs274.shared-p. The first M code that a restore programs stands in a block with the G codes, and takes the P of
-/// G64 as its own: the control that P0 disables in that way, if there is one.
+/// Quirk rs274.shared-p. The first M code that a restore programs stands in a block with the G codes, and takes the P
+/// of G64 as its own: the control that P0 disables in that way, if there is one.
 pub(crate) fn disabled_by_path(saved: &Modes, now: &Modes, state: &State) -> Option<Control> {
     let has_p = saved.path == Path::Continuous && programs_path(saved, now);
     let is_zero = same(saved.blend_tolerance, 0.0);
@@ -339,8 +340,8 @@ pub(crate) fn switches(saved: &Modes, state: &mut State) {
     }
 }
 
-/// Quirk rs274.override-restore. The speed overrides are taken as enabled whenever the feed override has changed: M48 when
-/// that was saved as enabled, M51 when it was not.
+/// Quirk rs274.override-restore. The speed overrides are taken as enabled whenever the feed override has changed: M48
+/// when that was saved as enabled, M51 when it was not.
 pub(crate) fn overrides(saved: &Modes, state: &mut State) {
     if saved.feed_override == state.modes.feed_override {
         return;

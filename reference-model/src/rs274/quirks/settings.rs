@@ -21,7 +21,8 @@ pub(crate) fn initial_tolerance(readings: &Readings) -> f64 {
     if readings.quirk("linuxcnc.initial-tolerance") { 0.0254 } else { 0.0 }
 }
 
-/// Quirk rs274.surface-limit-zero. Surface speed that is limited to zero is told as revolutions per minute. Returns what is told.
+/// Quirk rs274.surface-limit-zero. Surface speed that is limited to zero is told as revolutions per minute. Returns
+/// what is told.
 pub(crate) fn modes_as_told(state: &State) -> Cow<'_, Modes> {
     let limited = |spindle: &Spindle| spindle.limit == SpindleLimit::Rpm(0.0);
     let any = state.modes.spindles.iter().any(limited);
@@ -71,8 +72,9 @@ pub(crate) fn uses_no_dollar(g_code: u32, state: &State) -> bool {
     }
 }
 
-/// Quirk rs274.chosen-spindle. A block with G33, G33.1 or G76 and a $, and one with G93 to G97, where no $ means spindle 0, choose the
-/// spindle that cycles, synchronised moves and feeds per revolution follow where they have no $.
+/// Quirk rs274.chosen-spindle. A block with G33, G33.1 or G76 and a $, and one with G93 to G97, where no $ means
+/// spindle 0, choose the spindle that cycles, synchronised moves and feeds per revolution follow where they have no
+/// $.
 pub(crate) fn choose(place: usize, state: &mut State) {
     if state.readings.quirk("rs274.chosen-spindle") {
         state.chosen_spindle = place;
@@ -118,17 +120,17 @@ pub(crate) fn origin_number(number: f64, state: &State) -> f64 {
     if cut && number - number.floor() >= 0.5 { number.floor() } else { number }
 }
 
-/// Quirk rs274.tool-offset-unit. A change of the length unit leaves the number of the tool offset, and a later change of the
-/// offset takes that number off the position.
+/// Quirk rs274.tool-offset-unit. A change of the length unit leaves the number of the tool offset, and a later change
+/// of the offset takes that number off the position.
 pub(crate) fn tool_offset_as_programmed(state: &mut State) {
     let modes = &mut state.modes;
     modes.tool_offset = converted(modes.tool_offset, modes.units, modes.tool_offset_unit);
     modes.tool_offset_unit = modes.units;
 }
 
-/// Quirk rs274.tool-offset-unit. How far G53, G28, G30 and M6 lead beside a point, active length unit: they take the number of the tool
-/// offset for one of that unit. What G28.1 and G30.1 store, and what G10 L10 and L11 measure, is beside the point as far in the other
-/// direction.
+/// Quirk rs274.tool-offset-unit. How far G53, G28, G30 and M6 lead beside a point, active length unit: they take the
+/// number of the tool offset for one of that unit. What G28.1 and G30.1 store, and what G10 L10 and L11 measure, is
+/// beside the point as far in the other direction.
 pub(crate) fn beside_machine_point(state: &State) -> Position {
     let modes = &state.modes;
     if !state.readings.quirk("rs274.tool-offset-unit") {
@@ -138,8 +140,8 @@ pub(crate) fn beside_machine_point(state: &State) -> Position {
     each(modes.tool_offset, number, |offset, number| offset - number)
 }
 
-/// Quirk rs274.machine-rotary-offset. G53, G28, G30 and an M6 at the position of G30 do not take the tool offset of A, B and C into account: how far they lead
-/// beside the point of a rotary axis.
+/// Quirk rs274.machine-rotary-offset. G53, G28, G30 and an M6 at the position of G30 do not take the tool offset of
+/// A, B and C into account: how far they lead beside the point of a rotary axis.
 pub(crate) fn beside_machine_angle(axis: Axis, state: &State) -> f64 {
     let beside = is_rotary(axis) && state.readings.quirk("rs274.machine-rotary-offset");
     if beside { state.modes.tool_offset.get(axis) } else { 0.0 }
@@ -151,7 +153,8 @@ pub(crate) fn group_of(m_code: u32, state: &State) -> Option<ModalGroup> {
     (saves && state.readings.quirk("rs274.save-in-spindle-group")).then_some(ModalGroup::Spindle)
 }
 
-/// Quirk rs274.g92-codes-apart. G92.1, G92.2 and G92.3 exclude each other and no other code of group 0, after which they act.
+/// Quirk rs274.g92-codes-apart. G92.1, G92.2 and G92.3 exclude each other and no other code of group 0, after which
+/// they act.
 pub(crate) fn group_of_g(g_code: u32, state: &State) -> Option<ModalGroup> {
     let clears = (921..=923).contains(&g_code);
     (clears && state.readings.quirk("rs274.g92-codes-apart")).then_some(ModalGroup::LocalOffset)

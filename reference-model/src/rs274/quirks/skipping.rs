@@ -43,9 +43,9 @@ const QUIRKS: [&str; 3] = ["rs274.skipped-is-read", "rs274.skipped-labels", "rs2
 
 /// The lines behind this block and before line `end` are passed over; all of the file, where there is no end.
 ///
-/// Quirk rs274.skipped-is-read. Their length, comments, line numbers, O-words and blocks that begin with M98 are checked.
-/// Quirk rs274.skipped-labels. So is a label that is the one of the condition or loop whose end is looked for.
-/// Quirk rs274.number-in-sub. A number alone within a sub counts as the beginning of another one.
+/// Quirk rs274.skipped-is-read. Their length, comments, line numbers, O-words and blocks that begin with M98 are
+/// checked. Quirk rs274.skipped-labels. So is a label that is the one of the condition or loop whose end is looked
+/// for. Quirk rs274.number-in-sub. A number alone within a sub counts as the beginning of another one.
 ///
 /// # Errors
 /// A line that is refused.
@@ -181,8 +181,8 @@ fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), Halt>
     }
 }
 
-/// Quirk rs274.value-at-definition. A return of the sub that is defined, and an endsub or return of the one that is sought behind its
-/// call, leaves its value. In the former, named parameters that do not exist count as zero.
+/// Quirk rs274.value-at-definition. A return of the sub that is defined, and an endsub or return of the one that is
+/// sought behind its call, leaves its value. In the former, named parameters that do not exist count as zero.
 fn returned(in_definition: bool, text: &str, state: &mut State) -> Result<(), Halt> {
     let value = value_behind(text, state)?;
     let value = value.map(|value| if in_definition { with_zeros(&value, state) } else { value });

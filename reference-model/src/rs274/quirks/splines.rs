@@ -14,7 +14,8 @@ pub(crate) fn needs_no_feed(words: &Words, state: &State) -> bool {
         && state.readings.quirk("rs274.spline-per-revolution")
 }
 
-/// Quirk rs274.nurbs-machine-coordinates. G53 may stand with G5.2. What it does there, no controller shows: no spline of a point alone ends.
+/// Quirk rs274.nurbs-machine-coordinates. G53 may stand with G5.2. What it does there, no controller shows: no spline
+/// of a point alone ends.
 pub(crate) fn takes_machine_coordinates(words: &Words, state: &State) -> bool {
     words.g.contains(&52) && state.readings.quirk("rs274.nurbs-machine-coordinates")
 }

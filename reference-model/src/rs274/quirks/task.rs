@@ -6,8 +6,9 @@ use super::settings::speed_while_standing;
 use crate::rs274::machine::State;
 use crate::rs274::modes::{Modes, converted};
 
-/// Quirk linuxcnc.modes-of-last-motion. An abort brings back the modes that were in force at the last motion, or at the
-/// beginning where nothing has moved, then without the speeds; but not the motion mode itself, and none where that motion was in a sub.
+/// Quirk linuxcnc.modes-of-last-motion. An abort brings back the modes that were in force at the last motion, or at
+/// the beginning where nothing has moved, then without the speeds; but not the motion mode itself, and none where
+/// that motion was in a sub.
 pub(crate) fn modes_of_last_motion(modes: &Modes, has_moved: bool, state: &mut State) {
     if state.readings.quirk("linuxcnc.modes-of-last-motion") {
         let machine = state.modes.machine_point(state.position);

@@ -1,7 +1,7 @@
 //! Quirks of reading text, words, parameters and comments.
 //!
-//! Some have nothing of their own and stand where they are decided: rs274.lone-return (`text`), rs274.repeated-signs and
-//! rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`step::message`),
+//! Some have nothing of their own and stand where they are decided: rs274.lone-return (`text`), rs274.repeated-signs
+//! and rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`step::message`),
 //! rs274.percent-in-file (`text`).
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
@@ -37,7 +37,8 @@ pub(crate) fn loses_percent_sign(text: &str) -> bool {
     text.starts_with("%.")
 }
 
-/// Quirk rs274.position-under-compensation: 5420 to 5428 have no value while the cutter is compensated, but in messages.
+/// Quirk rs274.position-under-compensation: 5420 to 5428 have no value while the cutter is compensated, but in
+/// messages.
 pub(crate) fn read_under_compensation(name: &Name, state: &State) -> Result<(), Halt> {
     let rule = "rs274.position-under-compensation";
     let of_position = matches!(name, Name::Numbered(5420..=5428));
@@ -100,8 +101,8 @@ pub(crate) fn has_tool_offset(state: &State) -> bool {
     state.modes.tool_offset.to_array().iter().any(|offset| offset.abs() > 0.0)
 }
 
-/// Quirk rs274.feed-name-number: `_feed` is F as it was programmed, whatever the length unit was. Otherwise it is the feed rate in force.
-/// Quirk rs274.feed-name-inverse-time: under inverse time it is the feed rate of the last move.
+/// Quirk rs274.feed-name-number: `_feed` is F as it was programmed, whatever the length unit was. Otherwise it is the
+/// feed rate in force. Quirk rs274.feed-name-inverse-time: under inverse time it is the feed rate of the last move.
 pub(crate) fn feed(state: &State) -> f64 {
     let modes = &state.modes;
     let by_number = state.readings.quirk(if modes.feed_mode == FeedMode::InverseTime {

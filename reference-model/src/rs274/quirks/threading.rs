@@ -16,21 +16,22 @@ pub(crate) fn feed_word(words: &Words, state: &State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Quirk rs274.chosen-spindle. The spindle that an effect tells: spindle 0 where $ is left out, since nothing that the controller shows
-/// tells which one it was.
+/// Quirk rs274.chosen-spindle. The spindle that an effect tells: spindle 0 where $ is left out, since nothing that
+/// the controller shows tells which one it was.
 pub(crate) fn told(place: usize, words: &Words, state: &State) -> usize {
     let chosen = !words.letters.contains_key(&'$') && state.readings.quirk("rs274.chosen-spindle");
     if chosen { 0 } else { place }
 }
 
-/// Quirk rs274.thread-long-taper. Which way the tapers and the slide of a thread lead along Z: down where it leads nowhere.
+/// Quirk rs274.thread-long-taper. Which way the tapers and the slide of a thread lead along Z: down where it leads
+/// nowhere.
 pub(crate) fn direction(way: f64, state: &State) -> f64 {
     let nowhere = way == 0.0 && state.readings.quirk("rs274.thread-long-taper");
     if nowhere { -1.0 } else { way.signum() }
 }
 
-/// Quirk rs274.thread-clearance. Each pass of G76 begins and ends as much further out than the drive line as it is less deep
-/// than the last one.
+/// Quirk rs274.thread-clearance. Each pass of G76 begins and ends as much further out than the drive line as it is
+/// less deep than the last one.
 pub(crate) fn clearance(less_deep: f64, state: &State) -> f64 {
     if state.readings.quirk("rs274.thread-clearance") { less_deep } else { 0.0 }
 }

@@ -108,8 +108,8 @@ fn extra_letter(block: &Block, words: &Words, state: &State) -> Result<(), Halt>
     }
 }
 
-/// Rule text.absent-axis. The letter of an axis that the machine does not have is refused; `check` does that, by the rule
-/// of what the axis is for.
+/// Rule text.absent-axis. The letter of an axis that the machine does not have is refused; `check` does that, by the
+/// rule of what the axis is for.
 fn axis_letters(words: &Words, state: &mut State) {
     let letters = words.letters.keys();
     let axes =

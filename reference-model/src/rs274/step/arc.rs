@@ -37,9 +37,8 @@ impl Axes {
 
 /// Moves along an arc.
 ///
-/// Rule arcs.direction. G2 goes clockwise and G3 counterclockwise, seen from the positive end of the axis that stands on the
-/// plane.
-/// Rule arcs.helix. That axis goes to its own word meanwhile, and so do rotary axes (arcs.rotary-axes).
+/// Rule arcs.direction. G2 goes clockwise and G3 counterclockwise, seen from the positive end of the axis that stands
+/// on the plane. Rule arcs.helix. That axis goes to its own word meanwhile, and so do rotary axes (arcs.rotary-axes).
 ///
 /// # Errors
 /// An arc that its words do not describe.
@@ -182,7 +181,8 @@ fn distance(from: InPlane, to: InPlane) -> f64 {
     math::hypotenuse(to.0 - from.0, to.1 - from.1)
 }
 
-/// How far the radii of an arc may be apart: always, and where it is more than a thousandth of them. Active length unit.
+/// How far the radii of an arc may be apart: always, and where it is more than a thousandth of them. Active length
+/// unit.
 ///
 /// Choice arcs.small-tolerance: the manual has two numbers for the smaller one.
 fn tolerances(state: &State) -> (f64, f64) {
@@ -195,7 +195,8 @@ fn tolerances(state: &State) -> (f64, f64) {
     })
 }
 
-/// Rule arcs.unequal-radii. There is a centre that has a distance from the ends of the arc; what is no finite number is none.
+/// Rule arcs.unequal-radii. There is a centre that has a distance from the ends of the arc; what is no finite number
+/// is none.
 fn has_numbers(centre: InPlane, radius: f64) -> Result<(), Halt> {
     if [centre.0, centre.1, radius].into_iter().all(f64::is_finite) {
         return Ok(());
@@ -293,7 +294,8 @@ fn centre_of_radius(
     Ok(centre)
 }
 
-/// Half of the way from a start to an end: how long it is, and its parts along the axes. The whole may be too long for a number.
+/// Half of the way from a start to an end: how long it is, and its parts along the axes. The whole may be too long
+/// for a number.
 fn half_chord(start: InPlane, end: InPlane) -> (f64, InPlane) {
     let half = (end.0 / 2.0 - start.0 / 2.0, end.1 / 2.0 - start.1 / 2.0);
     (math::hypotenuse(half.0, half.1), half)

@@ -15,8 +15,8 @@ use crate::rs274::refusal::{Halt, refuse};
 /// (tool.compensation-off-repeated).
 ///
 /// # Errors
-/// Rules tool.compensation-twice, tool.compensation-plane, tool.compensation-tool, tool.dynamic-compensation-needs-diameter,
-/// tool.dynamic-compensation-orientation.
+/// Rules tool.compensation-twice, tool.compensation-plane, tool.compensation-tool,
+/// tool.dynamic-compensation-needs-diameter, tool.dynamic-compensation-orientation.
 pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
     let compensation = words.g.iter().find_map(|code| match code {
         410 => Some(Compensation::Left),
@@ -61,8 +61,8 @@ fn possible(state: &mut State) -> Result<(), Halt> {
 
 /// The diameter, active length unit.
 ///
-/// Rule tool.compensation-tool. D is a tool of the tool table, or 0: the tool in the spindle, as without D, whose radius is
-/// zero when there is none.
+/// Rule tool.compensation-tool. D is a tool of the tool table, or 0: the tool in the spindle, as without D, whose
+/// radius is zero when there is none.
 fn by_tool(words: &Words, state: &mut State) -> Result<f64, Halt> {
     let rule = "tool.compensation-tool";
     let tool = match word(words, 'd') {

@@ -51,8 +51,8 @@ fn change_mode(mode: FeedMode, state: &mut State) {
 
 /// Sets the feed rate.
 ///
-/// Rule feed.rate. F holds until another F, except under inverse time, where it counts for the feed move of its own block
-/// and is ignored in any other block (feed.inverse-time-stray-rate).
+/// Rule feed.rate. F holds until another F, except under inverse time, where it counts for the feed move of its own
+/// block and is ignored in any other block (feed.inverse-time-stray-rate).
 ///
 /// # Errors
 /// Rule feed.negative-rate.
@@ -109,13 +109,12 @@ pub(crate) enum Speed {
 /// Whether a move is held where it begins: it goes on once nothing holds it any more.
 ///
 /// Rule overrides.feed-influence. A feed override of zero holds a feed move while the control is enabled; while it is
-/// disabled it has no influence (overrides.feed-no-influence). Of rapid moves, which have an override of their own, and of those in step
-/// with a spindle these controls do not speak.
-/// Rule overrides.adaptive-feed-zero. With adaptive feed an input of zero is as good as a feed hold, whatever the feed
-/// override does (overrides.adaptive-feed-alone); without it the input has no influence
-/// (overrides.adaptive-feed-no-influence).
-/// Rule overrides.feed-stop-holds. While the feed stop is enabled its input holds every move; while it is disabled it has no
-/// effect (overrides.feed-stop-no-effect).
+/// disabled it has no influence (overrides.feed-no-influence). Of rapid moves, which have an override of their own,
+/// and of those in step with a spindle these controls do not speak. Rule overrides.adaptive-feed-zero. With adaptive
+/// feed an input of zero is as good as a feed hold, whatever the feed override does (overrides.adaptive-feed-alone);
+/// without it the input has no influence (overrides.adaptive-feed-no-influence). Rule overrides.feed-stop-holds.
+/// While the feed stop is enabled its input holds every move; while it is disabled it has no effect
+/// (overrides.feed-stop-no-effect).
 pub(crate) fn is_held(speed: Speed, state: &mut State) -> bool {
     let panel = &state.panel;
     let feed_override = speed == Speed::Feed && panel.feed_override <= 0.0;

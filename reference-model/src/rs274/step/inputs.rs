@@ -102,10 +102,9 @@ fn input(words: &Words, state: &mut State) -> Result<Input, Halt> {
     Ok(input)
 }
 
-/// Rule inputs.number-range. Inputs are counted from 0, as many as the machine has, which may be more or fewer than four
-/// (inputs.count).
-/// Quirk rs274.io-number-rounded: a fraction is rounded.
-/// Quirk linuxcnc.input-number: any number is accepted, and where there is no such input zero is read.
+/// Rule inputs.number-range. Inputs are counted from 0, as many as the machine has, which may be more or fewer than
+/// four (inputs.count). Quirk rs274.io-number-rounded: a fraction is rounded. Quirk linuxcnc.input-number: any number
+/// is accepted, and where there is no such input zero is read.
 fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Result<u32, Halt> {
     let any = state.outside.is_stand_alone() || state.readings.quirk("linuxcnc.input-number");
     let number = quirks::number(value, state).and_then(|number| u32::try_from(number).ok());

@@ -63,9 +63,9 @@ fn shift(words: &Words, state: &mut State) -> Result<(), Halt> {
 /// G92.
 ///
 /// Rule offsets.position. The point where the machine is gets the coordinates of the axis words, and nothing moves.
-/// Rule offsets.position-replaces. The offset that does this takes the place of an earlier one, whatever the distance mode.
-/// Rule offsets.position-omitted-axes. Axes without a word have none.
-/// Rule offsets.position-parameters. #5211 to #5219 hold the offset.
+/// Rule offsets.position-replaces. The offset that does this takes the place of an earlier one, whatever the distance
+/// mode. Rule offsets.position-omitted-axes. Axes without a word have none. Rule offsets.position-parameters. #5211
+/// to #5219 hold the offset.
 ///
 /// # Errors
 /// Rule offsets.change-under-compensation.

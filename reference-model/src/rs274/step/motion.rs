@@ -36,8 +36,8 @@ pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
 
 /// Whether offsets of a centre alone repeat the arc that is in force.
 ///
-/// Rule arcs.offsets-alone. The motion in force is executed again where there are axis words; a full circle has none, so that this is
-/// a choice.
+/// Rule arcs.offsets-alone. The motion in force is executed again where there are axis words; a full circle has none,
+/// so that this is a choice.
 fn by_offsets_alone(words: &Words, state: &State) -> bool {
     is_arc(state.modes.motion)
         && moves_without_code(words)
@@ -112,10 +112,9 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     }
 }
 
-/// Rule motion.cancel. G80 cancels the motion mode.
-/// Rule motion.cancel-with-axis-words. Axis words have no place in its block.
-/// Rule modal-groups.axis-words-without-mode and rule motion.axis-words-after-cancel. Nor have they in a block that does
-/// not use them while no motion mode is active.
+/// Rule motion.cancel. G80 cancels the motion mode. Rule motion.cancel-with-axis-words. Axis words have no place in
+/// its block. Rule modal-groups.axis-words-without-mode and rule motion.axis-words-after-cancel. Nor have they in a
+/// block that does not use them while no motion mode is active.
 fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), Halt> {
     if has_axis_words(words) && moves_by(words) {
         let message = "axis words, and no motion mode";

@@ -95,8 +95,8 @@ fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt
     }
 }
 
-/// Rule offsets.change-under-compensation. Whether an offset that is in force can be changed while the cutter is compensated
-/// is a choice.
+/// Rule offsets.change-under-compensation. Whether an offset that is in force can be changed while the cutter is
+/// compensated is a choice.
 pub(super) fn in_force_changes(state: &mut State) -> Result<(), Halt> {
     let rule = "offsets.change-under-compensation";
     if state.modes.compensation == Compensation::Off {
@@ -156,9 +156,8 @@ fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), 
     Ok(())
 }
 
-/// Rule offsets.calculate. G10 L20 sets the origin of a system so that the current point gets the axis values in it, with
-/// the local offset and the tool offset in force.
-/// Rule offsets.calculate-needs-axes. It needs an axis word.
+/// Rule offsets.calculate. G10 L20 sets the origin of a system so that the current point gets the axis values in it,
+/// with the local offset and the tool offset in force. Rule offsets.calculate-needs-axes. It needs an axis word.
 fn store_calculated(system: u32, named: &[(Axis, f64)], state: &mut State) {
     state.evidence.accepted("offsets.calculate");
     let mut modes = state.modes.clone();

@@ -180,8 +180,8 @@ fn wait(place: usize, timeout: f64, state: &mut State, record: &mut Record) -> R
 
 /// What has come about outside: spindles stand at their angle, brakes are applied or released.
 ///
-/// Rule orient.complete. When its encoder says that a spindle stands at its angle, the request is cleared and the spindle
-/// is locked and braked. A spindle that turns is neither.
+/// Rule orient.complete. When its encoder says that a spindle stands at its angle, the request is cleared and the
+/// spindle is locked and braked. A spindle that turns is neither.
 pub(crate) fn settle(state: &mut State) {
     if are_shown(state) {
         return;

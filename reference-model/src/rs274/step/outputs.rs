@@ -119,10 +119,9 @@ fn pin(output: i32, of_machine: u16) -> Option<u16> {
     u16::try_from(output).ok().filter(|output| *output < of_machine)
 }
 
-/// Rule outputs.latest-counts. A later code for the same output replaces what it was to become.
-/// Rule outputs.several. Several outputs may wait for one motion.
-/// Rule outputs.at-once-over-waiting. Whether a code that switches at once takes back what the output was to become is a
-/// choice.
+/// Rule outputs.latest-counts. A later code for the same output replaces what it was to become. Rule outputs.several.
+/// Several outputs may wait for one motion. Rule outputs.at-once-over-waiting. Whether a code that switches at once
+/// takes back what the output was to become is a choice.
 fn switch(pin: Option<Pin>, value: f64, timing: OutputTiming, state: &mut State) {
     let Some(pin) = pin else { return };
     if timing == OutputTiming::WithMotion {

@@ -10,8 +10,8 @@ use crate::rs274::refusal::{Halt, refuse};
 
 /// Selects the path control mode.
 ///
-/// Rules path-control.exact-path, path-control.exact-stop, path-control.continuous. A mode may be programmed while it is
-/// active (path-control.repeated).
+/// Rules path-control.exact-path, path-control.exact-stop, path-control.continuous. A mode may be programmed while it
+/// is active (path-control.repeated).
 ///
 /// # Errors
 /// Rule path-control.negative-tolerance.

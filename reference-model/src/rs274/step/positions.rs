@@ -57,8 +57,8 @@ pub(super) fn perform(words: &Words, state: &mut State, record: &mut Record) -> 
     }
 }
 
-/// Rule positions.store. G28.1 stores the machine position, in the machine's unit: all nine parameters are named, and an axis that the machine
-/// does not have stands at zero.
+/// Rule positions.store. G28.1 stores the machine position, in the machine's unit: all nine parameters are named, and
+/// an axis that the machine does not have stands at zero.
 fn store(first: u32, state: &mut State) {
     let machine = state.modes.machine_point(state.position);
     let machine = each(machine, beside_machine_point(state), |point, beside| point - beside);
@@ -80,10 +80,9 @@ fn stored(first: u32, state: &State) -> Position {
     converted(there, state.machine.length_unit, state.modes.units)
 }
 
-/// Rule positions.go. G28 alone moves every axis to the stored position at rapid speed; what the machine has no axis for does not move, wherever
-/// the rotation of a coordinate system has led it.
-/// Rule positions.not-stored. That is the machine's zero where nothing was stored.
-/// Quirk rs274.position-move-in-place. A move of no length goes before.
+/// Rule positions.go. G28 alone moves every axis to the stored position at rapid speed; what the machine has no axis
+/// for does not move, wherever the rotation of a coordinate system has led it. Rule positions.not-stored. That is the
+/// machine's zero where nothing was stored. Quirk rs274.position-move-in-place. A move of no length goes before.
 fn straight(first: u32, state: &mut State, record: &mut Record) {
     state.evidence.accepted("positions.go");
     if (first..first + 9).all(|number| state.parameters.stored(number) == 0.0) {

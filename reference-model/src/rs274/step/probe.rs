@@ -33,22 +33,22 @@ pub(crate) fn has_moved(rule: &str) -> bool {
     rule == "probe.failure"
 }
 
-/// Whether a rule is one of those that a block breaks as the machine comes to it. That the point is the programmed one already
-/// (probe.same-point) the words tell, and it is found out as the block is read ahead.
+/// Whether a rule is one of those that a block breaks as the machine comes to it. That the point is the programmed
+/// one already (probe.same-point) the words tell, and it is found out as the block is read ahead.
 pub(crate) fn is_found_out_by_machine(rule: &str) -> bool {
     ["probe.already-there", "probe.failure"].contains(&rule)
 }
 
 /// Moves toward a point until the probe changes.
 ///
-/// Rule probe.toward. G38.2 and G38.3 stop where the probe begins to touch; rule probe.away: G38.4 and G38.5 where it ceases.
-/// Rule probe.at-feed. It is a feed move.
-/// Rule probe.point. #5061 to #5069 are where the probe changed, and #5070 is 1.
-/// Rule probe.point-without-contact. Where it did not change they are the programmed point, and #5070 is 0.
+/// Rule probe.toward. G38.2 and G38.3 stop where the probe begins to touch; rule probe.away: G38.4 and G38.5 where it
+/// ceases. Rule probe.at-feed. It is a feed move. Rule probe.point. #5061 to #5069 are where the probe changed, and
+/// #5070 is 1. Rule probe.point-without-contact. Where it did not change they are the programmed point, and #5070 is
+/// 0.
 ///
 /// # Errors
-/// Those of `allowed`; rule probe.already-there: when the move begins the probe is not yet as it wants it; and rule probe.failure: under
-/// G38.2 and G38.4 it must change.
+/// Those of `allowed`; rule probe.already-there: when the move begins the probe is not yet as it wants it; and rule
+/// probe.failure: under G38.2 and G38.4 it must change.
 pub(super) fn perform(
     motion: Motion,
     words: &Words,
@@ -157,11 +157,12 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
     Ok(end)
 }
 
-/// Where the stand-alone interpreter's stub stands after probing: a hundredth of an inch back on its way, as far as linear axes
-/// have moved. That way begins where the stub stands.
+/// Where the stand-alone interpreter's stub stands after probing: a hundredth of an inch back on its way, as far as
+/// linear axes have moved. That way begins where the stub stands.
 ///
 /// # Errors
-/// The way has no length, and a spline has led the stub where memory says that nobody has written: then the way may have one all the same.
+/// The way has no length, and a spline has led the stub where memory says that nobody has written: then the way may
+/// have one all the same.
 fn backed_off(end: Position, state: &State) -> Result<Position, Halt> {
     let linear = [Axis::X, Axis::Y, Axis::Z];
     let Some(from) = stub::position(state) else { return Ok(end) };

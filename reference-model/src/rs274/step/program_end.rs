@@ -38,11 +38,10 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) {
 
 /// The list of effects, in its order.
 ///
-/// Rules program-end.work-offset, program-end.plane, program-end.distance, program-end.feed-mode, program-end.overrides,
-/// program-end.compensation, program-end.spindle, program-end.motion, program-end.coolant.
-/// On a machine with several spindles it is a choice which of them stop.
-/// Rules program-end.kept and program-end.feed-kept. What the list leaves out stays.
-/// Rule offsets.local-persists. So does the local offset.
+/// Rules program-end.work-offset, program-end.plane, program-end.distance, program-end.feed-mode,
+/// program-end.overrides, program-end.compensation, program-end.spindle, program-end.motion, program-end.coolant. On
+/// a machine with several spindles it is a choice which of them stop. Rules program-end.kept and
+/// program-end.feed-kept. What the list leaves out stays. Rule offsets.local-persists. So does the local offset.
 fn reset(state: &mut State) {
     for rule in [
         "program-end.work-offset",

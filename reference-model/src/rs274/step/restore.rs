@@ -13,10 +13,9 @@ use crate::rs274::refusal::Halt;
 
 /// Brings back the saved state.
 ///
-/// Rule saved-state.all-restored. All of it, not a part.
-/// Rule saved-state.units-before-feed. The length unit comes first, so that feed, offsets and tolerances count in the unit
-/// in which they were saved.
-/// Rule saved-state.not-listed. What the list leaves out stays: parameters and offset values, the prepared tool, the
+/// Rule saved-state.all-restored. All of it, not a part. Rule saved-state.units-before-feed. The length unit comes
+/// first, so that feed, offsets and tolerances count in the unit in which they were saved. Rule
+/// saved-state.not-listed. What the list leaves out stays: parameters and offset values, the prepared tool, the
 /// position.
 ///
 /// # Errors
@@ -163,8 +162,8 @@ fn feed(saved: &Modes, state: &mut State) {
 }
 
 /// Rules saved-state.speed, saved-state.spindle-mode with saved-state.spindle-limit, and saved-state.spindle-status.
-/// Rule saved-state.each-spindle. Those of every spindle. Whichever of M3, M4 and M5 comes back takes M19's place in their group,
-/// and unlocks the spindle (orient.cleared).
+/// Rule saved-state.each-spindle. Those of every spindle. Whichever of M3, M4 and M5 comes back takes M19's place in
+/// their group, and unlocks the spindle (orient.cleared).
 fn spindles(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     if quirks::SPINDLES.iter().any(|quirk| state.readings.quirk(quirk)) {
         return quirks::spindles(saved, state);
@@ -184,7 +183,8 @@ fn spindles(saved: &Modes, state: &mut State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Rule saved-state.orientation-not-saved. What is saved is M3, M4 or M5: a spindle that stood at an angle does not turn.
+/// Rule saved-state.orientation-not-saved. What is saved is M3, M4 or M5: a spindle that stood at an angle does not
+/// turn.
 pub(crate) fn restored_turn(saved: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
     match (saved, now) {
         (SpindleTurn::Oriented, SpindleTurn::Oriented) => SpindleTurn::Oriented,
@@ -205,8 +205,8 @@ fn coolant(saved: &Modes, state: &mut State) {
     state.modes.feed_stop = saved.feed_stop;
 }
 
-/// Rules saved-state.feed-override and saved-state.speed-override. They are saved apart, so that each mixture comes back
-/// (saved-state.mixed-overrides).
+/// Rules saved-state.feed-override and saved-state.speed-override. They are saved apart, so that each mixture comes
+/// back (saved-state.mixed-overrides).
 fn overrides(saved: &Modes, state: &mut State) {
     if state.readings.quirk("rs274.override-restore") {
         return quirks::overrides(saved, state);
@@ -217,8 +217,8 @@ fn overrides(saved: &Modes, state: &mut State) {
     }
 }
 
-/// Rule saved-state.motion-mode. Only the draft lists the motion mode; there it comes back, and whether a mode comes back
-/// that its list leaves out is a choice.
+/// Rule saved-state.motion-mode. Only the draft lists the motion mode; there it comes back, and whether a mode comes
+/// back that its list leaves out is a choice.
 fn motion(saved: &Modes, state: &mut State) {
     state.evidence.accepted("saved-state.motion-mode");
     let restored = state.readings.is("saved-state.motion-mode", "restored");

@@ -58,9 +58,9 @@ fn save(state: &mut State) {
 
 /// The rules about the current call level.
 ///
-/// Rule saved-state.main-level. The main program is a level of its own.
-/// Rule saved-state.sub-level. So is each invocation of a sub; what it saved is gone when it is left. A recursive call is a
-/// new invocation (saved-state.recursion), and a subprogram called by M98 is one too (saved-state.fanuc-level).
+/// Rule saved-state.main-level. The main program is a level of its own. Rule saved-state.sub-level. So is each
+/// invocation of a sub; what it saved is gone when it is left. A recursive call is a new invocation
+/// (saved-state.recursion), and a subprogram called by M98 is one too (saved-state.fanuc-level).
 fn levels(state: &State) -> Vec<&'static str> {
     let Some(call) = &state.frame().call else { return vec!["saved-state.main-level"] };
     let mut rules = vec!["saved-state.sub-level"];
@@ -75,7 +75,8 @@ fn levels(state: &State) -> Vec<&'static str> {
     rules
 }
 
-/// Choice saved-state.after-run. A run is over, or the next one begins: what the main program has saved holds on, or it does not.
+/// Choice saved-state.after-run. A run is over, or the next one begins: what the main program has saved holds on, or
+/// it does not.
 pub fn run_is_over(state: &mut State) {
     if state.readings.is("saved-state.after-run", "forgotten") {
         state.frames[0].forget_saved();
@@ -84,10 +85,9 @@ pub fn run_is_over(state: &mut State) {
 
 /// M71.
 ///
-/// Rule saved-state.invalidated-level. The saved state of this level cannot be restored from any more; no other level is
-/// touched.
-/// Rule saved-state.autorestore-cancelled. Nor does the end of the sub restore. Where M70 and M73 have one place
-/// (saved-state.places) the promise stays, and waits for a valid state there.
+/// Rule saved-state.invalidated-level. The saved state of this level cannot be restored from any more; no other level
+/// is touched. Rule saved-state.autorestore-cancelled. Nor does the end of the sub restore. Where M70 and M73 have
+/// one place (saved-state.places) the promise stays, and waits for a valid state there.
 fn invalidate(state: &mut State) -> Result<(), Halt> {
     let apart = state.readings.is("saved-state.places", "apart");
     let refused = state.readings.is("saved-state.invalidate-nothing", "refused");
@@ -151,7 +151,8 @@ fn restore_explicitly(state: &mut State) -> Result<Rest, Halt> {
     Ok(if drop { Rest::Drop } else { Rest::Execute })
 }
 
-/// Choice saved-state.restorable: what was saved last, or only where M70 did; where each code has its own place that one.
+/// Choice saved-state.restorable: what was saved last, or only where M70 did; where each code has its own place that
+/// one.
 fn restorable(state: &State) -> Option<SavedState> {
     let frame = state.frame();
     if state.readings.is("saved-state.restorable", "either") {
@@ -164,11 +165,10 @@ fn restorable(state: &State) -> Option<SavedState> {
 
 /// Restores what M73 saved at this level, when the level is left by endsub, return or M99.
 ///
-/// Rules saved-state.autorestore-endsub, saved-state.autorestore-return, saved-state.autorestore-m99. Whichever way it is
-/// left, the state in force at the M73 comes back.
-/// Rule saved-state.autorestore-nested. Each level restores its own caller's.
-/// Rules saved-state.autorestore-then-save, saved-state.cancelled-then-saved. Whether an M70 since changes what comes
-/// back, and revives a restore that M71 cancelled, follows from a choice (saved-state.places).
+/// Rules saved-state.autorestore-endsub, saved-state.autorestore-return, saved-state.autorestore-m99. Whichever way
+/// it is left, the state in force at the M73 comes back. Rule saved-state.autorestore-nested. Each level restores its
+/// own caller's. Rules saved-state.autorestore-then-save, saved-state.cancelled-then-saved. Whether an M70 since
+/// changes what comes back, and revives a restore that M71 cancelled, follows from a choice (saved-state.places).
 /// Rule saved-state.unprotected. Without an M73 what the sub changed stays changed; an M70 alone restores nothing
 /// (saved-state.save-alone).
 ///

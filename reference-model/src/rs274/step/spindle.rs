@@ -11,9 +11,9 @@ use crate::rs274::refusal::{Halt, refuse};
 
 /// Sets the spindle mode and the speed.
 ///
-/// Rule spindle.speed. S holds until another S, and neither starts nor stops the spindle (spindle.speed-starts-nothing).
-/// Rule spindle.speed-selected. Without $ it is the speed of spindle 0.
-/// Rule spindle.surface-speed. G96 with S selects constant surface speed; G97 selects revolutions per minute
+/// Rule spindle.speed. S holds until another S, and neither starts nor stops the spindle
+/// (spindle.speed-starts-nothing). Rule spindle.speed-selected. Without $ it is the speed of spindle 0. Rule
+/// spindle.surface-speed. G96 with S selects constant surface speed; G97 selects revolutions per minute
 /// (spindle.rpm-mode).
 ///
 /// # Errors

@@ -98,8 +98,8 @@ fn in_xy(words: &Words, state: &mut State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// Rule splines.cubic-end-direction. Each G5 needs P and Q. Rule splines.cubic-half-direction. It has I and J, or neither.
-/// Rule splines.cubic-first-direction. The first one of a row needs them.
+/// Rule splines.cubic-end-direction. Each G5 needs P and Q. Rule splines.cubic-half-direction. It has I and J, or
+/// neither. Rule splines.cubic-first-direction. The first one of a row needs them.
 fn cubic(words: &Words, state: &mut State) -> Result<(), Halt> {
     let has = |letter| word(words, letter).is_some();
     if !has('p') || !has('q') {
@@ -140,10 +140,9 @@ fn quadratic(words: &Words, state: &mut State) -> Result<(), Halt> {
 
 /// G5.2, the blocks behind it, and G5.3.
 ///
-/// Rule splines.nurbs. G5.2 opens a data block; each X and Y is a control point, and G5.3 executes the curve through all of
-/// them, the current point first.
-/// Choice splines.nurbs-feed: where a missing feed rate is refused.
-/// Rule splines.nurbs-first-weight. G5.2 without X and Y names no point.
+/// Rule splines.nurbs. G5.2 opens a data block; each X and Y is a control point, and G5.3 executes the curve through
+/// all of them, the current point first. Choice splines.nurbs-feed: where a missing feed rate is refused. Rule
+/// splines.nurbs-first-weight. G5.2 without X and Y names no point.
 pub(super) fn nurbs(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
     let closes = words.g.contains(&53);
     let opens = words.g.contains(&52);

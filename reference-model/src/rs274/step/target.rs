@@ -18,7 +18,8 @@ fn axis_words(words: &Words) -> Vec<(Axis, f64)> {
 
 /// The axis words of a block as values of an offset.
 ///
-/// Rule units-planes.diameter-offsets. Whether diameter mode halves X there too is a choice: the documents speak of moves.
+/// Rule units-planes.diameter-offsets. Whether diameter mode halves X there too is a choice: the documents speak of
+/// moves.
 pub(crate) fn offset_words(words: &Words, state: &mut State) -> Vec<(Axis, f64)> {
     let rule = "units-planes.diameter-offsets";
     if state.modes.lathe == Lathe::Diameter {

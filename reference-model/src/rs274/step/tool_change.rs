@@ -13,10 +13,9 @@ use crate::rs274::task::Record;
 
 /// Puts the selected tool into the spindle.
 ///
-/// Rule tool.change. The tool in the spindle is then the one that T selected last, on the same line or before; none is
-/// selected any more.
-/// Rule tool.change-stops-spindle. The spindle stands afterwards.
-/// Rule tool.change-keeps. Nothing else changes: coolant flows on, and the length offset stays (tool.change-keeps-length).
+/// Rule tool.change. The tool in the spindle is then the one that T selected last, on the same line or before; none
+/// is selected any more. Rule tool.change-stops-spindle. The spindle stands afterwards. Rule tool.change-keeps.
+/// Nothing else changes: coolant flows on, and the length offset stays (tool.change-keeps-length).
 ///
 /// # Errors
 /// Rules tool.change-without-selection and tool.change-under-compensation.
@@ -61,7 +60,8 @@ fn tool_to_load(state: &mut State) -> Result<i32, Halt> {
     Ok(selected.max(0))
 }
 
-/// Every spindle stops, unless the machine changes tools while they turn; only then does it move to where tools are changed.
+/// Every spindle stops, unless the machine changes tools while they turn; only then does it move to where tools are
+/// changed.
 pub fn before_moving(state: &mut State) {
     if state.machine.tool_change.with_spindle_on {
         state.evidence.accepted("tool.change-spindle-on");
@@ -93,10 +93,10 @@ pub(super) fn traverse(machine: Position, state: &mut State, record: &mut Record
     record.effect(state, Effect::StraightTraverse { end: state.position });
 }
 
-/// Rule tool.change-back. The tool that was in the spindle goes back into the changer, from where it can be taken again.
-/// Rule tool.change-same. A change to the tool in the spindle is allowed. Rule tool.change-zero. After T0 the spindle is
-/// empty.
-/// Choice tool.old-tool-place: where tools change places, whether the old tool goes to the slot of the new one.
+/// Rule tool.change-back. The tool that was in the spindle goes back into the changer, from where it can be taken
+/// again. Rule tool.change-same. A change to the tool in the spindle is allowed. Rule tool.change-zero. After T0 the
+/// spindle is empty. Choice tool.old-tool-place: where tools change places, whether the old tool goes to the slot of
+/// the new one.
 fn swap(tool: i32, state: &mut State) {
     let old = std::mem::replace(&mut state.tool, tool);
     if tool > 0 || !state.outside.is_stand_alone() {

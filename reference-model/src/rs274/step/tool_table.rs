@@ -102,8 +102,8 @@ pub(super) fn set(
     Ok(())
 }
 
-/// The stub of the stand-alone interpreter begins with the slot of the first tool of the table, though nothing is in the spindle: a tool
-/// whose entry is written there, or in the slot of a later change, is taken to be in the spindle.
+/// The stub of the stand-alone interpreter begins with the slot of the first tool of the table, though nothing is in
+/// the spindle: a tool whose entry is written there, or in the slot of a later change, is taken to be in the spindle.
 fn entry_in_spindle(number: i32, state: &mut State) {
     let first = state.machine.tools.first().map(|tool| i64::from(tool.number));
     let slot = if state.tool == 0 { first } else { Some(i64::from(state.tool)) };

@@ -12,8 +12,8 @@ use crate::rs274::refusal::Halt;
 /// Rules units-planes.plane and units-planes.secondary-planes. Selecting a plane moves nothing.
 ///
 /// # Errors
-/// Rule units-planes.plane-under-compensation, a choice: another one of the planes in which the cutter can be compensated, or of
-/// the third beside them, while it is.
+/// Rule units-planes.plane-under-compensation, a choice: another one of the planes in which the cutter can be
+/// compensated, or of the third beside them, while it is.
 pub fn select_plane(words: &Words, state: &mut State) -> Result<(), Halt> {
     let plane = words.g.iter().find_map(|code| match code {
         170 => Some((Plane::Xy, "units-planes.plane")),
@@ -105,8 +105,9 @@ fn convert_feed(before: LengthUnit, state: &mut State) {
     }
 }
 
-/// Rules units-planes.absolute, units-planes.incremental and units-planes.arc-distance: what axis words and arc offsets count from. The
-/// distance mode and the arc distance mode do not influence each other, and changing them keeps the position.
+/// Rules units-planes.absolute, units-planes.incremental and units-planes.arc-distance: what axis words and arc
+/// offsets count from. The distance mode and the arc distance mode do not influence each other, and changing them
+/// keeps the position.
 pub fn select_distance(words: &Words, state: &mut State) {
     for code in &words.g {
         let rule = match code {

@@ -68,7 +68,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The O-word with which a line begins, as far as it can be read; what stands behind its keyword only where it matters or is asked for.
+    /// The O-word with which a line begins, as far as it can be read; what stands behind its keyword only where it
+    /// matters or is asked for.
     pub(super) fn leading_o_word(&mut self, with_arguments: bool) -> Option<OWord> {
         self.block_delete();
         self.line_number().ok()?;
@@ -95,7 +96,8 @@ impl Parser<'_> {
         Some(o_word)
     }
 
-    /// What rs274 reads of a line that it passes over: the line number, a label with its keyword, and whether M98 begins it.
+    /// What rs274 reads of a line that it passes over: the line number, a label with its keyword, and whether M98
+    /// begins it.
     pub(super) fn passed_over(mut self) -> Result<PassedOver, Halt> {
         self.block_delete();
         self.line_number()?;

@@ -37,7 +37,8 @@ impl Run<'_> {
         end
     }
 
-    /// Choice outputs.waiting-after-abort. What waits for a motion is gone with the motions that were queued, or waits for the next one.
+    /// Choice outputs.waiting-after-abort. What waits for a motion is gone with the motions that were queued, or
+    /// waits for the next one.
     pub(super) fn forget_waiting(&mut self) {
         if self.state.outside.awaits_motion() {
             let choice = "outputs.waiting-after-abort";
@@ -48,8 +49,8 @@ impl Run<'_> {
         }
     }
 
-    /// Choice abort.spindle-and-coolant. An abort stops all spindles and switches coolant off, as M5 and M9 do (orient.cleared), or
-    /// leaves them alone.
+    /// Choice abort.spindle-and-coolant. An abort stops all spindles and switches coolant off, as M5 and M9 do
+    /// (orient.cleared), or leaves them alone.
     pub(super) fn switch_off(&mut self) {
         self.state.evidence.accepted("abort.spindle-and-coolant");
         if self.state.readings.is("abort.spindle-and-coolant", "switched-off") {
@@ -64,12 +65,12 @@ impl Run<'_> {
         self.record.settle(&self.state);
     }
 
-    /// Choice abort.read-ahead. The interpreter has read the block that is broken off as a whole, and on to the next one that
-    /// waits for the machine, or to the end: what it made of modes and parameters on the way stays, although nothing of it was
-    /// executed.
+    /// Choice abort.read-ahead. The interpreter has read the block that is broken off as a whole, and on to the next
+    /// one that waits for the machine, or to the end: what it made of modes and parameters on the way stays, although
+    /// nothing of it was executed.
     ///
-    /// Where the documents leave open what a block means that is read ahead, or where nothing ends the reading, they leave open what the
-    /// abort leaves behind.
+    /// Where the documents leave open what a block means that is read ahead, or where nothing ends the reading, they
+    /// leave open what the abort leaves behind.
     fn read_on(&mut self) -> End {
         let Some(mut state) = self.at_block.take().map(|state| *state) else {
             return End::Aborted;
@@ -119,8 +120,8 @@ impl Run<'_> {
         }
     }
 
-    /// Takes over modes and parameters, but not the machine as it is: where it stands, which tools it has and in which mode the controller
-    /// is.
+    /// Takes over modes and parameters, but not the machine as it is: where it stands, which tools it has and in
+    /// which mode the controller is.
     fn take_over(&mut self, ahead: State) {
         let machine = self.state.modes.machine_point(self.state.position);
         let machine = converted(machine, self.state.modes.units, ahead.modes.units);

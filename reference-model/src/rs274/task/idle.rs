@@ -23,7 +23,8 @@ pub(super) enum Then {
 }
 
 impl Run<'_> {
-    /// The controller waits for the operator. A block by hand that ends a program, or is broken off, is how the run ended.
+    /// The controller waits for the operator. A block by hand that ends a program, or is broken off, is how the run
+    /// ended.
     pub(super) fn idle(&mut self, end: &mut End) -> Result<Then, Halt> {
         self.pause_asked = false;
         while let Some(happening) = self.operator.next(f64::INFINITY) {
@@ -73,8 +74,8 @@ impl Run<'_> {
     /// What ran before is over: with it every call, and every condition and loop; HAL is seen as it is now
     /// (parameters.hal-time).
     ///
-    /// Rule task.parameters-carry-over. What is local to the main program has its value again in the next run, as all that
-    /// is global has.
+    /// Rule task.parameters-carry-over. What is local to the main program has its value again in the next run, as all
+    /// that is global has.
     ///
     /// Rule saved-state.main-level. What a block by hand has saved is saved for the next one.
     fn begin_anew(&mut self) {

@@ -98,7 +98,8 @@ pub fn run(kept: &mut Kept, scenario: &Scenario, rounding: Rounding) -> (Outcome
     (run.record.finish(end, parameters, pins), evidence)
 }
 
-/// Whether a block during which the run ends so has done nothing: one that is refused, or that asks for more effects than there are.
+/// Whether a block during which the run ends so has done nothing: one that is refused, or that asks for more effects
+/// than there are.
 fn leaves_nothing(end: &End) -> bool {
     match end {
         End::Fault(_) => true,
@@ -296,7 +297,8 @@ impl<'a> Run<'a> {
 
     /// The state as it was before the block that is being executed. What is outside of the controller stays as it is.
     ///
-    /// A block does not keep what was there before it unless the operator has acted as it began: the run is made again up to this one.
+    /// A block does not keep what was there before it unless the operator has acted as it began: the run is made
+    /// again up to this one.
     fn before_block(&mut self) {
         let before = self.before_block.take().map_or_else(|| self.again(), |before| *before);
         let after = std::mem::replace(&mut self.state, before);

@@ -1,8 +1,8 @@
 //! Moves are held where they begin, each for itself, and the operator acts in the dwells and waits between them.
 //!
-//! A canned cycle is the moves and dwells that it stands for, and what it computes does not depend on how long they take. So a phase that may be
-//! held is executed up to the first move or dwell that takes time; the operator acts there; and then it is executed again, with that
-//! wait in its place.
+//! A canned cycle is the moves and dwells that it stands for, and what it computes does not depend on how long they
+//! take. So a phase that may be held is executed up to the first move or dwell that takes time; the operator acts
+//! there; and then it is executed again, with that wait in its place.
 
 use std::collections::BTreeMap;
 
@@ -131,10 +131,12 @@ impl Run<'_> {
 
     /// Executes a phase whose moves may be held.
     ///
-    /// Rules overrides.feed-influence, overrides.adaptive-feed-zero, overrides.feed-stop-holds. A move begins only once the feed is not held, and the
-    /// program not paused. Until then the block stands, and the operator or an input may change what holds it.
+    /// Rules overrides.feed-influence, overrides.adaptive-feed-zero, overrides.feed-stop-holds. A move begins only
+    /// once the feed is not held, and the program not paused. Until then the block stands, and the operator or an
+    /// input may change what holds it.
     ///
-    /// An abort leaves the point where the last move has led, and a spindle as it was told; the rest of the phase has not been done.
+    /// An abort leaves the point where the last move has led, and a spindle as it was told; the rest of the phase has
+    /// not been done.
     ///
     /// `began` becomes the time of the last wait.
     pub(super) fn watched(

@@ -26,7 +26,8 @@ pub struct Shown {
     changes: usize,
 }
 
-/// Whether the pins are up to date: since they were brought so nothing has changed that they depend on, nor they themselves.
+/// Whether the pins are up to date: since they were brought so nothing has changed that they depend on, nor they
+/// themselves.
 pub(crate) fn are_shown(state: &State) -> bool {
     let (modes, outside) = (&state.modes, &state.outside);
     !outside.is_orienting()

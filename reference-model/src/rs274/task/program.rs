@@ -146,8 +146,8 @@ impl Run<'_> {
 
     /// Executes a block that the check let pass, phase by phase.
     ///
-    /// Choice parameters.setting-time: its settings take effect after its words, and so once the program goes on that they pause, or before them
-    /// and after its comment.
+    /// Choice parameters.setting-time: its settings take effect after its words, and so once the program goes on that
+    /// they pause, or before them and after its comment.
     ///
     /// In a phase that takes time the operator may act. What an abort breaks off has not been done.
     fn execute(&mut self, words: &Words) -> Result<Rest, Halt> {
@@ -234,7 +234,8 @@ impl Run<'_> {
         Ok(rest)
     }
 
-    /// A block waits for ever for one of its phases. Where a later one has a fault, no document says whether that is found before.
+    /// A block waits for ever for one of its phases. Where a later one has a fault, no document says whether that is
+    /// found before.
     fn waits_before(&mut self, phase: Phase, phases: Phases, words: &Words) -> Halt {
         if self.fault_after(phase, phases, words).is_some() {
             let why = "a block that waits for ever before a part of it that is refused, or open";
@@ -254,7 +255,8 @@ impl Run<'_> {
         })
     }
 
-    /// Reading ahead ends with what waits for the machine, unless that is refused. A tool change has stopped the spindle by then.
+    /// Reading ahead ends with what waits for the machine, unless that is refused. A tool change has stopped the
+    /// spindle by then.
     fn read_up_to(&mut self, phase: Phase, words: &Words) -> Halt {
         let mut state = self.state.clone();
         let mut record = Record::new(&state);
@@ -278,8 +280,8 @@ impl Run<'_> {
         state
     }
 
-    /// A phase has been broken off while it waited. What it has told a spindle stays, and the way to where the tool is changed has been
-    /// made.
+    /// A phase has been broken off while it waited. What it has told a spindle stays, and the way to where the tool
+    /// is changed has been made.
     pub(super) fn broken_off(&mut self, phase: Phase, after: &State) {
         if !matches!(phase, Phase::Spindle | Phase::ChangeTool) {
             return;
@@ -326,8 +328,8 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Choices outputs.waiting-after-end, saved-state.after-run. What waits for a motion waits for one of the next program, or is gone; so it is
-    /// with what is saved.
+    /// Choices outputs.waiting-after-end, saved-state.after-run. What waits for a motion waits for one of the next
+    /// program, or is gone; so it is with what is saved.
     fn over(&mut self) {
         step::saved_state::run_is_over(&mut self.state);
         // What is only read ahead has not ended.

@@ -24,8 +24,8 @@ const MANY_EVENTS: usize = 2;
 
 /// What has been observed so far.
 ///
-/// Settings, states and parameters are recorded as what changed since they were recorded last. After a call or return the
-/// call level is recorded anew, even when it is the same, and with it all local named parameters that exist.
+/// Settings, states and parameters are recorded as what changed since they were recorded last. After a call or return
+/// the call level is recorded anew, even when it is the same, and with it all local named parameters that exist.
 #[derive(Debug)]
 pub struct Record {
     start: Settings,
@@ -237,8 +237,8 @@ impl Record {
         }
     }
 
-    /// The block that is being executed, if there is one, is broken off. What it did itself is not recorded, as with one
-    /// that is refused; what the controller refused meanwhile is, and what was set and stays so.
+    /// The block that is being executed, if there is one, is broken off. What it did itself is not recorded, as with
+    /// one that is refused; what the controller refused meanwhile is, and what was set and stays so.
     pub fn broken_off(&mut self, block: Block, state: &State) {
         if !self.in_block {
             return;
@@ -333,8 +333,8 @@ impl Record {
         });
     }
 
-    /// The local parameters where the run is now, but for numbered ones that are zero and were. Local names that were recorded elsewhere
-    /// are forgotten.
+    /// The local parameters where the run is now, but for numbered ones that are zero and were. Local names that were
+    /// recorded elsewhere are forgotten.
     fn local_names(&mut self, state: &State) -> Vec<Name> {
         self.parameters.retain(|name, _| !name.is_local_name());
         let arguments = (1..).zip(&state.frame().arguments);

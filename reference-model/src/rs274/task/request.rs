@@ -170,9 +170,9 @@ impl Run<'_> {
 
     /// Rule task.auto-refuses-mdi. In auto mode no block can be entered by hand.
     ///
-    /// Rule program-end.mdi-follows. After the program end, in MDI mode, it can.
-    /// Rule pause.mdi-refused. Nor can it while a program pauses.
-    /// Rule task.mdi-in-manual. Whether it can in manual mode is a choice; the controller changes to MDI mode by itself then.
+    /// Rule program-end.mdi-follows. After the program end, in MDI mode, it can. Rule pause.mdi-refused. Nor can it
+    /// while a program pauses. Rule task.mdi-in-manual. Whether it can in manual mode is a choice; the controller
+    /// changes to MDI mode by itself then.
     fn enter(&mut self, place: usize, activity: Activity) -> Result<Answer, Halt> {
         let mode = self.state.modes.controller_mode;
         let in_manual = "task.mdi-in-manual";

@@ -28,7 +28,8 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Between two blocks, and where the text ends: what the operator has done by now, and the pause that was asked for.
+    /// Between two blocks, and where the text ends: what the operator has done by now, and the pause that was asked
+    /// for.
     pub(super) fn between(&mut self) -> Result<(), Halt> {
         // Only what is read ahead begins again where the block did, or where a block of it is refused.
         let may_be_broken_off = self.ahead || self.operator.may_abort();
@@ -46,7 +47,8 @@ impl Run<'_> {
 
     /// A phase of the block has taken the time since it began: what the operator did meanwhile.
     ///
-    /// Choice pause.during-dwell. A dwell stands still with its program, or goes on. What something outside takes goes on.
+    /// Choice pause.during-dwell. A dwell stands still with its program, or goes on. What something outside takes
+    /// goes on.
     pub(super) fn took_time_since(&mut self, began: f64, phase: Phase) -> Result<(), Halt> {
         let end = self.state.outside.time();
         if end <= began || self.operator.is_done() {
@@ -58,8 +60,8 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// What the operator does up to a time while a block is executed; the seconds by which a pause makes it longer, where it is
-    /// a dwell.
+    /// What the operator does up to a time while a block is executed; the seconds by which a pause makes it longer,
+    /// where it is a dwell.
     pub(super) fn meanwhile(&mut self, until: f64, dwells: bool) -> Result<f64, Halt> {
         let mut longer = 0.0;
         while let Some(happening) = self.operator.next(until + longer) {
@@ -75,8 +77,8 @@ impl Run<'_> {
         Ok(longer)
     }
 
-    /// A dwell of a program that is paused: where it stands still it does so until the program goes on; the seconds that it
-    /// took.
+    /// A dwell of a program that is paused: where it stands still it does so until the program goes on; the seconds
+    /// that it took.
     pub(super) fn stand_in_dwell(&mut self) -> Result<f64, Halt> {
         let rule = "pause.during-dwell";
         if !self.pause_asked {

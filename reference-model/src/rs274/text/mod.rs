@@ -59,8 +59,8 @@ impl Source {
         }
     }
 
-    /// Quirk rs274.percent-in-file: a called file whose percent lines are read as the main program begins. Where that begins with one, the
-    /// first one here ends the file; where it does not, they mean nothing and are no blocks.
+    /// Quirk rs274.percent-in-file: a called file whose percent lines are read as the main program begins. Where that
+    /// begins with one, the first one here ends the file; where it does not, they mean nothing and are no blocks.
     #[must_use]
     pub fn called_by(self, main: &Self) -> Self {
         Self { first: 0, percent: main.percent, plain: !main.percent, ..self }

@@ -51,7 +51,10 @@ fn machine() -> BoxedStrategy<Machine> {
         any::<bool>(),
         any::<bool>(),
         vec(tool(), 0..3),
-        prop_oneof![Just(gaugeblock_vocabulary::Indexed::default()), indexed(any::<u32>(), number())],
+        prop_oneof![
+            Just(gaugeblock_vocabulary::Indexed::default()),
+            indexed(any::<u32>(), number())
+        ],
         named(number()),
     );
     (first, second)

@@ -128,7 +128,8 @@ impl Assembly<'_> {
         Ok(())
     }
 
-    /// The block that was being carried out when the run stopped: its events and what was in force afterwards; no state.
+    /// The block that was being carried out when the run stopped: its events and what was in force afterwards; no
+    /// state.
     fn unfinished(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
         let (Some(next), Some(probe)) = (self.steps.next(), after_end) else { return Ok(()) };
         let read = self.read.pop_front().map(|(printed, _)| printed);

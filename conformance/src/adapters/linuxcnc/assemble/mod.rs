@@ -1,8 +1,8 @@
 //! Puts blocks, issued commands and probes together to an outcome.
 //!
-//! The controller reads ahead: probes tell what the interpreter did, marks in the queue what has been carried out since.
-//! Both come in the order of the program, so that the n-th probe and the n-th mark belong together. A block whose mark
-//! never came was read, and not executed.
+//! The controller reads ahead: probes tell what the interpreter did, marks in the queue what has been carried out
+//! since. Both come in the order of the program, so that the n-th probe and the n-th mark belong together. A block
+//! whose mark never came was read, and not executed.
 
 mod ending;
 mod entries;

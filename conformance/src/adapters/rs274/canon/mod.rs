@@ -94,8 +94,8 @@ impl Canon {
         self.position = position;
     }
 
-    /// Whether a spline is among the events, and beside it what hides where it ends: the program end, or a tool change, behind which
-    /// the controller's point is what its memory held.
+    /// Whether a spline is among the events, and beside it what hides where it ends: the program end, or a tool
+    /// change, behind which the controller's point is what its memory held.
     pub(super) fn hides_spline(&self, ends: bool) -> bool {
         let spline = |event: &Event| matches!(event, Event::Do(Effect::NurbsFeed { .. }));
         let change = |event: &Event| matches!(event, Event::Do(Effect::ChangeTool { .. }));
@@ -197,7 +197,8 @@ impl Canon {
         }
     }
 
-    /// Under inverse time the calls show the speed, length times F: where the block has no plain number, F is had back from the move.
+    /// Under inverse time the calls show the speed, length times F: where the block has no plain number, F is had
+    /// back from the move.
     fn show_inverse_time(&mut self, end: [f64; 6]) {
         let Some(speed) = self.speed else { return };
         if let Some(feed) = plain_word(&self.block, 'f') {
@@ -214,8 +215,8 @@ impl Canon {
         }
     }
 
-    /// F under inverse time is set with the other words of its block, behind what a comment says; the first call that shows it is the one
-    /// of the move.
+    /// F under inverse time is set with the other words of its block, behind what a comment says; the first call that
+    /// shows it is the one of the move.
     fn rate_of_block(&mut self, rate: f64) {
         let change = self.lengths.feed(rate, Some(FeedMode::InverseTime));
         let mut set = Vec::new();

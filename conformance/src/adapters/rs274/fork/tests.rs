@@ -65,8 +65,8 @@ fn run(controller: &Rs274, program: &str) -> Result<Output, HarnessError> {
     run.expect("it can be forked").watch("", SHORT)
 }
 
-/// Waits until nothing runs in a process group. A zombie does not run: whether anybody waits for one depends on the first
-/// process of the machine.
+/// Waits until nothing runs in a process group. A zombie does not run: whether anybody waits for one depends on the
+/// first process of the machine.
 fn is_gone(group: Pid) -> bool {
     let group = group.as_raw_nonzero().to_string();
     let runs = || {

@@ -3,10 +3,11 @@
 use super::{Matcher, Reach, passes};
 
 impl Matcher<'_> {
-    /// Leaves out points from which those of the next sample cannot be reached: a sample that may still be on a line from which
-    /// it has long gone away is on it in no reading.
+    /// Leaves out points from which those of the next sample cannot be reached: a sample that may still be on a line
+    /// from which it has long gone away is on it in no reading.
     ///
-    /// Nothing is left out where the next sample stands for no point that can be reached, or where the path may be followed backwards.
+    /// Nothing is left out where the next sample stands for no point that can be reached, or where the path may be
+    /// followed backwards.
     pub(super) fn lead(&mut self) {
         let Some(last) = self.rows.len().checked_sub(1) else { return };
         if self.measure.finished {

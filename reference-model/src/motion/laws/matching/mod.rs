@@ -1,11 +1,11 @@
 //! Which point of the path a sample stands for.
 //!
-//! Samples are matched by progress: a sample stands for a point that is within tolerance of it and not before the point of the
-//! sample before, and each corner on the way is within tolerance of the chord between two samples. So a path that
-//! crosses itself or goes to and fro is followed, and not the nearest of all its points. For each sample the set of all such
-//! points is kept, as an interval on each piece of the path (the free space of two curves, of which the Fréchet distance
-//! is read off); if it becomes empty, something was missed, and matching goes on from the nearest point. Of these points
-//! those remain that lead on to what comes later.
+//! Samples are matched by progress: a sample stands for a point that is within tolerance of it and not before the
+//! point of the sample before, and each corner on the way is within tolerance of the chord between two samples. So a
+//! path that crosses itself or goes to and fro is followed, and not the nearest of all its points. For each sample
+//! the set of all such points is kept, as an interval on each piece of the path (the free space of two curves, of
+//! which the Fréchet distance is read off); if it becomes empty, something was missed, and matching goes on from the
+//! nearest point. Of these points those remain that lead on to what comes later.
 //!
 //! The work is linear in samples times pieces within tolerance of a sample.
 
@@ -85,7 +85,8 @@ pub(super) struct Matching {
     pub(super) missed: Vec<Miss>,
     /// First and last leg that each sample can stand for.
     pub(super) legs: Vec<(usize, usize)>,
-    /// How many legs may be behind each sample: those before the last one, and that one if the sample can stand for its end.
+    /// How many legs may be behind each sample: those before the last one, and that one if the sample can stand for
+    /// its end.
     pub(super) ended: Vec<usize>,
     /// The corners of which each sample can be on the way from the middle before to the middle behind, in order.
     pub(super) corners: Vec<Vec<usize>>,
@@ -324,8 +325,8 @@ impl Matcher<'_> {
         row
     }
 
-    /// The corners between the middles of whose legs some points of a piece are: one, but both of its leg where the piece
-    /// leads over the middle.
+    /// The corners between the middles of whose legs some points of a piece are: one, but both of its leg where the
+    /// piece leads over the middle.
     fn corners(&self, reach: Reach) -> std::ops::RangeInclusive<usize> {
         let piece = &self.pieces[reach.piece];
         let first = piece.leg + usize::from(reach.low >= 0.5 && piece.from >= 0.5);
@@ -400,8 +401,8 @@ impl Matcher<'_> {
         self.missed.push(Miss { sample, what, distance, allowed });
     }
 
-    /// Whatever lies between the last sample and the end of the path was left out, but for a leg whose end is within its
-    /// tolerance: that the path ends exactly is another law's.
+    /// Whatever lies between the last sample and the end of the path was left out, but for a leg whose end is within
+    /// its tolerance: that the path ends exactly is another law's.
     fn end(&mut self) {
         let sample = self.measure.points.len() - 1;
         let Some(last) = self.rows[sample].last().copied() else { return };

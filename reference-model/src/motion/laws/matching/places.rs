@@ -16,8 +16,8 @@ struct Step {
 }
 
 impl Matcher<'_> {
-    /// The points that are nearest to the samples all in all, and in order. A single sample's nearest point tells little where the tolerance is large:
-    /// the end of a blend may be nearer to where the path began.
+    /// The points that are nearest to the samples all in all, and in order. A single sample's nearest point tells
+    /// little where the tolerance is large: the end of a blend may be nearer to where the path began.
     pub(super) fn places(&self) -> Vec<Place> {
         let mut steps: Vec<Vec<Step>> = Vec::with_capacity(self.rows.len());
         for sample in 0..self.rows.len() {
@@ -62,7 +62,8 @@ impl Matcher<'_> {
         self.rows[sample].iter().map(step).collect()
     }
 
-    /// The distance of a sample from a piece's points for which it can stand, up to a parameter, and the parameter of the nearest one.
+    /// The distance of a sample from a piece's points for which it can stand, up to a parameter, and the parameter of
+    /// the nearest one.
     fn away(&self, sample: usize, reach: Reach, limit: f64) -> (f64, f64) {
         let (point, curve) =
             (&self.measure.points[sample], &self.curves[self.pieces[reach.piece].leg]);

@@ -1,4 +1,5 @@
-//! Laws held against samples made by hand: good ones are accepted, each planted fault is found by the law that it breaks.
+//! Laws held against samples made by hand: good ones are accepted, each planted fault is found by the law that it
+//! breaks.
 
 mod axes;
 mod feed;

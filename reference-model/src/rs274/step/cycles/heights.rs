@@ -107,8 +107,8 @@ pub(super) fn find(
     Ok((series, cycle))
 }
 
-/// Rule cycles.return-level. Under G98 each repeat ends at the initial level if that is above R; otherwise it ends at R.
-/// Rule cycles.initial-level. That is where the normal axis was before the first of a row of cycles.
+/// Rule cycles.return-level. Under G98 each repeat ends at the initial level if that is above R; otherwise it ends at
+/// R. Rule cycles.initial-level. That is where the normal axis was before the first of a row of cycles.
 fn clear(initial: f64, retract: f64, state: &State) -> f64 {
     match state.modes.retract {
         Retract::OldZ => initial.max(retract),
@@ -133,8 +133,8 @@ fn sticky(
     Ok(found)
 }
 
-/// A series goes on with its numbers and its initial level as long as they mean the same; what becomes of them under another
-/// unit, plane or offset no document says.
+/// A series goes on with its numbers and its initial level as long as they mean the same; what becomes of them under
+/// another unit, plane or offset no document says.
 fn unchanged(
     words: &Words,
     before: Option<Series>,
@@ -154,8 +154,8 @@ fn unchanged(
     Ok(())
 }
 
-/// Rule cycles.spindle. $ names the spindle of G74, G84 and G86; without it that is spindle 0, unless quirk rs274.chosen-spindle
-/// holds. Where no cycle takes $ (quirk rs274.cycle-dollar), it is another code's.
+/// Rule cycles.spindle. $ names the spindle of G74, G84 and G86; without it that is spindle 0, unless quirk
+/// rs274.chosen-spindle holds. Where no cycle takes $ (quirk rs274.cycle-dollar), it is another code's.
 fn spindle_of(words: &Words, state: &mut State) -> Result<usize, Halt> {
     let rule = "cycles.spindle";
     let dollar = word(words, '$').filter(|_| !state.readings.quirk("rs274.cycle-dollar"));

@@ -1,7 +1,8 @@
-//! Canned cycles, G73, G74 and G81 to G89: each is rewritten into the traverses, feeds, dwells and settings that it stands for.
+//! Canned cycles, G73, G74 and G81 to G89: each is rewritten into the traverses, feeds, dwells and settings that it
+//! stands for.
 //!
-//! A cycle works along three axes of the selected plane, its first, second and normal axis. Heights are positions on the
-//! normal axis in program coordinates, active length unit.
+//! A cycle works along three axes of the selected plane, its first, second and normal axis. Heights are positions on
+//! the normal axis in program coordinates, active length unit.
 
 mod allowed;
 mod heights;

@@ -151,9 +151,9 @@ pub(super) fn dwells(seconds: f64, state: &mut State, record: &mut Record) {
 
 /// Pecks: each feeds deeper by Q, or to the bottom where that is less.
 ///
-/// Rule cycles.chip-breaking. Between two pecks G73 backs off by 0.254 mm or 0.01 inch.
-/// Rule cycles.peck. G83 traverses out to R, whatever the return mode is, and back to that much above what it has drilled.
-/// Choice cycles.chip-break-return: whether G73 ends at R under G98 too.
+/// Rule cycles.chip-breaking. Between two pecks G73 backs off by 0.254 mm or 0.01 inch. Rule cycles.peck. G83
+/// traverses out to R, whatever the return mode is, and back to that much above what it has drilled. Choice
+/// cycles.chip-break-return: whether G73 ends at R under G98 too.
 fn pecks(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), Halt> {
     let [_, _, normal] = cycle.axes;
     let back_off = match state.modes.units {

@@ -23,10 +23,10 @@ pub(super) fn possible(cycle: &Cycle, cutting: SpindleTurn, state: &State) -> Re
     Err(refuse(rule, kind, "tapping, and the spindle does not turn as the thread is cut"))
 }
 
-/// Rules cycles.tap-right and cycles.tap-left. It feeds to the bottom, stops the spindle, starts it the other way, dwells,
-/// and feeds out to the clear height.
-/// Rule cycles.tap-overrides. The feed override and the spindle's speed override are disabled meanwhile.
-/// Choice cycles.tap-return: whether the spindle turns as before afterwards. One that was held at an angle stands: nothing turns it back there.
+/// Rules cycles.tap-right and cycles.tap-left. It feeds to the bottom, stops the spindle, starts it the other way,
+/// dwells, and feeds out to the clear height. Rule cycles.tap-overrides. The feed override and the spindle's speed
+/// override are disabled meanwhile. Choice cycles.tap-return: whether the spindle turns as before afterwards. One
+/// that was held at an angle stands: nothing turns it back there.
 pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     let [_, _, normal] = cycle.axes;
     let place = cycle.spindle;

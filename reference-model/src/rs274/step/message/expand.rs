@@ -83,8 +83,8 @@ fn wrong_format(text: &str, readings: &Readings) -> bool {
 
 /// A parameter, or `None` for a number that none has, and what stands behind it.
 ///
-/// Rule active-comments.numbered. A number sign and a number are replaced by the value of that parameter.
-/// Rule active-comments.named. A number sign and a name in <> are replaced by the value of that parameter; blanks in the
+/// Rule active-comments.numbered. A number sign and a number are replaced by the value of that parameter. Rule
+/// active-comments.named. A number sign and a name in <> are replaced by the value of that parameter; blanks in the
 /// name do not count.
 fn parameter_at<'a>(text: &'a str, state: &mut State) -> Option<(Option<Name>, &'a str)> {
     let rest = text.strip_prefix('#')?;

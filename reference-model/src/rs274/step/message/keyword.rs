@@ -56,10 +56,9 @@ const WITH_TEXT: [(&str, Active); 7] = [
 
 /// What an active comment does and its text; `None` for a plain one.
 ///
-/// Rule active-comments.msg-spelling. MSG may have blanks within and before it and lower case letters; the other keywords
-/// are read in the same way.
-/// Quirk rs274.message-blanks: blanks may only stand before it.
-/// Choice active-comments.msg-without-comma: whether MSG without a comma is a message.
+/// Rule active-comments.msg-spelling. MSG may have blanks within and before it and lower case letters; the other
+/// keywords are read in the same way. Quirk rs274.message-blanks: blanks may only stand before it. Choice
+/// active-comments.msg-without-comma: whether MSG without a comma is a message.
 pub(super) fn active<'a>(comment: &'a str, readings: &Readings) -> Option<(Active, &'a str)> {
     if let Some((before, text)) = comment.split_once(',') {
         let keyword = if readings.quirk("rs274.message-blanks") {

@@ -111,8 +111,8 @@ fn say(channel: Channel, text: &str, state: &mut State, record: &mut Record) -> 
 /// The value that a message shows of a parameter.
 ///
 /// Rule active-comments.absent-named. What does not exist has none, also where it would be zero in an expression.
-/// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value or
-/// its old one.
+/// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value
+/// or its old one.
 fn shown_value(name: &Name, state: &State) -> Result<f64, Halt> {
     let new = state.readings.is("active-comments.same-block-setting", "new")
         && !parameters::is_told(name);

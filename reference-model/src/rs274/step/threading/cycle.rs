@@ -45,11 +45,10 @@ struct Thread {
 
 /// Cuts a thread.
 ///
-/// Rule threading.thread. Each pass traverses to its depth, feeds along Z synchronised with the spindle, traverses out to
-/// the drive line and back; the last one stays at the end of the drive line.
-/// Rule threading.degression. The first pass is J beyond the crest, the last one K; those between are of constant depth
-/// under R1 and of constant area under R2.
-/// Rule threading.spring-passes. H passes more are at full depth.
+/// Rule threading.thread. Each pass traverses to its depth, feeds along Z synchronised with the spindle, traverses
+/// out to the drive line and back; the last one stays at the end of the drive line. Rule threading.degression. The
+/// first pass is J beyond the crest, the last one K; those between are of constant depth under R1 and of constant
+/// area under R2. Rule threading.spring-passes. H passes more are at full depth.
 ///
 /// # Errors
 /// Those of `find`.
@@ -89,7 +88,8 @@ pub(in crate::rs274::step) fn perform(
 }
 
 impl Thread {
-    /// How far beyond the crest a pass is, counted from 1. One that is at K but for its rounding is the last one: three times 0.3 is 0.9.
+    /// How far beyond the crest a pass is, counted from 1. One that is at K but for its rounding is the last one:
+    /// three times 0.3 is 0.9.
     fn depth(&self, pass: f64) -> f64 {
         let deeper = if self.degression > 1.0 { crate::math::square_root(pass) } else { pass };
         let depth = self.first * deeper;
@@ -98,8 +98,8 @@ impl Thread {
     }
 }
 
-/// Rule threading.thread-slide. The slide angle Q moves a pass along the drive line, the deeper the further; how it moves the
-/// pass's end is a choice.
+/// Rule threading.thread-slide. The slide angle Q moves a pass along the drive line, the deeper the further; how it
+/// moves the pass's end is a choice.
 fn ends(thread: &Thread, depth: f64, state: &State) -> [f64; 2] {
     let direction = quirks::direction(thread.end - thread.start.z, state);
     let along = direction * crate::math::tangent_of_degrees(thread.slide);
@@ -110,8 +110,9 @@ fn ends(thread: &Thread, depth: f64, state: &State) -> [f64; 2] {
 
 /// One pass.
 ///
-/// Rule threading.thread-tapers. Along E, at the ends that L names, it feeds aslant between its depth and K further out; at
-/// such an entry it feeds from the drive line, at others it traverses. Along Z it moves P for each revolution everywhere.
+/// Rule threading.thread-tapers. Along E, at the ends that L names, it feeds aslant between its depth and K further
+/// out; at such an entry it feeds from the drive line, at others it traverses. Along Z it moves P for each revolution
+/// everywhere.
 fn pass(thread: &Thread, depth: f64, state: &mut State, record: &mut Record) {
     let inward = thread.peak.signum();
     let clearance = quirks::clearance(thread.full - depth, state);
@@ -254,8 +255,8 @@ fn refused_words(words: &Words, state: &mut State) -> Result<(), Halt> {
     Ok(())
 }
 
-/// What the manual leaves open: how deep passes are under another degression than 1 and 2, and what numbers mean that make no
-/// thread.
+/// What the manual leaves open: how deep passes are under another degression than 1 and 2, and what numbers mean that
+/// make no thread.
 fn open(thread: &Thread, state: &mut State) -> Result<(), Halt> {
     let is_degression = |value: f64| (thread.degression - value).abs() == 0.0;
     let other_degression = !is_degression(1.0) && !is_degression(2.0);

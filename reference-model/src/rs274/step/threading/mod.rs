@@ -24,7 +24,8 @@ pub(super) use cycle::perform as thread;
 /// Rule threading.rigid-tap. G33.1 moves there and back, and ends where it began.
 ///
 /// # Errors
-/// Rules threading.axis-words-missing, threading.needs-pitch, threading.needs-spindle, threading.spindle, threading.velocity.
+/// Rules threading.axis-words-missing, threading.needs-pitch, threading.needs-spindle, threading.spindle,
+/// threading.velocity.
 pub(super) fn perform(
     motion: Motion,
     words: &Words,
@@ -93,8 +94,8 @@ fn turning_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
 
 /// The move lasts as long as the spindle takes for its revolutions: one for each K of the way in X, Y and Z.
 ///
-/// Rule threading.velocity. In that time no axis goes further than its highest velocity brings it. Under constant surface speed S does
-/// not say how fast the spindle turns.
+/// Rule threading.velocity. In that time no axis goes further than its highest velocity brings it. Under constant
+/// surface speed S does not say how fast the spindle turns.
 fn within_velocities(
     place: usize,
     pitch: f64,
