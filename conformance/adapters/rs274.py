@@ -26,7 +26,7 @@ EFFECTS = [
     "set_analog_output", "stop", "pallet_shuttle", "message", "log_open", "log_close", "program_end"]
 DECLARATION = {
     "protocol": 1, "name": "rs274", "version": "2.9 in Python", "languages": ["rs274"], "units": ["mm", "inch"],
-    "features": ["another-bench", "block-delete", "fanuc-subs-off", "files", "ini", "io-counts", "orient-offset", "parameters", "spindles",
+    "features": ["another-environment", "block-delete", "fanuc-subs-off", "files", "ini", "io-counts", "orient-offset", "parameters", "spindles",
                  "tool-change-settings", "tools"],
     "observables": {
         "fields": SETTINGS + STATE, "fields_at_effects": SETTINGS, "effects": EFFECTS, "moves_in_place": True, "fault_kinds": True,

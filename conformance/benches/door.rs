@@ -228,7 +228,7 @@ fn sizes(scenario: &Scenario, production: &Production, suite: &Suite) -> Result<
             options.retain(|id, option| defaults.get(id) != option.as_str());
         }
         told.retain(|name, value| *value != default[name]);
-        for part in ["program", "bench"] {
+        for part in ["program", "environment"] {
             if let Some(told) = told.get_mut(part).and_then(Value::as_object_mut) {
                 told.retain(|name, value| *value != default[part][name] || name == "language");
             }

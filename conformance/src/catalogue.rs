@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_vocabulary::{Outcome, Unsaid};
+use gaugeblock_vocabulary::{Outcome, Undetermined};
 
 use crate::certify::scenario_of;
 use crate::motion;
@@ -112,17 +112,17 @@ fn judged(
     readings: &BTreeMap<String, String>,
 ) -> Result<(), String> {
     let samples = motion::made(case)?;
-    let (_, path) = motion::asked(case, &suite.options(edition), edition.bench.as_ref())?;
+    let (_, path) = motion::asked(case, &suite.options(edition), edition.environment.as_ref())?;
     motion::held(case, rule, readings, (&samples, &path))
         .map_err(|(saying, found)| format!("{saying}, but: {found}"))
 }
 
 /// Why the model says nothing of a case: it does not support it, or the documents leave it open.
-pub fn unsaid(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
+pub fn undetermined(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
     let edition = editions_of(suite, rule, case).into_iter().next()?;
     let end = model_run(suite, case, edition).0.end;
-    end.unsaid().map(|unsaid| match unsaid {
-        Unsaid::Unsupported(why) | Unsaid::LeftOpen(why) => why.to_owned(),
+    end.undetermined().map(|undetermined| match undetermined {
+        Undetermined::Unsupported(why) | Undetermined::LeftOpen(why) => why.to_owned(),
     })
 }
 

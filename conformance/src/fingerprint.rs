@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Options};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -73,11 +73,11 @@ impl Trait {
 pub fn traits(
     suite: &Suite,
     options: &Options,
-    bench: Option<&str>,
+    environment: Option<&str>,
     controller: &dyn Adapter,
 ) -> Vec<Trait> {
     let declared = controller.options();
-    let shown = fingerprint(suite, options, bench, controller).into_iter();
+    let shown = fingerprint(suite, options, environment, controller).into_iter();
     let beside = shown.map(|(choice, shown)| Trait {
         choice: choice.id.clone(),
         held_to: options.get(&choice.id).unwrap_or_default().to_owned(),
@@ -91,18 +91,19 @@ pub fn traits(
 pub fn fingerprint<'a>(
     suite: &'a Suite,
     options: &Options,
-    bench: Option<&str>,
+    environment: Option<&str>,
     controller: &dyn Adapter,
 ) -> Vec<(&'a Choice, Shown)> {
     let known = controller.observed_edition().and_then(|id| suite.edition(id));
     let known = known.map(|edition| suite.options(edition));
     let of = |choice: &'a Choice| {
-        let used = shown(choice, options, bench, controller, false);
+        let used = shown(choice, options, environment, controller, false);
         // What is new about a controller must show on one that nothing ran on before.
         let is_known = known.as_ref().is_none_or(
             |known| matches!(&used, Shown::Option(option) if known.is(&choice.id, option)),
         );
-        let shown = if is_known { used } else { shown(choice, options, bench, controller, true) };
+        let shown =
+            if is_known { used } else { shown(choice, options, environment, controller, true) };
         (choice, shown)
     };
     // Choices in another language than the controller's are no options of its edition.
@@ -131,14 +132,14 @@ fn hide_what_does_not_tell(all: &mut [(&Choice, Shown)]) {
 pub fn shown(
     choice: &Choice,
     options: &Options,
-    bench: Option<&str>,
+    environment: Option<&str>,
     controller: &dyn Adapter,
     anew: bool,
 ) -> Shown {
     let mut scenario = choice.setup.scenario(&choice.program, options);
     scenario.program.language = choice.language;
-    if scenario.bench == Bench::default() {
-        scenario.bench.name = bench.map(str::to_owned);
+    if scenario.environment == Environment::default() {
+        scenario.environment.name = environment.map(str::to_owned);
     }
     if let Err(why) = controller.supports(&scenario) {
         return Shown::NotRun(why);

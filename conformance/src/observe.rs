@@ -6,8 +6,8 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::{
-    Block, Effect, End, Entry, Event, Indexed, Outcome, Pin, PinChange, Position, Settings, State,
-    Value,
+    BlockLocation, Effect, End, Entry, Event, Indexed, Outcome, Pin, PinChange, Position, Settings,
+    State, Value,
 };
 
 use crate::compare::tolerance;
@@ -29,7 +29,7 @@ pub struct ObservedEffect {
 #[derive(Clone, Debug)]
 pub struct ObservedStep {
     /// The block.
-    pub block: Block,
+    pub block: BlockLocation,
     /// Its k-th execution, from 1.
     pub execution: u32,
     /// Its effects, as places among all effects.
@@ -72,7 +72,7 @@ impl Observed {
     pub fn of(outcome: &Outcome) -> Self {
         let mut settings = outcome.start.clone();
         let mut state = State::empty(outcome.language);
-        let mut executions: BTreeMap<&Block, u32> = BTreeMap::new();
+        let mut executions: BTreeMap<&BlockLocation, u32> = BTreeMap::new();
         let mut observed = Self {
             start: outcome.start.clone(),
             steps: Vec::new(),

@@ -58,7 +58,7 @@ fn plan<'a>(iut: &'a dyn Adapter, against: &'a dyn Adapter) -> Plan<'a> {
         seeds: Seeds::default(),
         options: Options::default(),
         random: Vec::new(),
-        bench: None,
+        environment: None,
     }
 }
 

@@ -269,7 +269,7 @@ struct Sweep {
 /// Whether a case can be run on both, and production supports it.
 fn can_run(scenario: &Scenario, documented: &Scenario, theirs: &Rs274) -> bool {
     let production = Production::default();
-    let bench = scenario.bench.name.as_deref() == Some("stand-alone rs274");
+    let environment = scenario.environment.name.as_deref() == Some("stand-alone rs274");
     let ends = |scenario: &Scenario| {
         production.supports(scenario).is_ok()
             && production.run(scenario).is_ok_and(|outcome| {
@@ -278,13 +278,13 @@ fn can_run(scenario: &Scenario, documented: &Scenario, theirs: &Rs274) -> bool {
     };
     let plain = scenario.program.start == gaugeblock_vocabulary::scenario::Start::Program
         && !scenario.program.files.keys().any(|name| name.contains('/'));
-    bench && plain && theirs.supports(scenario).is_ok() && ends(documented)
+    environment && plain && theirs.supports(scenario).is_ok() && ends(documented)
 }
 
-/// A scenario in which production's bench answers as the stubs of `rs274` do.
+/// A scenario in which production's environment answers as the stubs of `rs274` do.
 fn documented(scenario: &Scenario, options: &Options) -> Scenario {
     let mut documented = scenario.clone();
-    documented.bench = gaugeblock_vocabulary::scenario::Bench::default();
+    documented.environment = gaugeblock_vocabulary::scenario::Environment::default();
     documented.options = options.clone();
     documented
 }
@@ -364,7 +364,7 @@ impl Sweep {
         // Where the model does otherwise under the quirks than without them, a quirk is why.
         let reference = Reference::default();
         let mut without = documented.clone();
-        without.bench.name.clone_from(&edition.bench);
+        without.environment.name.clone_from(&edition.environment);
         if reference.run(scenario) == reference.run(&without) {
             self.otherwise.push(format!("{name}: expected {}", difference(&theirs, &ours)));
         } else {

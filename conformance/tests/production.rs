@@ -10,7 +10,7 @@ use gaugeblock::fingerprint::{Shown, shown};
 use gaugeblock::suite::{ChoiceKind, Edition, Suite, files};
 
 /// Why cases are unsupported: they are about what another controller only stubs.
-const OTHERS: &[&str] = &["the bench \"stand-alone rs274\" is another controller's"];
+const OTHERS: &[&str] = &["the environment \"stand-alone rs274\" is another controller's"];
 
 fn suite() -> Suite {
     Suite::read(&files::built_in()).unwrap_or_else(|errors| panic!("{}", errors.join("\n")))

@@ -15,7 +15,7 @@ use gaugeblock::report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock::shard::Shard;
 use gaugeblock::suite::{Suite, files};
 use gaugeblock::waivers::Waivers;
-use gaugeblock_vocabulary::{Block, Effect, End, Event, Outcome, Program, Scenario};
+use gaugeblock_vocabulary::{BlockLocation, Effect, End, Event, Outcome, Program, Scenario};
 
 /// The model with one fault planted.
 #[derive(Debug)]
@@ -70,7 +70,7 @@ fn silent(mut outcome: Outcome) -> Result<Outcome, HarnessError> {
 
 /// It does not have what the program asks for.
 fn without(outcome: Outcome) -> Result<Outcome, HarnessError> {
-    let (block, what) = (Block::new(Program::MAIN, 1), "it has none".to_owned());
+    let (block, what) = (BlockLocation::new(Program::MAIN, 1), "it has none".to_owned());
     Ok(Outcome { end: End::Unsupported { block, what }, ..outcome })
 }
 
@@ -171,7 +171,7 @@ fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
 fn what_a_controller_leaves_alone_it_neither_accepts_nor_refuses() {
     let suite = suite();
     let leaves_all_alone = faulty(|mut outcome| {
-        let block = Block::new(Program::MAIN, 1);
+        let block = BlockLocation::new(Program::MAIN, 1);
         outcome.end = End::Unsupported { block, what: "it has no such code".to_owned() };
         outcome.steps.clear();
         Ok(outcome)

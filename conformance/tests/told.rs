@@ -8,7 +8,7 @@ use common::gaugeblock;
 use gaugeblock::protocol::{Operation, Request};
 use gaugeblock::suite::{Suite, files};
 use gaugeblock_vocabulary::Scenario;
-use gaugeblock_vocabulary::scenario::{Bench, Budget};
+use gaugeblock_vocabulary::scenario::{Budget, Environment};
 
 /// The scenarios that a controller is asked to run, as it reads them.
 fn asked(edition: &str, only: &str) -> Vec<(Scenario, usize)> {
@@ -56,6 +56,9 @@ fn what_has_its_default_is_left_out() {
         };
         assert!(differs.iter().all(all), "{edition}: {differs:?}");
         let plain = asked.iter().filter(|(scenario, _)| scenario.budget == Budget::default());
-        assert!(plain.filter(|(scenario, _)| scenario.bench == Bench::default()).count() > 10);
+        assert!(
+            plain.filter(|(scenario, _)| scenario.environment == Environment::default()).count()
+                > 10
+        );
     }
 }

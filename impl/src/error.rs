@@ -3,7 +3,7 @@
 use alloc::boxed::Box;
 use core::fmt;
 
-use gaugeblock_vocabulary::{Block, Fault};
+use gaugeblock_vocabulary::{BlockLocation, Fault};
 
 use crate::limits::Limit;
 use crate::source::Unreadable;
@@ -20,7 +20,7 @@ pub enum Error {
         /// Which bound.
         limit: Limit,
         /// Where.
-        block: Block,
+        block: BlockLocation,
     },
     /// The source could not be read.
     Unreadable(Unreadable),

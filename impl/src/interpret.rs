@@ -6,8 +6,8 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::{
-    Block as Place, ControllerMode, End, Machine, Options, Position, Program, Rs274State, Settings,
-    Tool,
+    BlockLocation as Place, ControllerMode, End, Machine, Options, Position, Program, Rs274State,
+    Settings, Tool,
 };
 
 use crate::canon::Sink;

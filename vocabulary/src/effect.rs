@@ -88,11 +88,11 @@ macro_rules! effects {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 #[derive(Deserialize)]
                 #[serde(deny_unknown_fields)]
-                enum Told {
+                enum Wire {
                     $(#[serde(rename = $name)] $variant { $($field: $type,)* },)*
                 }
                 Ok(match crate::tagged::read(deserializer, "effect")? {
-                    $(Told::$variant { $($field),* } => Self::$variant { $($field),* },)*
+                    $(Wire::$variant { $($field),* } => Self::$variant { $($field),* },)*
                 })
             }
         }

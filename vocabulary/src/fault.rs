@@ -136,14 +136,14 @@ words! {
 /// A place in a program: a block is one line's worth.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Block {
+pub struct BlockLocation {
     /// File name; the main program is `main.ngc`.
     pub file: Cow<'static, str>,
     /// Line, from 1.
     pub line: u32,
 }
 
-impl Block {
+impl BlockLocation {
     /// A block by file and line. Most blocks are of the main program, whose name costs no text of its own.
     pub fn new(file: impl AsRef<str>, line: u32) -> Self {
         let file = match file.as_ref() {
@@ -154,7 +154,7 @@ impl Block {
     }
 }
 
-impl fmt::Display for Block {
+impl fmt::Display for BlockLocation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}", self.file, self.line)
     }
@@ -179,7 +179,7 @@ pub struct Fault {
     pub kind: Option<FaultKind>,
     /// The block, where the controller tells; compared.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub block: Option<Block>,
+    pub block: Option<BlockLocation>,
     /// The part of the block's text; never compared.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub span: Option<Span>,

@@ -26,14 +26,14 @@ mod tagged;
 pub mod text;
 
 pub use effect::{Channel, Effect, OrientDirection, OutputTiming, Request, WaitMode};
-pub use fault::{Block, Fault, FaultKind, Span};
+pub use fault::{BlockLocation, Fault, FaultKind, Span};
 pub use field::{Argument, Entry, Field, Scalar, Value};
 pub use indexed::Indexed;
 pub use modes::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
     Retract, SpindleMode, SpindleTurn, Switch,
 };
-pub use outcome::{Bound, End, Event, Outcome, Sample, Step, Unsaid};
+pub use outcome::{Bound, End, Event, Outcome, Sample, Step, Undetermined};
 pub use pin::{Pin, PinChange};
 pub use position::{Axis, Position};
 pub use scenario::{Machine, Options, Program, Scenario, Tool};

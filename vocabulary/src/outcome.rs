@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::effect::Effect;
-use crate::fault::{Block, Fault};
+use crate::fault::{BlockLocation, Fault};
 use crate::field::words;
 use crate::indexed::Indexed;
 use crate::pin::PinChange;
@@ -28,7 +28,7 @@ pub enum Event {
 #[serde(deny_unknown_fields)]
 pub struct Step {
     /// The block.
-    pub block: Block,
+    pub block: BlockLocation,
     /// Settings and effects in order.
     pub events: Vec<Event>,
     /// State after the block; absent for blocks after which none is recorded (O-words, M98, M99).
@@ -72,14 +72,14 @@ pub enum End {
     /// Something that this interpreter does not do; everything before it counts.
     Unsupported {
         /// Where.
-        block: Block,
+        block: BlockLocation,
         /// What.
         what: String,
     },
     /// The documents leave this open and no choice covers it; nothing is compared from here on.
     Unspecified {
         /// Where.
-        block: Block,
+        block: BlockLocation,
         /// What is open, and in which sentence.
         why: String,
     },
@@ -89,7 +89,7 @@ impl<'de> Deserialize<'de> for End {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]
         #[serde(rename_all = "snake_case", deny_unknown_fields)]
-        enum Told {
+        enum Wire {
             ProgramEnd,
             PercentEnd,
             Endless,
@@ -97,26 +97,26 @@ impl<'de> Deserialize<'de> for End {
             Aborted,
             Fault(Fault),
             BudgetExhausted { bound: Bound },
-            Unsupported { block: Block, what: String },
-            Unspecified { block: Block, why: String },
+            Unsupported { block: BlockLocation, what: String },
+            Unspecified { block: BlockLocation, why: String },
         }
         Ok(match crate::tagged::read(deserializer, "end")? {
-            Told::ProgramEnd => Self::ProgramEnd,
-            Told::PercentEnd => Self::PercentEnd,
-            Told::Endless => Self::Endless,
-            Told::Paused => Self::Paused,
-            Told::Aborted => Self::Aborted,
-            Told::Fault(fault) => Self::Fault(fault),
-            Told::BudgetExhausted { bound } => Self::BudgetExhausted { bound },
-            Told::Unsupported { block, what } => Self::Unsupported { block, what },
-            Told::Unspecified { block, why } => Self::Unspecified { block, why },
+            Wire::ProgramEnd => Self::ProgramEnd,
+            Wire::PercentEnd => Self::PercentEnd,
+            Wire::Endless => Self::Endless,
+            Wire::Paused => Self::Paused,
+            Wire::Aborted => Self::Aborted,
+            Wire::Fault(fault) => Self::Fault(fault),
+            Wire::BudgetExhausted { bound } => Self::BudgetExhausted { bound },
+            Wire::Unsupported { block, what } => Self::Unsupported { block, what },
+            Wire::Unspecified { block, why } => Self::Unspecified { block, why },
         })
     }
 }
 
 /// Why a run says nothing of what comes behind its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unsaid<'a> {
+pub enum Undetermined<'a> {
     /// This interpreter does not do it.
     Unsupported(&'a str),
     /// The documents leave it open.
@@ -125,10 +125,10 @@ pub enum Unsaid<'a> {
 
 impl End {
     /// Why nothing can be said of what comes behind; none where the run has an end of its own.
-    pub fn unsaid(&self) -> Option<Unsaid<'_>> {
+    pub fn undetermined(&self) -> Option<Undetermined<'_>> {
         match self {
-            Self::Unsupported { what, .. } => Some(Unsaid::Unsupported(what)),
-            Self::Unspecified { why, .. } => Some(Unsaid::LeftOpen(why)),
+            Self::Unsupported { what, .. } => Some(Undetermined::Unsupported(what)),
+            Self::Unspecified { why, .. } => Some(Undetermined::LeftOpen(why)),
             Self::ProgramEnd
             | Self::PercentEnd
             | Self::Endless

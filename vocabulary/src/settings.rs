@@ -215,15 +215,15 @@ impl<'de> Deserialize<'de> for State {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         #[derive(Deserialize)]
         #[serde(rename_all = "snake_case")]
-        enum Told {
+        enum Wire {
             Rs274(Rs274State),
             Nct(NctState),
             Gpp(GppState),
         }
         Ok(match crate::tagged::read(deserializer, "language")? {
-            Told::Rs274(state) => Self::Rs274(state),
-            Told::Nct(state) => Self::Nct(state),
-            Told::Gpp(state) => Self::Gpp(state),
+            Wire::Rs274(state) => Self::Rs274(state),
+            Wire::Nct(state) => Self::Nct(state),
+            Wire::Gpp(state) => Self::Gpp(state),
         })
     }
 }

@@ -4,7 +4,7 @@ import re
 from .machine import MACHINE, PARAMETERS, PRINTED, TOOLS
 from .text import LAST_PARAMETER, MAIN
 
-OWN_BENCH = "stand-alone rs274"  # answers as this controller does
+OWN_ENVIRONMENT = "stand-alone rs274"  # answers as this controller does
 STORING = ["g10", "g28.1", "g30.1", "g52", "g92"]  # codes that store lengths
 # Lengths that are printed when they are set and not when the length unit changes: set in inches, they are shown with the error of inches.
 CARRIED = ["feed_rate", "blend_tolerance", "naive_cam_tolerance", "g5x_offset", "g92_offset", "tool_offset"]
@@ -12,7 +12,7 @@ CARRIED = ["feed_rate", "blend_tolerance", "naive_cam_tolerance", "g5x_offset", 
 
 def why_not(scenario, source):
     """The reason why a scenario cannot be run; None where it can. What would reach the host must not run, whoever asks."""
-    bench = scenario.get("bench", {})
+    environment = scenario.get("environment", {})
     for name, _ in source.files[1:]:
         if not re.fullmatch(r"(elsewhere/)?[^./][^/]*", name) or name in (MAIN, MACHINE, TOOLS, PARAMETERS, PRINTED):
             return f"{name!r} is no file name for a sub"
@@ -22,9 +22,9 @@ def why_not(scenario, source):
         return "a message that ends within a name shows what lies in memory"
     if scenario["program"].get("start") == "mdi":
         return "O-words do not work by hand"
-    if bench.get("name") != OWN_BENCH and source.pauses():
+    if environment.get("name") != OWN_ENVIRONMENT and source.pauses():
         return "its pauses do not pause"
-    if bench and bench.get("name") != OWN_BENCH:
+    if environment and environment.get("name") != OWN_ENVIRONMENT:
         return "the outside always answers in the same way"
     return of_machine(scenario.get("machine", {}), source)
 

@@ -143,7 +143,7 @@ fn narrowed(mut outcome: Outcome, shows: &Capabilities) -> Outcome {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_vocabulary::{Block, Effect, Event, Position, Rs274State, State};
+    use gaugeblock_vocabulary::{BlockLocation, Effect, Event, Position, Rs274State, State};
 
     use super::*;
     use crate::adapters::reference::Reference;
@@ -166,7 +166,7 @@ mod tests {
     fn told(moves: &[f64], at: f64, end: End) -> Outcome {
         let point = |x| Position { x, ..Position::default() };
         let step = Step {
-            block: Block::new("", 0),
+            block: BlockLocation::new("", 0),
             events: moves
                 .iter()
                 .map(|x| Event::Do(Effect::StraightTraverse { end: point(*x) }))
@@ -221,7 +221,7 @@ mod tests {
         let End::Fault(bare) = of(&blockless()) else { panic!("accepted") };
         assert_eq!((bare.kind, bare.block), (None, None));
         let End::Fault(whole) = of(&Capabilities::everything("a", "1")) else { panic!("accepted") };
-        assert!(whole.kind.is_some() && whole.block == Some(Block::new("main.ngc", 2)));
+        assert!(whole.kind.is_some() && whole.block == Some(BlockLocation::new("main.ngc", 2)));
     }
 
     #[test]

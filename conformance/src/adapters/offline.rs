@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{
-    Block, Bound, Effect, End, Event, Fault, Language, Outcome, Program, Rs274State, Scenario,
-    Settings, State, Step,
+    BlockLocation, Bound, Effect, End, Event, Fault, Language, Outcome, Program, Rs274State,
+    Scenario, Settings, State, Step,
 };
 use serde::Deserialize;
 
@@ -330,7 +330,7 @@ fn outcome(sheet: &Sheet, blocks: Option<&Blocks>) -> Result<Outcome, HarnessErr
             }
         }
         // No block is told: this is no line of a program.
-        None => steps.push(Step { block: Block::new("", 0), events, state: last }),
+        None => steps.push(Step { block: BlockLocation::new("", 0), events, state: last }),
     }
     Ok(Outcome {
         language: Language::Rs274,

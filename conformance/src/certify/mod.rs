@@ -15,8 +15,8 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use gaugeblock_vocabulary::scenario::Bench;
-use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Unsaid};
+use gaugeblock_vocabulary::scenario::Environment;
+use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
 
 use crate::adapters::Adapter;
 use crate::adapters::exec::now;
@@ -217,18 +217,18 @@ impl Held<'_> {
 
 /// Why the specification says nothing of a case.
 fn left_open(end: &End) -> Option<String> {
-    end.unsaid().map(|unsaid| match unsaid {
-        Unsaid::Unsupported(what) => format!("the model does not specify it yet: {what}"),
-        Unsaid::LeftOpen(why) => format!("the documents leave it open: {why}"),
+    end.undetermined().map(|undetermined| match undetermined {
+        Undetermined::Unsupported(what) => format!("the model does not specify it yet: {what}"),
+        Undetermined::LeftOpen(why) => format!("the documents leave it open: {why}"),
     })
 }
 
-/// The scenario of a case under an edition. The edition's bench answers where the case has none of its own.
+/// The scenario of a case under an edition. The edition's environment answers where the case has none of its own.
 pub fn scenario_of(case: &Case, options: &Options, edition: &Edition) -> Scenario {
     let mut scenario = case.setup.scenario(&case.program, options);
     scenario.program.language = edition.language;
-    if scenario.bench == Bench::default() {
-        scenario.bench.name.clone_from(&edition.bench);
+    if scenario.environment == Environment::default() {
+        scenario.environment.name.clone_from(&edition.environment);
     }
     scenario
 }

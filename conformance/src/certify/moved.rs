@@ -14,8 +14,8 @@ impl Held<'_> {
     /// A case of motion: its own samples, or what the controller makes of its program at each feed of segments.
     pub(super) fn run_motion<'r>(self, rule: &'r Rule, case: &'r MotionCase) -> CaseResult<'r> {
         let mut result = CaseResult::begun(rule, &case.name, &case.program);
-        let bench = self.plan.edition.bench.as_ref();
-        match motion::asked(case, self.options, bench) {
+        let environment = self.plan.edition.environment.as_ref();
+        match motion::asked(case, self.options, environment) {
             Ok((scenario, path)) => {
                 let moved = Moved { held: self, rule, case, scenario: &scenario, path: &path };
                 result.verdict = moved.verdict(&mut result);

@@ -27,7 +27,7 @@ pub(super) fn smallest(
         seeds: Seeds::default(),
         options: scenario.options.clone(),
         random: Vec::new(),
-        bench: scenario.bench.name.clone(),
+        environment: scenario.environment.name.clone(),
     };
     let Came::Differs(difference) = plan.judge(scenario, &mut Statistics::default()) else {
         return None;

@@ -168,8 +168,8 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let mut run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
     if is_fingerprinted(arguments, controller.as_ref()) {
         let options = options_of(suite, edition, controller.as_ref());
-        let bench = edition.bench.as_deref();
-        run.fingerprint = Some(traits(suite, &options, bench, controller.as_ref()));
+        let environment = edition.environment.as_deref();
+        run.fingerprint = Some(traits(suite, &options, environment, controller.as_ref()));
     }
     let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
     let (troubles, mended) = known.hold(&mut run, whole);

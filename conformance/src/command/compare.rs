@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use gaugeblock_reference::motion::path::{differ, programmed};
-use gaugeblock_vocabulary::{End, Outcome, Position, Unsaid};
+use gaugeblock_vocabulary::{End, Outcome, Position, Undetermined};
 use serde_json::json;
 
 use super::run::How;
@@ -117,9 +117,11 @@ fn both(
         let name = controller.capabilities().name.clone();
         controller.supports(scenario).map_err(|why| format!("{name} does not run this: {why}"))?;
         let outcome = controller.run(scenario).map_err(|error| format!("{name}: {error}"))?;
-        match outcome.end.unsaid() {
-            Some(Unsaid::Unsupported(what)) => Err(format!("{name} does not support this: {what}")),
-            Some(Unsaid::LeftOpen(why)) => Err(format!("{name}: not specified: {why}")),
+        match outcome.end.undetermined() {
+            Some(Undetermined::Unsupported(what)) => {
+                Err(format!("{name} does not support this: {what}"))
+            }
+            Some(Undetermined::LeftOpen(why)) => Err(format!("{name}: not specified: {why}")),
             None => Ok(outcome),
         }
     };

@@ -36,7 +36,7 @@ pub(super) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
     let options = suite.options(edition);
     controller::honours(controller.as_ref(), &options)?;
     controller::speaks(controller.as_ref(), edition)?;
-    let shown = take(suite, &options, edition.bench.as_deref(), controller.as_ref());
+    let shown = take(suite, &options, edition.environment.as_deref(), controller.as_ref());
     let nearest = nearest(suite, &shown);
     let known = shown.iter().filter(|(_, shown)| matches!(shown, Shown::Option(_))).count();
     match arguments.format {

@@ -141,7 +141,7 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
             Vec::new()
         },
         options,
-        bench: edition.bench.clone(),
+        environment: edition.environment.clone(),
     };
     if arguments.only.is_empty() && arguments.spliced != Some(0) {
         let share = plan.rehearse(outcomes(suite, edition), arguments.programs);

@@ -145,7 +145,7 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
     }
     let edition = super::edition(suite, crate::suite::DEFAULT_EDITION)?;
     let mut scenario = Scenario { options: suite.options(edition), ..Scenario::default() };
-    scenario.bench.name.clone_from(&edition.bench);
+    scenario.environment.name.clone_from(&edition.environment);
     scenario.machine.axes = Axis::ALL.to_vec();
     let controller = Production::default();
     let runs = |ride: &Ride| outcome(&controller, &scenario, ride);
@@ -203,7 +203,7 @@ fn outcome(controller: &Production, scenario: &Scenario, ride: &Ride) -> Outcome
     scenario.program.main = ride.text();
     controller.run(&scenario).unwrap_or_else(|error| {
         let why = error.to_string();
-        let block = gaugeblock_vocabulary::Block::new("main.ngc", 1);
+        let block = gaugeblock_vocabulary::BlockLocation::new("main.ngc", 1);
         Outcome {
             language: scenario.program.language,
             start: Settings::default(),

@@ -269,7 +269,7 @@ pub(super) fn body(find: &Find) -> String {
     text
 }
 
-/// What of machine and bench is not the default.
+/// What of machine and environment is not the default.
 fn unusual(find: &Find) -> Vec<String> {
     let plain = Scenario::default();
     let of = |scenario: &Scenario| {

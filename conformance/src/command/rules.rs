@@ -252,7 +252,8 @@ fn bless(suite: &Suite, folder: &Path, arguments: &Arguments) -> Result<u8, Refu
     let rules = selected(suite, arguments);
     // A model that does not know the suite's options says nothing that could be blessed.
     for rule in &rules {
-        if let Some(what) = rule.cases.first().and_then(|case| catalogue::unsaid(suite, rule, case))
+        if let Some(what) =
+            rule.cases.first().and_then(|case| catalogue::undetermined(suite, rule, case))
         {
             return Err(Refused::wrong(
                 format!("{}: the model has nothing to bless: {what}", rule.id),

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use clap::Args;
-use gaugeblock_vocabulary::scenario::Bench;
-use gaugeblock_vocabulary::{Block, End, Language, Outcome, Program, Scenario, Span};
+use gaugeblock_vocabulary::scenario::Environment;
+use gaugeblock_vocabulary::{BlockLocation, End, Language, Outcome, Program, Scenario, Span};
 
 use super::{Format, Refused, controller, place, write_error, write_error_in_colours, write_out};
 use crate::report::inert_line;
@@ -52,7 +52,7 @@ pub(super) struct How {
     /// Another option of a choice or quirk; may be repeated
     #[arg(long, value_name = "CHOICE=OPTION")]
     option: Vec<String>,
-    /// Machine, bench, operator, budget, options and further files, as a TOML file (`gaugeblock schema scenario`)
+    /// Machine, environment, operator, budget, options and further files, as a TOML file (`gaugeblock schema scenario`)
     #[arg(long, value_name = "FILE")]
     scenario: Option<PathBuf>,
     /// Skip blocks that begin with a slash
@@ -93,8 +93,8 @@ impl How {
         let named = scenario.options.0.iter().map(|(id, option)| format!("{id}={option}"));
         let named: Vec<_> = named.chain(self.option.iter().cloned()).collect();
         scenario.options = super::options_with(suite, edition, &named)?;
-        if scenario.bench == Bench::default() {
-            scenario.bench.name.clone_from(&edition.bench);
+        if scenario.environment == Environment::default() {
+            scenario.environment.name.clone_from(&edition.environment);
         }
         Ok(scenario)
     }
@@ -204,7 +204,7 @@ pub(super) fn cause(outcome: &Outcome, file: &Path) -> String {
 }
 
 /// The block at which a run did not go on, the part of it, and why.
-fn stopped(outcome: &Outcome) -> Option<(Option<&Block>, Option<Span>, String)> {
+fn stopped(outcome: &Outcome) -> Option<(Option<&BlockLocation>, Option<Span>, String)> {
     match &outcome.end {
         End::Fault(fault) => Some((fault.block.as_ref(), fault.span, fault.message.clone())),
         End::Unsupported { block, what } => {
@@ -223,7 +223,7 @@ fn stopped(outcome: &Outcome) -> Option<(Option<&Block>, Option<Span>, String)> 
 }
 
 /// A block's file, as the caller knows it.
-fn name(block: &Block, file: &Path) -> String {
+fn name(block: &BlockLocation, file: &Path) -> String {
     match &*block.file {
         Program::MAIN => file.display().to_string(),
         TOOLPATH => file.with_extension(TOOLPATH).display().to_string(),

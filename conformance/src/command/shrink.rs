@@ -64,7 +64,7 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
         seeds: Seeds::default(),
         options: scenario.options.clone(),
         random: Vec::new(),
-        bench: scenario.bench.name.clone(),
+        environment: scenario.environment.name.clone(),
     };
     let mut statistics = Statistics::default();
     let name = arguments.file.display();

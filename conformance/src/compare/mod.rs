@@ -8,7 +8,7 @@ pub mod tolerance;
 
 use std::collections::BTreeSet;
 
-use gaugeblock_vocabulary::{Block, End, Entry, Fault, Pin, Settings, Value};
+use gaugeblock_vocabulary::{BlockLocation, End, Entry, Fault, Pin, Settings, Value};
 
 pub use same::surely_same;
 pub use state::{FieldDifference, StateDifference, state};
@@ -22,7 +22,7 @@ use crate::suite::assertion::is_accepted;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Divergence {
     /// The block at which it shows, where one can be named.
-    pub block: Option<Block>,
+    pub block: Option<BlockLocation>,
     /// What is compared: `effect`, `end`, or a field's name.
     pub field: String,
     /// What the specification has.
@@ -138,7 +138,7 @@ impl Walk<'_> {
 
     fn effect(
         &mut self,
-        block: &Block,
+        block: &BlockLocation,
         a: &ObservedEffect,
         b: &ObservedEffect,
     ) -> Option<Divergence> {
@@ -209,7 +209,7 @@ impl Walk<'_> {
 
     fn fields(
         &mut self,
-        block: &Block,
+        block: &BlockLocation,
         expected: &[Entry],
         found: &[Entry],
         shown: &BTreeSet<String>,
@@ -349,7 +349,7 @@ fn same_fault(a: &Fault, b: &Fault) -> bool {
     }
 }
 
-fn missing(block: Option<Block>, expected: String, found: String) -> Divergence {
+fn missing(block: Option<BlockLocation>, expected: String, found: String) -> Divergence {
     Divergence { block, field: "effect".to_owned(), expected, found }
 }
 

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use gaugeblock_reference::{Evidence, Kept};
-use gaugeblock_vocabulary::{End, Outcome, Scenario, Unsaid};
+use gaugeblock_vocabulary::{End, Outcome, Scenario, Undetermined};
 
 use super::fragile::is_fragile;
 use super::signature::Signature;
@@ -222,12 +222,12 @@ fn outcome(
 
 /// Whether a run says nothing of the scenario: it is not supported, or the documents leave it open.
 fn open(side: &dyn Adapter, outcome: &Outcome, statistics: &mut Statistics) -> Option<Came> {
-    Some(match outcome.end.unsaid()? {
-        Unsaid::Unsupported(what) => {
+    Some(match outcome.end.undetermined()? {
+        Undetermined::Unsupported(what) => {
             count(&mut statistics.unsupported, &format!("{}: {what}", name(side)));
             Came::Unsupported
         }
-        Unsaid::LeftOpen(why) => {
+        Undetermined::LeftOpen(why) => {
             count(&mut statistics.unspecified, why);
             Came::Unspecified
         }

@@ -21,7 +21,7 @@ use std::sync::mpsc;
 
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
 use gaugeblock_fuzz::generate::{self, Dice, Recipe};
-use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Options, Scenario};
 
 use crate::adapters::Adapter;
@@ -61,8 +61,8 @@ pub struct Plan<'a> {
     pub options: Options,
     /// Choices of which each program takes some at random; none where the edition's options stand.
     pub random: Vec<Random<'a>>,
-    /// The bench that answers where a scenario has none.
-    pub bench: Option<String>,
+    /// The environment that answers where a scenario has none.
+    pub environment: Option<String>,
 }
 
 /// A choice of which programs take an option at random.
@@ -96,8 +96,8 @@ impl Plan<'_> {
             None => generate::scenario(&mut dice, &self.recipe),
         };
         scenario.options = options;
-        if scenario.bench == Bench::default() {
-            scenario.bench.name.clone_from(&self.bench);
+        if scenario.environment == Environment::default() {
+            scenario.environment.name.clone_from(&self.environment);
         }
         scenario
     }

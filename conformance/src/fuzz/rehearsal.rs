@@ -6,7 +6,7 @@ use std::ops::RangeFrom;
 use gaugeblock_fuzz::generate::splice::{self, Rare};
 use gaugeblock_fuzz::generate::{self, Dice};
 use gaugeblock_reference::{RuleOutcome, Tally, run};
-use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Program, Scenario};
 
 use super::Plan;
@@ -121,7 +121,7 @@ impl Plan<'_> {
                 continue;
             }
             runs_on[place] =
-                may_precede(scenario, self.bench.as_ref()) && outcome.end == End::ProgramEnd;
+                may_precede(scenario, self.environment.as_ref()) && outcome.end == End::ProgramEnd;
             for reached in evidence.iter() {
                 by_seed.entry(reached).or_default().push(place);
             }
@@ -222,15 +222,16 @@ fn number(count: u64) -> f64 {
 
 /// Whether a scenario may run before another one: it needs nothing but its program, in which no O-word and no percent
 /// sign stands.
-fn may_precede(scenario: &Scenario, bench: Option<&String>) -> bool {
+fn may_precede(scenario: &Scenario, environment: Option<&String>) -> bool {
     let Program { main, .. } = &scenario.program;
-    let answers = Bench { name: scenario.bench.name.clone(), ..Bench::default() };
+    let answers = Environment { name: scenario.environment.name.clone(), ..Environment::default() };
     let plain = Scenario {
         options: scenario.options.clone(),
-        bench: answers,
+        environment: answers,
         budget: scenario.budget,
         ..Scenario::of(main.as_str())
     };
-    let usual = scenario.bench.name.is_none() || scenario.bench.name.as_ref() == bench;
+    let usual =
+        scenario.environment.name.is_none() || scenario.environment.name.as_ref() == environment;
     usual && *scenario == plain && !main.contains(['o', 'O', '%'])
 }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_reference::{RuleOutcome, run};
-use gaugeblock_vocabulary::{Outcome, Scenario, Unsaid};
+use gaugeblock_vocabulary::{Outcome, Scenario, Undetermined};
 
 use super::Plan;
 use super::statistics::name_of;
@@ -53,9 +53,9 @@ impl Plan<'_> {
                 return Some(format!("{}: {why}", side.capabilities().name));
             }
         }
-        outcome.end.unsaid().map(|unsaid| match unsaid {
-            Unsaid::Unsupported(what) => format!("reference: {what}"),
-            Unsaid::LeftOpen(why) => format!("left open: {why}"),
+        outcome.end.undetermined().map(|undetermined| match undetermined {
+            Undetermined::Unsupported(what) => format!("reference: {what}"),
+            Undetermined::LeftOpen(why) => format!("left open: {why}"),
         })
     }
 }

@@ -11,7 +11,7 @@ use gaugeblock_vocabulary::motion::{
     Column, Controls, MotionAction, MotionEvent, MotionLimits, MotionScript, Samples,
 };
 use gaugeblock_vocabulary::{
-    Axis, Block, Effect, Event, Outcome, OutputTiming, Pin, Position, Settings, Switch,
+    Axis, BlockLocation, Effect, Event, Outcome, OutputTiming, Pin, Position, Settings, Switch,
 };
 
 use super::effects::{follows_spindle, is_element, pins, spindle, switching};
@@ -52,7 +52,7 @@ pub struct Planned {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stopped {
     /// Where.
-    pub block: Option<Block>,
+    pub block: Option<BlockLocation>,
     /// Why.
     pub why: String,
     /// Whether it is the planner that comes to no end.

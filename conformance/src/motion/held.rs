@@ -22,10 +22,10 @@ pub(super) type Wrong = (String, String);
 pub fn asked(
     case: &MotionCase,
     options: &Options,
-    bench: Option<&String>,
+    environment: Option<&String>,
 ) -> Result<(Scenario, ProgrammedPath), String> {
     let mut scenario = Setup::default().scenario(&case.program, options);
-    scenario.bench.name = bench.cloned();
+    scenario.environment.name = environment.cloned();
     // The machine has every axis of which the case says what it can do.
     let axes = &mut scenario.machine.axes;
     axes.extend(case.limits()?.axes.into_keys());

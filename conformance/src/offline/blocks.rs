@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_vocabulary::{Axis, Block, Position, Program};
+use gaugeblock_vocabulary::{Axis, BlockLocation, Position, Program};
 
 use super::sheet::number;
 
 /// Positions after each block, in order; none for a block after which none was written down.
-pub type Blocks = Vec<(Block, Option<Position>)>;
+pub type Blocks = Vec<(BlockLocation, Option<Position>)>;
 
 /// The text of positions after each block.
 pub(super) fn blocks_text(axes: &[Axis], blocks: &Blocks) -> String {
@@ -49,7 +49,7 @@ pub fn read_blocks(text: &str, axes: &[Axis]) -> Result<Option<Blocks>, String> 
                 number.ok_or_else(|| wrong(format!("{value:?} is no number")))?;
         }
         let file = if file.is_empty() { Program::MAIN } else { file };
-        blocks.push((Block::new(file, line), is_told.then_some(position)));
+        blocks.push((BlockLocation::new(file, line), is_told.then_some(position)));
     }
     Ok((!blocks.is_empty()).then_some(blocks))
 }

@@ -1,9 +1,9 @@
 //! What the route can carry: what a person can set up before the start, and see after the end.
 
-use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
-/// The bench that answers as said, and as any machine does where nothing is said.
+/// The environment that answers as said, and as any machine does where nothing is said.
 pub(super) const USUAL: &str = "whole controller";
 
 /// Whether a person can run the scenario.
@@ -14,7 +14,7 @@ pub(super) fn carried(scenario: &Scenario, expected: &Outcome) -> Result<(), &'s
     if !scenario.operator.is_empty() {
         return Err("somebody has to act at an exact moment of the run");
     }
-    of_bench(&scenario.bench)?;
+    of_environment(&scenario.environment)?;
     match &expected.end {
         End::BudgetExhausted { .. } => Err("the program does not end by itself"),
         End::Unsupported { .. } => Err("the specification does not say it yet"),
@@ -28,8 +28,8 @@ pub(super) fn carried(scenario: &Scenario, expected: &Outcome) -> Result<(), &'s
     }
 }
 
-fn of_bench(bench: &Bench) -> Result<(), &'static str> {
-    let Bench {
+fn of_environment(environment: &Environment) -> Result<(), &'static str> {
+    let Environment {
         name,
         wires,
         inputs,
@@ -38,7 +38,7 @@ fn of_bench(bench: &Bench) -> Result<(), &'static str> {
         tool_change_time,
         manual_tool_change,
         user_programs,
-    } = bench;
+    } = environment;
     if name.as_deref().is_some_and(|name| name != USUAL) {
         return Err("the outside has to answer as one certain program does");
     }

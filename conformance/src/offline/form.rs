@@ -2,7 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_vocabulary::{Axis, Block, Channel, Position, Program, Rs274State, Settings};
+use gaugeblock_vocabulary::{
+    Axis, BlockLocation, Channel, Position, Program, Rs274State, Settings,
+};
 use serde::Deserialize;
 
 use super::Asked;
@@ -125,7 +127,7 @@ impl Form {
             && fields.into_iter().all(Field::is_empty)
     }
 
-    fn block(&self) -> Result<Option<Block>, String> {
+    fn block(&self) -> Result<Option<BlockLocation>, String> {
         if self.alarm.line.is_empty() {
             return Ok(None);
         }
@@ -133,7 +135,7 @@ impl Form {
         let line = text.parse().ok().filter(|line: &u32| *line > 0);
         let line = line.ok_or_else(|| format!("[alarm] line: {text:?} is no number of a line"))?;
         let file = self.alarm.file.trim();
-        Ok(Some(Block::new(if file.is_empty() { Program::MAIN } else { file }, line)))
+        Ok(Some(BlockLocation::new(if file.is_empty() { Program::MAIN } else { file }, line)))
     }
 
     fn position(&self, axes: &[Axis]) -> Result<Option<Position>, String> {
@@ -212,7 +214,7 @@ mod tests {
         let values = Values {
             ended: "alarm".to_owned(),
             alarm: "\"what\" = 5 # now".to_owned(),
-            block: Some(Block::new("o's.ngc", 12)),
+            block: Some(BlockLocation::new("o's.ngc", 12)),
             position: Some(position),
             variables: BTreeMap::from([(31, 1.0 / 3.0)]),
             messages: Some(all.clone()),
@@ -241,7 +243,10 @@ mod tests {
     fn blocks_are_read_as_they_were_written() {
         let axes = [Axis::X, Axis::B];
         let at = Position { x: 1.5, b: -90.0, ..Position::default() };
-        let blocks = vec![(Block::new("main.ngc", 1), None), (Block::new("a.ngc", 2), Some(at))];
+        let blocks = vec![
+            (BlockLocation::new("main.ngc", 1), None),
+            (BlockLocation::new("a.ngc", 2), Some(at)),
+        ];
         assert_eq!(read_blocks(&blocks_text(&axes, &blocks), &axes), Ok(Some(blocks)));
         assert_eq!(read_blocks(&blocks_text(&axes, &Vec::new()), &axes), Ok(None));
         assert_eq!(read_blocks("", &axes), Ok(None));

@@ -240,7 +240,7 @@ fn set_up(scenario: &Scenario) -> Vec<String> {
     for (name, value) in ini {
         say(true, format!("entry {name} of the INI file = {value}"));
     }
-    for change in &scenario.bench.inputs {
+    for change in &scenario.environment.inputs {
         say(true, format!("input {} is {} before the start", change.input, change.value));
     }
     say(scenario.program.block_delete, "block delete is on".to_owned());

@@ -132,7 +132,7 @@ pub fn digest_of_motion(scenario: &Scenario, limits: &MotionLimits) -> String {
 
 fn plain(scenario: &Scenario) -> Scenario {
     let mut plain = Scenario { options: Options::default(), ..scenario.clone() };
-    plain.bench.name.take_if(|name| name == carried::USUAL);
+    plain.environment.name.take_if(|name| name == carried::USUAL);
     plain
 }
 

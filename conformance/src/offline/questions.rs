@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_vocabulary::motion::MotionLimits;
-use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Language, Options, Program, Scenario};
 
 use super::carried::carried;
@@ -103,7 +103,7 @@ fn moved(
     if !case.script().events.is_empty() {
         return Err("somebody has to act at an exact moment of the run");
     }
-    let asked = motion::asked(case, options, edition.bench.as_ref());
+    let asked = motion::asked(case, options, edition.environment.as_ref());
     let (scenario, _) = asked.map_err(|_| "the specification does not say it yet")?;
     let expected = gaugeblock_reference::run(&scenario).0;
     carried(&scenario, &expected)?;
@@ -119,11 +119,12 @@ fn set_up(question: &Question) -> (bool, bool, String) {
     let usual = Scenario::default();
     let Program { block_delete, start, .. } = &scenario.program;
     let is_usual = scenario.machine == usual.machine
-        && Bench { name: None, ..scenario.bench.clone() } == usual.bench
+        && Environment { name: None, ..scenario.environment.clone() } == usual.environment
         && !block_delete
         && *start == usual.program.start;
-    let bench = Bench { name: None, ..scenario.bench.clone() };
-    let text = serde_json::to_string(&(&scenario.machine, &bench, block_delete, start, limits));
+    let environment = Environment { name: None, ..scenario.environment.clone() };
+    let text =
+        serde_json::to_string(&(&scenario.machine, &environment, block_delete, start, limits));
     (limits.is_some(), !is_usual, text.unwrap_or_default())
 }
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
-use gaugeblock_vocabulary::{Block, Channel, Position, Rs274State, Settings, State};
+use gaugeblock_vocabulary::{BlockLocation, Channel, Position, Rs274State, Settings, State};
 
 use super::Asked;
 
@@ -43,7 +43,7 @@ pub(super) struct Values {
     /// The alarm's text.
     pub alarm: String,
     /// The block that was refused.
-    pub block: Option<Block>,
+    pub block: Option<BlockLocation>,
     /// Where the tool stands.
     pub position: Option<Position>,
     /// Variables by number.
@@ -62,7 +62,7 @@ pub struct Sheet {
     /// The alarm's text.
     pub alarm: String,
     /// The block that was refused.
-    pub block: Option<Block>,
+    pub block: Option<BlockLocation>,
     /// Where the tool stands.
     pub position: Option<Position>,
     /// Variables by number.

@@ -2,12 +2,15 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_vocabulary::scenario::{Bench, Start, ToolChange};
+use gaugeblock_vocabulary::scenario::{Environment, Start, ToolChange};
 use gaugeblock_vocabulary::{Machine, Program, Scenario};
 
 /// Every feature, and what a controller does that has it.
 pub const FEATURES: &[(&str, &str)] = &[
-    ("another-bench", "its outside answers as a named bench does, whatever else is said"),
+    (
+        "another-environment",
+        "its outside answers as a named environment does, whatever else is said",
+    ),
     ("axes", "its axes can be others than X Y Z A B C"),
     ("block-delete", "blocks that begin with a slash can be skipped"),
     ("fanuc-subs-off", "M98 and M99 can be switched off"),
@@ -33,7 +36,7 @@ pub const FEATURES: &[(&str, &str)] = &[
 
 /// The features that a scenario needs.
 pub fn needed(scenario: &Scenario) -> BTreeSet<&'static str> {
-    let Scenario { program, options: _, machine, bench, operator, budget: _ } = scenario;
+    let Scenario { program, options: _, machine, environment, operator, budget: _ } = scenario;
     let mut needed = BTreeSet::new();
     let mut needs = |name, is_needed: bool| {
         if is_needed {
@@ -43,7 +46,7 @@ pub fn needed(scenario: &Scenario) -> BTreeSet<&'static str> {
     needs("operator", !operator.is_empty());
     of_program(program, &mut needs);
     of_machine(machine, &mut needs);
-    of_bench(bench, &mut needs);
+    of_environment(environment, &mut needs);
     needed
 }
 
@@ -84,8 +87,8 @@ fn of_machine(machine: &Machine, needs: &mut impl FnMut(&'static str, bool)) {
     needs("ini", !ini.is_empty());
 }
 
-fn of_bench(bench: &Bench, needs: &mut impl FnMut(&'static str, bool)) {
-    let Bench {
+fn of_environment(environment: &Environment, needs: &mut impl FnMut(&'static str, bool)) {
+    let Environment {
         name,
         wires,
         inputs,
@@ -94,8 +97,8 @@ fn of_bench(bench: &Bench, needs: &mut impl FnMut(&'static str, bool)) {
         tool_change_time,
         manual_tool_change,
         user_programs,
-    } = bench;
-    needs("another-bench", name.is_some());
+    } = environment;
+    needs("another-environment", name.is_some());
     needs("inputs", !wires.is_empty() || !inputs.is_empty());
     needs("orient", !orient.is_empty());
     needs("probe", probe.is_some());

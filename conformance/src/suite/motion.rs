@@ -217,8 +217,8 @@ impl MotionCase {
                 mine.clone_from(theirs);
             }
         }
-        let unsaid = |text: &str| text.is_empty();
-        let (program, script) = (unsaid(&self.program), self.script.is_empty());
+        let undetermined = |text: &str| text.is_empty();
+        let (program, script) = (undetermined(&self.program), self.script.is_empty());
         let (pieces, columns) = (self.pieces.is_empty(), self.columns.is_empty());
         let (limits, every) = (self.limits.is_none(), self.every.is_none());
         take(&mut self.program, &other.program, program);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::Language;
 use gaugeblock_vocabulary::scenario::{
-    Bench, Budget, Machine, OperatorEvent, Program, Scenario, Start,
+    Budget, Environment, Machine, OperatorEvent, Program, Scenario, Start,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -131,7 +131,7 @@ pub struct Setup {
     /// The machine.
     pub machine: Machine,
     /// How the outside answers.
-    pub bench: Bench,
+    pub environment: Environment,
     /// What a person does.
     pub operator: Vec<OperatorEvent>,
     /// When to stop.
@@ -155,7 +155,7 @@ impl Setup {
             },
             options: options.clone(),
             machine: self.machine.clone(),
-            bench: self.bench.clone(),
+            environment: self.environment.clone(),
             operator: self.operator.clone(),
             budget: self.budget,
         }
@@ -259,9 +259,9 @@ pub struct Edition {
     /// The edition whose options it takes over.
     #[serde(default)]
     pub base: Option<String>,
-    /// Named bench that it is run on.
+    /// Named environment that it is run on.
     #[serde(default)]
-    pub bench: Option<String>,
+    pub environment: Option<String>,
     /// Options that differ from its base's.
     #[serde(default)]
     pub options: BTreeMap<String, String>,

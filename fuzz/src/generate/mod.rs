@@ -1,4 +1,4 @@
-//! Scenarios from choices: a program and its subroutine files, a machine, a bench, an operator.
+//! Scenarios from choices: a program and its subroutine files, a machine, an environment, an operator.
 //!
 //! Choices come from [bytes or a seed](Dice). A program is written from the rows of a [table](TABLE), each of which
 //! knows where it is possible, so that most programs are accepted; a dial makes some of them slightly wrong. [`odd`]
@@ -53,7 +53,7 @@ pub struct Recipe {
     pub later_programs: u32,
     /// Only rows whose name begins with one of these; all when empty. Single-rule programs are made so.
     pub only: Vec<String>,
-    /// Which machines, benches and operators.
+    /// Which machines, environments and operators.
     pub setups: Setups,
 }
 

@@ -1,23 +1,23 @@
-//! Machines, benches and operators.
+//! Machines, environments and operators.
 
 use gaugeblock_vocabulary::scenario::{
-    Action, Bench, Folder, InputChange, Machine, OperatorEvent, OrientAnswer, ProbeContact,
+    Action, Environment, Folder, InputChange, Machine, OperatorEvent, OrientAnswer, ProbeContact,
     Scenario, Tool, ToolChange, UserProgram, When,
 };
-use gaugeblock_vocabulary::{Axis, Block, ControllerMode, LengthUnit, Program};
+use gaugeblock_vocabulary::{Axis, BlockLocation, ControllerMode, LengthUnit, Program};
 
 use super::dice::Dice;
 
-/// Which machines, benches and operators a scenario may have.
+/// Which machines, environments and operators a scenario may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Setups {
     /// The default machine, nothing outside.
     Plain,
     /// What LinuxCNC's stand-alone interpreter can be: six axes, no limits, stored lengths in inches, nothing outside.
     StandAlone,
-    /// Any machine and bench, nobody at the panel.
+    /// Any machine and environment, nobody at the panel.
     Any,
-    /// Any machine and bench, and a person at the panel.
+    /// Any machine and environment, and a person at the panel.
     Operated,
 }
 
@@ -30,7 +30,7 @@ pub(super) fn scenario(dice: &mut Dice<'_>, setups: Setups) -> Scenario {
     let free = matches!(setups, Setups::Any | Setups::Operated);
     scenario.machine = machine(dice, free);
     if free && dice.chance(50) {
-        scenario.bench = bench(dice);
+        scenario.environment = environment(dice);
     }
     if setups == Setups::Operated {
         scenario.operator = operator(dice);
@@ -133,10 +133,10 @@ fn quarter(dice: &mut Dice<'_>) -> f64 {
     f64::from(dice.below(40)) / 4.0
 }
 
-fn bench(dice: &mut Dice<'_>) -> Bench {
-    let mut bench = Bench::default();
+fn environment(dice: &mut Dice<'_>) -> Environment {
+    let mut environment = Environment::default();
     if dice.chance(50) {
-        bench
+        environment
             .wires
             .insert(dice.below(3).to_string(), u16::try_from(dice.below(3)).unwrap_or_default());
     }
@@ -149,7 +149,7 @@ fn bench(dice: &mut Dice<'_>) -> Bench {
             2..=5 => (format!("analog_in[{}]", dice.below(3)), quarter(dice)),
             _ => (format!("digital_in[{}]", dice.below(3)), f64::from(dice.below(2))),
         };
-        bench.inputs.push(InputChange { time, input, value });
+        environment.inputs.push(InputChange { time, input, value });
     }
     if dice.chance(30) {
         let answers = [
@@ -158,22 +158,22 @@ fn bench(dice: &mut Dice<'_>) -> Bench {
             OrientAnswer::Never,
             OrientAnswer::Fault(3),
         ];
-        bench.orient.push(*dice.pick(&answers));
+        environment.orient.push(*dice.pick(&answers));
     }
     if dice.chance(30) {
-        bench.probe = Some(*dice.pick(&[ProbeContact::AtTarget, ProbeContact::Never]));
+        environment.probe = Some(*dice.pick(&[ProbeContact::AtTarget, ProbeContact::Never]));
     }
     if dice.chance(20) {
-        bench.tool_change_time = quarter(dice);
-        bench.manual_tool_change = dice.chance(30);
+        environment.tool_change_time = quarter(dice);
+        environment.manual_tool_change = dice.chance(30);
     }
     for _ in 0..dice.below(3) {
         let file = format!("M{}", dice.range(100, 105));
-        if bench.user_programs.iter().all(|program| program.file != file) {
+        if environment.user_programs.iter().all(|program| program.file != file) {
             let folder =
                 *dice.pick(&[Folder::ProgramPrefix, Folder::ProgramPrefix, Folder::SearchPath]);
             let duration = quarter(dice);
-            bench.user_programs.push(UserProgram {
+            environment.user_programs.push(UserProgram {
                 file,
                 folder,
                 duration,
@@ -183,7 +183,7 @@ fn bench(dice: &mut Dice<'_>) -> Bench {
             });
         }
     }
-    bench
+    environment
 }
 
 fn operator(dice: &mut Dice<'_>) -> Vec<OperatorEvent> {
@@ -216,7 +216,7 @@ fn operator(dice: &mut Dice<'_>) -> Vec<OperatorEvent> {
     ];
     let mut events: Vec<OperatorEvent> = (0..dice.below(4))
         .map(|_| {
-            let block = Block::new(Program::MAIN, dice.range(1, 20));
+            let block = BlockLocation::new(Program::MAIN, dice.range(1, 20));
             let execution = if dice.chance(8) { 2 } else { 1 };
             let when = When { block, execution, offset: quarter(dice) };
             OperatorEvent { when, action: dice.pick(&actions).clone() }
@@ -225,7 +225,7 @@ fn operator(dice: &mut Dice<'_>) -> Vec<OperatorEvent> {
     if dice.chance(3) {
         // A spindle that stands at an override of zero turns once that is turned up.
         for factor in [0.0, 1.0] {
-            let block = Block::new(Program::MAIN, dice.range(1, 20));
+            let block = BlockLocation::new(Program::MAIN, dice.range(1, 20));
             let when = When { block, execution: 1, offset: 0.0 };
             let action = Action::SpindleOverride { spindle: 0, factor };
             events.push(OperatorEvent { when, action });

@@ -64,7 +64,7 @@ impl State {
     /// Before the first block.
     pub(crate) fn of(scenario: &Scenario) -> Self {
         let machine = &scenario.machine;
-        let user = &scenario.bench.user_programs;
+        let user = &scenario.environment.user_programs;
         let number = |file: &str| file.strip_prefix('M').and_then(|text| text.parse().ok());
         Self {
             axes: machine.axes.iter().map(|axis| letter(*axis)).collect(),

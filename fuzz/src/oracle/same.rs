@@ -63,7 +63,7 @@ fn lacks_its_end(scenario: &Scenario, outcome: &Outcome) -> bool {
 
 /// Effects of all blocks but a refused one.
 fn effects(outcome: &Outcome) -> Vec<&Effect> {
-    let refused = |line: &gaugeblock_vocabulary::Block| matches!(&outcome.end, End::Fault(fault) if fault.block.as_ref() == Some(line));
+    let refused = |line: &gaugeblock_vocabulary::BlockLocation| matches!(&outcome.end, End::Fault(fault) if fault.block.as_ref() == Some(line));
     let last = outcome.steps.len().saturating_sub(1);
     let steps = outcome.steps.iter().enumerate();
     let counted =

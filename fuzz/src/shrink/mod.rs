@@ -1,7 +1,7 @@
 //! The smallest scenario of which something still holds.
 //!
 //! A program is made smaller as a person would: whole files and pieces first, then structures, then words, then
-//! numbers, and in the end machine, bench, operator and options. Each attempt is a scenario that is asked about;
+//! numbers, and in the end machine, environment, operator and options. Each attempt is a scenario that is asked about;
 //! nothing is known of the language but where a word begins and ends.
 
 mod lines;

@@ -1,6 +1,6 @@
-//! Machine, bench, operator and options back to their defaults.
+//! Machine, environment, operator and options back to their defaults.
 
-use gaugeblock_vocabulary::scenario::{Bench, Machine};
+use gaugeblock_vocabulary::scenario::{Environment, Machine};
 use gaugeblock_vocabulary::{Options, Scenario};
 
 use super::Search;
@@ -25,7 +25,7 @@ pub(super) fn setup(search: &mut Search<'_>, options: &Options) {
         });
     }
     machine(search);
-    bench(search);
+    environment(search);
     attempt(search, |scenario| scenario.options.clone_from(options));
     let ids: Vec<String> = search.best.options.0.keys().cloned().collect();
     for id in ids {
@@ -69,21 +69,23 @@ fn machine(search: &mut Search<'_>) {
     }
 }
 
-fn bench(search: &mut Search<'_>) {
-    let name = search.best.bench.name.clone();
-    attempt(search, |scenario| scenario.bench = Bench { name: name.clone(), ..Bench::default() });
-    attempt(search, |scenario| scenario.bench.wires.clear());
-    attempt(search, |scenario| scenario.bench.orient.clear());
-    attempt(search, |scenario| scenario.bench.probe = None);
-    attempt(search, |scenario| scenario.bench.tool_change_time = 0.0);
-    for place in (0..search.best.bench.inputs.len()).rev() {
+fn environment(search: &mut Search<'_>) {
+    let name = search.best.environment.name.clone();
+    attempt(search, |scenario| {
+        scenario.environment = Environment { name: name.clone(), ..Environment::default() }
+    });
+    attempt(search, |scenario| scenario.environment.wires.clear());
+    attempt(search, |scenario| scenario.environment.orient.clear());
+    attempt(search, |scenario| scenario.environment.probe = None);
+    attempt(search, |scenario| scenario.environment.tool_change_time = 0.0);
+    for place in (0..search.best.environment.inputs.len()).rev() {
         attempt(search, |scenario| {
-            scenario.bench.inputs.remove(place);
+            scenario.environment.inputs.remove(place);
         });
     }
-    for place in (0..search.best.bench.user_programs.len()).rev() {
+    for place in (0..search.best.environment.user_programs.len()).rev() {
         attempt(search, |scenario| {
-            scenario.bench.user_programs.remove(place);
+            scenario.environment.user_programs.remove(place);
         });
     }
 }

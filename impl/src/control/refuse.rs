@@ -2,7 +2,7 @@
 
 use alloc::string::String;
 
-use gaugeblock_vocabulary::{Block as Place, End, Fault, FaultKind, Program, Span};
+use gaugeblock_vocabulary::{BlockLocation as Place, End, Fault, FaultKind, Program, Span};
 
 use crate::control::Cursor;
 use crate::error::Error;

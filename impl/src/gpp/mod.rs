@@ -40,7 +40,7 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
-use gaugeblock_vocabulary::{Block, End, Fault, FaultKind, Options};
+use gaugeblock_vocabulary::{BlockLocation, End, Fault, FaultKind, Options};
 
 use crate::canon::Sink;
 use crate::error::Error;
@@ -164,9 +164,10 @@ fn end_of(line: u32, stop: Stop) -> End {
         Stop::Refused(kind, why) | Stop::RefusedAt(_, kind, why) => {
             fault(File::Program, line, kind, why)
         }
-        Stop::Open(why) => {
-            End::Unspecified { block: Block::new(File::Program.name(), line), why: why.into() }
-        }
+        Stop::Open(why) => End::Unspecified {
+            block: BlockLocation::new(File::Program.name(), line),
+            why: why.into(),
+        },
     }
 }
 
@@ -175,6 +176,6 @@ fn fault(file: File, line: u32, kind: FaultKind, why: &str) -> End {
 }
 
 fn fault_of(file: File, line: u32, kind: FaultKind, why: &str) -> Fault {
-    let block = Some(Block::new(file.name(), line));
+    let block = Some(BlockLocation::new(file.name(), line));
     Fault { kind: Some(kind), block, span: None, message: why.into() }
 }

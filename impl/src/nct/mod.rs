@@ -39,7 +39,7 @@ mod variables;
 use alloc::boxed::Box;
 use alloc::format;
 
-use gaugeblock_vocabulary::{Axis, Block, End, Fault, Options, Program, Settings};
+use gaugeblock_vocabulary::{Axis, BlockLocation, End, Fault, Options, Program, Settings};
 
 use crate::canon::Sink;
 use crate::error::Error;
@@ -156,7 +156,7 @@ impl CustomMacros {
 }
 
 fn end_of(line: u32, stop: Stop) -> End {
-    let block = Block::new(Program::MAIN, line);
+    let block = BlockLocation::new(Program::MAIN, line);
     match stop {
         Stop::Refused(kind, why) => End::Fault(Fault {
             kind: Some(kind),

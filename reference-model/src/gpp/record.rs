@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_vocabulary::scenario::Budget;
 use gaugeblock_vocabulary::{
-    Block, Bound, Channel, Effect, Event, GppState, Indexed, Program, State, Step, Switch,
+    BlockLocation, Bound, Channel, Effect, Event, GppState, Indexed, Program, State, Step, Switch,
 };
 
 use super::readings::Tie;
@@ -80,14 +80,19 @@ impl Record {
     pub fn warn(&mut self, line: u32, text: &str) -> Result<(), Halt> {
         self.begin()?;
         self.say(Channel::Display, text);
-        self.finish(Block::new(Program::MAIN, line), None)
+        self.finish(BlockLocation::new(Program::MAIN, line), None)
     }
 
     /// The step in progress is complete; what has changed since the one before is its state.
     ///
     /// # Errors
     /// There are more effects than the budget allows.
-    pub fn end(&mut self, block: Block, variables: &Variables, tie: Tie) -> Result<(), Halt> {
+    pub fn end(
+        &mut self,
+        block: BlockLocation,
+        variables: &Variables,
+        tie: Tie,
+    ) -> Result<(), Halt> {
         let mut state = GppState::default();
         let (mut texts, mut flags) = (BTreeMap::new(), BTreeMap::new());
         for cell in std::mem::take(&mut self.touched) {
@@ -120,7 +125,7 @@ impl Record {
         self.finish(block, Some(State::Gpp(state)))
     }
 
-    fn finish(&mut self, block: Block, state: Option<State>) -> Result<(), Halt> {
+    fn finish(&mut self, block: BlockLocation, state: Option<State>) -> Result<(), Halt> {
         self.spend(1);
         let events = std::mem::take(&mut self.events);
         self.effects = self.effects.saturating_add(u32::try_from(events.len()).unwrap_or(u32::MAX));

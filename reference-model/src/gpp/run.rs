@@ -1,7 +1,7 @@
 //! The run: the toolpath processed block by block, and the program's blocks statement by statement.
 
 use gaugeblock_vocabulary::{
-    Block, End, Fault, Language, Outcome, Program as Files, Scenario, Settings, Step,
+    BlockLocation, End, Fault, Language, Outcome, Program as Files, Scenario, Settings, Step,
 };
 
 use super::readings::Readings;
@@ -22,7 +22,7 @@ pub(super) struct Run<'a> {
     /// The newline procedure runs before the next thing that is printed.
     pub(super) newline_waits: bool,
     /// Where a fault would be: the statement or line in progress.
-    at: Block,
+    at: BlockLocation,
 }
 
 /// What the documents say about a scenario in this language, and the rules that were reached.
@@ -39,7 +39,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
                 evidence: &mut evidence,
                 record: Record::new(scenario.budget),
                 newline_waits: false,
-                at: Block::new(Files::MAIN, 1),
+                at: BlockLocation::new(Files::MAIN, 1),
             };
             let halted = run.whole(&blocks).err();
             let end = halted.map_or(End::ProgramEnd, |halt| ended(halt, run.at, run.evidence));
@@ -55,15 +55,15 @@ fn compiled(
     toolpath: &str,
     readings: Readings,
     evidence: &mut Witness,
-) -> Result<(Program, Vec<Processed>), (Block, Halt)> {
-    let of = |file: &'static str| move |(line, halt)| (Block::new(file, line), halt);
+) -> Result<(Program, Vec<Processed>), (BlockLocation, Halt)> {
+    let of = |file: &'static str| move |(line, halt)| (BlockLocation::new(file, line), halt);
     let toolpath = toolpath::read(toolpath, &readings).map_err(of(TOOLPATH))?;
     let main = &scenario.program.main;
     let program = syntax::read(main, toolpath.variables, readings, evidence);
     Ok((program.map_err(of(Files::MAIN))?, toolpath.blocks))
 }
 
-fn ended(halt: Halt, at: Block, evidence: &mut Witness) -> End {
+fn ended(halt: Halt, at: BlockLocation, evidence: &mut Witness) -> End {
     match halt {
         Halt::Refused(Refusal { rule, kind, message }) => {
             if let Some(rule) = rule {
@@ -104,7 +104,7 @@ impl Run<'_> {
 
     /// A block of the toolpath sets its variables, and then the program's block of that name is executed.
     fn processed(&mut self, block: &Processed) -> Result<(), Halt> {
-        self.at = Block::new(TOOLPATH, block.line);
+        self.at = BlockLocation::new(TOOLPATH, block.line);
         self.record.begin()?;
         self.leave_out(&block.values);
         for (variable, value) in &block.values {
@@ -179,13 +179,13 @@ impl Run<'_> {
 
     /// The statement at a line begins, or goes on.
     pub(super) fn begin_step(&mut self, line: u32) -> Result<(), Halt> {
-        self.at = Block::new(Files::MAIN, line);
+        self.at = BlockLocation::new(Files::MAIN, line);
         self.record.begin()
     }
 
     /// The statement at a line has done what it does, up to here.
     pub(super) fn end_step(&mut self, line: u32) -> Result<(), Halt> {
-        let block = Block::new(Files::MAIN, line);
+        let block = BlockLocation::new(Files::MAIN, line);
         self.record.end(block, &self.variables, self.readings.tie)
     }
 }

@@ -2,8 +2,8 @@
 
 use gaugeblock_vocabulary::scenario::Budget;
 use gaugeblock_vocabulary::{
-    Block, Bound, Effect, Event, Indexed, MacroValue, Motion, NctState, Position, Settings, State,
-    Step, Vacancy,
+    BlockLocation, Bound, Effect, Event, Indexed, MacroValue, Motion, NctState, Position, Settings,
+    State, Step, Vacancy,
 };
 
 use super::calls::ModalCall;
@@ -85,7 +85,7 @@ impl Record {
     /// There are more effects than the budget allows, or more time has gone by.
     pub fn end(
         &mut self,
-        block: Block,
+        block: BlockLocation,
         modes: &Modes,
         variables: &Variables,
         modal_calls: &[ModalCall],

@@ -2,7 +2,8 @@
 
 use gaugeblock_vocabulary::scenario::Machine;
 use gaugeblock_vocabulary::{
-    Block as Place, Effect, End, Fault, FaultKind, Language, Outcome, Program as Files, Scenario,
+    BlockLocation as Place, Effect, End, Fault, FaultKind, Language, Outcome, Program as Files,
+    Scenario,
 };
 
 use super::calls::{Frame, Kind, ModalCall, Reach};

@@ -62,7 +62,7 @@ pub struct State {
     pub probe_log_open: bool,
     /// What the operator has set at the panel.
     pub panel: Panel,
-    /// The outside of the controller: its clock, its pins, and how a bench answers.
+    /// The outside of the controller: its clock, its pins, and how an environment answers.
     pub outside: Outside,
     /// What the pins were brought up to date for; none where they have to be looked at.
     pub shown: Option<Shown>,
@@ -196,7 +196,11 @@ impl State {
             series: None,
             curve: Curve::default(),
             panel: Panel::new(&Machine::default()),
-            outside: Outside::new(&gaugeblock_vocabulary::scenario::Bench::default(), 1, &readings),
+            outside: Outside::new(
+                &gaugeblock_vocabulary::scenario::Environment::default(),
+                1,
+                &readings,
+            ),
             shown: None,
             room: Room::default(),
             evidence: Witness::default(),

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::fault::Block;
+use crate::fault::BlockLocation;
 use crate::pin::Pin;
 use crate::position::Position;
 use crate::text::TextError;
@@ -127,7 +127,7 @@ pub enum Shape {
 #[serde(deny_unknown_fields)]
 pub struct Element {
     /// The block that asks for it.
-    pub block: Block,
+    pub block: BlockLocation,
     /// What it is.
     pub shape: Shape,
     /// How fast.

@@ -1,6 +1,6 @@
 //! Scenario: all that a run depends on. No clock, no environment, no random source, no file system.
 
-mod bench;
+mod environment;
 mod machine;
 mod operator;
 
@@ -9,11 +9,11 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use bench::{Bench, Folder, InputChange, OrientAnswer, ProbeContact, UserProgram};
+pub use environment::{Environment, Folder, InputChange, OrientAnswer, ProbeContact, UserProgram};
 pub use machine::{AxisLimits, Machine, Tool, ToolChange};
 pub use operator::{Action, OperatorEvent, When};
 
-use crate::fault::Block;
+use crate::fault::BlockLocation;
 use crate::settings::Language;
 use crate::shared::Shared;
 use crate::text::TextError;
@@ -29,7 +29,7 @@ pub struct Scenario {
     /// The machine that runs it.
     pub machine: Machine,
     /// How the outside answers.
-    pub bench: Bench,
+    pub environment: Environment,
     /// What a person does, and when.
     pub operator: Vec<OperatorEvent>,
     /// When to stop a run that does not end.
@@ -92,7 +92,7 @@ impl Program {
     pub const MAIN: &'static str = "main.ngc";
 
     /// The line at which a block stands, without its end; none where the program has no such file or line.
-    pub fn line(&self, block: &Block) -> Option<&str> {
+    pub fn line(&self, block: &BlockLocation) -> Option<&str> {
         let text =
             if block.file == Self::MAIN { &self.main } else { self.files.get(&*block.file)? };
         self.language.lines(text).nth(usize::try_from(block.line).ok()?.checked_sub(1)?)
@@ -185,7 +185,7 @@ mod tests {
     fn the_line_of_a_block_stands_in_its_file() {
         let files = BTreeMap::from([("cave.ngc".to_owned(), "g1\ng2".to_owned())]);
         let program = Program { main: "g0\rm2".to_owned(), files, ..Program::default() };
-        let line = |file, line| program.line(&Block::new(file, line));
+        let line = |file, line| program.line(&BlockLocation::new(file, line));
         assert_eq!(line(Program::MAIN, 2), Some("m2"));
         assert_eq!(line("cave.ngc", 1), Some("g1"));
         assert_eq!([line(Program::MAIN, 3), line(Program::MAIN, 0), line("absent", 1)], [None; 3]);

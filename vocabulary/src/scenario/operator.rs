@@ -7,8 +7,8 @@
 //!
 //! **In which order.** Events happen in the order of their times, those at one time as they are listed. All that is
 //! due when a block begins, or where the text ends, happens before anything else does; what is due when a dwell or a
-//! wait ends comes before its end. What the bench does at the same time comes after it: an encoder at whose answer
-//! somebody aborts has not answered.
+//! wait ends comes before its end. What the environment does at the same time comes after it: an encoder at whose
+//! answer somebody aborts has not answered.
 //!
 //! **A pause** holds what has not begun: the next move, the next block. What waits for something outside goes on
 //! waiting.
@@ -29,7 +29,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::fault::Block;
+use crate::fault::BlockLocation;
 use crate::modes::ControllerMode;
 
 /// An action of the operator at a point of the run.
@@ -49,7 +49,7 @@ pub struct OperatorEvent {
 #[serde(deny_unknown_fields)]
 pub struct When {
     /// The block.
-    pub block: Block,
+    pub block: BlockLocation,
     /// Its k-th execution, from 1.
     #[serde(default = "first")]
     pub execution: u32,

@@ -3,7 +3,7 @@
 use super::line::name_and_rest;
 use super::{Arguments, TextError};
 use crate::effect::Effect;
-use crate::fault::{Block, Fault, Span};
+use crate::fault::{BlockLocation, Fault, Span};
 use crate::field::{Field, Scalar};
 use crate::indexed::Indexed;
 use crate::outcome::{End, Event, Outcome, Sample, Step};
@@ -121,11 +121,11 @@ fn settings(text: &str) -> Result<Settings, TextError> {
     Ok(settings)
 }
 
-fn block(text: &str) -> Result<Block, TextError> {
+fn block(text: &str) -> Result<BlockLocation, TextError> {
     let wrong = || TextError::new(format!("not a block like main.ngc:3: {text}"));
     let (file, rest) = name_and_rest(text, |text| text.rfind(':'))?;
     let line = rest.strip_prefix(':').and_then(|line| line.parse().ok());
-    Ok(Block::new(file, line.ok_or_else(wrong)?))
+    Ok(BlockLocation::new(file, line.ok_or_else(wrong)?))
 }
 
 fn end(text: &str) -> Result<End, TextError> {
@@ -151,9 +151,9 @@ fn end(text: &str) -> Result<End, TextError> {
     Ok(end)
 }
 
-fn block_of(arguments: &mut Arguments) -> Result<Block, TextError> {
+fn block_of(arguments: &mut Arguments) -> Result<BlockLocation, TextError> {
     let file: String = arguments.take("file")?;
-    Ok(Block::new(file, arguments.take("line")?))
+    Ok(BlockLocation::new(file, arguments.take("line")?))
 }
 
 fn fault(arguments: &mut Arguments) -> Result<Fault, TextError> {
@@ -163,7 +163,7 @@ fn fault(arguments: &mut Arguments) -> Result<Fault, TextError> {
     let span = both(arguments.take("from")?, arguments.take("to")?, "from and to")?;
     Ok(Fault {
         kind,
-        block: block.map(|(file, line)| Block::new(file, line)),
+        block: block.map(|(file, line)| BlockLocation::new(file, line)),
         span: span.map(|(start, end)| Span { start, end }),
         message: arguments.take("message")?,
     })

@@ -5,11 +5,11 @@ use gaugeblock_vocabulary::motion::{
     PathMode, ProgrammedPath, Samples, Shape, Switching,
 };
 use gaugeblock_vocabulary::scenario::AxisLimits;
-use gaugeblock_vocabulary::{Axis, Block, Pin, Position};
+use gaugeblock_vocabulary::{Axis, BlockLocation, Pin, Position};
 use proptest::prelude::*;
 
 fn element(shape: Shape, feed: Feed, mode: PathMode) -> Element {
-    let block = Block::new("main.ngc", 3);
+    let block = BlockLocation::new("main.ngc", 3);
     Element { block, shape, feed, mode, controls: Controls::default(), switches: Vec::new() }
 }
 

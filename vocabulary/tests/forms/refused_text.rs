@@ -249,7 +249,7 @@ fn scenarios() {
         ("[machine.parameters]\n05220 = 1.0\n", 2),
         ("[[machine.tools]]\nnumber = 1\n[[machine.tools]]\ndiameter = inf\n", 4),
         ("[budget]\nsteps = -1\n", 2),
-        ("[bench]\nprobe = \"sometimes\"\n", 2),
+        ("[environment]\nprobe = \"sometimes\"\n", 2),
         ("[[operator]]\naction = \"pause\"\n", 1),
         ("[options]\n\"a.b\" = 1\n", 2),
     ];

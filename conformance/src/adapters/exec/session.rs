@@ -336,12 +336,12 @@ pub(super) fn request(id: u64, operation: &Operation) -> Result<Vec<u8>, Harness
 
 /// The outcome of a scenario that the controller did not run.
 pub(super) fn unsupported(scenario: &Scenario, why: String) -> Outcome {
-    use gaugeblock_vocabulary::{Block, End, Program, Settings};
+    use gaugeblock_vocabulary::{BlockLocation, End, Program, Settings};
     Outcome {
         language: scenario.program.language,
         start: Settings::default(),
         steps: Vec::new(),
-        end: End::Unsupported { block: Block::new(Program::MAIN, 1), what: shown(&why) },
+        end: End::Unsupported { block: BlockLocation::new(Program::MAIN, 1), what: shown(&why) },
         parameters: None,
         pins: Vec::new(),
         samples: Vec::new(),

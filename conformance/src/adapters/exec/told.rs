@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use std::ops::Not;
 
 use gaugeblock_vocabulary::scenario::{
-    Bench, Budget, InputChange, OperatorEvent, OrientAnswer, ProbeContact, Start, UserProgram, When,
+    Budget, Environment, InputChange, OperatorEvent, OrientAnswer, ProbeContact, Start,
+    UserProgram, When,
 };
 use gaugeblock_vocabulary::{Language, Machine, Options, Program, Scenario};
 use serde::Serialize;
@@ -42,14 +43,15 @@ impl Teller {
         ways: &Ways,
     ) -> Result<Vec<u8>, HarnessError> {
         let not_told = |error: serde_json::Error| HarnessError::NotRun(error.to_string());
-        let Scenario { program, options, machine, bench, operator: _, budget } = scenario;
+        let Scenario { program, options, machine, environment, operator: _, budget } = scenario;
         self.tell_options(options).map_err(not_told)?;
         let Ways { stream, digest, live } = ways;
         let told = Told {
             program: ToldProgram::of(program),
             options: self.last.1.as_deref(),
             machine: (*machine != self.usual).then_some(machine),
-            bench: (*bench != Bench::default()).then(|| ToldBench::of(bench)),
+            environment: (*environment != Environment::default())
+                .then(|| ToldBench::of(environment)),
             operator,
             budget: (*budget != Budget::default()).then_some(budget),
         };
@@ -96,7 +98,7 @@ struct Told<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     machine: Option<&'a Machine>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    bench: Option<ToldBench<'a>>,
+    environment: Option<ToldBench<'a>>,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     operator: &'a [OperatorEvent],
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -145,8 +147,8 @@ struct ToldBench<'a> {
 }
 
 impl<'a> ToldBench<'a> {
-    fn of(bench: &'a Bench) -> Self {
-        let Bench {
+    fn of(environment: &'a Environment) -> Self {
+        let Environment {
             name,
             wires,
             inputs,
@@ -155,7 +157,7 @@ impl<'a> ToldBench<'a> {
             tool_change_time,
             manual_tool_change,
             user_programs,
-        } = bench;
+        } = environment;
         Self {
             name: name.as_deref(),
             wires,
@@ -197,16 +199,16 @@ mod tests {
         scenario.program.files.insert("a.ngc".to_owned(), "m2".to_owned());
         scenario.options = Options([("a".to_owned(), "b".to_owned())].into());
         scenario.machine.spindles = 3;
-        scenario.bench.probe = Some(ProbeContact::Never);
-        scenario.bench.tool_change_time = 2.5;
-        scenario.bench.manual_tool_change = true;
-        scenario.bench.orient = vec![OrientAnswer::Never];
-        scenario.bench.wires.insert("1".to_owned(), 2);
-        scenario.bench.user_programs = vec![UserProgram::default()];
+        scenario.environment.probe = Some(ProbeContact::Never);
+        scenario.environment.tool_change_time = 2.5;
+        scenario.environment.manual_tool_change = true;
+        scenario.environment.orient = vec![OrientAnswer::Never];
+        scenario.environment.wires.insert("1".to_owned(), 2);
+        scenario.environment.user_programs = vec![UserProgram::default()];
         scenario.budget.steps = 5;
         let mut teller = Teller::default();
         for name in [None, Some("another")] {
-            scenario.bench.name = name.map(str::to_owned);
+            scenario.environment.name = name.map(str::to_owned);
             assert_eq!(told(&scenario, &mut teller).1, scenario);
         }
     }

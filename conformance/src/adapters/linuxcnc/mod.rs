@@ -2,8 +2,8 @@
 //!
 //! A scenario becomes a configuration (`setup`), which a controller in name spaces of its own is started with
 //! (`session`) and kept for the next scenario that needs the same one (`pool`). Inside, a script of ours
-//! (`driver.py`) is the display: it resets the controller, runs the program, plays the bench and the operator, and
-//! samples the pins. The controller prints each block that it reads and each command that it issues (`stream`);
+//! (`driver.py`) is the display: it resets the controller, runs the program, plays the environment and the operator,
+//! and samples the pins. The controller prints each block that it reads and each command that it issues (`stream`);
 //! commands become settings and effects (`canon`), probe lines within the program the state after each block, and all
 //! together an outcome (`assemble`).
 //!

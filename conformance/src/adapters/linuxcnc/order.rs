@@ -53,7 +53,7 @@ fn is_switched_before(event: &OperatorEvent) -> bool {
 
 /// What the driver is to do; the blocks that are entered `by_hand`, if they are.
 pub(super) fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: Value) -> Value {
-    let inputs = scenario.bench.inputs.iter().filter_map(|change| {
+    let inputs = scenario.environment.inputs.iter().filter_map(|change| {
         let pin = setup::input_pin(&change.input)?;
         let is_bit = pin.contains("digital") || pin.ends_with("feed-hold");
         let value = if is_bit {
@@ -143,7 +143,7 @@ pub(super) fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String
         .map(|axis| format!(" {}0", axis.word().to_uppercase()))
         .collect();
     // The angle that was asked for last stays at the pins.
-    let turns_back = has(source, "m19") && scenario.bench.orient.is_empty();
+    let turns_back = has(source, "m19") && scenario.environment.orient.is_empty();
     let spindles = (0..machine.spindles).filter(|_| turns_back);
     outputs.extend(spindles.map(|spindle| format!("M19 R0 Q1 ${spindle}\nM5 ${spindle}\n")));
     // The last motion is one in the initial modes: an abort of the next program may bring them back.

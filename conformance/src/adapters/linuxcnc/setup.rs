@@ -37,7 +37,7 @@ impl Setup {
     /// The configuration that a scenario needs.
     pub(super) fn of(scenario: &Scenario) -> Self {
         let pins = pins(scenario);
-        let programs = scenario.bench.user_programs.iter();
+        let programs = scenario.environment.user_programs.iter();
         Self {
             ini: ini(scenario),
             hal: hal(scenario, &pins),
@@ -54,9 +54,9 @@ impl Setup {
     }
 }
 
-/// Whether a person or the bench acts on the speed of the machine, so that it must not be hurried.
+/// Whether a person or the environment acts on the speed of the machine, so that it must not be hurried.
 pub(super) fn has_own_pace(scenario: &Scenario) -> bool {
-    !scenario.operator.is_empty() || !scenario.bench.inputs.is_empty()
+    !scenario.operator.is_empty() || !scenario.environment.inputs.is_empty()
 }
 
 /// A person acts on what is read ahead, and what changes meanwhile in HAL is read ahead too; otherwise the controller
@@ -66,7 +66,7 @@ fn reads_ahead(scenario: &Scenario) -> bool {
         matches!(action, Action::Abort | Action::Pause | Action::FeedHold(_) | Action::Mode(_))
     };
     scenario.operator.iter().any(|event| interrupts(&event.action))
-        || scenario.bench.inputs.iter().any(|change| change.time > 0.0)
+        || scenario.environment.inputs.iter().any(|change| change.time > 0.0)
             && reads_hal(&Source::new(&scenario.program))
 }
 
@@ -186,7 +186,7 @@ fn limits(limits: AxisLimits) -> [String; 4] {
 }
 
 fn hal(scenario: &Scenario, pins: &[Wired]) -> String {
-    let (machine, bench) = (&scenario.machine, &scenario.bench);
+    let (machine, environment) = (&scenario.machine, &scenario.environment);
     let mut text = String::new();
     // Writing to a string cannot fail.
     let mut put = |line: String| {
@@ -211,18 +211,18 @@ fn hal(scenario: &Scenario, pins: &[Wired]) -> String {
         for (place, (pin, name, _)) in group.iter().enumerate() {
             let signal = name.replace('.', "-");
             put(format!("net {signal} {name} => sampler.{number}.pin.{place}"));
-            if let Some(input) = wired(bench, *pin) {
+            if let Some(input) = wired(environment, *pin) {
                 put(format!("net {signal} => motion.digital-in-{input:02}"));
             }
         }
     }
     put("net stop iocontrol.0.user-enable-out iocontrol.0.emc-enable-in".to_owned());
     put("net prepare iocontrol.0.tool-prepare iocontrol.0.tool-prepared".to_owned());
-    if bench.tool_change_time <= 0.0 {
+    if environment.tool_change_time <= 0.0 {
         put("net change iocontrol.0.tool-change iocontrol.0.tool-changed".to_owned());
     }
     for spindle in 0..machine.spindles {
-        if bench.orient.get(usize::from(spindle)).is_none() {
+        if environment.orient.get(usize::from(spindle)).is_none() {
             // Not wired to itself: an answer within the same cycle would not be seen.
             put(format!("addf oriented.{spindle} servo-thread"));
             put(format!("net spindle-{spindle}-orient => oriented.{spindle}.in0"));
@@ -244,9 +244,9 @@ fn hal(scenario: &Scenario, pins: &[Wired]) -> String {
 }
 
 /// The inputs that a digital output is wired to.
-fn wired(bench: &gaugeblock_vocabulary::scenario::Bench, pin: Pin) -> Option<u16> {
+fn wired(environment: &gaugeblock_vocabulary::scenario::Environment, pin: Pin) -> Option<u16> {
     let Pin::DigitalOut(output) = pin else { return None };
-    bench.wires.get(&output.to_string()).copied()
+    environment.wires.get(&output.to_string()).copied()
 }
 
 fn samplers(pins: &[Wired]) -> Vec<String> {
@@ -254,7 +254,7 @@ fn samplers(pins: &[Wired]) -> Vec<String> {
     pins.chunks(PINS_PER_SAMPLER).map(types).collect()
 }
 
-/// An input of the bench under its name in HAL; none for what the controller does not have.
+/// An input of the environment under its name in HAL; none for what the controller does not have.
 pub(super) fn input_pin(name: &str) -> Option<String> {
     let index = |kind: &str| -> Option<u16> {
         name.strip_prefix(kind)?.strip_prefix('[')?.strip_suffix(']')?.parse().ok()
@@ -269,8 +269,8 @@ pub(super) fn input_pin(name: &str) -> Option<String> {
 }
 
 fn driver(scenario: &Scenario, pins: &[Wired]) -> Value {
-    let (machine, bench) = (&scenario.machine, &scenario.bench);
-    let wired: Vec<u16> = bench.wires.values().copied().collect();
+    let (machine, environment) = (&scenario.machine, &scenario.environment);
+    let wired: Vec<u16> = environment.wires.values().copied().collect();
     let mut resting =
         vec![("motion.adaptive-feed".to_owned(), "1"), ("motion.feed-hold".to_owned(), "0")];
     let free = (0..machine.digital_io).filter(|input| !wired.contains(input));
@@ -279,12 +279,14 @@ fn driver(scenario: &Scenario, pins: &[Wired]) -> Value {
         .extend((0..machine.analog_io).map(|input| (format!("motion.analog-in-{input:02}"), "0")));
     // What is asked, what answers, its value, after how many seconds, and its value at rest.
     let mut answers: Vec<(String, String, i32, Option<f64>, i32)> = Vec::new();
-    if bench.tool_change_time > 0.0 {
+    if environment.tool_change_time > 0.0 {
         let [asked, answer] =
             ["iocontrol.0.tool-change", "iocontrol.0.tool-changed"].map(str::to_owned);
-        answers.push((asked, answer, 1, Some(bench.tool_change_time), 0));
+        answers.push((asked, answer, 1, Some(environment.tool_change_time), 0));
     }
-    for (spindle, answer) in bench.orient.iter().enumerate().take(usize::from(machine.spindles)) {
+    for (spindle, answer) in
+        environment.orient.iter().enumerate().take(usize::from(machine.spindles))
+    {
         let asked = format!("spindle.{spindle}.orient");
         let pin = |name: &str| format!("spindle.{spindle}.{name}");
         answers.push(match answer {
@@ -322,8 +324,8 @@ mod tests {
     fn a_scenario_becomes_a_configuration() {
         let mut scenario = Scenario::of("m2\n");
         scenario.machine.spindles = 2;
-        scenario.bench.wires.insert("1".to_owned(), 3);
-        scenario.bench.orient = vec![OrientAnswer::After(0.5)];
+        scenario.environment.wires.insert("1".to_owned(), 3);
+        scenario.environment.orient = vec![OrientAnswer::After(0.5)];
         let setup = Setup::of(&scenario);
         for line in ["COORDINATES=X Y Z A B C", "SPINDLES=2", "INTERP_MAX_LEN=1", "JOINTS=6"] {
             assert!(setup.ini.contains(line), "{line} is not in\n{}", setup.ini);

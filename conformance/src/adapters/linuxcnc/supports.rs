@@ -1,6 +1,6 @@
 //! Which scenarios the controller can run.
 
-use gaugeblock_vocabulary::scenario::{Action, Bench, OperatorEvent, Start};
+use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, Start};
 use gaugeblock_vocabulary::{Axis, Language, Machine, Program, Scenario};
 
 use super::setup::input_pin;
@@ -10,11 +10,11 @@ use crate::adapters::probing::source::{Source, is_sub_file};
 /// Most digital and most analog inputs and outputs.
 const MOST_SIGNALS: u16 = 64;
 
-/// Latest change of an input or answer, seconds: benches run in real time.
+/// Latest change of an input or answer, seconds: environments run in real time.
 const LATEST: f64 = 30.0;
 
-/// The bench that is built around this controller.
-const OWN_BENCH: &str = "whole controller";
+/// The environment that is built around this controller.
+const OWN_ENVIRONMENT: &str = "whole controller";
 
 /// Whether the controller can run a scenario.
 ///
@@ -23,7 +23,7 @@ const OWN_BENCH: &str = "whole controller";
 pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     program(&scenario.program)?;
     machine(&scenario.machine)?;
-    bench(&scenario.bench)?;
+    environment(&scenario.environment)?;
     if let Some(event) = scenario.operator.iter().find(|event| event.when.offset > LATEST) {
         return Err(format!("an operator who waits {} s", event.when.offset));
     }
@@ -84,7 +84,7 @@ fn at_one_time(scenario: &Scenario) -> Result<(), String> {
     }
     let ends = |event: &OperatorEvent| {
         let at = |duration: f64| (duration - event.when.offset).abs() < 0.05;
-        scenario.bench.user_programs.iter().any(|program| at(program.duration))
+        scenario.environment.user_programs.iter().any(|program| at(program.duration))
     };
     // A block that only sets parameters is over before anybody can act.
     let begins = |event: &OperatorEvent| {
@@ -119,7 +119,7 @@ fn program(program: &Program) -> Result<(), String> {
     }
     let source = Source::new(program);
     if source.has_g_code(&["g38.2", "g38.3", "g38.4", "g38.5"]) {
-        return Err("its bench has no probe".to_owned());
+        return Err("its environment has no probe".to_owned());
     }
     if source.has_g_code(&["g33", "g33.1", "g76"]) {
         return Err("its spindles have no encoder".to_owned());
@@ -173,14 +173,14 @@ fn machine(machine: &Machine) -> Result<(), String> {
     }
 }
 
-fn bench(bench: &Bench) -> Result<(), String> {
-    if let Some(name) = bench.name.as_ref().filter(|name| *name != OWN_BENCH) {
-        return Err(format!("the bench {name:?} is another controller's"));
+fn environment(environment: &Environment) -> Result<(), String> {
+    if let Some(name) = environment.name.as_ref().filter(|name| *name != OWN_ENVIRONMENT) {
+        return Err(format!("the environment {name:?} is another controller's"));
     }
-    if bench.probe.is_some() {
-        return Err("its bench has no probe".to_owned());
+    if environment.probe.is_some() {
+        return Err("its environment has no probe".to_owned());
     }
-    for change in &bench.inputs {
+    for change in &environment.inputs {
         if input_pin(&change.input).is_none() || change.time > LATEST {
             return Err(format!("no input {} at {} s", change.input, change.time));
         }
@@ -189,7 +189,7 @@ fn bench(bench: &Bench) -> Result<(), String> {
         let digits = name.strip_prefix(['M', 'm']).unwrap_or_default();
         digits.chars().all(|c| c.is_ascii_alphanumeric() || c == '.') && !digits.is_empty()
     };
-    match bench.user_programs.iter().find(|program| !is_user_program(&program.file)) {
+    match environment.user_programs.iter().find(|program| !is_user_program(&program.file)) {
         Some(program) => Err(format!("{:?} is no file name for a user program", program.file)),
         None => Ok(()),
     }

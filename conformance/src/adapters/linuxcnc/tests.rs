@@ -4,7 +4,7 @@ use std::io::Write as _;
 use std::sync::OnceLock;
 
 use gaugeblock_vocabulary::scenario::{Action, InputChange, OperatorEvent, OrientAnswer, When};
-use gaugeblock_vocabulary::{Block, ControllerMode, End, Event, Machine, State};
+use gaugeblock_vocabulary::{BlockLocation, ControllerMode, End, Event, Machine, State};
 
 use super::*;
 
@@ -43,14 +43,14 @@ fn pins(outcome: &Outcome, name: &str) -> Vec<f64> {
 }
 
 fn event(line: u32, action: Action) -> OperatorEvent {
-    let when = When { block: Block::new("main.ngc", line), execution: 1, offset: 0.0 };
+    let when = When { block: BlockLocation::new("main.ngc", line), execution: 1, offset: 0.0 };
     OperatorEvent { when, action }
 }
 
 #[test]
 fn outputs_switch_and_inputs_are_read() {
     let mut scenario = Scenario::of("m64 p1\ng4 p0.1\nm66 p2 l0\n#31=#5399\nm65 p1\nm2\n");
-    scenario.bench.wires.insert("1".to_owned(), 2);
+    scenario.environment.wires.insert("1".to_owned(), 2);
     let Some(outcome) = run(&scenario) else { return };
     assert_eq!(
         effects(&outcome),
@@ -72,7 +72,7 @@ fn what_stands_before_a_refused_block_has_been_carried_out() {
     let Some(outcome) = run(&Scenario::of("g0 x1\nm7\ng1 x2\nm2\n")) else { return };
     assert_eq!(effects(&outcome), [(1, "straight_traverse")]);
     let End::Fault(fault) = &outcome.end else { panic!("{:?}", outcome.end) };
-    assert_eq!(fault.block, Some(Block::new("main.ngc", 3)));
+    assert_eq!(fault.block, Some(BlockLocation::new("main.ngc", 3)));
     assert_eq!(fault.kind, Some(gaugeblock_vocabulary::FaultKind::ZeroFeed));
 }
 
@@ -128,7 +128,7 @@ fn a_person_aborts_a_wait() {
 fn inputs_change_in_time() {
     let mut scenario = Scenario::of("m66 p0 l3 q5\n#31=#5399\nm2\n");
     let input = "digital_in[0]".to_owned();
-    scenario.bench.inputs = vec![InputChange { time: 0.3, input, value: 1.0 }];
+    scenario.environment.inputs = vec![InputChange { time: 0.3, input, value: 1.0 }];
     let Some(outcome) = run(&scenario) else { return };
     let parameters = outcome.parameters.expect("parameters").0;
     assert_eq!(parameters.get(&31).map(|value| value.to_bits()), Some(1.0_f64.to_bits()));
@@ -137,14 +137,14 @@ fn inputs_change_in_time() {
 #[test]
 fn an_encoder_answers_or_does_not() {
     let mut scenario = Scenario::of("m19 r90 q0.5\nm2\n");
-    scenario.bench.orient = vec![OrientAnswer::After(0.1)];
+    scenario.environment.orient = vec![OrientAnswer::After(0.1)];
     let Some(outcome) = run(&scenario) else { return };
     assert_eq!(outcome.end, End::ProgramEnd, "{}", outcome.to_text());
     assert_eq!(
         pins(&outcome, "spindle_orient_angle[0]").first().map(|at| at.to_bits()),
         Some(90.0_f64.to_bits())
     );
-    scenario.bench.orient = vec![OrientAnswer::Never];
+    scenario.environment.orient = vec![OrientAnswer::Never];
     let outcome = run(&scenario).expect("a run");
     let End::Fault(fault) = &outcome.end else { panic!("{}", outcome.to_text()) };
     assert_eq!(fault.kind, Some(gaugeblock_vocabulary::FaultKind::Orient));
@@ -158,11 +158,11 @@ fn user_programs_take_their_arguments_and_may_fail() {
         ..Default::default()
     };
     let mut scenario = Scenario::of("m101 p1.5\ng0 x1\nm2\n");
-    scenario.bench.user_programs = vec![program(0)];
+    scenario.environment.user_programs = vec![program(0)];
     let Some(outcome) = run(&scenario) else { return };
     let call = Effect::UserCode { code: 101, p: "1.500000".to_owned(), q: "-1.000000".to_owned() };
     assert!(outcome.steps[0].events.contains(&Event::Do(call)), "{}", outcome.to_text());
-    scenario.bench.user_programs = vec![program(3)];
+    scenario.environment.user_programs = vec![program(3)];
     let outcome = run(&scenario).expect("a run");
     assert!(matches!(outcome.end, End::Fault(_)), "{}", outcome.to_text());
 }
@@ -201,6 +201,6 @@ fn what_could_reach_the_host_is_not_run() {
     let mut scenario = Scenario::of("m2\n");
     let file = "../M101".to_owned();
     let program = gaugeblock_vocabulary::scenario::UserProgram { file, ..Default::default() };
-    scenario.bench.user_programs = vec![program];
+    scenario.environment.user_programs = vec![program];
     assert!(controller.supports(&scenario).is_err());
 }

@@ -107,7 +107,7 @@ fn abort_text(line: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gaugeblock_vocabulary::{Block, Program};
+    use gaugeblock_vocabulary::{BlockLocation, Program};
 
     fn read(main: &str, stderr: &str, next: u32) -> Result<Fault, HarnessError> {
         let source = Source::new(&Program { main: main.to_owned(), ..Program::default() });
@@ -116,7 +116,7 @@ mod tests {
     }
 
     fn at(fault: &Fault) -> Option<u32> {
-        fault.block.as_ref().map(|Block { line, .. }| *line)
+        fault.block.as_ref().map(|BlockLocation { line, .. }| *line)
     }
 
     #[test]

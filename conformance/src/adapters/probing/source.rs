@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 use std::path::{Component, Path};
 
-use gaugeblock_vocabulary::{Block, Program};
+use gaugeblock_vocabulary::{BlockLocation, Program};
 
 use super::instrument::LAST_PARAMETER;
 
@@ -66,8 +66,8 @@ impl Source {
     }
 
     /// The block at a line.
-    pub(in crate::adapters) fn block(&self, file: usize, line: u32) -> Block {
-        Block::new(self.files.get(file).map_or("", |(name, _)| name.as_str()), line)
+    pub(in crate::adapters) fn block(&self, file: usize, line: u32) -> BlockLocation {
+        BlockLocation::new(self.files.get(file).map_or("", |(name, _)| name.as_str()), line)
     }
 
     /// The only line with this text, blanks at its ends aside.
@@ -164,14 +164,14 @@ impl Source {
     }
 
     /// A line with a message that ends within the name of a parameter: what it shows is what happens to lie in memory.
-    pub(in crate::adapters) fn shows_open_name(&self) -> Option<Block> {
+    pub(in crate::adapters) fn shows_open_name(&self) -> Option<BlockLocation> {
         self.all()
             .find(|(_, _, line)| shows_open_name(line))
             .map(|(file, number, _)| self.block(file, number))
     }
 
     /// A line that would reach beyond the interpreter: it runs Python, or looks for a sub outside of the directory.
-    pub(in crate::adapters) fn reaches_host(&self) -> Option<Block> {
+    pub(in crate::adapters) fn reaches_host(&self) -> Option<BlockLocation> {
         let escapes = |line: &str| {
             let text = compact(line);
             let name = text.find("o<").map(|at| &text[at..]).unwrap_or_default();

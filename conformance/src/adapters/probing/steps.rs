@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::scenario::Budget;
 use gaugeblock_vocabulary::{
-    Block, Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State, Step,
+    BlockLocation, Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State,
+    Step,
 };
 
 use super::instrument::Plan;
@@ -176,7 +177,7 @@ impl<'a> Steps<'a> {
     /// A mode that is not known.
     pub(in crate::adapters) fn entered(
         &mut self,
-        block: Block,
+        block: BlockLocation,
         probe: &Probe,
         events: Vec<Event>,
         tool: i32,

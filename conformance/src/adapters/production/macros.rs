@@ -3,8 +3,8 @@
 use gaugeblock_impl::nct::{CustomMacros, MacroStep};
 use gaugeblock_impl::{Reply, Sink};
 use gaugeblock_vocabulary::{
-    Block, Bound, Effect, End, Event, Language, MacroValue, NctState, Outcome, Program, Scenario,
-    Settings, State, Step, Vacancy,
+    BlockLocation, Bound, Effect, End, Event, Language, MacroValue, NctState, Outcome, Program,
+    Scenario, Settings, State, Step, Vacancy,
 };
 
 use super::super::HarnessError;
@@ -36,7 +36,7 @@ impl Sink for Recorder {
 
     fn macro_step(&mut self, done: &MacroStep<'_>) {
         let events = std::mem::take(&mut self.events);
-        let block = Block::new(Program::MAIN, done.line());
+        let block = BlockLocation::new(Program::MAIN, done.line());
         self.steps.push(Step { block, events, state: Some(State::Nct(state(done))) });
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_vocabulary::Block;
+use gaugeblock_vocabulary::BlockLocation;
 use gaugeblock_vocabulary::scenario::{Action, OperatorEvent};
 
 /// The operator of a scenario.
@@ -14,7 +14,7 @@ pub(super) struct Operator<'a> {
     /// comes first.
     due: Vec<(f64, usize, &'a Action)>,
     /// How often each block has been executed that something stands at.
-    executions: BTreeMap<Block, u32>,
+    executions: BTreeMap<BlockLocation, u32>,
     /// The line of each event that enters a block by hand: they are counted in the order in which they are listed.
     lines: BTreeMap<usize, u32>,
     /// The line of the last one that was taken.
@@ -33,7 +33,7 @@ impl<'a> Operator<'a> {
     }
 
     /// A block begins: what stands at this execution falls due from this time on.
-    pub(super) fn begin_block(&mut self, block: &Block, time: f64) {
+    pub(super) fn begin_block(&mut self, block: &BlockLocation, time: f64) {
         let Some(count) = self.executions.get_mut(block) else { return };
         *count += 1;
         let count = *count;

@@ -1,14 +1,14 @@
-//! What the outside answers to the production controller, as the scenario's bench says. Time is virtual: only waits
-//! move it.
+//! What the outside answers to the production controller, as the scenario's environment says. Time is virtual: only
+//! waits move it.
 
 use std::collections::BTreeMap;
 
 use gaugeblock_impl::Probing;
 use gaugeblock_impl::task::{Happening, Input, Work, WorkState};
 use gaugeblock_vocabulary::scenario::{
-    Action, Bench, Folder, OrientAnswer, ProbeContact, UserProgram,
+    Action, Environment, Folder, OrientAnswer, ProbeContact, UserProgram,
 };
-use gaugeblock_vocabulary::{Block, Effect, FaultKind, Pin, Position, Scenario};
+use gaugeblock_vocabulary::{BlockLocation, Effect, FaultKind, Pin, Position, Scenario};
 
 use super::operator::Operator;
 
@@ -18,7 +18,7 @@ const SAME: f64 = 1e-6;
 /// The outside: clock, inputs, wires, tool changer, encoders, programs, and the operator.
 #[derive(Clone, Debug)]
 pub(super) struct Outside<'a> {
-    bench: &'a Bench,
+    environment: &'a Environment,
     operator: Operator<'a>,
     /// Whether programs of user-defined codes are looked for in the search path too.
     search_path: bool,
@@ -42,7 +42,7 @@ impl<'a> Outside<'a> {
     /// The outside before the first block: all outputs are off.
     pub(super) fn new(scenario: &'a Scenario) -> Self {
         Self {
-            bench: &scenario.bench,
+            environment: &scenario.environment,
             operator: Operator::new(&scenario.operator),
             search_path: !scenario.options.is("user-codes.place", "program-prefix"),
             ignores_status: scenario.options.is("user-codes.exit-status", "ignored"),
@@ -66,7 +66,7 @@ impl<'a> Outside<'a> {
     }
 
     /// A block begins now: what the operator does at it falls due from here.
-    pub(super) fn begin_block(&mut self, block: &Block) {
+    pub(super) fn begin_block(&mut self, block: &BlockLocation) {
         self.operator.begin_block(block, self.time);
     }
 
@@ -77,13 +77,13 @@ impl<'a> Outside<'a> {
 
     /// Whether a person changes the tools.
     pub(super) fn prompts_for_tools(&self) -> bool {
-        self.bench.manual_tool_change
+        self.environment.manual_tool_change
     }
 
     /// Lets time go by until then, or until something happens. Of what happens at one time the operator comes first.
     pub(super) fn wait(&mut self, until: Option<f64>) -> Happening {
         let until = until.unwrap_or(f64::INFINITY);
-        let changes = self.bench.inputs.iter().map(|change| change.time);
+        let changes = self.environment.inputs.iter().map(|change| change.time);
         let works = [self.changed_at, self.program.0].into_iter().chain(self.orientations());
         let later = changes.chain(works).filter(|time| *time > self.time);
         let change = later.fold(f64::INFINITY, f64::min);
@@ -116,7 +116,7 @@ impl<'a> Outside<'a> {
     /// What comes of an effect at once. Only the kinds of effects are looked at that something outside answers.
     pub(super) fn perform(&mut self, effect: &Effect) -> Result<(), FaultKind> {
         if let Effect::ChangeTool { .. } = effect {
-            self.changed_at = self.time + self.bench.tool_change_time;
+            self.changed_at = self.time + self.environment.tool_change_time;
         } else if let Effect::OrientSpindle { spindle, .. } = effect {
             self.orienting.insert(*spindle, self.time);
         } else if let Effect::UserCode { code, .. } = effect {
@@ -150,7 +150,7 @@ impl<'a> Outside<'a> {
     /// What the encoder of a spindle answers. One of which nothing is said answers at once.
     fn answer(&self, spindle: u32) -> OrientAnswer {
         let place = usize::try_from(spindle).unwrap_or(usize::MAX);
-        self.bench.orient.get(place).copied().unwrap_or(OrientAnswer::After(0.0))
+        self.environment.orient.get(place).copied().unwrap_or(OrientAnswer::After(0.0))
     }
 
     /// A pin has another value: outputs may be wired to inputs.
@@ -170,7 +170,7 @@ impl<'a> Outside<'a> {
         }
         // Where nothing slows motion down it is at full speed.
         let unconnected = if input == Input::AdaptiveFeed { 1.0 } else { 0.0 };
-        if self.bench.inputs.iter().all(|change| change.time > self.time) {
+        if self.environment.inputs.iter().all(|change| change.time > self.time) {
             return unconnected;
         }
         let name = match input {
@@ -179,14 +179,14 @@ impl<'a> Outside<'a> {
             Input::AdaptiveFeed => "adaptive_feed".to_owned(),
             Input::FeedHold => "feed_hold".to_owned(),
         };
-        let changes = self.bench.inputs.iter();
+        let changes = self.environment.inputs.iter();
         let past = changes.filter(|change| change.input == name && change.time <= self.time);
         past.map(|change| change.value).next_back().unwrap_or(unconnected)
     }
 
     /// The digital output that is wired to a digital input.
     fn wire(&self, input: u16) -> Option<u16> {
-        let wired = self.bench.wires.iter().find(|(_, wired)| **wired == input);
+        let wired = self.environment.wires.iter().find(|(_, wired)| **wired == input);
         wired.and_then(|(output, _)| output.parse().ok())
     }
 
@@ -198,12 +198,14 @@ impl<'a> Outside<'a> {
         let (from, to) = (probing.from(), probing.to());
         let touches_here = match self.probed {
             Some((place, touches)) if is_same(place, from) => touches,
-            _ => matches!(self.bench.probe, Some(ProbeContact::At(point)) if is_same(point, from)),
+            _ => {
+                matches!(self.environment.probe, Some(ProbeContact::At(point)) if is_same(point, from))
+            }
         };
         if touches_here == probing.toward() {
             return Err(FaultKind::Probe);
         }
-        let contact = match self.bench.probe {
+        let contact = match self.environment.probe {
             Some(ProbeContact::AtTarget) => Some(to),
             Some(ProbeContact::At(point)) if lies_between(point, from, to) => Some(point),
             Some(ProbeContact::At(_) | ProbeContact::Never) | None => None,
@@ -219,7 +221,11 @@ impl<'a> Outside<'a> {
         let fits =
             |program: &&UserProgram| program.file == name && program.at_start && program.executable;
         let of = |folder: Folder| {
-            self.bench.user_programs.iter().filter(fits).find(move |file| file.folder == folder)
+            self.environment
+                .user_programs
+                .iter()
+                .filter(fits)
+                .find(move |file| file.folder == folder)
         };
         let searched = || self.search_path.then(|| of(Folder::SearchPath)).flatten();
         of(Folder::ProgramPrefix).or_else(searched)

@@ -3,8 +3,8 @@
 use gaugeblock_impl::gpp::{NotCompiled, PostProcessor, StatementDone, TOOLPATH};
 use gaugeblock_impl::{Reply, Sink};
 use gaugeblock_vocabulary::{
-    Block, Bound, Effect, End, Event, GppState, Language, Outcome, Scenario, Settings, State, Step,
-    Switch,
+    BlockLocation, Bound, Effect, End, Event, GppState, Language, Outcome, Scenario, Settings,
+    State, Step, Switch,
 };
 
 use super::super::HarnessError;
@@ -29,7 +29,7 @@ impl Sink for Recorder {
     fn statement_done(&mut self, done: &StatementDone<'_>) {
         let events = std::mem::take(&mut self.events);
         self.effects += events.len();
-        let block = Block::new(done.file(), done.line());
+        let block = BlockLocation::new(done.file(), done.line());
         let state = done.was_executed().then(|| State::Gpp(state(done)));
         self.steps.push(Step { block, events, state });
     }

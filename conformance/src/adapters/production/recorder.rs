@@ -7,8 +7,8 @@ use gaugeblock_impl::task::{BY_HAND, Happening, Input, Machine, Work, WorkState}
 use gaugeblock_impl::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
 use gaugeblock_vocabulary::scenario::{Action, Start};
 use gaugeblock_vocabulary::{
-    Block, Effect, End, Event, Indexed, Language, Outcome, Pin, PinChange, Program, Rs274State,
-    Scenario, Settings, Sorted, State, Step,
+    BlockLocation, Effect, End, Event, Indexed, Language, Outcome, Pin, PinChange, Program,
+    Rs274State, Scenario, Settings, Sorted, State, Step,
 };
 
 use super::outside::Outside;
@@ -34,7 +34,7 @@ pub(super) struct Recorder<'a> {
     /// Whether what is entered by hand now are the lines of the program.
     by_hand: bool,
     /// The block that is being executed, where somebody acts at blocks.
-    block: Block,
+    block: BlockLocation,
     effects: u32,
     most_effects: u32,
     /// Whether a block has had more of them than there are, which is not recorded.
@@ -67,7 +67,7 @@ impl<'a> Recorder<'a> {
             events: Vec::new(),
             idle: false,
             by_hand: scenario.program.start == Start::Mdi,
-            block: Block::new(Program::MAIN, 1),
+            block: BlockLocation::new(Program::MAIN, 1),
             effects: 0,
             most_effects: scenario.budget.effects,
             over: false,
@@ -120,7 +120,7 @@ impl<'a> Recorder<'a> {
     }
 
     /// A block begins.
-    pub(super) fn begin_block(&mut self, block: Block) {
+    pub(super) fn begin_block(&mut self, block: BlockLocation) {
         self.idle = false;
         self.outside.begin_block(&block);
         self.block = block;
@@ -137,7 +137,7 @@ impl<'a> Recorder<'a> {
     }
 
     /// This block is not over, and stays so.
-    pub(super) fn stay(&mut self, block: &Block) {
+    pub(super) fn stay(&mut self, block: &BlockLocation) {
         let events = std::mem::take(&mut self.events);
         self.steps.push(Step { block: self.block(&block.file, block.line), events, state: None });
     }
@@ -150,8 +150,8 @@ impl<'a> Recorder<'a> {
     }
 
     /// A block as it is recorded: a line of a program that is entered by hand is one of that program.
-    pub(super) fn block(&self, file: &str, line: u32) -> Block {
-        Block::new(if self.by_hand && file == BY_HAND { Program::MAIN } else { file }, line)
+    pub(super) fn block(&self, file: &str, line: u32) -> BlockLocation {
+        BlockLocation::new(if self.by_hand && file == BY_HAND { Program::MAIN } else { file }, line)
     }
 
     /// Something happened, within a block or after the last one.

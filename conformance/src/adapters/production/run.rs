@@ -6,7 +6,7 @@ use gaugeblock_impl::task::{Activity, BY_HAND, Idle, Stuck, Task};
 use gaugeblock_impl::{Error, Interpreter, Limits, Memory, Room};
 use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{
-    Block, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario,
+    BlockLocation, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario,
 };
 
 use super::super::HarnessError;
@@ -87,7 +87,7 @@ impl Run<'_> {
             }
             if self.task.machine().has_operator() {
                 if let Some((file, line)) = self.task.next_block(&mut source) {
-                    let block = Block::new(file, line);
+                    let block = BlockLocation::new(file, line);
                     self.task.machine_mut().begin_block(block);
                 } else if !self.task.is_within_block() {
                     // The text ends here: what happens now belongs to the last block.
@@ -121,7 +121,7 @@ impl Run<'_> {
             if text.trim().is_empty() || deleted {
                 continue;
             }
-            self.task.machine_mut().begin_block(Block::new(Program::MAIN, line));
+            self.task.machine_mut().begin_block(BlockLocation::new(Program::MAIN, line));
             end = self.enter(text, line, End::Paused)?;
             let stuck = end == End::Paused && self.task.is_within_block();
             if is_final(&end) || stuck {
@@ -154,7 +154,7 @@ impl Run<'_> {
                 Idle::Enter(text) => {
                     // What was refused has been entered too.
                     let number = self.task.machine().entered();
-                    self.task.machine_mut().begin_block(Block::new(BY_HAND, number));
+                    self.task.machine_mut().begin_block(BlockLocation::new(BY_HAND, number));
                     self.enter(&text, number, end)?
                 }
             };

@@ -1,10 +1,10 @@
 //! Which scenarios the production controller can run.
 
-use gaugeblock_vocabulary::scenario::{Bench, InputChange};
+use gaugeblock_vocabulary::scenario::{Environment, InputChange};
 use gaugeblock_vocabulary::{Language, Options, Scenario};
 
-/// The bench that answers as its keys say.
-const OWN_BENCH: &str = "whole controller";
+/// The environment that answers as its keys say.
+const OWN_ENVIRONMENT: &str = "whole controller";
 
 /// The option of a quirk that another controller shows.
 const QUIRK: &str = "observed";
@@ -19,8 +19,8 @@ const ADAPTIVE_FEED: &str = "adaptive_feed";
 pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     options(&scenario.options)?;
     match scenario.program.language {
-        Language::Rs274 => bench(&scenario.bench),
-        // The bench is not looked at.
+        Language::Rs274 => environment(&scenario.environment),
+        // The environment is not looked at.
         Language::Gpp | Language::Nct => Ok(()),
     }
 }
@@ -38,12 +38,12 @@ pub(super) fn options(options: &Options) -> Result<(), String> {
     }
 }
 
-fn bench(bench: &Bench) -> Result<(), String> {
-    if let Some(name) = bench.name.as_ref().filter(|name| *name != OWN_BENCH) {
-        return Err(format!("the bench {name:?} is another controller's"));
+fn environment(environment: &Environment) -> Result<(), String> {
+    if let Some(name) = environment.name.as_ref().filter(|name| *name != OWN_ENVIRONMENT) {
+        return Err(format!("the environment {name:?} is another controller's"));
     }
     let reversed = |change: &InputChange| change.input == ADAPTIVE_FEED && change.value < 0.0;
-    if bench.inputs.iter().any(reversed) {
+    if environment.inputs.iter().any(reversed) {
         return Err("it does not run a program in reverse".to_owned());
     }
     Ok(())

@@ -94,9 +94,9 @@ fn a_block_with_more_effects_than_there_are_is_not_recorded() {
 fn inputs_answer_at_their_time() {
     let read = |program: &str, wires: &[(&str, u16)]| {
         let mut scenario = Scenario::of(program);
-        scenario.bench.wires = wires.iter().map(|(a, b)| ((*a).to_owned(), *b)).collect();
+        scenario.environment.wires = wires.iter().map(|(a, b)| ((*a).to_owned(), *b)).collect();
         let change = |time, value| InputChange { time, input: "digital_in[0]".to_owned(), value };
-        scenario.bench.inputs = vec![change(1.0, 1.0), change(2.0, 0.0)];
+        scenario.environment.inputs = vec![change(1.0, 1.0), change(2.0, 0.0)];
         let run = outcome(&scenario);
         let value = run.parameters.expect("they are shown").0.get(&5399).copied();
         (run.end.name(), value.unwrap_or_default())
@@ -124,7 +124,7 @@ fn a_wait_without_end_uses_up_the_time() {
 fn encoders_answer() {
     let orients = |answer| {
         let mut scenario = Scenario::of("m19 r90 q0.5\nm2\n");
-        scenario.bench.orient = vec![answer];
+        scenario.environment.orient = vec![answer];
         ends(&scenario)
     };
     assert_eq!(orients(OrientAnswer::After(0.5)), "program_end");
@@ -137,7 +137,7 @@ fn encoders_answer() {
 fn user_programs_are_data() {
     let calls = |program: UserProgram| {
         let mut scenario = Scenario::of("m101\nm2\n");
-        scenario.bench.user_programs = vec![program];
+        scenario.environment.user_programs = vec![program];
         ends(&scenario)
     };
     let named = |file: &str| UserProgram { file: file.to_owned(), ..UserProgram::default() };

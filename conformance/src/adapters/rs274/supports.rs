@@ -1,14 +1,14 @@
 //! Which scenarios the controller can run.
 
-use gaugeblock_vocabulary::scenario::{Bench, Start};
+use gaugeblock_vocabulary::scenario::{Environment, Start};
 use gaugeblock_vocabulary::{Axis, Language, LengthUnit, Machine, Program, Scenario};
 
 use crate::adapters::probing::instrument::LAST_PARAMETER;
 use crate::adapters::probing::source::{Source, is_sub_file};
 use crate::adapters::probing::workspace::{INI, PARAMETERS, TOOLS};
 
-/// The bench that answers as this controller does.
-const OWN_BENCH: &str = "stand-alone rs274";
+/// The environment that answers as this controller does.
+const OWN_ENVIRONMENT: &str = "stand-alone rs274";
 
 /// Axes that it has, whatever the machine.
 const AXES: [Axis; 6] = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C];
@@ -24,11 +24,11 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     if !scenario.operator.is_empty() {
         return Err("it has no operator".to_owned());
     }
-    let own = scenario.bench.name.as_deref() == Some(OWN_BENCH);
+    let own = scenario.environment.name.as_deref() == Some(OWN_ENVIRONMENT);
     if !own && Source::new(&scenario.program).pauses() {
         return Err("its pauses do not pause".to_owned());
     }
-    if scenario.bench != Bench::default() && !own {
+    if scenario.environment != Environment::default() && !own {
         return Err("the outside always answers in the same way".to_owned());
     }
     Ok(())

@@ -1,8 +1,8 @@
 //! Against the real binary. Where it is not installed these tests say so and pass.
 
 use gaugeblock_vocabulary::{
-    Block, Effect, End, Event, FaultKind, LengthUnit, Machine, Motion, Outcome, Position, Scenario,
-    Sorted, State, Tool,
+    BlockLocation, Effect, End, Event, FaultKind, LengthUnit, Machine, Motion, Outcome, Position,
+    Scenario, Sorted, State, Tool,
 };
 
 use super::*;
@@ -51,7 +51,7 @@ fn settings_at_end(outcome: &Outcome) -> Settings {
     settings
 }
 
-fn refusal(program: &str) -> Option<(Option<FaultKind>, Option<Block>)> {
+fn refusal(program: &str) -> Option<(Option<FaultKind>, Option<BlockLocation>)> {
     let End::Fault(fault) = run(program)?.end else { panic!("accepted: {program}") };
     Some((fault.kind, fault.block))
 }
@@ -122,11 +122,11 @@ fn sub_files_are_observed_too() {
         "o<cave> sub\ng0 x#1\nx[1/0]\no<cave> endsub\nm2\n".to_owned(),
     );
     let outcome = controller.run(&scenario).unwrap();
-    assert_eq!(outcome.steps[0].block, Block::new("cave.ngc", 2));
+    assert_eq!(outcome.steps[0].block, BlockLocation::new("cave.ngc", 2));
     let End::Fault(fault) = outcome.end else { panic!("no fault") };
     assert_eq!(
         (fault.kind, fault.block),
-        (Some(FaultKind::DivideByZero), Some(Block::new("cave.ngc", 3)))
+        (Some(FaultKind::DivideByZero), Some(BlockLocation::new("cave.ngc", 3)))
     );
 }
 
@@ -154,7 +154,7 @@ fn refusals_have_a_block_and_a_kind() {
         let Some(refusal) = refusal(program) else { return };
         assert_eq!(
             refusal,
-            (Some(kind), line.map(|line| Block::new("main.ngc", line))),
+            (Some(kind), line.map(|line| BlockLocation::new("main.ngc", line))),
             "{program}"
         );
     }
@@ -334,7 +334,7 @@ fn an_end_is_not_entered_where_an_error_stopped_the_program() {
 #[test]
 fn an_end_that_is_refused_is_refused_where_it_stands() {
     let Some((kind, block)) = refusal("f5\ng80 x1 m2\n") else { return };
-    assert_eq!(block, Some(Block::new("main.ngc", 2)));
+    assert_eq!(block, Some(BlockLocation::new("main.ngc", 2)));
     assert_eq!(kind, Some(FaultKind::AxisWords));
 }
 

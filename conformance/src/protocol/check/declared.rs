@@ -63,7 +63,7 @@ fn of_edition(adapter: &Exec, suite: &Suite, edition: &Edition) -> Vec<(Scenario
         outcome.start = Settings::default();
         (scenario, outcome)
     });
-    with_outcome.filter(|(_, outcome)| outcome.end.unsaid().is_none()).collect()
+    with_outcome.filter(|(_, outcome)| outcome.end.undetermined().is_none()).collect()
 }
 
 /// What was looked at.

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, When};
-use gaugeblock_vocabulary::{Block, Language, Outcome, Program, Scenario};
+use gaugeblock_vocabulary::{BlockLocation, Language, Outcome, Program, Scenario};
 
 use super::super::digest::{canonical, digest};
 use super::super::{OFFERS, Offer};
@@ -93,7 +93,7 @@ fn live(adapter: &Exec, plain: &Scenario) -> Came {
         return Came::Wrong("it declares no feature `operator`".to_owned());
     }
     let mut operated = plain.clone();
-    let block = Block::new(Program::MAIN, 2);
+    let block = BlockLocation::new(Program::MAIN, 2);
     let when = When { block, execution: 1, offset: 0.0 };
     operated.operator.push(OperatorEvent { when, action: Action::Abort });
     told_by(adapter, Offer::LiveOperator, &operated)

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::io::{BufRead, Result};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-use gaugeblock_vocabulary::scenario::{Bench, Budget, OperatorEvent};
+use gaugeblock_vocabulary::scenario::{Budget, Environment, OperatorEvent};
 use gaugeblock_vocabulary::{Machine, Options, Program};
 use serde::Deserialize;
 use serde_json::value::RawValue;
@@ -156,7 +156,7 @@ impl Reader {
     fn run(&mut self, line: &[u8]) -> Option<Request> {
         let Run { id, op: Op::Run, scenario, stream, digest } =
             serde_json::from_slice(line).ok()?;
-        let Scenario { program, options, machine, bench, operator, budget } = scenario;
+        let Scenario { program, options, machine, environment, operator, budget } = scenario;
         let options = match options.map(RawValue::get) {
             None => Options::default(),
             Some(text) if text == self.last.0 => self.last.1.clone(),
@@ -165,8 +165,14 @@ impl Reader {
                 self.last.1.clone()
             }
         };
-        let scenario =
-            gaugeblock_vocabulary::Scenario { program, options, machine, bench, operator, budget };
+        let scenario = gaugeblock_vocabulary::Scenario {
+            program,
+            options,
+            machine,
+            environment,
+            operator,
+            budget,
+        };
         let ways = Ways { stream, digest, live: Vec::new() };
         Some(Request { id, operation: Operation::Run { scenario: Box::new(scenario), ways } })
     }
@@ -202,7 +208,7 @@ struct Scenario<'a> {
     #[serde(default)]
     machine: Machine,
     #[serde(default)]
-    bench: Bench,
+    environment: Environment,
     #[serde(default)]
     operator: Vec<OperatorEvent>,
     #[serde(default)]

@@ -17,8 +17,8 @@ use gaugeblock::adapters::rs274::Rs274;
 use gaugeblock::suite::{Choice, ChoiceKind, Suite, files};
 use gaugeblock_fuzz::generate::{self, BUDGET, Recipe};
 use gaugeblock_fuzz_targets::{Agreement, agree, agree_with};
-use gaugeblock_vocabulary::scenario::{Action, Bench, OperatorEvent, When};
-use gaugeblock_vocabulary::{Block, Language, Options, Program, Scenario};
+use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, When};
+use gaugeblock_vocabulary::{BlockLocation, Language, Options, Program, Scenario};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -61,13 +61,13 @@ fn scenario(program: Program, picked: &Picked) -> Scenario {
     Scenario { program, options, budget: BUDGET, ..Scenario::default() }
 }
 
-/// A program on a machine, a bench and under an operator that are generated: those of a number.
+/// A program on a machine, an environment and under an operator that are generated: those of a number.
 fn elsewhere(number: u32, program: Program, picked: &Picked) -> Scenario {
     let around = generate::from_seed(7, number.into(), &Recipe::default());
     let start = around.program.start;
     Scenario {
         machine: around.machine,
-        bench: around.bench,
+        environment: around.environment,
         operator: around.operator,
         ..scenario(Program { start, ..program }, picked)
     }
@@ -77,7 +77,7 @@ fn elsewhere(number: u32, program: Program, picked: &Picked) -> Scenario {
 fn entered(lines: &[String]) -> Vec<OperatorEvent> {
     let enter = |(line, second): (&String, u32)| OperatorEvent {
         when: When {
-            block: Block::new(Program::MAIN, 1),
+            block: BlockLocation::new(Program::MAIN, 1),
             execution: 1,
             offset: f64::from(1000 + second),
         },
@@ -174,7 +174,7 @@ fn words_are_taken_as_by_rs274() {
     };
     let observed = SUITE.editions.iter().find(|edition| edition.id == "rs274-2.9-observed");
     let edition = observed.expect("the suite has this edition");
-    let (options, name) = (SUITE.options(edition), edition.bench.clone());
+    let (options, name) = (SUITE.options(edition), edition.environment.clone());
     // Each starts a process. What the binary does with other ones is not known yet: who asks for more looks for that.
     let mut config = ProptestConfig::with_cases(programs().div_euclid(10).max(1));
     if std::env::var_os("GAUGEBLOCK_LINES").is_none() {
@@ -187,7 +187,7 @@ fn words_are_taken_as_by_rs274() {
         |main| Scenario {
             program: Program { main, ..Program::default() },
             options: options.clone(),
-            bench: Bench { name: name.clone(), ..Bench::default() },
+            environment: Environment { name: name.clone(), ..Environment::default() },
             budget: BUDGET,
             ..Scenario::default()
         },

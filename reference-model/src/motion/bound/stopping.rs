@@ -336,13 +336,13 @@ mod tests {
         Controls, Element, Feed, MotionLimits, PathMode, ProgrammedPath, Shape,
     };
     use gaugeblock_vocabulary::scenario::AxisLimits;
-    use gaugeblock_vocabulary::{Axis, Block, Position};
+    use gaugeblock_vocabulary::{Axis, BlockLocation, Position};
 
     use super::*;
 
     fn path(mode: PathMode, shapes: Vec<Shape>) -> ProgrammedPath {
         let element = |shape| Element {
-            block: Block::new("main.ngc", 1),
+            block: BlockLocation::new("main.ngc", 1),
             shape,
             feed: Feed::PerSecond(200.0),
             mode,

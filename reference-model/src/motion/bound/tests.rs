@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::motion::{
     Controls, Element, Feed, MotionLimits, PathMode, ProgrammedPath, Shape,
 };
 use gaugeblock_vocabulary::scenario::AxisLimits;
-use gaugeblock_vocabulary::{Axis, Block, Position};
+use gaugeblock_vocabulary::{Axis, BlockLocation, Position};
 
 use super::smooth::{Bounds, Smooth};
 use super::{Kind, TimeBound, least_time, reach};
@@ -21,7 +21,7 @@ fn limits() -> MotionLimits {
 
 fn path(mode: PathMode, shapes: Vec<Shape>) -> ProgrammedPath {
     let element = |(line, shape): (u32, Shape)| Element {
-        block: Block::new("main.ngc", line),
+        block: BlockLocation::new("main.ngc", line),
         shape,
         feed: Feed::PerSecond(100.0),
         mode,

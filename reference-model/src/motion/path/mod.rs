@@ -12,7 +12,8 @@ use gaugeblock_vocabulary::motion::{
     Controls, Element, Feed, PathMode, ProgrammedPath, Shape, Switching,
 };
 use gaugeblock_vocabulary::{
-    Block, Effect, Event, FeedMode, Outcome, OutputTiming, Path, Pin, Position, Settings, Switch,
+    BlockLocation, Effect, Event, FeedMode, Outcome, OutputTiming, Path, Pin, Position, Settings,
+    Switch,
 };
 
 use crate::motion::curve::{Counted, Curve};
@@ -58,7 +59,7 @@ struct Walk {
 }
 
 impl Walk {
-    fn perform(&mut self, effect: &Effect, block: &Block) {
+    fn perform(&mut self, effect: &Effect, block: &BlockLocation) {
         match effect {
             Effect::StraightTraverse { end } => {
                 let end = self.to(*end);
@@ -129,7 +130,7 @@ impl Walk {
         (number, pin): (i32, fn(u16) -> Pin),
         value: f64,
         timing: OutputTiming,
-        block: &Block,
+        block: &BlockLocation,
     ) {
         let Ok(number) = u16::try_from(number) else { return };
         let switching = Switching { pin: pin(number), value };
@@ -147,19 +148,19 @@ impl Walk {
         frame::settled(self.here, frame::on_machine(program, &self.settings))
     }
 
-    fn feeds(&mut self, shape: Shape, block: &Block) {
+    fn feeds(&mut self, shape: Shape, block: &BlockLocation) {
         let feed = self.feed(&shape);
         self.moves(shape, feed, block);
     }
 
-    fn moves(&mut self, shape: Shape, feed: Feed, block: &Block) {
+    fn moves(&mut self, shape: Shape, feed: Feed, block: &BlockLocation) {
         let switches = std::mem::take(&mut self.waiting);
         let element = self.element(shape, feed, switches, block);
         self.here = element.end().unwrap_or(self.here);
         self.path.elements.push(element);
     }
 
-    fn stands(&mut self, shape: Shape, block: &Block) {
+    fn stands(&mut self, shape: Shape, block: &BlockLocation) {
         let element = self.element(shape, Feed::Rapid, Vec::new(), block);
         self.path.elements.push(element);
     }
@@ -169,7 +170,7 @@ impl Walk {
         shape: Shape,
         feed: Feed,
         switches: Vec<Switching>,
-        block: &Block,
+        block: &BlockLocation,
     ) -> Element {
         let on = |switch: Option<Switch>| switch == Some(Switch::On);
         let controls = Controls {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use gaugeblock_vocabulary::{Block, Program};
+use gaugeblock_vocabulary::{BlockLocation, Program};
 
 use super::labels::Labels;
 use crate::rs274::machine::State;
@@ -136,8 +136,8 @@ impl Files {
     }
 
     /// A place as it is recorded.
-    pub fn block(&self, place: Place) -> Block {
-        Block::new(self.opened[place.file].source.name.as_str(), place.line)
+    pub fn block(&self, place: Place) -> BlockLocation {
+        BlockLocation::new(self.opened[place.file].source.name.as_str(), place.line)
     }
 }
 

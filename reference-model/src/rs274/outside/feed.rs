@@ -22,14 +22,14 @@ impl Outside {
 
     /// The value that one of them had, if it is listed for that time.
     pub(super) fn feed_input_at(&self, name: &str, time: f64) -> Option<f64> {
-        let changes = self.bench.inputs.iter();
+        let changes = self.environment.inputs.iter();
         let past = changes.filter(|change| change.input == name && change.time <= time);
         past.map(|change| change.value).next_back()
     }
 
     /// When one of them changes next.
     pub fn next_change_of_feed(&self) -> Option<f64> {
-        let changes = self.bench.inputs.iter();
+        let changes = self.environment.inputs.iter();
         let later = changes
             .filter(|change| NAMES.contains(&change.input.as_str()) && change.time > self.time);
         later.map(|change| change.time).min_by(f64::total_cmp)

@@ -83,7 +83,7 @@ impl Outside {
         }
         let to_high = matches!(mode, WaitMode::High | WaitMode::Rise);
         let name = input.name();
-        let changes = self.bench.inputs.iter().filter(|change| change.input == name);
+        let changes = self.environment.inputs.iter().filter(|change| change.input == name);
         let mut changes = changes.filter(|change| change.time > self.time).peekable();
         while let Some(change) = changes.next() {
             // What lasts for no time is not seen.
@@ -102,20 +102,21 @@ impl Outside {
     /// Whether anything is connected to an input.
     pub(crate) fn is_connected(&self, input: Input) -> bool {
         let name = input.name();
-        self.wire(input).is_some() || self.bench.inputs.iter().any(|change| change.input == name)
+        self.wire(input).is_some()
+            || self.environment.inputs.iter().any(|change| change.input == name)
     }
 
     /// The output that is wired to a digital input.
     pub(super) fn wire(&self, input: Input) -> Option<Pin> {
         let Input::Digital(number) = input else { return None };
         let (output, _) =
-            self.bench.wires.iter().find(|(_, wired)| u32::from(**wired) == number)?;
+            self.environment.wires.iter().find(|(_, wired)| u32::from(**wired) == number)?;
         output.parse().ok().map(Pin::DigitalOut)
     }
 
     pub(super) fn input_at(&self, input: Input, time: f64) -> f64 {
         let name = input.name();
-        let changes = self.bench.inputs.iter();
+        let changes = self.environment.inputs.iter();
         let past = changes.filter(|change| change.input == name && change.time <= time);
         past.map(|change| change.value).next_back().unwrap_or(0.0)
     }
@@ -123,7 +124,7 @@ impl Outside {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_vocabulary::scenario::{Bench, InputChange};
+    use gaugeblock_vocabulary::scenario::{Environment, InputChange};
 
     use super::*;
     use crate::rs274::readings::Readings;
@@ -135,8 +136,8 @@ mod tests {
             input: input(),
             value: *value,
         });
-        let bench = Bench { inputs: inputs.collect(), ..Bench::default() };
-        Outside::new(&bench, 1, &Readings::default())
+        let environment = Environment { inputs: inputs.collect(), ..Environment::default() };
+        Outside::new(&environment, 1, &Readings::default())
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! The outside of the controller: its clock, its pins, and how a bench answers.
+//! The outside of the controller: its clock, its pins, and how an environment answers.
 //!
 //! Time is virtual, in seconds since the start. Only dwells and waits move it, so that a run is the same on every day.
 
@@ -12,7 +12,7 @@ pub(crate) mod stub;
 
 use std::collections::BTreeMap;
 
-use gaugeblock_vocabulary::scenario::Bench;
+use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Pin, PinChange, Shared, Sorted};
 
 use super::readings::Readings;
@@ -24,14 +24,14 @@ use probe::Probed;
 pub(crate) use probe::Wanted;
 pub(crate) use programs::Missing;
 
-/// The named bench that answers as the stand-alone interpreter's stubs do.
+/// The named environment that answers as the stand-alone interpreter's stubs do.
 const STAND_ALONE: &str = "stand-alone rs274";
 
 /// What is outside of the controller, and what it shows there.
 #[derive(Clone, Debug)]
 pub struct Outside {
     /// How inputs, encoders, the tool changer and user-defined programs answer.
-    bench: Shared<Bench>,
+    environment: Shared<Environment>,
     /// Seconds since the start.
     time: f64,
     /// The value of each pin that is not zero, or was not.
@@ -58,12 +58,12 @@ impl Outside {
     /// The outside before the first block: all outputs are off.
     ///
     /// Choice orient.brake-otherwise: whether the brake of a spindle that stands is applied.
-    pub fn new(bench: &Bench, spindles: usize, readings: &Readings) -> Self {
+    pub fn new(environment: &Environment, spindles: usize, readings: &Readings) -> Self {
         let braked = readings.is("orient.brake-otherwise", "while-standing");
         let brakes = (0..if braked { spindles } else { 0 })
             .filter_map(|spindle| Some((Pin::SpindleBrake(u16::try_from(spindle).ok()?), 1.0)));
         let mut outside = Self {
-            bench: bench.clone().into(),
+            environment: environment.clone().into(),
             time: 0.0,
             levels: brakes.collect(),
             changes: Shared::default(),
@@ -81,7 +81,7 @@ impl Outside {
 
     /// Whether everything outside answers as the stand-alone interpreter's stubs do.
     pub fn is_stand_alone(&self) -> bool {
-        self.bench.name.as_deref() == Some(STAND_ALONE)
+        self.environment.name.as_deref() == Some(STAND_ALONE)
     }
 
     /// Seconds since the start.
@@ -91,12 +91,12 @@ impl Outside {
 
     /// Seconds that the tool changer takes.
     pub fn tool_change_time(&self) -> f64 {
-        self.bench.tool_change_time.max(0.0)
+        self.environment.tool_change_time.max(0.0)
     }
 
     /// Whether a person changes the tools, asked by a prompt.
     pub fn tools_are_changed_by_hand(&self) -> bool {
-        self.bench.manual_tool_change
+        self.environment.manual_tool_change
     }
 
     /// Lets time go by.

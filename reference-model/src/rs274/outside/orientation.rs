@@ -27,7 +27,7 @@ impl Outside {
     /// A spindle begins to turn to an angle. An encoder of which nothing is said answers at once.
     pub(crate) fn begin_orientation(&mut self, spindle: usize) {
         let at_once = OrientAnswer::After(0.0);
-        let answer = self.bench.orient.get(spindle).copied();
+        let answer = self.environment.orient.get(spindle).copied();
         let answer = answer.filter(|_| !self.is_stand_alone()).unwrap_or(at_once);
         let orientation = Orientation { begun: self.time, answer };
         self.orienting.insert(spindle, orientation);
@@ -36,8 +36,8 @@ impl Outside {
 
     /// What is only read ahead waits for no encoder, and executes no program that could fail.
     pub(crate) fn answers_at_once(&mut self) {
-        self.bench.orient.clear();
-        for program in &mut self.bench.user_programs {
+        self.environment.orient.clear();
+        for program in &mut self.environment.user_programs {
             program.exit_status = 0;
         }
     }

@@ -34,7 +34,7 @@ impl Outside {
         let touching = match self.probed.filter(here) {
             Some(probed) => probed.touching,
             None => {
-                matches!(self.bench.probe, Some(ProbeContact::At(point)) if apart(point, at) < SAME)
+                matches!(self.environment.probe, Some(ProbeContact::At(point)) if apart(point, at) < SAME)
             }
         };
         touching == (wanted == Wanted::Touching)
@@ -45,7 +45,7 @@ impl Outside {
         if self.is_stand_alone() {
             return Some(to);
         }
-        match self.bench.probe {
+        match self.environment.probe {
             Some(ProbeContact::AtTarget) => Some(to),
             Some(ProbeContact::At(point)) => on_the_way(point, from, to),
             Some(ProbeContact::Never) | None => None,

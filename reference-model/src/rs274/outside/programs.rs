@@ -34,7 +34,7 @@ impl Outside {
         code: u32,
         with_search_path: bool,
     ) -> Result<&UserProgram, Missing> {
-        let files = &self.bench.user_programs;
+        let files = &self.environment.user_programs;
         let folders: &[Folder] = if with_search_path {
             &[Folder::ProgramPrefix, Folder::SearchPath]
         } else {

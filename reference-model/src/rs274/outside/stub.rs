@@ -175,10 +175,11 @@ mod tests {
     fn end_behind_spline(then: &str, rounding: Rounding) -> End {
         let text = format!("f1\ng5 i0 j0 p0 q0 y0\n{then}\nm2\n");
         let name = Some("stand-alone rs274".to_owned());
-        let bench = gaugeblock_vocabulary::scenario::Bench { name, ..Default::default() };
+        let environment =
+            gaugeblock_vocabulary::scenario::Environment { name, ..Default::default() };
         let moves_nowhere = ("rs274.probe-same-point".into(), "observed".into());
         let small_radius = ("arcs.radius-just-too-small".into(), "half-circle".into());
         let options = Options([moves_nowhere, small_radius].into());
-        crate::run_rounded(&Scenario { bench, options, ..Scenario::of(text) }, rounding).0.end
+        crate::run_rounded(&Scenario { environment, options, ..Scenario::of(text) }, rounding).0.end
     }
 }

@@ -24,8 +24,8 @@ mod wait;
 
 use gaugeblock_vocabulary::scenario::{Action, Start};
 use gaugeblock_vocabulary::{
-    Block, Bound, ControllerMode, End, Fault, Indexed, Language, Options, Outcome, Plane, Program,
-    Scenario, Settings, Shared,
+    BlockLocation, Bound, ControllerMode, End, Fault, Indexed, Language, Options, Outcome, Plane,
+    Program, Scenario, Settings, Shared,
 };
 
 pub use pins::Shown;
@@ -126,7 +126,7 @@ fn start(
     if scenario.program.start == Start::Mdi {
         modes.controller_mode = ControllerMode::Mdi;
     }
-    let outside = Outside::new(&scenario.bench, modes.spindles.len(), &readings);
+    let outside = Outside::new(&scenario.environment, modes.spindles.len(), &readings);
     let tool = in_pocket_zero(&machine);
     State {
         position: settings::start(&modes, &readings),
@@ -163,7 +163,7 @@ fn not_begun(what: String) -> Outcome {
         language: Language::Rs274,
         start: Settings::default(),
         steps: Vec::new(),
-        end: End::Unsupported { block: Block::new(Program::MAIN, 1), what },
+        end: End::Unsupported { block: BlockLocation::new(Program::MAIN, 1), what },
         parameters: None,
         pins: Vec::new(),
         samples: Vec::new(),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_vocabulary::Block;
+use gaugeblock_vocabulary::BlockLocation;
 use gaugeblock_vocabulary::scenario::{Action, OperatorEvent};
 
 /// The events of a scenario, each taken once.
@@ -10,7 +10,7 @@ use gaugeblock_vocabulary::scenario::{Action, OperatorEvent};
 pub(super) struct Operator<'a> {
     events: Vec<Event<'a>>,
     /// How often each block that an event names was begun.
-    executions: BTreeMap<&'a Block, u32>,
+    executions: BTreeMap<&'a BlockLocation, u32>,
 }
 
 #[derive(Debug)]
@@ -43,7 +43,7 @@ impl<'a> Operator<'a> {
     }
 
     /// An execution of a block begins: the events that name it get their time.
-    pub(super) fn begins(&mut self, block: &Block, now: f64) {
+    pub(super) fn begins(&mut self, block: &BlockLocation, now: f64) {
         let Some(execution) = self.executions.get_mut(block) else { return };
         *execution += 1;
         for waiting in &mut self.events {
@@ -94,7 +94,7 @@ mod tests {
     use super::*;
 
     fn event(line: u32, execution: u32, offset: f64, action: Action) -> OperatorEvent {
-        let block = Block::new("main.ngc", line);
+        let block = BlockLocation::new("main.ngc", line);
         OperatorEvent { when: When { block, execution, offset }, action }
     }
 
@@ -110,11 +110,11 @@ mod tests {
         let places = |operator: &mut Operator<'_>, until| {
             std::iter::from_fn(|| operator.next(until).map(|h| h.place)).collect::<Vec<_>>()
         };
-        operator.begins(&Block::new("main.ngc", 1), 0.0);
+        operator.begins(&BlockLocation::new("main.ngc", 1), 0.0);
         assert!(places(&mut operator, f64::INFINITY).is_empty());
-        operator.begins(&Block::new("main.ngc", 2), 1.0);
+        operator.begins(&BlockLocation::new("main.ngc", 2), 1.0);
         assert_eq!(places(&mut operator, 1.2), [1, 3]);
-        operator.begins(&Block::new("main.ngc", 1), 2.0);
+        operator.begins(&BlockLocation::new("main.ngc", 1), 2.0);
         assert_eq!(places(&mut operator, f64::INFINITY), [0, 2]);
         assert!(operator.is_done());
     }

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::scenario::Budget;
 use gaugeblock_vocabulary::{
-    Block, Effect, End, Event, Indexed, Language, Outcome, PinChange, Rs274State, Settings, Step,
+    BlockLocation, Effect, End, Event, Indexed, Language, Outcome, PinChange, Rs274State, Settings,
+    Step,
 };
 
 use super::moves::{Begins, Watch, Why};
@@ -231,7 +232,7 @@ impl Record {
     }
 
     /// The block that is being executed, if there is one, stands, and the run with it; no state is recorded after it.
-    pub fn stands(&mut self, block: Block, state: &State) {
+    pub fn stands(&mut self, block: BlockLocation, state: &State) {
         if self.in_block {
             self.step_without_state(block, state);
         }
@@ -239,7 +240,7 @@ impl Record {
 
     /// The block that is being executed, if there is one, is broken off. What it did itself is not recorded, as with
     /// one that is refused; what the controller refused meanwhile is, and what was set and stays so.
-    pub fn broken_off(&mut self, block: Block, state: &State) {
+    pub fn broken_off(&mut self, block: BlockLocation, state: &State) {
         if !self.in_block {
             return;
         }
@@ -310,7 +311,7 @@ impl Record {
     }
 
     /// The end of a block after which the state is recorded.
-    pub fn step(&mut self, block: Block, state: &mut State) {
+    pub fn step(&mut self, block: BlockLocation, state: &mut State) {
         self.settings(state);
         let mut names = state.parameters.take_written();
         if std::mem::take(&mut self.elsewhere) {
@@ -361,7 +362,7 @@ impl Record {
     }
 
     /// The end of a block after which no state is recorded: O-words, M98, M99.
-    pub fn step_without_state(&mut self, block: Block, state: &State) {
+    pub fn step_without_state(&mut self, block: BlockLocation, state: &State) {
         self.settings(state);
         let events = std::mem::take(&mut self.events);
         self.in_block = false;

@@ -1,6 +1,6 @@
 //! What the operator does while a block begins, waits or stands, and while the program pauses.
 
-use gaugeblock_vocabulary::{Block, End};
+use gaugeblock_vocabulary::{BlockLocation, End};
 
 use super::Run;
 use super::request::{Activity, Answer, By};
@@ -10,7 +10,7 @@ use crate::rs274::refusal::Halt;
 
 impl Run<'_> {
     /// A block begins: what the operator does at that moment comes before the block.
-    pub(super) fn begins(&mut self, block: &Block) -> Result<(), Halt> {
+    pub(super) fn begins(&mut self, block: &BlockLocation) -> Result<(), Halt> {
         self.record.begin();
         self.waits_for_machine = false;
         self.at_block = None;

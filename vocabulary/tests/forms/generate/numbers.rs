@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Debug;
 
-use gaugeblock_vocabulary::{Block, Indexed, Position, Span};
+use gaugeblock_vocabulary::{BlockLocation, Indexed, Position, Span};
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
 
@@ -47,9 +47,9 @@ pub(crate) fn position() -> BoxedStrategy<Position> {
     proptest::array::uniform9(coordinate).prop_map(Position::from).boxed()
 }
 
-pub(crate) fn block() -> BoxedStrategy<Block> {
+pub(crate) fn block() -> BoxedStrategy<BlockLocation> {
     let file = prop_oneof![Just("main.ngc".to_owned()), text()];
-    whole!(Block { file: file.prop_map(Into::into), line: any::<u32>() })
+    whole!(BlockLocation { file: file.prop_map(Into::into), line: any::<u32>() })
 }
 
 pub(crate) fn span() -> BoxedStrategy<Span> {

@@ -1,7 +1,7 @@
-//! Generators for scenarios: program, options, machine, bench, operator, budget.
+//! Generators for scenarios: program, options, machine, environment, operator, budget.
 
 use gaugeblock_vocabulary::scenario::{
-    Action, AxisLimits, Bench, Budget, Folder, InputChange, OperatorEvent, OrientAnswer,
+    Action, AxisLimits, Budget, Environment, Folder, InputChange, OperatorEvent, OrientAnswer,
     ProbeContact, Start, ToolChange, UserProgram, When,
 };
 use gaugeblock_vocabulary::{
@@ -20,7 +20,7 @@ pub(crate) fn scenario() -> BoxedStrategy<Scenario> {
         program: program(),
         options: named(text()).prop_map(|options| Options(options.into())),
         machine: machine(),
-        bench: bench(),
+        environment: environment(),
         operator: vec(operator_event(), 0..3),
         budget: budget(),
     })
@@ -110,8 +110,8 @@ fn tool() -> BoxedStrategy<Tool> {
     })
 }
 
-fn bench() -> BoxedStrategy<Bench> {
-    whole!(Bench {
+fn environment() -> BoxedStrategy<Environment> {
+    whole!(Environment {
         name: option::of(text()),
         wires: named(any::<u16>()),
         inputs: vec(input_change(), 0..3),

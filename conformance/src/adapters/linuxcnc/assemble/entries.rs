@@ -3,7 +3,7 @@
 //! The driver shows what is in force before such a block and after it: the first probe ends what came before, the
 //! program's end among it.
 
-use gaugeblock_vocabulary::Block;
+use gaugeblock_vocabulary::BlockLocation;
 use serde_json::Value;
 
 use super::{Assembly, is_end};
@@ -25,8 +25,8 @@ pub(super) enum Entering {
 }
 
 /// The block of this number among those that are entered.
-pub(super) fn block(line: u32) -> Block {
-    Block::new(FILE, line)
+pub(super) fn block(line: u32) -> BlockLocation {
+    BlockLocation::new(FILE, line)
 }
 
 impl Assembly<'_> {

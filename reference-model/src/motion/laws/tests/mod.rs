@@ -14,7 +14,7 @@ use gaugeblock_vocabulary::motion::{
     PathMode, ProgrammedPath, Samples, Shape, Switching,
 };
 use gaugeblock_vocabulary::scenario::AxisLimits;
-use gaugeblock_vocabulary::{Axis, Block, Pin, Position};
+use gaugeblock_vocabulary::{Axis, BlockLocation, Pin, Position};
 
 use super::{Judgement, Law, Verdict, judge};
 use crate::motion::vector::{Nine, distance, minus, plus};
@@ -41,7 +41,7 @@ fn within(tolerance: f64) -> PathMode {
 /// A path from the origin, line by line of a program.
 fn path(mode: PathMode, feed: Feed, shapes: Vec<Shape>) -> ProgrammedPath {
     let element = |(line, shape): (u32, Shape)| {
-        let block = Block::new("main.ngc", line);
+        let block = BlockLocation::new("main.ngc", line);
         Element { block, shape, feed, mode, controls: Controls::default(), switches: Vec::new() }
     };
     let elements = (1..).zip(shapes).map(element).collect();

@@ -9,7 +9,7 @@ fn messages(comment: &str, state: &mut State) -> Vec<String> {
     let comment =
         Comment { text: comment.to_owned(), semicolon: false, span: Span { start: 0, end: 0 } };
     perform(&comment, state, &mut record).expect("no error");
-    record.step_without_state(gaugeblock_vocabulary::Block::new("main.ngc", 1), state);
+    record.step_without_state(gaugeblock_vocabulary::BlockLocation::new("main.ngc", 1), state);
     let outcome =
         record.finish(End::ProgramEnd, gaugeblock_vocabulary::Indexed::default(), Vec::new());
     let events = outcome.steps.into_iter().flat_map(|step| step.events);

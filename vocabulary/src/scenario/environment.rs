@@ -1,4 +1,4 @@
-//! The bench: how the outside answers.
+//! The environment: how the outside answers.
 
 use std::collections::BTreeMap;
 
@@ -10,8 +10,8 @@ use crate::position::Position;
 /// How the outside of a controller answers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub struct Bench {
-    /// A named bench. `stand-alone rs274` answers as that program's stubs do, whatever is said below; `whole
+pub struct Environment {
+    /// A named environment. `stand-alone rs274` answers as that program's stubs do, whatever is said below; `whole
     /// controller` answers as said below, and stands where an edition would else name its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
