@@ -208,8 +208,7 @@ impl Interpreter {
         Room(Some((numbered, self.readings)))
     }
 
-    /// Whether blocks that begin with a slash are skipped; they are not unless this is called before the program
-    /// begins.
+    /// Sets whether blocks that begin with a slash are skipped, for the next program; the default is no.
     pub fn set_block_delete(&mut self, skipped: bool) {
         self.packer.block_delete = skipped;
     }

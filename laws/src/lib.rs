@@ -1,0 +1,6 @@
+//! What the laws of this repository need to know of it: its crates, as cargo sees them, and its files.
+//!
+//! The laws themselves are the tests of this crate (`tests/laws`).
+
+pub mod files;
+pub mod workspace;

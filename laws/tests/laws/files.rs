@@ -1,0 +1,48 @@
+//! What each file of the repository has and has not.
+
+use gaugeblock_laws::files::{below, lines_with, sources};
+
+use crate::holds;
+
+/// A longer file is split by meaning.
+const LINES_MAX: usize = 500;
+
+#[test]
+fn no_source_file_is_longer_than_500_lines() {
+    let long = sources("").into_iter().map(|(path, text)| (path, text.lines().count()));
+    let long: Vec<_> = long
+        .filter(|(_, lines)| *lines > LINES_MAX)
+        .map(|(path, lines)| format!("{path}: {lines}"))
+        .collect();
+    holds("a source file has 500 lines at most", &long);
+}
+
+#[test]
+fn no_test_is_ignored() {
+    let ignored = [concat!("#[", "ignore"), concat!(", ", "ignore)")];
+    holds("every test runs", &lines_with(&sources(""), &ignored));
+}
+
+/// `clippy.toml` sets the longest function, and no exception is granted.
+#[test]
+fn no_function_is_excused_from_its_greatest_length() {
+    let excused = [concat!("clippy::", "too_many_lines")];
+    holds("a function has 80 lines at most", &lines_with(&sources(""), &excused));
+    let clippy = below("")["clippy.toml"].clone();
+    assert!(
+        clippy.contains("too-many-lines-threshold = 80"),
+        "clippy.toml allows longer functions"
+    );
+}
+
+/// A path that exists on one machine helps on no other.
+#[test]
+fn no_file_names_a_place_on_some_machine() {
+    let homes = [
+        concat!("/wo", "rk/"),
+        concat!("/ro", "ot/"),
+        concat!("/ho", "me/"),
+        concat!("/Us", "ers/"),
+    ];
+    holds("files name places within the repository alone", &lines_with(&below(""), &homes));
+}

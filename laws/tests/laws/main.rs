@@ -1,0 +1,13 @@
+//! Laws of the repository: what the design promises about its crates and files, a test each.
+
+mod crates;
+mod files;
+mod ids;
+mod independence;
+mod licences;
+
+/// Fails with the list of exceptions to a law, when there are any.
+#[track_caller]
+fn holds(law: &str, exceptions: &[String]) {
+    assert!(exceptions.is_empty(), "{law}, but:\n  {}", exceptions.join("\n  "));
+}
