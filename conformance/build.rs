@@ -1,4 +1,4 @@
-//! Builds the suite into the program, anew whenever a page changes, and the library that has a controller fork.
+//! Builds the library that has a controller fork.
 
 use std::path::Path;
 use std::{env, fs};
@@ -7,7 +7,6 @@ use std::{env, fs};
 const FORK_SERVER: &str = "src/adapters/rs274/fork/server.c";
 
 fn main() {
-    println!("cargo::rerun-if-changed=suite");
     println!("cargo::rerun-if-changed={FORK_SERVER}");
     let folder = env::var_os("OUT_DIR").expect("cargo names a folder for what is built");
     let library = Path::new(&folder).join("fork-server.so");

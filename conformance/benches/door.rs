@@ -22,9 +22,9 @@ use std::time::Duration;
 use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
-use gaugeblock::certify::{Plan, certify, scenario_of};
+use gaugeblock::certify::{Plan, certify};
 use gaugeblock::protocol::{Answer, Operation, Reply, Request, Ways};
-use gaugeblock::suite::{Edition, Suite, files};
+use gaugeblock_suite::{Edition, Suite, scenario_of};
 use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 use mimalloc::MiMalloc;
 use serde_json::Value;
@@ -43,8 +43,8 @@ fn main() -> Result<()> {
     if env::args().nth(1).as_deref() == Some("echo") {
         return echo();
     }
-    let suite =
-        Suite::read(&files::built_in()).map_err(|errors| Error::other(errors.join("\n")))?;
+    let suite = Suite::read(&gaugeblock_embedded_suite::files().map_err(Error::other)?)
+        .map_err(|errors| Error::other(errors.join("\n")))?;
     let edition = suite.edition("linuxcnc-2.9").ok_or_else(|| Error::other("no edition"))?;
     let production = Production::default();
     let command = format!("{} serve production", env!("CARGO_BIN_EXE_gaugeblock"));
@@ -102,7 +102,7 @@ fn campaigns(
     (production, behind): (&Production, &Exec),
     beside: &Beside,
 ) -> Result<Least> {
-    let suite = Suite::read(&files::built_in());
+    let suite = Suite::read(&gaugeblock_embedded_suite::files().map_err(Error::other)?);
     let mut suite = suite.map_err(|errors| Error::other(errors.join("\n")))?;
     suite.rules.iter_mut().for_each(|rule| rule.motion.clear());
     let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };

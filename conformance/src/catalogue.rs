@@ -2,13 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use gaugeblock_suite::{
+    Case, Edition, MotionCase, MotionChoice, MotionChoiceOption, Rule, RuleOutcome, Suite,
+    scenario_of,
+};
 use gaugeblock_vocabulary::{Outcome, Undetermined};
 
-use crate::certify::scenario_of;
 use crate::motion;
-use crate::suite::{
-    Case, Edition, MotionCase, MotionChoice, MotionChoiceOption, Rule, RuleOutcome, Suite,
-};
 
 /// The editions in which a case runs, the default edition first.
 pub fn editions_of<'a>(suite: &'a Suite, rule: &Rule, case: &Case) -> Vec<&'a Edition> {
@@ -18,7 +18,7 @@ pub fn editions_of<'a>(suite: &'a Suite, rule: &Rule, case: &Case) -> Vec<&'a Ed
             && (case.editions.is_empty() || case.editions.contains(&edition.id))
     };
     let mut editions: Vec<_> = suite.editions.iter().filter(runs).collect();
-    editions.sort_by_key(|edition| edition.id != crate::suite::DEFAULT_EDITION);
+    editions.sort_by_key(|edition| edition.id != gaugeblock_suite::DEFAULT_EDITION);
     editions
 }
 
@@ -86,7 +86,7 @@ pub fn faults(suite: &Suite) -> Vec<String> {
 
 /// Why the laws do not say of a recorded case what its page says.
 fn motion_fault(suite: &Suite, rule: &Rule, case: &MotionCase) -> Option<String> {
-    let edition = suite.edition(crate::suite::DEFAULT_EDITION)?;
+    let edition = suite.edition(gaugeblock_suite::DEFAULT_EDITION)?;
     let readings = suite.motion_options(edition);
     let found = judged(suite, edition, &rule.id, case, &readings).err()?;
     Some(format!("{} / {}: {found}", rule.id, case.name))
@@ -94,7 +94,7 @@ fn motion_fault(suite: &Suite, rule: &Rule, case: &MotionCase) -> Option<String>
 
 /// The options of a choice of motion whose sayings hold if the laws read the documents by one of them.
 fn options_shown<'a>(suite: &Suite, choice: &'a MotionChoice, under: &str) -> Vec<&'a str> {
-    let Some(edition) = suite.edition(crate::suite::DEFAULT_EDITION) else { return Vec::new() };
+    let Some(edition) = suite.edition(gaugeblock_suite::DEFAULT_EDITION) else { return Vec::new() };
     let mut readings = suite.motion_options(edition);
     readings.insert(choice.id.clone(), under.to_owned());
     let holds = |option: &&MotionChoiceOption| {

@@ -1,12 +1,11 @@
 //! Which quirks, or other readings of the documents, a departure comes to.
 
+use gaugeblock_suite::{Case, Choice, ChoiceKind, Rule, Suite, scenario_of};
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 use crate::adapters::Adapter;
-use crate::certify::scenario_of;
 use crate::compare::compare;
 use crate::observe::Observed;
-use crate::suite::{Case, Choice, ChoiceKind, Rule, Suite};
 
 /// An option of a choice or quirk that is not the one in force.
 #[derive(Clone, Copy, Debug)]

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_suite::{Choice, Suite};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Options};
 use schemars::JsonSchema;
@@ -10,7 +11,6 @@ use serde::{Deserialize, Serialize};
 use crate::adapters::Adapter;
 use crate::judge::{Finding, judge};
 use crate::observe::Observed;
-use crate::suite::{Choice, Suite};
 
 /// What a controller shows of a choice.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

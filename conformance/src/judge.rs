@@ -1,11 +1,11 @@
 //! Assertions held against what was observed.
 
+use gaugeblock_suite::assertion::{Assertion, Claim, Expected, Place, is_accepted};
 use gaugeblock_vocabulary::{Channel, Effect, End, Entry, Pin, Position, Settings, State, Value};
 
 use crate::adapters::Capabilities;
 use crate::compare::{end_text, pin_values, pins, rounded, tolerance};
 use crate::observe::{Observed, ObservedEffect, ObservedStep, end_of, is_in_place, value_of};
-use crate::suite::assertion::{Assertion, Claim, Expected, Place, is_accepted};
 
 /// What an assertion comes to.
 #[derive(Clone, Debug, PartialEq, Eq)]

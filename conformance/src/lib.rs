@@ -1,6 +1,6 @@
 //! The referee: holds a controller to the documents, rule by rule.
 //!
-//! Data flows one way: the [`suite`] gives scenarios, an [adapter](adapters) runs each on a controller, the reference
+//! Data flows one way: the [suite](gaugeblock_suite) gives scenarios, an [adapter](adapters) runs each on a controller, the reference
 //! model runs it too, both outcomes are [folded](observe) and [compared](mod@compare), assertions are
 //! [judged](judge), and [`certify`] makes a verdict of it, which a [`report`] shows and [`expectations`] hold against
 //! what is known.
@@ -26,5 +26,4 @@ pub mod protocol;
 pub mod report;
 pub mod rs274;
 pub mod shard;
-pub mod suite;
 pub mod waivers;

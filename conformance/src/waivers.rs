@@ -3,11 +3,11 @@
 use std::fmt;
 use std::str::FromStr;
 
+use gaugeblock_suite::Suite;
 use serde::{Deserialize, Serialize};
 
 use crate::certify::Run;
 use crate::expectations::Trouble;
-use crate::suite::Suite;
 
 /// A day of the calendar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]

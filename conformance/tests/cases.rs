@@ -2,15 +2,16 @@
 
 use gaugeblock::adapters::reference::Reference;
 use gaugeblock::certify::{Plan, Verdict, certify};
-use gaugeblock::suite::{Suite, files};
+use gaugeblock_suite::Suite;
 use libtest_mimic::{Arguments, Failed, Trial};
 
 fn main() {
     let arguments = Arguments::from_args();
-    let suite: &'static Suite = match Suite::read(&files::built_in()) {
-        Ok(suite) => Box::leak(Box::new(suite)),
-        Err(errors) => panic!("{}", errors.join("\n")),
-    };
+    let suite: &'static Suite =
+        match Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")) {
+            Ok(suite) => Box::leak(Box::new(suite)),
+            Err(errors) => panic!("{}", errors.join("\n")),
+        };
     let trials = suite
         .editions
         .iter()

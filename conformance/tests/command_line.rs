@@ -202,7 +202,7 @@ fn a_ledger_that_names_no_page_is_told_with_its_line() {
     let here = folder("deleted-page");
     let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("suite");
     let gone = "coolant/off.toml";
-    for (path, text) in gaugeblock::suite::files::of_folder(&suite).expect("the suite") {
+    for (path, text) in gaugeblock_suite::files::of_folder(&suite).expect("the suite") {
         let file = here.join(&path);
         std::fs::create_dir_all(file.parent().expect("a folder")).expect("a folder");
         let _absent = std::fs::remove_file(&file);

@@ -11,7 +11,7 @@ use std::time::Duration;
 use gaugeblock::adapters::Adapter;
 use gaugeblock::adapters::linuxcnc::LinuxCnc;
 use gaugeblock::certify::{Plan, Verdict, certify};
-use gaugeblock::suite::{Suite, files};
+use gaugeblock_suite::Suite;
 
 /// The command, unless the controller cannot be used here.
 fn gaugeblock(left_out: &str, arguments: &[&str]) -> Option<Command> {
@@ -140,7 +140,8 @@ fn it_does_what_is_known_of_it() {
 
 /// The cases that `hostile.txt` names, and none else.
 fn hostile() -> Suite {
-    let mut suite = Suite::read(&files::built_in()).expect("the suite that is built in");
+    let mut suite = Suite::read(&gaugeblock_embedded_suite::files().expect("the suite"))
+        .expect("the suite that is built in");
     let text = include_str!("hostile.txt");
     let listed = text.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
     let mut listed: Vec<(&str, &str)> =

@@ -14,7 +14,7 @@ use common::gaugeblock;
 use gaugeblock::adapters::exec::Exec;
 use gaugeblock::adapters::{Adapter, Motion, NotMoved};
 use gaugeblock::certify::{Twice, Verdict};
-use gaugeblock::suite::{Suite, files};
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 
@@ -41,7 +41,8 @@ fn came_to(verdict: &Verdict, reason: &str) -> bool {
 
 #[test]
 fn whatever_is_offered_the_other_verdicts_stand() {
-    let suite = Suite::read(&files::built_in()).expect("the suite");
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let start = |command: &str| {
         Exec::start(command, limits()).unwrap_or_else(|error| panic!("{command}: {error}"))
     };
@@ -81,7 +82,8 @@ fn whatever_is_offered_the_other_verdicts_stand() {
 /// A cancelled run costs no new session, but the one in which it is run again alone: each one leaves a mark in a file.
 #[test]
 fn a_session_goes_on_after_a_cancelled_run() {
-    let suite = Suite::read(&files::built_in()).expect("the suite");
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let count = file("sessions", "");
     let does = "assert lines.get()['op'] == 'cancel'; say(request['id'] + 1, done={}); return True";
     for (offers, does, sessions) in

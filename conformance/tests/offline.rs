@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use common::gaugeblock;
 use gaugeblock::adapters::rs274::Rs274;
 use gaugeblock::offline::Manifest;
-use gaugeblock::suite::{Suite, files};
+use gaugeblock_suite::Suite;
 use serde_json::Value;
 
 /// A profile with programs that are refused, show messages, set variables and move.
@@ -124,7 +124,8 @@ fn rs274_gets_the_same_verdicts_on_paper() {
 
 #[test]
 fn nothing_that_is_expected_is_exported() {
-    let suite = Suite::read(&files::built_in()).expect("the suite");
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let folder = campaign("blind", PROFILE);
     let mut names: Vec<&str> = Vec::new();
     for rule in suite.rules.iter().filter(|rule| rule.profile == PROFILE) {

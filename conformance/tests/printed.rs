@@ -13,8 +13,7 @@ use gaugeblock::adapters::Adapter;
 use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::reference::Reference;
 use gaugeblock::adapters::rs274::Rs274;
-use gaugeblock::certify::scenario_of;
-use gaugeblock::suite::{Edition, Suite, files};
+use gaugeblock_suite::{Edition, Suite, scenario_of};
 use gaugeblock_vocabulary::{End, LengthUnit, Machine, Options, Scenario};
 
 const PROGRAMS: &str = include_str!("printed_programs.txt");
@@ -292,7 +291,8 @@ fn documented(scenario: &Scenario, options: &Options) -> Scenario {
 #[test]
 fn cases_of_the_suite_are_printed_as_by_rs274() {
     let Some(rs274) = installed("printing of the suite's cases") else { return };
-    let suite = Suite::read(&files::built_in()).expect("the suite");
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let edition = suite.edition("rs274-2.9-observed").expect("the edition of what is printed");
     let observed = suite.options(edition);
     let mut plain = observed.clone();

@@ -7,13 +7,14 @@ use gaugeblock::adapters::Adapter;
 use gaugeblock::adapters::production::Production;
 use gaugeblock::certify::{Plan, Run, Verdict, certify};
 use gaugeblock::fingerprint::{Shown, shown};
-use gaugeblock::suite::{ChoiceKind, Edition, Suite, files};
+use gaugeblock_suite::{ChoiceKind, Edition, Suite};
 
 /// Why cases are unsupported: they are about what another controller only stubs.
 const OTHERS: &[&str] = &["the environment \"stand-alone rs274\" is another controller's"];
 
 fn suite() -> Suite {
-    Suite::read(&files::built_in()).unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
+    Suite::read(&gaugeblock_embedded_suite::files().expect("the suite"))
+        .unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
 }
 
 /// Editions of documents, not of what a real controller does.

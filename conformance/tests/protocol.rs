@@ -13,7 +13,7 @@ use common::gaugeblock;
 use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::certify::{Twice, Verdict};
 use gaugeblock::protocol::{Answer, Request};
-use gaugeblock::suite::{Suite, files};
+use gaugeblock_suite::Suite;
 
 const PAGE: &str = include_str!("../adapters/PROTOCOL.md");
 const TEMPLATE_C: &str = include_str!("../adapters/template.c");
@@ -112,7 +112,8 @@ fn is_right((verdict, alone): &(Verdict, bool), expected: &str) -> bool {
 
 /// Runs the behaviours of a list: each gets its verdict, and the others theirs.
 fn each_gets_its_verdict(list: &'static str, twice: Twice) {
-    let suite = Suite::read(&files::built_in()).expect("the suite");
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let (plain, usual) = verdicts_of(&changed("well-behaved.py", &[]), &suite, twice, 20);
     assert_eq!(plain, (Verdict::Pass, false));
     assert!(usual.iter().filter(|verdict| **verdict == Verdict::Pass).count() >= 3);

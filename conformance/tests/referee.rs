@@ -13,8 +13,8 @@ use gaugeblock::observe::Observed;
 use gaugeblock::report::merge::Stored;
 use gaugeblock::report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock::shard::Shard;
-use gaugeblock::suite::{Suite, files};
 use gaugeblock::waivers::Waivers;
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{BlockLocation, Effect, End, Event, Outcome, Program, Scenario};
 
 /// The model with one fault planted.
@@ -39,7 +39,8 @@ impl Adapter for Faulty {
 }
 
 fn suite() -> Suite {
-    Suite::read(&files::built_in()).unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
+    Suite::read(&gaugeblock_embedded_suite::files().expect("the suite"))
+        .unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
 }
 
 fn run<'a>(suite: &'a Suite, controller: &dyn Adapter, only: &'a [String], jobs: usize) -> Run<'a> {

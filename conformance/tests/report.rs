@@ -15,7 +15,7 @@ use gaugeblock::report::merge::Stored;
 use gaugeblock::report::stored::StoredCase;
 use gaugeblock::report::{Header, Report, html, json, junit, markdown, terminal};
 use gaugeblock::shard::Shard;
-use gaugeblock::suite::{Suite, files};
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{Channel, Effect, End, Event, Outcome, Scenario};
 use serde_json::Value;
 
@@ -68,7 +68,8 @@ fn crashes(_: Outcome) -> Result<Outcome, HarnessError> {
 }
 
 fn suite() -> Suite {
-    Suite::read(&files::built_in()).unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
+    Suite::read(&gaugeblock_embedded_suite::files().expect("the suite"))
+        .unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
 }
 
 fn folder(name: &str) -> PathBuf {

@@ -4,7 +4,7 @@ use std::io::Write as _;
 use std::process::{Command, Output};
 
 use gaugeblock::adapters::rs274::Rs274;
-use gaugeblock::suite::{Suite, files};
+use gaugeblock_suite::Suite;
 
 const EXPECTATIONS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/expectations/rs274-2.9.toml");
 
@@ -61,7 +61,8 @@ fn without_expectations_its_departures_are_told_with_document_and_program() {
 #[test]
 fn one_entry_less_or_one_too_many_is_named() {
     let text = std::fs::read_to_string(EXPECTATIONS).expect("the file of expectations");
-    let suite = Suite::read(&files::built_in()).expect("the suite");
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let mut listed: gaugeblock::expectations::Expectations =
         gaugeblock::expectations::Expectations::read(&text).expect("readable");
     let place =

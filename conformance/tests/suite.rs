@@ -5,10 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use gaugeblock::adapters::reference::Reference;
 use gaugeblock::catalogue;
 use gaugeblock::fingerprint::{Shown, fingerprint};
-use gaugeblock::suite::{ChoiceKind, Suite, files};
+use gaugeblock_suite::{ChoiceKind, Suite};
 
 fn suite() -> Suite {
-    Suite::read(&files::built_in()).unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
+    Suite::read(&gaugeblock_embedded_suite::files().expect("the suite"))
+        .unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
 }
 
 #[test]

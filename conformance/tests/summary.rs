@@ -8,7 +8,7 @@ use gaugeblock::expectations::Trouble;
 use gaugeblock::report::markdown::markdown;
 use gaugeblock::report::{Header, Report};
 use gaugeblock::shard::Shard;
-use gaugeblock::suite::{Suite, files};
+use gaugeblock_suite::Suite;
 
 /// Most characters of a comment on GitHub.
 const MOST: usize = 60_000;
@@ -63,7 +63,8 @@ fn without_spans(line: &str) -> String {
 
 /// The page of a run in which every case does what one of the hostile texts says.
 fn page(only: &str, change: &dyn Fn(usize, &str) -> Verdict) -> String {
-    let suite = Suite::read(&files::built_in()).expect("the suite");
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let edition = suite.edition("linuxcnc-2.9").expect("the suite");
     let only = [only.to_owned()];
     let plan = Plan { suite: &suite, edition, only: &only, jobs: NonZero::<usize>::MIN };

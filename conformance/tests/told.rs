@@ -6,7 +6,7 @@ use std::path::Path;
 
 use common::gaugeblock;
 use gaugeblock::protocol::{Operation, Request};
-use gaugeblock::suite::{Suite, files};
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::scenario::{Budget, Environment};
 
@@ -36,7 +36,8 @@ fn asked(edition: &str, only: &str) -> Vec<(Scenario, usize)> {
 
 #[test]
 fn what_has_its_default_is_left_out() {
-    let suite = Suite::read(&files::built_in()).expect("the suite");
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let defaults = suite.defaults();
     for edition in ["linuxcnc-2.8", "emc2-2.5"] {
         let held_to = suite.options(suite.edition(edition).expect("the edition"));

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use gaugeblock::adapters::reference::Reference;
 use gaugeblock::catalogue::{editions_of, model_run};
 use gaugeblock::certify::{Plan, Verdict, certify};
-use gaugeblock::suite::{Case, Edition, Rule, RuleOutcome, Setup, Suite, files};
+use gaugeblock_suite::{Case, Edition, Rule, RuleOutcome, Setup, Suite, files};
 
 /// The chapters, and for each the document whose sentences its page goes through.
 const CHAPTERS: [(&str, &str); 2] = [("gpp", "gpp2"), ("nct", "nct-99m")];

@@ -15,7 +15,8 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use gaugeblock_vocabulary::scenario::Environment;
+use gaugeblock_suite::assertion::Claim;
+use gaugeblock_suite::{Case, Edition, Rule, Suite, applies, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
 
 use crate::adapters::Adapter;
@@ -25,8 +26,6 @@ use crate::explain::{Departed, Other};
 use crate::judge::{Finding, judge};
 use crate::observe::Observed;
 use crate::shard::Shard;
-use crate::suite::assertion::Claim;
-use crate::suite::{Assertion, Case, Edition, Rule, Suite};
 pub use again::Twice;
 use again::{Ran, Runs};
 pub use excuse::{BASELINE, EXPECTATIONS};
@@ -83,7 +82,7 @@ pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + 
 
 /// Runs as much of the suite as is to be run.
 pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'a, '_>) -> Run<'a> {
-    let options = options_of(plan.suite, plan.edition, controller);
+    let options = options_of(plan.suite, plan.edition, &controller.options());
     let Selected { void, cases } = select(plan, controller.has_laws_of_motion()).of(course.shard);
     let (twice, shrink) = (course.twice, course.shrink);
     let mut before = BTreeMap::new();
@@ -135,16 +134,6 @@ pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'
         void,
         fingerprint: None,
     }
-}
-
-/// The options that a controller is held to: the edition's, and on top of them those that it declares to read the
-/// documents by.
-pub fn options_of(suite: &Suite, edition: &Edition, controller: &dyn Adapter) -> Options {
-    let mut options = suite.options(edition);
-    for (id, option) in controller.options().0.iter() {
-        options.0.insert(id.clone(), option.clone());
-    }
-    options
 }
 
 /// A controller, and what it is held to.
@@ -220,24 +209,6 @@ fn left_open(end: &End) -> Option<String> {
     end.undetermined().map(|undetermined| match undetermined {
         Undetermined::Unsupported(what) => format!("the model does not specify it yet: {what}"),
         Undetermined::LeftOpen(why) => format!("the documents leave it open: {why}"),
-    })
-}
-
-/// The scenario of a case under an edition. The edition's environment answers where the case has none of its own.
-pub fn scenario_of(case: &Case, options: &Options, edition: &Edition) -> Scenario {
-    let mut scenario = case.setup.scenario(&case.program, options);
-    scenario.program.language = edition.language;
-    if scenario.environment == Environment::default() {
-        scenario.environment.name.clone_from(&edition.environment);
-    }
-    scenario
-}
-
-/// Whether an assertion is made under these options.
-pub fn applies(assertion: &Assertion, options: &Options, edition: &str) -> bool {
-    assertion.guard.as_ref().is_none_or(|(id, option)| match id.as_str() {
-        "edition" => option == edition,
-        _ => options.is(id, option),
     })
 }
 

@@ -1,5 +1,6 @@
 //! Cases of motion: samples held to laws.
 
+use gaugeblock_suite::{MotionCase, Rule};
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 
@@ -8,7 +9,6 @@ use super::verdict::{CaseResult, Cause, Departure, Unjudged, Verdict};
 use crate::adapters::{Adapter, HarnessError, Motion, NotMoved};
 use crate::compare::Basis;
 use crate::motion::{self, Sketch};
-use crate::suite::{MotionCase, Rule};
 
 impl Held<'_> {
     /// A case of motion: its own samples, or what the controller makes of its program at each feed of segments.

@@ -1,8 +1,9 @@
 //! Which cases a plan runs, in which order they are told.
 
+use gaugeblock_suite::{Case, MotionCase, Rule};
+
 use super::Plan;
 use crate::shard::Shard;
-use crate::suite::{Case, MotionCase, Rule};
 
 /// Rule and name of each case that a plan runs, in order, on a controller that has laws of motion, or that moves.
 pub fn cases<'a>(plan: Plan<'a>, laws: bool, shard: Shard) -> Vec<(&'a str, &'a str)> {

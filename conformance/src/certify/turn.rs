@@ -1,11 +1,11 @@
 //! Turns: while a case is judged, the controller can work on the next one.
 
+use gaugeblock_suite::{Case, MotionCase, Rule, scenario_of};
 use gaugeblock_vocabulary::Scenario;
 
+use super::Held;
 use super::select::Subject;
 use super::verdict::{CaseResult, Cause, Unjudged, Verdict};
-use super::{Held, scenario_of};
-use crate::suite::{Case, MotionCase, Rule};
 
 /// What is judged next.
 #[derive(Debug)]

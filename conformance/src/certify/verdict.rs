@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::time::Duration;
 
+use gaugeblock_suite::{Edition, Rule};
 use gaugeblock_vocabulary::Outcome;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -14,7 +15,6 @@ use crate::adapters::HarnessError;
 use crate::compare::{StateDifference, Tally};
 use crate::fingerprint::Trait;
 use crate::motion::Sketch;
-use crate::suite::{Edition, Rule};
 
 /// What came of a case.
 #[derive(Clone, Debug, PartialEq, Eq)]

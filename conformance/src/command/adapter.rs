@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
+use gaugeblock_suite::Suite;
 
 use super::{Refused, check, place, write_out};
 use crate::protocol;
-use crate::suite::Suite;
 
 const TEMPLATE_PYTHON: &str = include_str!("../../adapters/template.py");
 const TEMPLATE_C: &str = include_str!("../../adapters/template.c");

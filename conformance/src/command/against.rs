@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use gaugeblock_suite::Suite;
 
 use super::{Refused, report};
 use crate::certify::{BASELINE, EXPECTATIONS, Run};
 use crate::expectations::{Expectations, Trouble};
 use crate::report::Header;
 use crate::report::merge::Stored;
-use crate::suite::Suite;
 use crate::waivers::{Day, Waivers};
 
 #[derive(Debug, Args)]

@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
+use gaugeblock_suite::{Suite, options_of};
 
 use super::against::Against;
 use super::{Format, Refused, controller, place, write_out, write_out_in_colours};
 use crate::adapters::exec::Limits;
 use crate::adapters::{Adapter, Capabilities};
-use crate::certify::{CaseResult, Course, Plan, Run, Twice, cases, certify_in, options_of};
+use crate::certify::{CaseResult, Course, Plan, Run, Twice, cases, certify_in};
 use crate::expectations::Expectations;
 use crate::fingerprint::traits;
 use crate::journal::{self, Journal};
@@ -18,7 +19,6 @@ use crate::report::cost::{self, Cost};
 use crate::report::stored::JournalCase;
 use crate::report::{Header, Report, html, json, junit, markdown, profiles, terminal};
 use crate::shard::Shard;
-use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock certify
@@ -167,7 +167,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let newer = known.fits(&header, suite)?;
     let mut run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
     if is_fingerprinted(arguments, controller.as_ref()) {
-        let options = options_of(suite, edition, controller.as_ref());
+        let options = options_of(suite, edition, &controller.options());
         let environment = edition.environment.as_deref();
         run.fingerprint = Some(traits(suite, &options, environment, controller.as_ref()));
     }

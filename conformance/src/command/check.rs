@@ -1,11 +1,11 @@
 //! `gaugeblock adapter check`.
 
 use clap::Args;
+use gaugeblock_suite::Suite;
 
 use super::{Refused, controller, write_out};
 use crate::adapters::exec::Limits;
 use crate::protocol::check::{Came, checks};
-use crate::suite::Suite;
 
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use gaugeblock_reference::motion::path::{differ, programmed};
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{End, Outcome, Position, Undetermined};
 use serde_json::json;
 
@@ -13,7 +14,6 @@ use super::{Format, Refused, controller, write_out};
 use crate::adapters::Adapter;
 use crate::compare::{Comparison, compare as compare_runs};
 use crate::observe::Observed;
-use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock compare part.ngc --iut rs274

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use gaugeblock_suite::{Edition, Suite};
 use gaugeblock_vocabulary::{Language, Options, Scenario};
 
 use super::Refused;
@@ -13,7 +14,6 @@ use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::rs274::Rs274;
 use crate::adapters::{Adapter, ControllerError};
-use crate::suite::{Edition, Suite};
 
 /// The names, as the help tells them.
 pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`); tcp:HOST:PORT: one whose adapter listens there; offline:DIR: a control that was asked on paper (`gaugeblock suite --help`)";
@@ -246,7 +246,7 @@ pub(super) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), 
 
 /// The edition that a controller is held to where none is named.
 pub(super) fn own_edition(controller: &dyn Adapter) -> &str {
-    controller.own_edition().unwrap_or(crate::suite::DEFAULT_EDITION)
+    controller.own_edition().unwrap_or(gaugeblock_suite::DEFAULT_EDITION)
 }
 
 /// Refuses a controller whose departures are said to be those of an edition that the suite does not have.

@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use gaugeblock_impl::faults::Fault;
+use gaugeblock_suite::Suite;
 use serde_json::json;
 
 use super::certify::progress;
 use super::{Format, Refused, write_out};
 use crate::adapters::faulty::Faulty;
 use crate::certify::{CaseResult, Plan, certify};
-use crate::suite::Suite;
 
 /// The editions that notice what is wrong with post-processors and with custom macros.
 const OWN: [(&str, &str); 2] = [("gpp.", "gpp2"), ("nct.", "nct-99m")];

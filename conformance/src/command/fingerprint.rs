@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 
 use clap::Args;
+use gaugeblock_suite::Suite;
 use serde_json::json;
 
 use super::{Format, Refused, controller, write_out};
 use crate::fingerprint::{Shown, fingerprint as take, nearest};
-use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock fingerprint rs274

@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_fuzz::generate::{Recipe, Setups};
+use gaugeblock_suite::{Choice, Edition, Suite};
 use gaugeblock_vocabulary::{Language, Options};
 
 use super::fuzz_cases::{outcomes, rarely_reached, seeds};
@@ -20,7 +21,6 @@ use crate::fuzz::rehearsal::is_long;
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{ALIKE, Extent, Plan, Random, Shard, run};
 use crate::journal::Journal;
-use crate::suite::{Choice, Edition, Suite};
 
 /// How many programs that could not be judged are told of, the first ones.
 const NOT_JUDGED: usize = 10;

@@ -1,14 +1,13 @@
 //! What `gaugeblock fuzz` takes from the suite: cases to make programs of, and outcomes of rules to reach.
 
 use gaugeblock_reference::RuleOutcome as Reached;
+use gaugeblock_suite::{Edition, Rule, RuleOutcome, Suite, scenario_of};
 use gaugeblock_vocabulary::{Options, Scenario};
 
 use crate::catalogue::editions_of;
-use crate::certify::scenario_of;
 use crate::fuzz::Plan;
 use crate::fuzz::shown::NotShown;
 use crate::fuzz::statistics::Statistics;
-use crate::suite::{Edition, Rule, RuleOutcome, Suite};
 
 /// The suite's cases under an edition, as seeds of splices.
 pub(super) fn seeds(suite: &Suite, edition: &Edition, options: &Options) -> Vec<Scenario> {

@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use gaugeblock_fuzz::motion::Ride;
 use gaugeblock_fuzz::motion::change::Change;
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::motion::MotionScript;
 use gaugeblock_vocabulary::{Axis, End, Outcome, Scenario, Settings};
 
@@ -19,7 +20,6 @@ use crate::adapters::Adapter;
 use crate::adapters::production::Production;
 use crate::motion::rides::{Came, broken_by, compared, judged, ride, shrunk};
 use crate::report::inert;
-use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock fuzz-motion
@@ -143,7 +143,7 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
     }
-    let edition = super::edition(suite, crate::suite::DEFAULT_EDITION)?;
+    let edition = super::edition(suite, gaugeblock_suite::DEFAULT_EDITION)?;
     let mut scenario = Scenario { options: suite.options(edition), ..Scenario::default() };
     scenario.environment.name.clone_from(&edition.environment);
     scenario.machine.axes = Axis::ALL.to_vec();

@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use gaugeblock_reference::motion::laws::Verdict;
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::Samples;
 
 use super::pictures::Drawing;
 use super::{Refused, place, plan, run, write_out};
 use crate::motion::Summary;
-use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock judge part.csv --program part.ngc --machine mill.toml

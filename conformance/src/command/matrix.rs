@@ -3,6 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use gaugeblock_suite::Suite;
+use gaugeblock_suite::ledger::Ledger;
+
 use super::{Format, Refused, place, write_out};
 use crate::adapters::reference::Reference;
 use crate::certify::{Plan, certify};
@@ -10,8 +13,6 @@ use crate::report::Header;
 use crate::report::Report;
 use crate::report::matrix::{Judged, Matrix};
 use crate::shard::Shard;
-use crate::suite::Suite;
-use crate::suite::ledger::Ledger;
 
 /// Prints what became of each section of each document, and what the model and the reports say of its rules.
 pub(super) fn matrix(

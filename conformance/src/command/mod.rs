@@ -32,10 +32,10 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
+use gaugeblock_suite::{Edition, Suite, files};
 use streams::{write_error, write_error_in_colours, write_out, write_out_in_colours};
 
 use crate::report::inert;
-use crate::suite::{Edition, Suite, files};
 
 /// Why a command does not go on, in one message.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -209,7 +209,9 @@ fn read_suite(folder: Option<&std::path::Path>) -> Result<Suite, Refused> {
         Some(folder) => files::of_folder(folder).map_err(|error| {
             Refused::wrong(error, "--suite takes a folder like conformance/suite; leave it out for the suite built in")
         })?,
-        None => files::built_in(),
+        None => gaugeblock_embedded_suite::files().map_err(|error| {
+            Refused::wrong(error, "--suite takes a folder like conformance/suite")
+        })?,
     };
     Suite::read(&files).map_err(|errors| {
         let count = errors.len();

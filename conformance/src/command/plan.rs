@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 use gaugeblock_vocabulary::scenario::Program;
 use gaugeblock_vocabulary::{End, Outcome, Position, Scenario};
@@ -14,7 +15,6 @@ use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::{Adapter, NotMoved};
 use crate::motion::{Circumstances, Summary, plan_under};
-use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock plan part.ngc --machine mill.toml

@@ -4,6 +4,7 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
+use gaugeblock_suite::Suite;
 
 use super::against::Against;
 use super::{Format, Refused, certify, place};
@@ -12,7 +13,6 @@ use crate::report::cost::{self, Cost};
 use crate::report::merge::{Stored, in_order, merged};
 use crate::report::{Report, profiles};
 use crate::shard::Shard;
-use crate::suite::Suite;
 
 /// Work with reports that were written before
 #[derive(Debug, Subcommand)]

@@ -6,9 +6,11 @@ use super::Refused;
 
 /// Runs the program. What ends it is told as `rs274` tells it: by the exit status 1.
 pub(super) fn rs274(arguments: &Arguments) -> Result<u8, Refused> {
-    crate::rs274::rs274(arguments).map_err(|message| Refused {
+    let refused = |message| Refused {
         status: 1,
         message,
         hint: Some("`gaugeblock rs274 --help` tells the options".to_owned()),
-    })
+    };
+    let editions = gaugeblock_embedded_suite::page("editions.toml").map_err(refused)?;
+    crate::rs274::rs274(arguments, &editions).map_err(refused)
 }

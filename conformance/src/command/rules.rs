@@ -4,14 +4,14 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use gaugeblock_suite::ledger::{self, Ledger};
+use gaugeblock_suite::{ChoiceKind, Rule, Suite, files};
 use serde_json::json;
 use toml_edit::{DocumentMut, Item};
 
 use super::matrix::matrix;
 use super::{Format, Refused, place, read_suite, write_out};
 use crate::catalogue;
-use crate::suite::ledger::{self, Ledger};
-use crate::suite::{ChoiceKind, Rule, Suite, files};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock rules                              every rule with its sentence
@@ -213,7 +213,9 @@ fn ledgers(suite: &Suite, folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<Str
         Some(folder) => files::of_folder(folder).map_err(|error| {
             Refused::wrong(error, "--suite takes a folder like conformance/suite")
         })?,
-        None => files::built_in(),
+        None => gaugeblock_embedded_suite::files().map_err(|error| {
+            Refused::wrong(error, "--suite takes a folder like conformance/suite")
+        })?,
     };
     let (mut ledgers, mut faults) = (Vec::new(), Vec::new());
     for (path, text) in files.iter().filter(|(path, _)| path.starts_with("documents/")) {

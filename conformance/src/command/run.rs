@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use clap::Args;
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{BlockLocation, End, Language, Outcome, Program, Scenario, Span};
 
 use super::{Format, Refused, controller, place, write_error, write_error_in_colours, write_out};
 use crate::report::inert_line;
-use crate::suite::Suite;
 
 /// What drives a post-processor program, and how its file's name ends.
 const TOOLPATH: &str = "toolpath";
@@ -111,7 +111,7 @@ fn by_name(file: &Path) -> &'static str {
     match file.extension().and_then(|extension| extension.to_str()) {
         Some("gpp") => "gpp2",
         Some("nct") => "nct-99m",
-        Some(_) | None => crate::suite::DEFAULT_EDITION,
+        Some(_) | None => gaugeblock_suite::DEFAULT_EDITION,
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use gaugeblock_fuzz::generate::Recipe;
 use gaugeblock_fuzz::generate::splice::Seeds;
+use gaugeblock_suite::Suite;
 use serde_json::json;
 
 use super::fuzz_report::body;
@@ -13,7 +14,6 @@ use super::{Format, Refused, controller, place, write_out};
 use crate::fuzz::groups::{Find, shrunk};
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{Came, Plan};
-use crate::suite::Suite;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock shrink part.ngc --iut rs274

@@ -6,6 +6,7 @@ use std::sync::PoisonError;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::{Args, Subcommand};
+use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite};
 
 use super::{Refused, certify, controller, place, write_error, write_out};
 use crate::adapters::Adapter;
@@ -13,7 +14,6 @@ use crate::offline::{
     Answer, BLOCKS, CONTROL, FORMAT, MANIFEST, Manifest, OPERATOR, Question, SAMPLES, SHEET,
     answer, blank, can_ask, control_text, operator, questions, read_blocks, readme,
 };
-use crate::suite::{DEFAULT_EDITION, Edition, Suite};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock suite export --profile modal-save --edition linuxcnc-2.9 --out campaign

@@ -8,6 +8,7 @@ pub mod tolerance;
 
 use std::collections::BTreeSet;
 
+use gaugeblock_suite::assertion::is_accepted;
 use gaugeblock_vocabulary::{BlockLocation, End, Entry, Fault, Pin, Settings, Value};
 
 pub use same::surely_same;
@@ -16,7 +17,6 @@ pub use tally::{Basis, Tally};
 
 use crate::adapters::Capabilities;
 use crate::observe::{Observed, ObservedEffect, ObservedStep};
-use crate::suite::assertion::is_accepted;
 
 /// The first point at which two runs differ.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -21,12 +21,12 @@ use std::sync::mpsc;
 
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
 use gaugeblock_fuzz::generate::{self, Dice, Recipe};
+use gaugeblock_suite::{Choice, ChoiceKind};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Options, Scenario};
 
 use crate::adapters::Adapter;
 pub use crate::shard::Shard;
-use crate::suite::{Choice, ChoiceKind};
 pub use comparable::comparable;
 pub use fragile::is_fragile;
 use groups::{Find, Groups};

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::{Column, Samples};
 
-use crate::suite::{MotionCase, Piece, PlantedFault};
+use gaugeblock_suite::{MotionCase, Piece, PlantedFault};
 
 /// The samples of a case that has some, with its fault.
 ///

@@ -2,16 +2,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use gaugeblock_suite::assertion::Claim;
+use gaugeblock_suite::{Case, Edition, MotionCase, Rule, Suite, applies, scenario_of};
 use gaugeblock_vocabulary::motion::MotionLimits;
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Language, Options, Program, Scenario};
 
 use super::carried::carried;
 use super::{Asked, digest, digest_of_motion};
-use crate::certify::{applies, scenario_of};
 use crate::motion;
-use crate::suite::assertion::Claim;
-use crate::suite::{Case, Edition, MotionCase, Rule, Suite};
 
 /// A program with all that it depends on, and what is asked of it.
 #[derive(Clone, Debug)]

@@ -1,5 +1,6 @@
 //! The report as one JSON document.
 
+use gaugeblock_suite::Source;
 use gaugeblock_vocabulary::Options;
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Serialize;
@@ -11,7 +12,6 @@ use crate::compare::Tally;
 use crate::expectations::Trouble;
 use crate::fingerprint::Trait;
 use crate::shard::Shard;
-use crate::suite::Source;
 
 /// Version of the form.
 pub const VERSION: u32 = 1;

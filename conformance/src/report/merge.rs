@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Options;
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +12,6 @@ use crate::adapters::Adapter;
 use crate::certify::{CaseResult, Plan, Twice};
 use crate::fingerprint::Trait;
 use crate::shard::Shard;
-use crate::suite::Suite;
 
 /// What a report is of: two reports can be compared case by case, or merged, only where this is equal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -18,6 +18,7 @@ pub mod terminal;
 
 use std::collections::BTreeMap;
 
+use gaugeblock_suite::Rule;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -28,7 +29,6 @@ pub use profiles::ProfileResult;
 use crate::certify::{CaseResult, Cause, Run, Verdict};
 use crate::compare::Tally;
 use crate::expectations::Trouble;
-use crate::suite::Rule;
 
 /// A verdict on a whole rule.
 #[derive(

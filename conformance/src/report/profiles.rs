@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_suite::{Case, Profile, Rule, Suite};
+
 use super::{RuleVerdict, verdicts};
 use crate::certify::Run;
-use crate::suite::{Case, Profile, Rule, Suite};
 
 /// A profile, judged.
 #[derive(Clone, Debug)]

@@ -3,13 +3,13 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
+use gaugeblock_suite::Suite;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::certify::{CaseResult, Cause, Departure, Traces, Unjudged, Verdict};
 use crate::compare::{StateDifference, Tally};
 use crate::motion::Sketch;
-use crate::suite::Suite;
 
 /// A case and what came of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -8,7 +8,6 @@ use gaugeblock_vocabulary::scenario::ToolChange;
 use gaugeblock_vocabulary::{Axis, LengthUnit, Machine, Options, Tool};
 
 use super::ini::Ini;
-use crate::suite::files;
 
 /// The edition of what is printed, and the word for a quirk that is on: those the interpreter does not know.
 const EDITION: &str = "rs274-2.9-observed";
@@ -62,12 +61,11 @@ pub(super) fn folders(ini: &Ini, program: Option<&Path>) -> Vec<PathBuf> {
     folders
 }
 
-/// The options of the edition that is printed, without the quirks that the interpreter does not know.
-pub(super) fn options() -> Options {
+/// The options of the edition that is printed, without the quirks that the interpreter does not know. `editions` is the
+/// text of the suite's `editions.toml`.
+pub(super) fn options(editions: &str) -> Options {
     let mut options = Options::default();
-    let files = files::built_in();
-    let editions = files.get("editions.toml").and_then(|text| text.parse::<toml::Table>().ok());
-    let Some(editions) = editions else { return options };
+    let Ok(editions) = editions.parse::<toml::Table>() else { return options };
     // It is no departure there, since no document says otherwise of `rs274` itself.
     options.0.insert("tool.change-without-selection".to_owned(), "accepted".to_owned());
     let editions = editions.get("edition").and_then(toml::Value::as_array);
@@ -141,7 +139,8 @@ mod tests {
 
     #[test]
     fn options_hold_no_quirk() {
-        let options = options();
+        let editions = gaugeblock_embedded_suite::page("editions.toml").expect("the editions");
+        let options = options(&editions);
         assert!(!options.0.is_empty());
         assert!(!options.0.values().any(|option| option == QUIRK));
     }

@@ -70,11 +70,11 @@ struct Run {
     goes_on: bool,
 }
 
-/// Runs the command; the exit status.
+/// Runs the command; the exit status. `editions` is the text of the suite's `editions.toml`.
 ///
 /// # Errors
 /// A file of the call that cannot be read or written, or an option that is refused; for people.
-pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
+pub fn rs274(arguments: &Arguments, editions: &str) -> Result<u8, Trouble> {
     if arguments.plug.is_some() {
         return Err("-p: no other interpreter can be loaded".to_owned());
     }
@@ -104,7 +104,7 @@ pub fn rs274(arguments: &Arguments) -> Result<u8, Trouble> {
         unclosed: program.as_deref().is_some_and(source::is_unclosed),
         by_hand: program.is_none(),
     };
-    let mut interpreter = Interpreter::new(machine, machine::options(), Limits::default())
+    let mut interpreter = Interpreter::new(machine, machine::options(editions), Limits::default())
         .map_err(|error| error.to_string())?;
     interpreter.set_block_delete(arguments.block_delete);
     interpreter.set_preview(true);

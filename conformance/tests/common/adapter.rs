@@ -7,7 +7,7 @@ use std::time::Duration;
 use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::certify::{CaseResult, Course, Plan, Twice, Verdict, certify_in};
 use gaugeblock::shard::Shard;
-use gaugeblock::suite::Suite;
+use gaugeblock_suite::Suite;
 
 pub(crate) const TEMPLATE: &str = include_str!("../../adapters/template.py");
 

@@ -3,13 +3,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Entry, Event, Outcome, Scenario, Settings, State};
 
 use super::{Came, Check};
 use crate::adapters::Adapter;
 use crate::adapters::exec::Exec;
-use crate::certify::{options_of, scenario_of};
-use crate::suite::{DEFAULT_EDITION, Edition, Suite};
 
 /// Programs that are run for one word, at most, until one of them shows it.
 const TRIES: usize = 6;
@@ -50,7 +49,7 @@ fn programs(adapter: &Exec, suite: &Suite) -> Vec<(Scenario, Outcome)> {
 }
 
 fn of_edition(adapter: &Exec, suite: &Suite, edition: &Edition) -> Vec<(Scenario, Outcome)> {
-    let options = options_of(suite, edition, adapter);
+    let options = options_of(suite, edition, &adapter.options());
     let rules = suite.rules.iter().filter(|rule| rule.language == edition.language);
     let cases = rules.flat_map(|rule| &rule.cases);
     let cases =

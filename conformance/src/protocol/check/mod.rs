@@ -6,11 +6,11 @@ mod offered;
 
 use std::collections::BTreeSet;
 
+use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{End, Language, Outcome, Scenario};
 
 use crate::adapters::exec::Exec;
 use crate::adapters::{Adapter, HarnessError};
-use crate::suite::Suite;
 
 /// What a check came to.
 #[derive(Clone, Debug, PartialEq, Eq)]

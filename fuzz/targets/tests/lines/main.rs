@@ -14,9 +14,9 @@ use std::io::Write as _;
 use std::sync::LazyLock;
 
 use gaugeblock::adapters::rs274::Rs274;
-use gaugeblock::suite::{Choice, ChoiceKind, Suite, files};
 use gaugeblock_fuzz::generate::{self, BUDGET, Recipe};
 use gaugeblock_fuzz_targets::{Agreement, agree, agree_with};
+use gaugeblock_suite::{Choice, ChoiceKind, Suite};
 use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, When};
 use gaugeblock_vocabulary::{BlockLocation, Language, Options, Program, Scenario};
 use proptest::collection::vec;
@@ -25,7 +25,8 @@ use proptest::sample::Index;
 use proptest::test_runner::{RngSeed, TestRunner};
 
 static SUITE: LazyLock<Suite> = LazyLock::new(|| {
-    Suite::read(&files::built_in()).expect("the suite that is built in can be read")
+    Suite::read(&gaugeblock_embedded_suite::files().expect("the suite"))
+        .expect("the suite that is built in can be read")
 });
 
 /// How many programs of each kind; the nightly run asks for more.

@@ -6,6 +6,7 @@ use std::os::unix::process::ExitStatusExt;
 use std::thread;
 use std::time::Duration;
 
+use gaugeblock_suite::{Suite, scenario_of};
 use gaugeblock_vocabulary::Scenario;
 use rustix::process::kill_process;
 use sha2::{Digest as _, Sha256};
@@ -17,8 +18,6 @@ use crate::adapters::rs274::process::{Limits, Output, Stop};
 use crate::adapters::rs274::session::{From, MANUAL_INPUT, Session, Unprobed};
 use crate::adapters::rs274::{LIMITS, Rs274};
 use crate::adapters::{Adapter, HarnessError};
-use crate::certify::scenario_of;
-use crate::suite::{Suite, files};
 
 /// Every so many cases of the suite one is run both ways.
 const SAMPLE: usize = 16;
@@ -107,7 +106,7 @@ fn digests(folder: &Path) -> BTreeMap<OsString, Vec<u8>> {
 
 /// Scenarios of the suite that the controller runs: a sample, and those with a tool table or deleted blocks.
 fn scenarios(controller: &Rs274) -> Vec<Scenario> {
-    let suite = Suite::read(&files::built_in()).unwrap();
+    let suite = Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).unwrap();
     let edition = suite.edition("rs274-2.9-observed").unwrap();
     let options = suite.options(edition);
     let spoken = suite.rules.iter().filter(|rule| rule.language == edition.language);

@@ -5,6 +5,7 @@ pub mod files;
 pub mod ledger;
 mod motion;
 mod page;
+mod scenario;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,6 +18,7 @@ pub use page::{
     Case, Choice, ChoiceKind, ChoiceOption, Edition, MotionChoice, MotionChoiceOption, Profile,
     Rule, RuleOutcome, Setup, Source,
 };
+pub use scenario::{applies, options_of, scenario_of};
 
 /// The suite as it is read.
 #[derive(Clone, Debug)]

@@ -262,7 +262,7 @@ mod tests {
     use std::fmt::Write;
 
     use super::*;
-    use crate::suite::ledger::split::TextItem;
+    use crate::ledger::split::TextItem;
 
     /// Pages of lines: how far down each begins, from the left, its font and its text.
     fn pages(pages: &[&[(i32, i32, char, &str)]]) -> Vec<(Kind, String)> {

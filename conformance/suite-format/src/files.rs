@@ -1,31 +1,12 @@
-//! Where the suite's pages come from: the copy that is built into the program, or a folder.
+//! The suite's pages as files of a folder.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use include_dir::{Dir, include_dir};
 use sha2::{Digest as _, Sha256};
-
-static BUILT_IN: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/suite");
 
 /// The text of every TOML file of the suite, by path within it, with `/` between folders.
 pub type Files = BTreeMap<String, String>;
-
-/// The copy that is built in.
-pub fn built_in() -> Files {
-    let mut files = Files::new();
-    let mut folders = vec![&BUILT_IN];
-    while let Some(folder) = folders.pop() {
-        folders.extend(folder.dirs());
-        for file in folder.files() {
-            let name = file.path().to_string_lossy().replace('\\', "/");
-            if let (true, Some(text)) = (name.ends_with(".toml"), file.contents_utf8()) {
-                files.insert(name, text.to_owned());
-            }
-        }
-    }
-    files
-}
 
 /// A folder of pages.
 ///

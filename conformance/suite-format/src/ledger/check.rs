@@ -159,7 +159,7 @@ fn compare_item(section: &str, ordinal: usize, item: &Item, found: &TextItem) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::suite::ledger::Form;
+    use crate::ledger::Form;
 
     const TEXT: &str =
         "== Speed\n\nS is the speed. It may be zero.\n\n== Feed\n\n* F is the feed\n";

@@ -182,7 +182,7 @@ fn resolved(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::suite::ledger::split::{Form, TextItem, extract};
+    use crate::ledger::split::{Form, TextItem, extract};
 
     fn items(text: &str) -> Vec<(Kind, String)> {
         extract(text, Form::Asciidoc)

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::suite::{ChoiceKind, Suite};
+use crate::{ChoiceKind, Suite};
 
 /// As much of a ledger as names pages, each name with its place.
 #[derive(Deserialize)]
@@ -55,12 +55,19 @@ pub fn absent(text: &str, suite: &Suite) -> Vec<(usize, String)> {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
-    use crate::suite::files;
+    use crate::Files;
+
+    fn files() -> Files {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../suite");
+        crate::files::of_folder(&folder).expect("the folder of the suite")
+    }
 
     #[test]
     fn a_page_that_is_not_there_carries_nothing_and_the_line_says_where() {
-        let suite = Suite::read(&files::built_in()).expect("the suite");
+        let suite = Suite::read(&files()).expect("the suite");
         let text = r#"
 [[section]]
 name = "Feed"
@@ -81,7 +88,7 @@ items = [
 
     #[test]
     fn a_page_that_is_deleted_leaves_its_sentences_without_a_carrier() {
-        let files = files::built_in();
+        let files = files();
         let mut suite = Suite::read(&files).expect("the suite");
         let ledgers = || files.iter().filter(|(path, _)| path.starts_with("documents/"));
         let absent = |suite: &Suite| -> Vec<(usize, String)> {

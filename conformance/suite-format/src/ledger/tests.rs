@@ -58,7 +58,7 @@ impl Shelf {
 type Link = (String, String, usize, Shelf, String);
 
 fn suite() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("suite")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../suite")
 }
 
 /// The files in a folder that end in `.toml`, in order.

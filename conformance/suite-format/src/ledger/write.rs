@@ -74,7 +74,7 @@ fn quoted(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::suite::ledger::Form;
+    use crate::ledger::Form;
 
     #[test]
     fn what_is_written_reads_back() {

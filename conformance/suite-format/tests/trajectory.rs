@@ -3,13 +3,17 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
+use std::path::Path;
 
-use gaugeblock::suite::{MotionCase, Rule, Saying, Suite, files};
 use gaugeblock_reference::motion::laws::Law;
 use gaugeblock_reference::motion::laws::readings::{CHOICES, Readings};
+use gaugeblock_suite::files::of_folder;
+use gaugeblock_suite::{MotionCase, Rule, Saying, Suite};
 
 fn suite() -> Suite {
-    Suite::read(&files::built_in()).unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../suite");
+    Suite::read(&of_folder(&folder).expect("the folder of the suite"))
+        .unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
 }
 
 fn pages(suite: &Suite) -> impl Iterator<Item = (&Rule, Law)> {
@@ -91,6 +95,6 @@ fn the_table_of_planted_faults_is_that_of_the_pages() {
         }
     }
     assert!(faults >= 25, "{faults} faults are planted");
-    let readme = include_str!("../suite/trajectory/README.md");
+    let readme = include_str!("../../suite/trajectory/README.md");
     assert!(readme.contains(&table), "the table of the README is not this one:\n{table}");
 }
