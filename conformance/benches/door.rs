@@ -21,9 +21,10 @@ use std::time::Duration;
 
 use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::adapters::production::Production;
-use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
+use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock::certify::{Plan, certify};
 use gaugeblock::protocol::{Answer, Operation, Reply, Request, Ways};
+use gaugeblock_compare::Capabilities;
 use gaugeblock_suite::{Edition, Suite, scenario_of};
 use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 use mimalloc::MiMalloc;

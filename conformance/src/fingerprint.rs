@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_compare::judge::{Finding, judge};
+use gaugeblock_compare::observe::Observed;
 use gaugeblock_suite::{Choice, Suite};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Options};
@@ -9,8 +11,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::adapters::Adapter;
-use crate::judge::{Finding, judge};
-use crate::observe::Observed;
 
 /// What a controller shows of a choice.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

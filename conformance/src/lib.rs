@@ -1,8 +1,8 @@
 //! The referee: holds a controller to the documents, rule by rule.
 //!
-//! Data flows one way: the [suite](gaugeblock_suite) gives scenarios, an [adapter](adapters) runs each on a controller, the reference
-//! model runs it too, both outcomes are [folded](observe) and [compared](mod@compare), assertions are
-//! [judged](judge), and [`certify`] makes a verdict of it, which a [`report`] shows and [`expectations`] hold against
+//! Data flows one way: the [suite](gaugeblock_suite) gives scenarios, an [adapter](adapters) runs each on a
+//! controller, the reference model runs it too, both outcomes are [folded, compared and
+//! judged](gaugeblock_compare), and [`certify`] makes a verdict of it, which a [`report`] shows and [`expectations`] hold against
 //! what is known.
 //!
 //! **Invariants.** The referee trusts no controller. What was not run, not understood or not shown is never a pass. The
@@ -12,15 +12,12 @@ pub mod adapters;
 pub mod catalogue;
 pub mod certify;
 pub mod command;
-pub mod compare;
 pub mod expectations;
 pub mod explain;
 pub mod fingerprint;
 pub mod fuzz;
 pub mod journal;
-pub mod judge;
 pub mod motion;
-pub mod observe;
 pub mod offline;
 pub mod protocol;
 pub mod report;

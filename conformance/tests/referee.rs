@@ -3,17 +3,17 @@
 use std::num::NonZero;
 
 use gaugeblock::adapters::reference::Reference;
-use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
+use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock::certify::{CaseResult, Plan, Run, Verdict, certify};
-use gaugeblock::compare::compare;
 use gaugeblock::expectations::{Expectations, Trouble};
 use gaugeblock::fingerprint::{Shown, fingerprint};
-use gaugeblock::judge::{Finding, judge};
-use gaugeblock::observe::Observed;
 use gaugeblock::report::merge::Stored;
 use gaugeblock::report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock::shard::Shard;
 use gaugeblock::waivers::Waivers;
+use gaugeblock_compare::judge::{Finding, judge};
+use gaugeblock_compare::observe::Observed;
+use gaugeblock_compare::{Capabilities, compare};
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{BlockLocation, Effect, End, Event, Outcome, Program, Scenario};
 

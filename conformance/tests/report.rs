@@ -8,13 +8,14 @@ use std::process::Command;
 
 use common::gaugeblock;
 use gaugeblock::adapters::reference::Reference;
-use gaugeblock::adapters::{Adapter, Capabilities, HarnessError};
+use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock::certify::{CaseResult, Course, Plan, Run, Twice, certify, certify_in};
 use gaugeblock::report::causes::groups;
 use gaugeblock::report::merge::Stored;
 use gaugeblock::report::stored::StoredCase;
 use gaugeblock::report::{Header, Report, html, json, junit, markdown, terminal};
 use gaugeblock::shard::Shard;
+use gaugeblock_compare::Capabilities;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{Channel, Effect, End, Event, Outcome, Scenario};
 use serde_json::Value;

@@ -3,10 +3,11 @@
 
 use std::num::NonZero;
 
+use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Step};
 
-use super::{Adapter, Capabilities, Expected, HarnessError, Motion, NotMoved};
+use super::{Adapter, Expected, HarnessError, Motion, NotMoved};
 
 /// A controller, narrowed to what another one declares.
 #[derive(Debug)]
@@ -147,8 +148,8 @@ mod tests {
 
     use super::*;
     use crate::adapters::reference::Reference;
-    use crate::compare::{Comparison, compare};
-    use crate::observe::Observed;
+    use gaugeblock_compare::observe::Observed;
+    use gaugeblock_compare::{Comparison, compare};
 
     /// What a controller shows that tells no blocks.
     fn blockless() -> Capabilities {

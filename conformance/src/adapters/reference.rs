@@ -1,8 +1,9 @@
 //! The reference model as a controller.
 
+use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::{Outcome, Scenario};
 
-use super::{Adapter, Capabilities, HarnessError};
+use super::{Adapter, HarnessError};
 
 /// The reference model.
 #[derive(Debug)]

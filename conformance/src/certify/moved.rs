@@ -1,5 +1,6 @@
 //! Cases of motion: samples held to laws.
 
+use gaugeblock_compare::Basis;
 use gaugeblock_suite::{MotionCase, Rule};
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
@@ -7,7 +8,6 @@ use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 use super::Held;
 use super::verdict::{CaseResult, Cause, Departure, Unjudged, Verdict};
 use crate::adapters::{Adapter, HarnessError, Motion, NotMoved};
-use crate::compare::Basis;
 use crate::motion::{self, Sketch};
 
 impl Held<'_> {

@@ -6,13 +6,13 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::time::Duration;
 
+use gaugeblock_compare::{StateDifference, Tally};
 use gaugeblock_suite::{Edition, Rule};
 use gaugeblock_vocabulary::Outcome;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::adapters::HarnessError;
-use crate::compare::{StateDifference, Tally};
 use crate::fingerprint::Trait;
 use crate::motion::Sketch;
 

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Bound, End, Event, Fault, Language, Outcome};
 
-use crate::compare::{Divergence, end_text};
+use gaugeblock_compare::{Divergence, end_text};
 
 /// Both runs as far as they can be compared.
 ///

@@ -1,12 +1,10 @@
 //! Programs of which nothing can be said, since the last bit of a number decides.
 
+use gaugeblock_compare::observe::Observed;
+use gaugeblock_compare::{Capabilities, compare, surely_same};
 use gaugeblock_fuzz::generate::nudged;
 use gaugeblock_reference::Rounding;
 use gaugeblock_vocabulary::{Language, Outcome, Scenario};
-
-use crate::adapters::Capabilities;
-use crate::compare::{compare, surely_same};
-use crate::observe::Observed;
 
 /// Whether the model's own answer changes when every transcendental result moves by its last bit, or every position
 /// that a conversion of units, an offset or a polar word has computed is rounded in another way.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_compare::Divergence;
 use gaugeblock_fuzz::shrink::{shape, shrink};
 use gaugeblock_vocabulary::Scenario;
 use serde::{Deserialize, Serialize};
@@ -9,7 +10,6 @@ use serde::{Deserialize, Serialize};
 use super::signature::{Signature, rules};
 use super::statistics::Statistics;
 use super::{Came, Difference, Plan};
-use crate::compare::Divergence;
 
 /// A program on which two controllers differ.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,6 +2,8 @@
 
 use std::cell::Cell;
 
+use gaugeblock_compare::observe::Observed;
+use gaugeblock_compare::{Divergence, compare, surely_same};
 use gaugeblock_reference::{Evidence, Kept};
 use gaugeblock_vocabulary::{End, Outcome, Scenario, Undetermined};
 
@@ -10,8 +12,6 @@ use super::signature::Signature;
 use super::statistics::{Statistics, count};
 use super::{Plan, comparable};
 use crate::adapters::{Adapter, HarnessError};
-use crate::compare::{Divergence, compare, surely_same};
-use crate::observe::Observed;
 
 /// A difference between two controllers.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Program, Scenario};
 use serde::{Deserialize, Serialize};
 
-use crate::compare::Divergence;
+use gaugeblock_compare::Divergence;
 
 /// What differs, without what is accidental: lines, numbers, indexes. Kept while a program is shrunk.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]

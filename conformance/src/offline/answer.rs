@@ -1,5 +1,7 @@
 //! A sheet filled in from what a controller did.
 
+use gaugeblock_compare::Capabilities;
+use gaugeblock_compare::observe::{Observed, value_of};
 use gaugeblock_suite::assertion::is_accepted;
 use gaugeblock_vocabulary::motion::MotionScript;
 use gaugeblock_vocabulary::{Effect, End, Outcome, State};
@@ -7,8 +9,7 @@ use gaugeblock_vocabulary::{Effect, End, Outcome, State};
 use super::blocks::{Blocks, blocks_text};
 use super::sheet::{MODES, Values, text};
 use super::{Asked, Question, SAMPLES, SHEET};
-use crate::adapters::{Adapter, Capabilities, HarnessError, Motion, NotMoved};
-use crate::observe::{Observed, value_of};
+use crate::adapters::{Adapter, HarnessError, Motion, NotMoved};
 
 /// The files of a program's folder that a person fills in, by name, filled in from a run; nothing that the controller
 /// does not show. With `by_block`, positions after each block too, in place of the modes at the end.

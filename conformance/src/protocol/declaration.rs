@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
+use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::{
     Effect, GppState, Language, LengthUnit, NctState, Options, Pin, Rs274State, Settings,
 };
@@ -12,7 +13,6 @@ use serde::{Deserialize, Serialize};
 
 use super::meant::meant;
 use super::{FEATURES, OFFERS, Offer, VERSION};
-use crate::adapters::Capabilities;
 
 /// What a controller is and shows. Everything has to be said but what is marked as optional.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

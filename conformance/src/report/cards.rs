@@ -1,5 +1,6 @@
 //! A card for each divergence on the page: what was demanded, what happened, and where the two part.
 
+use gaugeblock_compare::StateDifference;
 use serde::Serialize;
 
 use super::Report;
@@ -7,7 +8,6 @@ use super::causes::{explained, groups};
 use super::sides::{Side, sides};
 use super::terminal::without_guard;
 use crate::certify::{CaseResult, Departure};
-use crate::compare::StateDifference;
 
 /// Bytes of programs and traces that all cards together may have; what is beyond is in the JSON report alone.
 const MOST: usize = 1 << 20;

@@ -3,10 +3,11 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
+use gaugeblock_compare::Divergence;
+
 use super::Report;
 use super::sides::{field, tokens};
 use crate::certify::{CaseResult, Departure, Traces};
-use crate::compare::Divergence;
 use crate::fuzz::signature::Signature;
 
 /// Cases that depart alike.

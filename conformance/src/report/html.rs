@@ -339,7 +339,7 @@ fn in_words(time: Duration) -> String {
 
 /// How many values of each kind were compared.
 fn basis(report: &Report<'_>) -> String {
-    let mut all = crate::compare::Tally::default();
+    let mut all = gaugeblock_compare::Tally::default();
     report.run.cases.iter().for_each(|result| all.extend(&result.compared));
     format!(
         "{} values were compared: assertions of people, and everything else that happens.",

@@ -1,5 +1,6 @@
 //! The report as one JSON document.
 
+use gaugeblock_compare::Tally;
 use gaugeblock_suite::Source;
 use gaugeblock_vocabulary::Options;
 use schemars::{JsonSchema, Schema, schema_for};
@@ -8,7 +9,6 @@ use serde_json::Value;
 
 use super::stored::StoredCase;
 use super::{Counts, Header, Report, RuleVerdict};
-use crate::compare::Tally;
 use crate::expectations::Trouble;
 use crate::fingerprint::Trait;
 use crate::shard::Shard;
@@ -140,7 +140,7 @@ pub fn document(report: &Report<'_>) -> Document {
     Document {
         gaugeblock: "report",
         schema: VERSION,
-        tolerances: crate::compare::tolerance::VERSION,
+        tolerances: gaugeblock_compare::tolerance::VERSION,
         controller: header.controller,
         version: header.version,
         notes: report.notes.clone(),

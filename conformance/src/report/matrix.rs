@@ -4,12 +4,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
+use gaugeblock_compare::{Basis, Tally};
 use gaugeblock_suite::ledger::{Item, Ledger, Section};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::{Report, RuleVerdict};
-use crate::compare::{Basis, Tally};
 
 /// What a run of the suite said of each rule.
 #[derive(Clone, Debug)]

@@ -18,6 +18,7 @@ pub mod terminal;
 
 use std::collections::BTreeMap;
 
+use gaugeblock_compare::Tally;
 use gaugeblock_suite::Rule;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -27,7 +28,6 @@ pub use merge::Header;
 pub use profiles::ProfileResult;
 
 use crate::certify::{CaseResult, Cause, Run, Verdict};
-use crate::compare::Tally;
 use crate::expectations::Trouble;
 
 /// A verdict on a whole rule.

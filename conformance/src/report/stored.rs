@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
+use gaugeblock_compare::{StateDifference, Tally};
 use gaugeblock_suite::Suite;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::certify::{CaseResult, Cause, Departure, Traces, Unjudged, Verdict};
-use crate::compare::{StateDifference, Tally};
 use crate::motion::Sketch;
 
 /// A case and what came of it.

@@ -6,9 +6,9 @@
 use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::reference::Reference;
 use gaugeblock::adapters::{Adapter, HarnessError};
-use gaugeblock::compare::compare;
 use gaugeblock::fuzz::{comparable, is_fragile};
-use gaugeblock::observe::Observed;
+use gaugeblock_compare::compare;
+use gaugeblock_compare::observe::Observed;
 use gaugeblock_fuzz::generate::{self, Dice, odd, pairs};
 use gaugeblock_fuzz::oracle;
 use gaugeblock_vocabulary::{End, Outcome, Scenario};

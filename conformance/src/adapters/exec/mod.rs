@@ -22,10 +22,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
+use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
-use super::{Adapter, Capabilities, ControllerError, Expected, HarnessError, Motion, NotMoved};
+use super::{Adapter, ControllerError, Expected, HarnessError, Motion, NotMoved};
 use crate::protocol::{Declaration, Offer, needed};
 use peer::Door;
 pub(crate) use process::now;

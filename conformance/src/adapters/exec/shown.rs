@@ -3,9 +3,10 @@
 use std::sync::{Mutex, PoisonError};
 use std::thread::{self, ThreadId};
 
+use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::Scenario;
 
-use super::super::{Adapter as _, Capabilities, HarnessError};
+use super::super::{Adapter as _, HarnessError};
 use super::Exec;
 use super::session::{Session, unreadable};
 use crate::protocol::{Offer, Operation, Reply};

@@ -1,8 +1,9 @@
 //! What is asked of an adapter only to see whether it works.
 
+use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::{Outcome, Scenario};
 
-use super::super::{Adapter as _, Capabilities};
+use super::super::Adapter as _;
 use super::session::{Session, request};
 use super::{Exec, HarnessError};
 use crate::protocol::{Offer, Operation, Reply, Ways};

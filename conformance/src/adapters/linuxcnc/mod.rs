@@ -30,6 +30,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::time::Duration;
 
+use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::{MotionLimits, Samples};
 use gaugeblock_vocabulary::scenario::{Action, Start};
 use gaugeblock_vocabulary::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
@@ -38,7 +39,7 @@ use serde_json::Value;
 use super::probing::instrument::{Ends, Plan, is_plain};
 use super::probing::source::{DEBUG_SWITCH, Source};
 use super::probing::workspace;
-use super::{Adapter, Capabilities, ControllerError, HarnessError, NotMoved};
+use super::{Adapter, ControllerError, HarnessError, NotMoved};
 use assemble::Assembly;
 use order::{after, order, plan};
 use pool::Pool;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_compare::observe::is_local_name;
 use gaugeblock_vocabulary::scenario::Budget;
 use gaugeblock_vocabulary::{
     BlockLocation, Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State,
@@ -13,7 +14,6 @@ use super::probe::Probe;
 use super::source::{Form, Source, code, form, has_slash, opens_probe_log};
 use super::state;
 use crate::adapters::HarnessError;
-use crate::observe::is_local_name;
 
 /// The blocks that were executed so far.
 #[derive(Debug)]

@@ -18,10 +18,11 @@ mod tests;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{Language, Options, Outcome, Scenario};
 
-use super::{Adapter, Capabilities, HarnessError, Motion, NotMoved};
+use super::{Adapter, HarnessError, Motion, NotMoved};
 use crate::motion::{Circumstances, plan_under};
 
 /// The production controller.

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_compare::observe::is_local_name;
 use gaugeblock_impl::task::{BY_HAND, Happening, Input, Machine, Work, WorkState};
 use gaugeblock_impl::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
 use gaugeblock_vocabulary::scenario::{Action, Start};
@@ -12,7 +13,6 @@ use gaugeblock_vocabulary::{
 };
 
 use super::outside::Outside;
-use crate::observe::is_local_name;
 
 /// As many steps as most programs of cases and campaigns have.
 const MANY_STEPS: usize = 64;

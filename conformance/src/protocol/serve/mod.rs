@@ -9,13 +9,13 @@ use std::io::{BufRead, Result, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use gaugeblock_compare::observe::Observed;
 use gaugeblock_vocabulary::motion::{MotionLimits, Samples};
 use gaugeblock_vocabulary::{Language, Outcome, Scenario, Step};
 
 use super::digest::digest;
 use super::{Answer, Declaration, Observables, Offer, Operation, Reply, Request, Standing, Ways};
 use crate::adapters::{Adapter, Motion, NotMoved};
-use crate::observe::Observed;
 use requests::{Ran, Reader, Requests};
 
 /// Steps of a batch.

@@ -10,7 +10,7 @@ use gaugeblock_vocabulary::{
     State, Value,
 };
 
-use crate::compare::tolerance;
+use crate::tolerance;
 
 /// An effect and the settings in force at it.
 #[derive(Clone, Debug)]
@@ -197,7 +197,7 @@ fn forget_local_names(state: &mut State, change: &State) {
 }
 
 /// Whether a parameter, as it stands in a record, is a local named one: no number, and no underscore before the name.
-pub(crate) fn is_local_name(name: &str) -> bool {
+pub fn is_local_name(name: &str) -> bool {
     !name.starts_with('_') && name.parse::<u32>().is_err()
 }
 

@@ -1,7 +1,7 @@
 //! Values of a pin against those that a controller was seen to give it.
 
 use super::tolerance;
-use crate::adapters::Capabilities;
+use crate::Capabilities;
 use crate::observe::PinValue;
 
 /// Whether these values of a pin are seen so. Those that last for less than the controller shows for sure need not be

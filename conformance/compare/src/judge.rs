@@ -3,9 +3,9 @@
 use gaugeblock_suite::assertion::{Assertion, Claim, Expected, Place, is_accepted};
 use gaugeblock_vocabulary::{Channel, Effect, End, Entry, Pin, Position, Settings, State, Value};
 
-use crate::adapters::Capabilities;
-use crate::compare::{end_text, pin_values, pins, rounded, tolerance};
+use crate::Capabilities;
 use crate::observe::{Observed, ObservedEffect, ObservedStep, end_of, is_in_place, value_of};
+use crate::{end_text, pin_values, pins, rounded, tolerance};
 
 /// What an assertion comes to.
 #[derive(Clone, Debug, PartialEq, Eq)]

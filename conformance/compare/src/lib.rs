@@ -1,5 +1,8 @@
 //! Two outcomes side by side: the first divergence, and what could not be compared.
 
+mod capabilities;
+pub mod judge;
+pub mod observe;
 pub mod pins;
 mod same;
 mod state;
@@ -11,11 +14,11 @@ use std::collections::BTreeSet;
 use gaugeblock_suite::assertion::is_accepted;
 use gaugeblock_vocabulary::{BlockLocation, End, Entry, Fault, Pin, Settings, Value};
 
+pub use capabilities::Capabilities;
 pub use same::surely_same;
 pub use state::{FieldDifference, StateDifference, state};
 pub use tally::{Basis, Tally};
 
-use crate::adapters::Capabilities;
 use crate::observe::{Observed, ObservedEffect, ObservedStep};
 
 /// The first point at which two runs differ.

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{recorded, rounded, tolerance};
-use crate::adapters::Capabilities;
+use crate::Capabilities;
 use crate::observe::{Observed, ObservedStep};
 
 /// Settings and state after a block, as far as they differ.
