@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use gaugeblock_vocabulary::{Channel, FaultKind};
 
 use super::formats::REAL;
-use super::refusal::{Halt, refuse, refuse_form};
+use super::refusal::{StepError, refuse, refuse_form};
 use super::run::Run;
 use super::status::too_long;
 use super::syntax::{Condition, Expression, Operator, Reference, Side, Test};
@@ -16,7 +16,7 @@ impl Run<'_> {
     ///
     /// # Errors
     /// It cannot be evaluated, or there is no such member.
-    pub(super) fn cell(&mut self, reference: &Reference) -> Result<usize, Halt> {
+    pub(super) fn cell(&mut self, reference: &Reference) -> Result<usize, StepError> {
         let declared = &self.variables.all[reference.variable];
         let (first, size) = (declared.cell, declared.size.unwrap_or(1));
         let Some(index) = &reference.index else { return Ok(first) };
@@ -34,7 +34,7 @@ impl Run<'_> {
     ///
     /// # Errors
     /// Nothing, where that counts for nothing, or it is no member of its array.
-    fn held(&mut self, reference: &Reference) -> Result<Value, Halt> {
+    fn held(&mut self, reference: &Reference) -> Result<Value, StepError> {
         let cell = self.cell(reference)?;
         if let Some(value) = &self.variables.cells[cell].value {
             return Ok(value.clone());
@@ -51,7 +51,7 @@ impl Run<'_> {
     ///
     /// # Errors
     /// It cannot be evaluated.
-    pub(super) fn value(&mut self, side: &Side) -> Result<Value, Halt> {
+    pub(super) fn value(&mut self, side: &Side) -> Result<Value, StepError> {
         match side {
             Side::Text(text) => Ok(Value::Text(text.clone())),
             Side::Variable(reference) => self.held(reference),
@@ -60,7 +60,7 @@ impl Run<'_> {
     }
 
     /// A number that is finite.
-    fn number(&mut self, expression: &Expression) -> Result<f64, Halt> {
+    fn number(&mut self, expression: &Expression) -> Result<f64, StepError> {
         let number = match expression {
             Expression::Number(number) => *number,
             Expression::Variable(reference) => match self.held(reference)? {
@@ -84,7 +84,7 @@ impl Run<'_> {
     ///
     /// # Errors
     /// Something of it cannot be evaluated.
-    pub(super) fn condition(&mut self, condition: &Condition) -> Result<bool, Halt> {
+    pub(super) fn condition(&mut self, condition: &Condition) -> Result<bool, StepError> {
         match condition {
             Condition::All(tests) => self.tests(tests),
             Condition::Flag(reference) => {
@@ -103,7 +103,7 @@ impl Run<'_> {
     ///
     /// # Errors
     /// One of them cannot be evaluated.
-    pub(super) fn tests(&mut self, tests: &[Test]) -> Result<bool, Halt> {
+    pub(super) fn tests(&mut self, tests: &[Test]) -> Result<bool, StepError> {
         for test in tests {
             if !self.test(test)? {
                 return Ok(false);
@@ -113,7 +113,7 @@ impl Run<'_> {
     }
 
     /// Rule gpp.tested. `VAR_SET` holds where the flag is on, `VAR_NOTSET` where it is off.
-    fn test(&mut self, test: &Test) -> Result<bool, Halt> {
+    fn test(&mut self, test: &Test) -> Result<bool, StepError> {
         match test {
             Test::Is(on, reference) => {
                 let cell = self.cell(reference)?;
@@ -130,7 +130,7 @@ impl Run<'_> {
 
     /// Rule gpp.comparison. Numbers are compared as they are printed: a variable in its own format, an expression in
     /// that of the variable on the other side, and two expressions in that of reals.
-    fn compared(&mut self, one: &Side, other: &Side) -> Result<Ordering, Halt> {
+    fn compared(&mut self, one: &Side, other: &Side) -> Result<Ordering, StepError> {
         let (left, right) = (self.value(one)?, self.value(other)?);
         let (left, right) = match (left, right) {
             (Value::Number(left), Value::Number(right)) => (left, right),
@@ -153,13 +153,13 @@ impl Run<'_> {
         }
     }
 
-    fn read_back(&self, number: f64, format: usize) -> Result<f64, Halt> {
+    fn read_back(&self, number: f64, format: usize) -> Result<f64, StepError> {
         let format = &self.variables.formats[format];
         format.read_back(number, self.readings.tie).map_err(|_| too_long())
     }
 }
 
-fn calculated(left: f64, operator: Operator, right: f64) -> Result<f64, Halt> {
+fn calculated(left: f64, operator: Operator, right: f64) -> Result<f64, StepError> {
     match operator {
         Operator::Add => Ok(left + right),
         Operator::Subtract => Ok(left - right),
@@ -169,7 +169,7 @@ fn calculated(left: f64, operator: Operator, right: f64) -> Result<f64, Halt> {
     }
 }
 
-fn finite(number: f64) -> Result<f64, Halt> {
+fn finite(number: f64) -> Result<f64, StepError> {
     if number.is_finite() {
         return Ok(number);
     }

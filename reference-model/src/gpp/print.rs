@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::Channel;
 
-use super::refusal::Halt;
+use super::refusal::StepError;
 use super::run::Run;
 use super::syntax::{Item, Printer, Reference};
 
@@ -26,7 +26,7 @@ impl Run<'_> {
         line: u32,
         printer: Printer,
         items: &[Item],
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         let mut printing = Printing { line, printer, text: String::new(), printed: Vec::new() };
         for item in items {
             self.record.spend(1);
@@ -52,7 +52,7 @@ impl Run<'_> {
 
     /// Rule gpp.newline-symbol. The symbol runs its procedure: at each occurrence, or, in the old GPP, when something
     /// is printed after it.
-    fn newline(&mut self, printing: &mut Printing) -> Result<(), Halt> {
+    fn newline(&mut self, printing: &mut Printing) -> Result<(), StepError> {
         self.evidence.accepted("gpp.newline-symbol");
         if self.program.procedure.is_empty() {
             return Ok(());
@@ -65,14 +65,14 @@ impl Run<'_> {
     }
 
     /// The procedure runs in the middle of a statement, which is a step up to here and another one from here on.
-    fn run_procedure(&mut self, printing: &mut Printing) -> Result<(), Halt> {
+    fn run_procedure(&mut self, printing: &mut Printing) -> Result<(), StepError> {
         self.say(printing);
         self.end_step(printing.line)?;
         self.procedure()?;
         self.begin_step(printing.line)
     }
 
-    fn put(&mut self, printing: &mut Printing, text: &str) -> Result<(), Halt> {
+    fn put(&mut self, printing: &mut Printing, text: &str) -> Result<(), StepError> {
         if self.newline_waits && !text.is_empty() {
             self.newline_waits = false;
             self.run_procedure(printing)?;
@@ -83,7 +83,11 @@ impl Run<'_> {
 
     /// Rules gpp.off-printed and gpp.off-modal. A variable is printed whether it is on or off. In the old GPP a modal
     /// variable that is off is left out.
-    fn put_variable(&mut self, printing: &mut Printing, reference: &Reference) -> Result<(), Halt> {
+    fn put_variable(
+        &mut self,
+        printing: &mut Printing,
+        reference: &Reference,
+    ) -> Result<(), StepError> {
         let variable = reference.variable;
         let cell = self.cell(reference)?;
         let is_modal = self.variables.all[variable].modal;

@@ -8,7 +8,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::readings::Tie;
-use super::refusal::Halt;
+use super::refusal::StepError;
 use super::variables::Variables;
 
 /// The file that drives a program.
@@ -52,9 +52,9 @@ impl Record {
     ///
     /// # Errors
     /// Those before have used up the budget.
-    pub fn begin(&self) -> Result<(), Halt> {
+    pub fn begin(&self) -> Result<(), StepError> {
         let most = usize::try_from(self.budget.steps).unwrap_or(usize::MAX);
-        if self.cost < most { Ok(()) } else { Err(Halt::Exhausted(Bound::Steps)) }
+        if self.cost < most { Ok(()) } else { Err(StepError::Exhausted(Bound::Steps)) }
     }
 
     /// The step in progress costs more.
@@ -77,7 +77,7 @@ impl Record {
     ///
     /// # Errors
     /// The budget is used up.
-    pub fn warn(&mut self, line: u32, text: &str) -> Result<(), Halt> {
+    pub fn warn(&mut self, line: u32, text: &str) -> Result<(), StepError> {
         self.begin()?;
         self.say(Channel::Display, text);
         self.finish(BlockLocation::new(Program::MAIN, line), None)
@@ -92,7 +92,7 @@ impl Record {
         block: BlockLocation,
         variables: &Variables,
         tie: Tie,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         let mut state = GppState::default();
         let (mut texts, mut flags) = (BTreeMap::new(), BTreeMap::new());
         for cell in std::mem::take(&mut self.touched) {
@@ -125,7 +125,7 @@ impl Record {
         self.finish(block, Some(State::Gpp(state)))
     }
 
-    fn finish(&mut self, block: BlockLocation, state: Option<State>) -> Result<(), Halt> {
+    fn finish(&mut self, block: BlockLocation, state: Option<State>) -> Result<(), StepError> {
         self.spend(1);
         let events = std::mem::take(&mut self.events);
         self.effects = self.effects.saturating_add(u32::try_from(events.len()).unwrap_or(u32::MAX));
@@ -133,6 +133,6 @@ impl Record {
         if self.effects <= self.budget.effects {
             return Ok(());
         }
-        Err(Halt::Exhausted(Bound::Effects))
+        Err(StepError::Exhausted(Bound::Effects))
     }
 }

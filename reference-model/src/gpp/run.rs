@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::{
 
 use super::readings::Readings;
 use super::record::{Record, TOOLPATH};
-use super::refusal::{Halt, Refusal};
+use super::refusal::{Refusal, StepError};
 use super::syntax::{self, Action, Condition, Program, Statement};
 use super::toolpath::{self, Processed};
 use super::variables::Variables;
@@ -41,11 +41,11 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
                 newline_waits: false,
                 at: BlockLocation::new(Files::MAIN, 1),
             };
-            let halted = run.whole(&blocks).err();
-            let end = halted.map_or(End::ProgramEnd, |halt| ended(halt, run.at, run.evidence));
+            let stopped = run.whole(&blocks).err();
+            let end = stopped.map_or(End::ProgramEnd, |error| ended(error, run.at, run.evidence));
             (run.record.steps, end)
         }
-        Err((at, halt)) => (Vec::new(), ended(halt, at, &mut evidence)),
+        Err((at, error)) => (Vec::new(), ended(error, at, &mut evidence)),
     };
     (outcome(steps, end), evidence.take())
 }
@@ -55,24 +55,24 @@ fn compiled(
     toolpath: &str,
     readings: Readings,
     evidence: &mut Witness,
-) -> Result<(Program, Vec<Processed>), (BlockLocation, Halt)> {
-    let of = |file: &'static str| move |(line, halt)| (BlockLocation::new(file, line), halt);
+) -> Result<(Program, Vec<Processed>), (BlockLocation, StepError)> {
+    let of = |file: &'static str| move |(line, error)| (BlockLocation::new(file, line), error);
     let toolpath = toolpath::read(toolpath, &readings).map_err(of(TOOLPATH))?;
     let main = &scenario.program.main;
     let program = syntax::read(main, toolpath.variables, readings, evidence);
     Ok((program.map_err(of(Files::MAIN))?, toolpath.blocks))
 }
 
-fn ended(halt: Halt, at: BlockLocation, evidence: &mut Witness) -> End {
-    match halt {
-        Halt::Refused(Refusal { rule, kind, message }) => {
+fn ended(error: StepError, at: BlockLocation, evidence: &mut Witness) -> End {
+    match error {
+        StepError::Refused(Refusal { rule, kind, message }) => {
             if let Some(rule) = rule {
                 evidence.refused(rule);
             }
             End::Fault(Fault { kind: Some(kind), block: Some(at), span: None, message })
         }
-        Halt::Unspecified(why) => End::Unspecified { block: at, why },
-        Halt::Exhausted(bound) => End::BudgetExhausted { bound },
+        StepError::Unspecified(why) => End::Unspecified { block: at, why },
+        StepError::Exhausted(bound) => End::BudgetExhausted { bound },
     }
 }
 
@@ -89,7 +89,7 @@ fn outcome(steps: Vec<Step>, end: End) -> Outcome {
 }
 
 impl Run<'_> {
-    fn whole(&mut self, blocks: &[Processed]) -> Result<(), Halt> {
+    fn whole(&mut self, blocks: &[Processed]) -> Result<(), StepError> {
         for (line, text) in &self.program.warnings {
             self.record.warn(*line, text)?;
         }
@@ -103,7 +103,7 @@ impl Run<'_> {
     }
 
     /// A block of the toolpath sets its variables, and then the program's block of that name is executed.
-    fn processed(&mut self, block: &Processed) -> Result<(), Halt> {
+    fn processed(&mut self, block: &Processed) -> Result<(), StepError> {
         self.at = BlockLocation::new(TOOLPATH, block.line);
         self.record.begin()?;
         self.leave_out(&block.values);
@@ -115,16 +115,16 @@ impl Run<'_> {
         program.blocks.get(&block.heading).map_or(Ok(()), |block| self.statements(block))
     }
 
-    pub(super) fn procedure(&mut self) -> Result<(), Halt> {
+    pub(super) fn procedure(&mut self) -> Result<(), StepError> {
         let program = self.program;
         self.statements(&program.procedure)
     }
 
-    fn statements(&mut self, statements: &[Statement]) -> Result<(), Halt> {
+    fn statements(&mut self, statements: &[Statement]) -> Result<(), StepError> {
         statements.iter().try_for_each(|statement| self.statement(statement))
     }
 
-    fn statement(&mut self, statement: &Statement) -> Result<(), Halt> {
+    fn statement(&mut self, statement: &Statement) -> Result<(), StepError> {
         let line = statement.line;
         if let Action::Repeat { body, line, until } = &statement.action {
             return self.repeat(body, *line, until);
@@ -154,7 +154,7 @@ impl Run<'_> {
         line: u32,
         condition: &Condition,
         (then, otherwise): (&[Statement], &[Statement]),
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         let holds = self.condition(condition)?;
         self.end_step(line)?;
         self.statements(if holds { then } else { otherwise })
@@ -165,7 +165,7 @@ impl Run<'_> {
         body: &[Statement],
         line: u32,
         until: &[syntax::Test],
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         loop {
             self.statements(body)?;
             self.begin_step(line)?;
@@ -178,13 +178,13 @@ impl Run<'_> {
     }
 
     /// The statement at a line begins, or goes on.
-    pub(super) fn begin_step(&mut self, line: u32) -> Result<(), Halt> {
+    pub(super) fn begin_step(&mut self, line: u32) -> Result<(), StepError> {
         self.at = BlockLocation::new(Files::MAIN, line);
         self.record.begin()
     }
 
     /// The statement at a line has done what it does, up to here.
-    pub(super) fn end_step(&mut self, line: u32) -> Result<(), Halt> {
+    pub(super) fn end_step(&mut self, line: u32) -> Result<(), StepError> {
         let block = BlockLocation::new(Files::MAIN, line);
         self.record.end(block, &self.variables, self.readings.tie)
     }

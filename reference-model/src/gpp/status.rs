@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use gaugeblock_vocabulary::FaultKind;
 
 use super::readings::AssignedAgain;
-use super::refusal::{Halt, refuse};
+use super::refusal::{StepError, refuse};
 use super::run::Run;
 use super::syntax::Target;
 use super::variables::{Class, Value};
@@ -20,7 +20,7 @@ impl Run<'_> {
         variable: usize,
         cell: usize,
         value: Value,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         let is_first = self.variables.cells[cell].value.is_none();
         let is_changed = self.set_value(variable, cell, value)?;
         if is_first {
@@ -42,7 +42,7 @@ impl Run<'_> {
     ///
     /// # Errors
     /// The value has no text in a format.
-    pub(super) fn receive(&mut self, variable: usize, value: Value) -> Result<(), Halt> {
+    pub(super) fn receive(&mut self, variable: usize, value: Value) -> Result<(), StepError> {
         let declared = &self.variables.all[variable];
         let (cell, class) = (declared.cell, declared.class);
         let is_first = self.variables.cells[cell].value.is_none();
@@ -80,7 +80,7 @@ impl Run<'_> {
 
     /// Rule gpp.changed-by-format. Sets a value; whether it is another one is told by the text in the variable's
     /// format. All that are identical have it, each in a format of its own.
-    fn set_value(&mut self, variable: usize, cell: usize, value: Value) -> Result<bool, Halt> {
+    fn set_value(&mut self, variable: usize, cell: usize, value: Value) -> Result<bool, StepError> {
         let tie = self.readings.tie;
         let sharing = self.variables.of_cell(cell);
         for place in &sharing {
@@ -104,7 +104,7 @@ impl Run<'_> {
     ///
     /// # Errors
     /// An index that cannot be evaluated, or leads to no member.
-    pub(super) fn switch(&mut self, target: &Target, on: bool) -> Result<(), Halt> {
+    pub(super) fn switch(&mut self, target: &Target, on: bool) -> Result<(), StepError> {
         let cells: Vec<(usize, usize)> = match target {
             Target::Variable(reference) => {
                 vec![(reference.variable, self.cell(reference)?)]
@@ -145,7 +145,7 @@ impl Run<'_> {
 }
 
 /// Rule gpp.number-format. More digits before the point than the format has are no number of it.
-pub(super) fn too_long() -> Halt {
+pub(super) fn too_long() -> StepError {
     let message = "more digits before the point than the format has";
     refuse("gpp.number-format", FaultKind::NumberTooLong, message)
 }

@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::formats::{self, CHARACTER, Format, MOST_DIGITS, NAMES};
 use super::readings::Readings;
-use super::refusal::{Halt, refuse_form};
+use super::refusal::{StepError, refuse_form};
 use super::syntax::{Heading, is_keyword};
 use super::text::{LONGEST_NUMBER, LONGEST_TEXT, is_number};
 use super::variables::{Class, Value, Variables, is_system_name};
@@ -38,7 +38,7 @@ pub struct Processed {
 ///
 /// # Errors
 /// The first line that is not of its form, and why.
-pub fn read(text: &str, readings: &Readings) -> Result<Toolpath, (u32, Halt)> {
+pub fn read(text: &str, readings: &Readings) -> Result<Toolpath, (u32, StepError)> {
     let mut reader = Reader {
         readings,
         given: BTreeSet::new(),
@@ -46,7 +46,7 @@ pub fn read(text: &str, readings: &Readings) -> Result<Toolpath, (u32, Halt)> {
     };
     for (line, number) in text.split_inclusive('\n').zip(1..) {
         let read = content(line).and_then(|line| reader.line(line, number));
-        read.map_err(|halt| (number, halt))?;
+        read.map_err(|error| (number, error))?;
     }
     // A format may be given behind the variables that have it.
     reader.toolpath.variables.take_modality_of_formats(readings);
@@ -54,7 +54,7 @@ pub fn read(text: &str, readings: &Readings) -> Result<Toolpath, (u32, Halt)> {
 }
 
 /// A line without its end: a line feed, a carriage return and a line feed, or nothing where the file ends.
-fn content(line: &str) -> Result<&str, Halt> {
+fn content(line: &str) -> Result<&str, StepError> {
     let Some(line) = line.strip_suffix('\n') else {
         return if line.ends_with('\r') {
             Err(bad("a carriage return ends no line"))
@@ -72,7 +72,7 @@ struct Reader<'a> {
     toolpath: Toolpath,
 }
 
-fn bad(message: impl Into<String>) -> Halt {
+fn bad(message: impl Into<String>) -> StepError {
     refuse_form(FaultKind::BadFile, message)
 }
 
@@ -84,7 +84,7 @@ fn word(text: &str) -> (&str, &str) {
 }
 
 impl Reader<'_> {
-    fn line(&mut self, line: &str, number: u32) -> Result<(), Halt> {
+    fn line(&mut self, line: &str, number: u32) -> Result<(), StepError> {
         let (first, rest) = word(line);
         if first.is_empty() || first.starts_with('#') {
             return Ok(());
@@ -99,7 +99,7 @@ impl Reader<'_> {
         }
     }
 
-    fn format(&mut self, text: &str) -> Result<(), Halt> {
+    fn format(&mut self, text: &str) -> Result<(), StepError> {
         let (name, mut rest) = word(text);
         let place = format_of(name)?;
         if !self.given.insert(place) {
@@ -122,7 +122,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn system(&mut self, text: &str) -> Result<(), Halt> {
+    fn system(&mut self, text: &str) -> Result<(), StepError> {
         let (name, rest) = word(text);
         let (class, rest) = word(rest);
         let (format, rest) = word(rest);
@@ -147,7 +147,7 @@ impl Reader<'_> {
         declared.map_err(|_| bad("there are too many variables"))
     }
 
-    fn block(&mut self, text: &str, line: u32) -> Result<(), Halt> {
+    fn block(&mut self, text: &str, line: u32) -> Result<(), StepError> {
         let (name, rest) =
             text.split_once(':').ok_or_else(|| bad("a block's name ends with a colon"))?;
         let name = words(name).ok_or_else(|| bad("this is no name of a block"))?;
@@ -179,7 +179,7 @@ impl Reader<'_> {
     }
 
     /// The pair with which a text begins, and what stands behind it.
-    fn value<'t>(&self, text: &'t str) -> Result<(usize, Value, &'t str), Halt> {
+    fn value<'t>(&self, text: &'t str) -> Result<(usize, Value, &'t str), StepError> {
         let (name, rest) = text.split_once('=').ok_or_else(|| bad("a value is NAME=VALUE"))?;
         let variables = &self.toolpath.variables;
         let variable = variables
@@ -208,20 +208,20 @@ impl Reader<'_> {
     }
 }
 
-fn number(text: &str) -> Result<f64, Halt> {
+fn number(text: &str) -> Result<f64, StepError> {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
     let is_number = is_number(digits) && text.len() <= LONGEST_NUMBER;
     let number = text.parse().ok().filter(|_| is_number);
     number.ok_or_else(|| bad(format!("this is no number: {text}")))
 }
 
-fn format_of(name: &str) -> Result<usize, Halt> {
+fn format_of(name: &str) -> Result<usize, StepError> {
     let name = name.to_ascii_uppercase();
     let place = NAMES.iter().position(|known| *known == name);
     place.ok_or_else(|| bad(format!("there is no format {name}")))
 }
 
-fn set_key(format: &mut Format, key: &str, value: &str) -> Result<(), Halt> {
+fn set_key(format: &mut Format, key: &str, value: &str) -> Result<(), StepError> {
     match key {
         "integer" => {
             format.integer = digits(value).filter(|(_, most)| *most > 0).ok_or_else(few)?;
@@ -243,7 +243,7 @@ fn set_key(format: &mut Format, key: &str, value: &str) -> Result<(), Halt> {
     Ok(())
 }
 
-fn few() -> Halt {
+fn few() -> StepError {
     bad(format!("digits are FEWEST..MOST, {MOST_DIGITS} at most"))
 }
 
@@ -257,7 +257,7 @@ fn digits(text: &str) -> Option<(usize, usize)> {
     (fewest <= most && most <= MOST_DIGITS).then_some((fewest, most))
 }
 
-fn yes(text: &str) -> Result<bool, Halt> {
+fn yes(text: &str) -> Result<bool, StepError> {
     match text.to_ascii_lowercase().as_str() {
         "yes" => Ok(true),
         "no" => Ok(false),
@@ -265,7 +265,7 @@ fn yes(text: &str) -> Result<bool, Halt> {
     }
 }
 
-fn character(text: &str) -> Result<Option<char>, Halt> {
+fn character(text: &str) -> Result<Option<char>, StepError> {
     let mut characters = text.chars();
     match (characters.next(), characters.next()) {
         (first, None) => Ok(first),

@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::formats::{self, CHARACTER, Format};
 use super::readings::{Readings, Tie};
-use super::refusal::{Halt, refuse_form};
+use super::refusal::{StepError, refuse_form};
 use super::syntax::Reference;
 
 /// Most variables, members of arrays counted.
@@ -102,7 +102,7 @@ impl Variables {
         format: usize,
         class: Option<Class>,
         readings: &Readings,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         let members = usize::try_from(size.unwrap_or(1)).unwrap_or(usize::MAX);
         if members > MOST_VARIABLES.saturating_sub(self.cells.len()) {
             let message = format!("there are {MOST_VARIABLES} variables at most");

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::refusal::{Halt, open, refuse};
+use super::refusal::{StepError, open, refuse};
 use super::run::Run;
 use super::variables::Locals;
 use super::words::Words;
@@ -70,7 +70,7 @@ impl Run<'_> {
     /// Rule nct.arguments. Each letter stands for a variable of its own; G, L, N, O and P are no arguments. Rule
     /// nct.argument-sets. I, J and K in their n-th set are #3n+1, #3n+2 and #3n+3, for ten sets; of two words for one
     /// variable the later one counts. So it does where G, L or P has a variable.
-    pub(super) fn arguments(&mut self, words: &Words, is_block: bool) -> Result<Locals, Halt> {
+    pub(super) fn arguments(&mut self, words: &Words, is_block: bool) -> Result<Locals, StepError> {
         let mut locals: Locals = [None; 33];
         let mut sets = Sets::default();
         let mut seen = std::collections::BTreeSet::new();
@@ -107,7 +107,7 @@ impl Run<'_> {
     /// The variable of a letter; none where the letter is left out.
     ///
     /// Choice nct.block-arguments.
-    fn letter(&self, letter: char, is_block: bool) -> Result<Option<usize>, Halt> {
+    fn letter(&self, letter: char, is_block: bool) -> Result<Option<usize>, StepError> {
         let number = |table: &[(char, usize)]| {
             table.iter().find(|(other, _)| *other == letter).map(|(_, number)| *number)
         };

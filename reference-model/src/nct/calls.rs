@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::evaluate::rounded;
-use super::refusal::{Halt, open, refuse, refuse_form};
+use super::refusal::{StepError, open, refuse, refuse_form};
 use super::run::{Flow, Run};
 use super::variables::Locals;
 use super::words::{Words, word};
@@ -79,7 +79,7 @@ impl Run<'_> {
     }
 
     /// G65, G66, G66.1 and G67.
-    pub(super) fn call_block(&mut self, codes: &[i64], words: &Words) -> Result<Flow, Halt> {
+    pub(super) fn call_block(&mut self, codes: &[i64], words: &Words) -> Result<Flow, StepError> {
         if codes.iter().filter(|code| Self::is_call(**code)).count() > 1 {
             return Err(refuse_form(FaultKind::ModalConflict, "two codes of calls"));
         }
@@ -121,7 +121,7 @@ impl Run<'_> {
     }
 
     /// Rule nct.modal-call. The block of a modal call stores the arguments, and calls nothing itself.
-    fn begin_modal(&mut self, call: ModalCall) -> Result<(), Halt> {
+    fn begin_modal(&mut self, call: ModalCall) -> Result<(), StepError> {
         self.may_change_modal_calls()?;
         if self.modal_calls.last().is_some_and(|last| last.by_block != call.by_block) {
             return Err(open("G66 and G66.1 in force together"));
@@ -135,7 +135,7 @@ impl Run<'_> {
     /// Rule nct.cancel-last. G67 cancels the modal call that was commanded last.
     /// Rule nct.cancel-earlier. A further one cancels the one before it.
     /// Choice nct.cancel-without-call.
-    fn cancel(&mut self) -> Result<(), Halt> {
+    fn cancel(&mut self) -> Result<(), StepError> {
         self.may_change_modal_calls()?;
         let rule = match self.modal_calls.pop() {
             Some(_) if self.modal_calls.is_empty() => "nct.cancel-earlier",
@@ -150,7 +150,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    fn may_change_modal_calls(&self) -> Result<(), Halt> {
+    fn may_change_modal_calls(&self) -> Result<(), StepError> {
         if self.frame().reach == Reach::All {
             return Ok(());
         }
@@ -162,7 +162,7 @@ impl Run<'_> {
         &mut self,
         rule: &'static str,
         words: &Words,
-    ) -> Result<i64, Halt> {
+    ) -> Result<i64, StepError> {
         let message = "a call without P";
         let program =
             word(words, 'P').ok_or_else(|| refuse(rule, FaultKind::MissingWord, message))?;
@@ -171,7 +171,7 @@ impl Run<'_> {
     }
 
     /// Rule nct.repeat. L says how often, from 1 to 9999; without it, once.
-    pub(super) fn repeats(&mut self, words: &Words) -> Result<u32, Halt> {
+    pub(super) fn repeats(&mut self, words: &Words) -> Result<u32, StepError> {
         let Some(repeats) = word(words, 'L') else { return Ok(1) };
         self.once(words, 'L')?;
         let rule = "nct.repeat";
@@ -183,7 +183,7 @@ impl Run<'_> {
         Ok(number)
     }
 
-    fn once(&self, words: &Words, letter: char) -> Result<(), Halt> {
+    fn once(&self, words: &Words, letter: char) -> Result<(), StepError> {
         if words.iter().filter(|(other, _)| *other == letter).count() > 1 {
             return Err(refuse_form(FaultKind::RepeatedWord, format!("{letter} stands twice")));
         }
@@ -201,7 +201,7 @@ impl Run<'_> {
         repeats: u32,
         arguments: Locals,
         reach: Reach,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         let most = if self.readings.five_levels { 5 } else { 4 };
         if self.variables.level() >= most {
             let message = format!("more than {most} macro levels");
@@ -231,7 +231,7 @@ impl Run<'_> {
         repeats: u32,
         kind: Kind,
         reach: Reach,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         let program = self.programs.find(program)?;
         let most = if self.readings.five_levels { 15 } else { 8 };
         if self.frames.len() > most {
@@ -244,7 +244,7 @@ impl Run<'_> {
     }
 
     /// Rule nct.sub-call. M98 calls a subprogram at the level that it stands at: it shares the local variables.
-    pub(super) fn call_sub(&mut self, words: &Words) -> Result<(), Halt> {
+    pub(super) fn call_sub(&mut self, words: &Words) -> Result<(), StepError> {
         let program = self.called_program("nct.sub-call", words)?;
         let repeats = self.repeats(words)?;
         let reach = self.frame().reach;
@@ -254,7 +254,7 @@ impl Run<'_> {
     }
 
     /// How many modal calls the blocks of the program in progress reach.
-    pub(super) fn reached(&self) -> Result<usize, Halt> {
+    pub(super) fn reached(&self) -> Result<usize, StepError> {
         match self.frame().reach {
             Reach::All => Ok(self.modal_calls.len()),
             Reach::First(count) => Ok(count),
@@ -265,7 +265,7 @@ impl Run<'_> {
     }
 
     /// How many modal calls a motion reaches: those by block are called in place of a block, and by nothing else.
-    pub(super) fn reached_by_motion(&self) -> Result<usize, Halt> {
+    pub(super) fn reached_by_motion(&self) -> Result<usize, StepError> {
         if self.calls_by_block() { Ok(0) } else { self.reached() }
     }
 
@@ -277,7 +277,11 @@ impl Run<'_> {
     /// After a motion, or in place of a block: the last of the modal calls that the block reaches.
     ///
     /// Rule nct.modal-order. The macro's own blocks reach those that were commanded before it.
-    pub(super) fn call_modal(&mut self, reached: usize, block: Option<&Words>) -> Result<(), Halt> {
+    pub(super) fn call_modal(
+        &mut self,
+        reached: usize,
+        block: Option<&Words>,
+    ) -> Result<(), StepError> {
         let call = self.modal_calls[reached - 1].clone();
         let arguments = match block {
             Some(words) => self.arguments(words, true)?,
@@ -300,7 +304,7 @@ impl Run<'_> {
     ///
     /// Rule nct.restored. The local variables of the calling program are what they were when it called.
     /// Rule nct.return-to. With P it goes on at the block of that number.
-    pub(super) fn go_back(&mut self, words: &Words) -> Result<Flow, Halt> {
+    pub(super) fn go_back(&mut self, words: &Words) -> Result<Flow, StepError> {
         let to = self.return_block(words)?;
         let frame = self.frames.last_mut().expect("calls: the main program is in progress");
         if frame.modal_calls != self.modal_calls.len() && !matches!(frame.kind, Kind::Main) {
@@ -335,14 +339,14 @@ impl Run<'_> {
         Ok(Flow::On)
     }
 
-    fn return_block(&mut self, words: &Words) -> Result<Option<i64>, Halt> {
+    fn return_block(&mut self, words: &Words) -> Result<Option<i64>, StepError> {
         let Some(to) = word(words, 'P') else { return Ok(None) };
         self.once(words, 'P')?;
         Ok(Some(rounded(to)))
     }
 
     /// Choice nct.main-return.
-    fn main_return(&mut self, to: Option<i64>) -> Result<Flow, Halt> {
+    fn main_return(&mut self, to: Option<i64>) -> Result<Flow, StepError> {
         let rule = "nct.main-return";
         if self.readings.main_return_refused {
             return Err(refuse(rule, FaultKind::OutsideSub, "M99 in the main program"));
@@ -355,7 +359,7 @@ impl Run<'_> {
     }
 
     /// The program in progress goes on at the block of a sequence number.
-    pub(super) fn jump(&mut self, to: i64, rule: &'static str) -> Result<(), Halt> {
+    pub(super) fn jump(&mut self, to: i64, rule: &'static str) -> Result<(), StepError> {
         let frame = self.frames.last_mut().expect("calls: the main program is in progress");
         // The block that jumps, or that called, stands before the next one.
         let from = frame.next.saturating_sub(1);

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::refusal::{Halt, open, refuse, refuse_form};
+use super::refusal::{StepError, open, refuse, refuse_form};
 use super::run::Run;
 use super::syntax::{Comparison, Condition, Expression, Function, Operator};
 use super::variables::Held;
@@ -14,7 +14,7 @@ impl Run<'_> {
     /// What an expression comes to: a number, or nothing where it is a vacant variable alone.
     ///
     /// Rule nct.vacant. In arithmetic, behind a sign too, a vacant variable counts as zero.
-    pub(super) fn value(&mut self, expression: &Expression) -> Result<Held, Halt> {
+    pub(super) fn value(&mut self, expression: &Expression) -> Result<Held, StepError> {
         Ok(match expression {
             Expression::Number(number) => Some(*number),
             Expression::Variable(number) => {
@@ -42,7 +42,7 @@ impl Run<'_> {
         })
     }
 
-    fn number(&mut self, expression: &Expression) -> Result<f64, Halt> {
+    fn number(&mut self, expression: &Expression) -> Result<f64, StepError> {
         let held = self.value(expression)?;
         if held.is_none() {
             self.evidence.accepted("nct.vacant");
@@ -53,7 +53,7 @@ impl Run<'_> {
     /// The number of a variable.
     ///
     /// Rule nct.indirect. It may be computed.
-    pub(super) fn variable_number(&mut self, expression: &Expression) -> Result<i64, Halt> {
+    pub(super) fn variable_number(&mut self, expression: &Expression) -> Result<i64, StepError> {
         if !matches!(expression, Expression::Number(_)) {
             self.evidence.accepted("nct.indirect");
         }
@@ -64,7 +64,7 @@ impl Run<'_> {
     }
 
     /// Rule nct.functions. Which functions there are, and in which unit their angles are, are choices.
-    fn function(&mut self, function: Function, operand: f64) -> Result<f64, Halt> {
+    fn function(&mut self, function: Function, operand: f64) -> Result<f64, StepError> {
         if function == Function::Not {
             return self.bits(operand, 0.0, |operand, _| !operand);
         }
@@ -97,7 +97,7 @@ impl Run<'_> {
         })
     }
 
-    fn applied(&mut self, operator: Operator, left: f64, right: f64) -> Result<f64, Halt> {
+    fn applied(&mut self, operator: Operator, left: f64, right: f64) -> Result<f64, StepError> {
         let divides = matches!(operator, Operator::Over | Operator::Modulo);
         if divides && is_zero(right) {
             return Err(refuse_form(FaultKind::DivideByZero, "division by zero"));
@@ -118,7 +118,12 @@ impl Run<'_> {
 
     /// Rule nct.bits. NOT, AND, OR and XOR take whole numbers of 32 bits: 3091 ERRONEOUS OPERATION WITH # where there
     /// is none. Choice nct.thirty-two-bits: with a sign or without.
-    fn bits(&mut self, left: f64, right: f64, operation: fn(u32, u32) -> u32) -> Result<f64, Halt> {
+    fn bits(
+        &mut self,
+        left: f64,
+        right: f64,
+        operation: fn(u32, u32) -> u32,
+    ) -> Result<f64, StepError> {
         let unsigned = self.readings.unsigned;
         let bits = |number: f64| {
             let number = rounded(number);
@@ -138,7 +143,7 @@ impl Run<'_> {
     }
 
     /// Rule nct.conditions. Two numbers are compared as numbers.
-    pub(super) fn condition(&mut self, condition: &Condition) -> Result<bool, Halt> {
+    pub(super) fn condition(&mut self, condition: &Condition) -> Result<bool, StepError> {
         let (left, right) = (self.value(&condition.left)?, self.value(&condition.right)?);
         let (Some(left), Some(right)) = (left, right) else {
             return self.vacant_condition(condition.comparison, left, right);
@@ -161,7 +166,7 @@ impl Run<'_> {
         comparison: Comparison,
         left: Held,
         right: Held,
-    ) -> Result<bool, Halt> {
+    ) -> Result<bool, StepError> {
         if [left, right].iter().flatten().any(|number| !is_zero(*number)) {
             return Err(open("a vacant variable compared with a number that is not zero"));
         }

@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::{
     SpindleTurn, Switch,
 };
 
-use super::refusal::{Halt, refuse, refuse_form};
+use super::refusal::{StepError, refuse, refuse_form};
 use super::words::Codes;
 
 /// What is in force.
@@ -106,7 +106,7 @@ impl Modes {
     ///
     /// # Errors
     /// Two codes of a group, one that this edition does not hold, or a position that the other unit has no number for.
-    pub fn set(&mut self, codes: &Codes) -> Result<Block, Halt> {
+    pub fn set(&mut self, codes: &Codes) -> Result<Block, StepError> {
         let mut block = Block::default();
         let mut groups = std::collections::BTreeSet::new();
         for (code, letter) in
@@ -119,7 +119,7 @@ impl Modes {
             };
             let group = group.ok_or_else(|| {
                 let number = if letter == 'G' { tenths(code) } else { code.to_string() };
-                Halt::Unsupported(format!("{letter}{number}"))
+                StepError::Unsupported(format!("{letter}{number}"))
             })?;
             if !groups.insert((letter, group)) {
                 let message = format!("two {letter} codes of one group");
@@ -134,7 +134,7 @@ impl Modes {
     }
 
     /// The group of a G code in tenths, which takes effect.
-    fn set_g(&mut self, code: i64, block: &mut Block) -> Result<Option<u32>, Halt> {
+    fn set_g(&mut self, code: i64, block: &mut Block) -> Result<Option<u32>, StepError> {
         match code {
             0 => block.motion = Some(Motion::Traverse),
             10 => block.motion = Some(Motion::Feed),
@@ -190,7 +190,7 @@ impl Modes {
     }
 
     /// A feed in another unit would be another feed: it has to be programmed again.
-    fn set_units(&mut self, units: LengthUnit) -> Result<(), Halt> {
+    fn set_units(&mut self, units: LengthUnit) -> Result<(), StepError> {
         if self.units == units {
             return Ok(());
         }
@@ -224,7 +224,7 @@ impl Default for Modes {
 ///
 /// # Errors
 /// A coordinate is not finite.
-pub(super) fn within_reach(position: &Position) -> Result<(), Halt> {
+pub(super) fn within_reach(position: &Position) -> Result<(), StepError> {
     if position.to_array().iter().all(|coordinate| coordinate.is_finite()) {
         return Ok(());
     }

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion, Plane, Position};
 
 use super::modes::{Modes, within_reach};
-use super::refusal::{Halt, open, refuse};
+use super::refusal::{StepError, open, refuse};
 use super::words::{Words, word};
 use crate::math;
 
@@ -30,7 +30,11 @@ pub(super) const OF_ARC: &str = "IJKR";
 ///
 /// # Errors
 /// There is no motion mode or feed, the machine lacks the axis, or the words give no arc.
-pub(super) fn perform(modes: &mut Modes, words: &Words, axes: &[Axis]) -> Result<Effect, Halt> {
+pub(super) fn perform(
+    modes: &mut Modes,
+    words: &Words,
+    axes: &[Axis],
+) -> Result<Effect, StepError> {
     let mut end = modes.position;
     for (letter, value) in words {
         let Some(axis) = axis(*letter) else { continue };
@@ -79,7 +83,7 @@ fn plane(plane: Plane) -> [(Axis, char); 2] {
 
 /// Rule nct.arc. The centre counts from the start; R is the radius of the shorter arc, or, below zero, of the longer
 /// one.
-fn arc(modes: &Modes, end: Position, words: &Words) -> Result<Effect, Halt> {
+fn arc(modes: &Modes, end: Position, words: &Words) -> Result<Effect, StepError> {
     let rule = "nct.arc";
     let [(first, of_first), (second, of_second)] = plane(modes.plane);
     if let Some((letter, _)) = words
@@ -112,7 +116,11 @@ fn arc(modes: &Modes, end: Position, words: &Words) -> Result<Effect, Halt> {
 }
 
 /// The centre by its offsets from the start.
-fn of_offsets(from: (f64, f64), to: (f64, f64), offsets: (f64, f64)) -> Result<(f64, f64), Halt> {
+fn of_offsets(
+    from: (f64, f64),
+    to: (f64, f64),
+    offsets: (f64, f64),
+) -> Result<(f64, f64), StepError> {
     let centre = (from.0 + offsets.0, from.1 + offsets.1);
     let radius = |point: (f64, f64)| math::hypotenuse(point.0 - centre.0, point.1 - centre.1);
     let (at_start, at_end) = (radius(from), radius(to));
@@ -135,7 +143,7 @@ fn of_radius(
     to: (f64, f64),
     radius: f64,
     clockwise: bool,
-) -> Result<(f64, f64), Halt> {
+) -> Result<(f64, f64), StepError> {
     let quarter = |point: (f64, f64)| (point.0 / 4.0, point.1 / 4.0);
     let (from, to) = (quarter(from), quarter(to));
     let (along, across) = (to.0 - from.0, to.1 - from.1);
@@ -167,6 +175,6 @@ fn beside_chord(radius: f64, half: f64) -> Option<f64> {
     Some(math::square_root((radius - half).max(0.0)) * math::square_root(radius + half))
 }
 
-fn bad_arc(message: impl Into<String>) -> Halt {
+fn bad_arc(message: impl Into<String>) -> StepError {
     refuse("nct.arc", FaultKind::BadArc, message)
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use gaugeblock_vocabulary::FaultKind;
 
 use super::readings::Readings;
-use super::refusal::{Halt, open, refuse};
+use super::refusal::{StepError, open, refuse};
 use super::syntax::{self, Block, Content};
 use super::text;
 
@@ -23,7 +23,7 @@ pub struct Program {
     /// The DO of the innermost loop that each block stands in.
     within: Vec<Option<usize>>,
     /// Why a DO or END is refused when it is reached.
-    faults: BTreeMap<usize, Halt>,
+    faults: BTreeMap<usize, StepError>,
 }
 
 /// All programs of a text.
@@ -68,7 +68,7 @@ impl Programs {
     ///
     /// # Errors
     /// There is none of this number, or several.
-    pub fn find(&self, number: i64) -> Result<usize, Halt> {
+    pub fn find(&self, number: i64) -> Result<usize, StepError> {
         let known = u32::try_from(number).ok().and_then(|number| self.by_number.get(&number));
         match known {
             Some(Some(place)) => Ok(*place),
@@ -98,7 +98,7 @@ impl Program {
     ///
     /// # Errors
     /// That fault.
-    pub fn check(&self, place: usize) -> Result<(), Halt> {
+    pub fn check(&self, place: usize) -> Result<(), StepError> {
         self.faults.get(&place).map_or(Ok(()), |fault| Err(fault.clone()))
     }
 
@@ -107,7 +107,7 @@ impl Program {
     ///
     /// # Errors
     /// There is no such block in the program, or several; or it stands in a loop in which the jump does not.
-    pub fn find(&self, number: i64, from: usize, rule: &'static str) -> Result<usize, Halt> {
+    pub fn find(&self, number: i64, from: usize, rule: &'static str) -> Result<usize, StepError> {
         let known = u32::try_from(number).ok().and_then(|number| self.sequence.get(&number));
         let place = match known {
             Some(Some(place)) => *place,
@@ -136,7 +136,10 @@ impl Program {
 /// Rule nct.loop-pairs. An END ends the innermost DO that is open where it stands, which has its number. A DO has an
 /// END, and no other one of its number is open where it stands. Rule nct.block-delete. Of a block that is skipped
 /// only the numbers count.
-fn loops(blocks: &[Block], block_delete: bool) -> (BTreeMap<usize, usize>, BTreeMap<usize, Halt>) {
+fn loops(
+    blocks: &[Block],
+    block_delete: bool,
+) -> (BTreeMap<usize, usize>, BTreeMap<usize, StepError>) {
     let rule = "nct.loop-pairs";
     let (mut pairs, mut faults) = (BTreeMap::new(), BTreeMap::new());
     let mut begun: Vec<(usize, u32)> = Vec::new();

@@ -8,7 +8,7 @@ use gaugeblock_vocabulary::{
 
 use super::calls::ModalCall;
 use super::modes::Modes;
-use super::refusal::Halt;
+use super::refusal::StepError;
 use super::variables::{COMMON_COUNT, Held, Locals, Variables};
 
 /// What a run has done so far.
@@ -53,10 +53,10 @@ impl Record {
     ///
     /// # Errors
     /// The budget is used up.
-    pub fn begin(&mut self) -> Result<(), Halt> {
+    pub fn begin(&mut self) -> Result<(), StepError> {
         self.events.clear();
         let most = usize::try_from(self.budget.steps).unwrap_or(usize::MAX);
-        if self.steps.len() < most { Ok(()) } else { Err(Halt::Exhausted(Bound::Steps)) }
+        if self.steps.len() < most { Ok(()) } else { Err(StepError::Exhausted(Bound::Steps)) }
     }
 
     /// Something is done, under the settings in force.
@@ -89,7 +89,7 @@ impl Record {
         modes: &Modes,
         variables: &Variables,
         modal_calls: &[ModalCall],
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         self.set(modes);
         let state = NctState {
             macro_level: u32::try_from(variables.level()).ok(),
@@ -104,9 +104,9 @@ impl Record {
         let events = std::mem::take(&mut self.events);
         self.steps.push(Step { block, events, state: Some(state) });
         if self.effects > self.budget.effects {
-            return Err(Halt::Exhausted(Bound::Effects));
+            return Err(StepError::Exhausted(Bound::Effects));
         }
-        if self.time > self.budget.time { Err(Halt::Exhausted(Bound::Time)) } else { Ok(()) }
+        if self.time > self.budget.time { Err(StepError::Exhausted(Bound::Time)) } else { Ok(()) }
     }
 
     fn local_changes(&mut self, variables: &Variables) -> Option<Indexed<String, MacroValue>> {

@@ -15,7 +15,7 @@ pub struct Refusal {
 
 /// Why it does not go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Halt {
+pub enum StepError {
     /// It is refused.
     Refused(Refusal),
     /// The documents leave it open, and no choice covers it.
@@ -27,16 +27,16 @@ pub enum Halt {
 }
 
 /// A refusal by a rule.
-pub fn refuse(rule: &'static str, kind: FaultKind, message: impl Into<String>) -> Halt {
-    Halt::Refused(Refusal { rule: Some(rule), kind, message: message.into() })
+pub fn refuse(rule: &'static str, kind: FaultKind, message: impl Into<String>) -> StepError {
+    StepError::Refused(Refusal { rule: Some(rule), kind, message: message.into() })
 }
 
 /// A refusal that no document names.
-pub fn refuse_form(kind: FaultKind, message: impl Into<String>) -> Halt {
-    Halt::Refused(Refusal { rule: None, kind, message: message.into() })
+pub fn refuse_form(kind: FaultKind, message: impl Into<String>) -> StepError {
+    StepError::Refused(Refusal { rule: None, kind, message: message.into() })
 }
 
 /// What no document settles.
-pub fn open(why: impl Into<String>) -> Halt {
-    Halt::Unspecified(why.into())
+pub fn open(why: impl Into<String>) -> StepError {
+    StepError::Unspecified(why.into())
 }

@@ -13,7 +13,7 @@ use super::motion::{self, OF_ARC, axis, is_arc};
 use super::programs::Programs;
 use super::readings::Readings;
 use super::record::Record;
-use super::refusal::{Halt, Refusal, open, refuse, refuse_form};
+use super::refusal::{Refusal, StepError, open, refuse, refuse_form};
 use super::syntax::{Content, Expression, Word};
 use super::variables::Variables;
 use super::words::{self, Words, word};
@@ -78,7 +78,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     let end = match run.whole(block_delete) {
         Ok(Flow::Endless) => End::Endless,
         Ok(Flow::On | Flow::Ended) => End::ProgramEnd,
-        Err(halt) => run.halted(halt),
+        Err(error) => run.end_after(error),
     };
     let outcome = Outcome {
         language: Language::Nct,
@@ -93,22 +93,22 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
 }
 
 impl Run<'_> {
-    fn halted(&mut self, halt: Halt) -> End {
+    fn end_after(&mut self, error: StepError) -> End {
         let block = Place::new(Files::MAIN, self.at);
-        match halt {
-            Halt::Refused(Refusal { rule, kind, message }) => {
+        match error {
+            StepError::Refused(Refusal { rule, kind, message }) => {
                 if let Some(rule) = rule {
                     self.evidence.refused(rule);
                 }
                 End::Fault(Fault { kind: Some(kind), block: Some(block), span: None, message })
             }
-            Halt::Unspecified(why) => End::Unspecified { block, why },
-            Halt::Unsupported(what) => End::Unsupported { block, what },
-            Halt::Exhausted(bound) => End::BudgetExhausted { bound },
+            StepError::Unspecified(why) => End::Unspecified { block, why },
+            StepError::Unsupported(what) => End::Unsupported { block, what },
+            StepError::Exhausted(bound) => End::BudgetExhausted { bound },
         }
     }
 
-    fn whole(&mut self, block_delete: bool) -> Result<Flow, Halt> {
+    fn whole(&mut self, block_delete: bool) -> Result<Flow, StepError> {
         let programs = self.programs;
         loop {
             let frame = self.frames.last_mut().expect("run: the main program is in progress");
@@ -134,17 +134,17 @@ impl Run<'_> {
         }
     }
 
-    fn begin(&mut self, line: u32) -> Result<(), Halt> {
+    fn begin(&mut self, line: u32) -> Result<(), StepError> {
         self.at = line;
         self.record.begin()
     }
 
-    fn end(&mut self) -> Result<(), Halt> {
+    fn end(&mut self) -> Result<(), StepError> {
         let block = Place::new(Files::MAIN, self.at);
         self.record.end(block, &self.modes, &self.variables, &self.modal_calls)
     }
 
-    fn content(&mut self, content: &Content, place: usize) -> Result<Flow, Halt> {
+    fn content(&mut self, content: &Content, place: usize) -> Result<Flow, StepError> {
         match content {
             Content::Words(words) => return self.word_block(words),
             Content::Assign { number, value } => {
@@ -191,14 +191,14 @@ impl Run<'_> {
     }
 
     /// Rule nct.goto. The number of the block may be computed.
-    fn go_to(&mut self, to: &Expression) -> Result<(), Halt> {
+    fn go_to(&mut self, to: &Expression) -> Result<(), StepError> {
         let Some(to) = self.value(to)? else {
             return Err(open("GOTO with a vacant variable"));
         };
         self.jump(rounded(to), "nct.goto")
     }
 
-    fn word_block(&mut self, words: &[Word]) -> Result<Flow, Halt> {
+    fn word_block(&mut self, words: &[Word]) -> Result<Flow, StepError> {
         let words = self.words(words)?;
         let g = self.g_codes(&words)?;
         if g.iter().any(|code| Self::is_call(*code)) {
@@ -217,7 +217,7 @@ impl Run<'_> {
     }
 
     /// Whether a block is taken as the arguments of a modal call. One without words is not, and neither is M99.
-    fn is_taken(&mut self, words: &Words, m: &[i64]) -> Result<bool, Halt> {
+    fn is_taken(&mut self, words: &Words, m: &[i64]) -> Result<bool, StepError> {
         if !self.calls_by_block() || words.is_empty() || m.contains(&99) || self.reached()? == 0 {
             return Ok(false);
         }
@@ -228,7 +228,7 @@ impl Run<'_> {
     }
 
     /// A block that is executed: modes, F, S, T, tool change, dwell, motion, then a call, a return or the end.
-    fn executed(&mut self, words: &Words, codes: &words::Codes) -> Result<Flow, Halt> {
+    fn executed(&mut self, words: &Words, codes: &words::Codes) -> Result<Flow, StepError> {
         let block = self.modes.set(codes)?;
         if !codes.g.is_empty() {
             self.evidence.accepted("nct.modes");
@@ -259,7 +259,7 @@ impl Run<'_> {
     }
 
     /// What comes after the rest of a block.
-    fn ended(&mut self, words: &Words, block: Codes, reached: usize) -> Result<Flow, Halt> {
+    fn ended(&mut self, words: &Words, block: Codes, reached: usize) -> Result<Flow, StepError> {
         let mut flow = Flow::On;
         if block.sub {
             self.call_sub(words)?;
@@ -287,7 +287,7 @@ impl Run<'_> {
     }
 
     /// Each letter but G and M stands once, and something in the block uses it.
-    fn used(&self, words: &Words, block: Codes, moves: bool) -> Result<(), Halt> {
+    fn used(&self, words: &Words, block: Codes, moves: bool) -> Result<(), StepError> {
         let motion = block.motion.unwrap_or(self.modes.motion);
         let of_p = [block.dwell, block.sub, block.back].iter().filter(|uses| **uses).count();
         if of_p > 1 && word(words, 'P').is_some() {
@@ -318,7 +318,7 @@ impl Run<'_> {
     }
 
     /// F, S and T.
-    fn values(&mut self, words: &Words) -> Result<(), Halt> {
+    fn values(&mut self, words: &Words) -> Result<(), StepError> {
         for letter in ['F', 'S'] {
             let Some(value) = word(words, letter) else { continue };
             if value < 0.0 {
@@ -340,7 +340,7 @@ impl Run<'_> {
     }
 
     /// Rule nct.dwell. G4 waits for P. Choice nct.dwell: in which unit.
-    fn dwell(&mut self, words: &Words) -> Result<(), Halt> {
+    fn dwell(&mut self, words: &Words) -> Result<(), StepError> {
         let rule = "nct.dwell";
         let Some(time) = word(words, 'P') else {
             return Err(refuse(rule, FaultKind::MissingWord, "G4 without P"));

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::refusal::{Halt, refuse, refuse_form};
+use super::refusal::{StepError, refuse, refuse_form};
 
 /// Most digits of a program or sequence number.
 const MOST_DIGITS: usize = 8;
@@ -21,7 +21,7 @@ pub struct Line {
     /// What follows, in capitals, without blanks and comments.
     pub rest: String,
     /// Why it is refused when it is reached.
-    pub fault: Option<Halt>,
+    pub fault: Option<StepError>,
 }
 
 /// The lines of a program text that are not empty.
@@ -56,7 +56,7 @@ fn line(number: u32, text: &str) -> Option<Line> {
 impl Line {
     /// Splits off the program number and the sequence number that a block begins with. A number counts whatever is
     /// wrong behind it.
-    fn split(&mut self, mut rest: &str) -> Result<(), Halt> {
+    fn split(&mut self, mut rest: &str) -> Result<(), StepError> {
         for (letter, place) in [('O', &mut self.program), ('N', &mut self.sequence)] {
             if let Some(after) = rest.strip_prefix(letter) {
                 let (number, after) = number_of(letter, after)?;
@@ -71,7 +71,7 @@ impl Line {
 
 /// A line in capitals, without blanks and comments, up to what is wrong with it. One carriage return belongs to its
 /// end.
-fn plain(text: &str) -> (String, Option<Halt>) {
+fn plain(text: &str) -> (String, Option<StepError>) {
     let mut plain = String::new();
     let mut in_comment = false;
     for character in text.strip_suffix('\r').unwrap_or(text).chars() {
@@ -108,7 +108,7 @@ fn plain(text: &str) -> (String, Option<Halt>) {
 }
 
 /// Rule nct.plain-numbers. O and N take no variable, and neither does the slash.
-fn number_of(letter: char, after: &str) -> Result<(u32, &str), Halt> {
+fn number_of(letter: char, after: &str) -> Result<(u32, &str), StepError> {
     if after.starts_with(['#', '[']) {
         let message = format!("{letter} takes no variable");
         return Err(refuse("nct.plain-numbers", FaultKind::Statement, message));

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::refusal::{Halt, refuse};
+use super::refusal::{StepError, refuse};
 
 /// A value, or none: vacant.
 pub type Held = Option<f64>;
@@ -53,7 +53,7 @@ impl Variables {
     ///
     /// # Errors
     /// There is no variable of this number.
-    pub(super) fn get(&mut self, number: i64) -> Result<Held, Halt> {
+    pub(super) fn get(&mut self, number: i64) -> Result<Held, StepError> {
         Ok(match place(number)? {
             Place::Vacant => None,
             Place::Local(place) => self.locals()[place],
@@ -67,7 +67,7 @@ impl Variables {
     ///
     /// # Errors
     /// There is no variable of this number, or it is #0.
-    pub(super) fn set(&mut self, number: i64, value: Held) -> Result<(), Halt> {
+    pub(super) fn set(&mut self, number: i64, value: Held) -> Result<(), StepError> {
         let value = value.map(|value| value + 0.0);
         match place(number)? {
             Place::Vacant => {
@@ -95,7 +95,7 @@ impl Default for Variables {
 }
 
 /// Rule nct.variable-numbers. There are #1 to #33, #100 to #199 and #500 to #599; #0 holds nothing.
-fn place(number: i64) -> Result<Place, Halt> {
+fn place(number: i64) -> Result<Place, StepError> {
     let known = u32::try_from(number).ok().and_then(|number| match number {
         0 => Some(Place::Vacant),
         1..=33 => Some(Place::Local(number as usize - 1)),

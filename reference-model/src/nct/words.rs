@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::evaluate::rounded;
-use super::refusal::{Halt, refuse};
+use super::refusal::{StepError, refuse};
 use super::run::Run;
 use super::syntax::Word;
 
@@ -28,7 +28,7 @@ impl Run<'_> {
     /// The words of a block, evaluated from the left.
     ///
     /// Rule nct.vacant-word. A word with a vacant value is left out. Zero has no sign.
-    pub(super) fn words(&mut self, words: &[Word]) -> Result<Words, Halt> {
+    pub(super) fn words(&mut self, words: &[Word]) -> Result<Words, StepError> {
         let mut valued = Vec::new();
         for word in words {
             match self.value(&word.value)? {
@@ -40,20 +40,25 @@ impl Run<'_> {
     }
 
     /// The G codes of a block, in tenths.
-    pub(super) fn g_codes(&mut self, words: &Words) -> Result<Vec<i64>, Halt> {
+    pub(super) fn g_codes(&mut self, words: &Words) -> Result<Vec<i64>, StepError> {
         let of_g = words.iter().filter(|(letter, _)| *letter == 'G');
         of_g.map(|(_, value)| self.counted('G', value * 10.0, LARGEST_G)).collect()
     }
 
     /// The M codes of a block.
-    pub(super) fn m_codes(&mut self, words: &Words) -> Result<Vec<i64>, Halt> {
+    pub(super) fn m_codes(&mut self, words: &Words) -> Result<Vec<i64>, StepError> {
         let of_m = words.iter().filter(|(letter, _)| *letter == 'M');
         of_m.map(|(_, value)| self.counted('M', *value, LARGEST_M)).collect()
     }
 
     /// Rule nct.word-rounding. A value is rounded to the digits that its letter has.
     /// Rule nct.word-range. One that is out of its letter's range is refused.
-    pub(super) fn counted(&mut self, letter: char, value: f64, most: i64) -> Result<i64, Halt> {
+    pub(super) fn counted(
+        &mut self,
+        letter: char,
+        value: f64,
+        most: i64,
+    ) -> Result<i64, StepError> {
         let number = Some(rounded(value)).filter(|number| (0..=most).contains(number));
         let message = format!("{letter} has no {value}");
         let rule = "nct.word-range";

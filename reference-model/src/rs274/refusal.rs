@@ -17,7 +17,7 @@ pub struct Refusal {
 
 /// Why a block does not go on.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Halt {
+pub enum StepError {
     /// It is refused.
     Refused(Refusal),
     /// It asks for something that this edition of the model does not specify yet.
@@ -33,8 +33,8 @@ pub enum Halt {
 }
 
 /// A refusal by a rule, without a place in the line.
-pub fn refuse(rule: &'static str, kind: FaultKind, message: impl Into<String>) -> Halt {
-    Halt::Refused(Refusal { rule, kind, message: message.into(), span: None })
+pub fn refuse(rule: &'static str, kind: FaultKind, message: impl Into<String>) -> StepError {
+    StepError::Refused(Refusal { rule, kind, message: message.into(), span: None })
 }
 
 /// A refusal by a rule, about a part of the line.
@@ -43,6 +43,6 @@ pub fn refuse_at(
     kind: FaultKind,
     span: Span,
     message: impl Into<String>,
-) -> Halt {
-    Halt::Refused(Refusal { rule, kind, message: message.into(), span: Some(span) })
+) -> StepError {
+    StepError::Refused(Refusal { rule, kind, message: message.into(), span: Some(span) })
 }

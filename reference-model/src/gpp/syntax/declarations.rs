@@ -6,13 +6,13 @@ use super::is_keyword;
 use super::reader::Reader;
 use super::statements::SYMBOLS;
 use crate::gpp::formats::{CHARACTER, NAMES};
-use crate::gpp::refusal::{Halt, refuse};
+use crate::gpp::refusal::{StepError, refuse};
 use crate::gpp::syntax::Statement;
 use crate::gpp::text::Token;
 use crate::gpp::variables::{MOST_VARIABLES, is_user_name};
 
 impl Reader<'_> {
-    pub(super) fn declarations(&mut self) -> Result<(), Halt> {
+    pub(super) fn declarations(&mut self) -> Result<(), StepError> {
         loop {
             self.begin();
             if self.is_heading() {
@@ -38,7 +38,7 @@ impl Reader<'_> {
     }
 
     /// Rule gpp.declaration. FORMAT declares user variables, and gives a system variable another format.
-    fn format(&mut self) -> Result<(), Halt> {
+    fn format(&mut self) -> Result<(), StepError> {
         self.take();
         self.expect("(")?;
         let format = self.word().and_then(|word| NAMES.iter().position(|name| *name == word));
@@ -54,7 +54,7 @@ impl Reader<'_> {
         }
     }
 
-    fn declared_name(&mut self, format: usize) -> Result<(), Halt> {
+    fn declared_name(&mut self, format: usize) -> Result<(), StepError> {
         let Some(name) = self.word().map(str::to_owned) else { return Err(self.odd("a name")) };
         self.take();
         if let Some(place) = self.variables.place(&name) {
@@ -72,7 +72,7 @@ impl Reader<'_> {
     }
 
     /// The number of members; one that no variable can have is too large, however it is written.
-    fn size(&mut self) -> Result<u32, Halt> {
+    fn size(&mut self) -> Result<u32, StepError> {
         let Token::Number(number) = self.peek() else { return Err(self.odd("a size")) };
         let number = number.clone();
         if number.contains('.') {
@@ -88,7 +88,7 @@ impl Reader<'_> {
         }
     }
 
-    fn another_format(&mut self, place: usize, format: usize) -> Result<(), Halt> {
+    fn another_format(&mut self, place: usize, format: usize) -> Result<(), StepError> {
         let by_format = self.readings.modality_by_format;
         let is_modal = self.variables.formats[format].modal;
         let variable = &mut self.variables.all[place];
@@ -108,7 +108,7 @@ impl Reader<'_> {
     }
 
     /// The place of a variable whose name stands here alone.
-    fn named(&mut self) -> Result<usize, Halt> {
+    fn named(&mut self) -> Result<usize, StepError> {
         let Some(name) = self.word().map(str::to_owned) else { return Err(self.odd("a name")) };
         let place = self.variables.place(&name);
         self.take();
@@ -117,7 +117,7 @@ impl Reader<'_> {
 
     /// Rules gpp.modal-declaration and gpp.array-modality. MODAL makes variables modal; an array whole, and no member
     /// alone.
-    fn modality(&mut self, modal: bool) -> Result<(), Halt> {
+    fn modality(&mut self, modal: bool) -> Result<(), StepError> {
         self.take();
         loop {
             let place = self.named()?;
@@ -137,13 +137,13 @@ impl Reader<'_> {
         }
     }
 
-    fn non_modal(&mut self) -> Result<(), Halt> {
+    fn non_modal(&mut self) -> Result<(), StepError> {
         self.old_word("NON_MODAL")?;
         self.modality(false)
     }
 
     /// Rule gpp.old-words. What only the old GPP understands.
-    pub(super) fn old_word(&mut self, word: &str) -> Result<(), Halt> {
+    pub(super) fn old_word(&mut self, word: &str) -> Result<(), StepError> {
         if self.readings.old_words {
             self.evidence.accepted("gpp.old-words");
             return Ok(());
@@ -153,7 +153,7 @@ impl Reader<'_> {
     }
 
     /// Rule gpp.identical. Identical variables have one type and are no arrays; two system variables are warned of.
-    fn identical(&mut self) -> Result<(), Halt> {
+    fn identical(&mut self) -> Result<(), StepError> {
         self.take();
         let first = self.named_alone()?;
         let mut all = vec![first];
@@ -184,7 +184,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn named_alone(&mut self) -> Result<usize, Halt> {
+    fn named_alone(&mut self) -> Result<usize, StepError> {
         let place = self.named()?;
         if self.variables.all[place].size.is_some() {
             let message = "no array is identical to anything";
@@ -194,7 +194,7 @@ impl Reader<'_> {
     }
 
     /// Rule gpp.newline-symbol. `NEW_LINE_IS` names a symbol; the statements up to the first block are its procedure.
-    pub(super) fn procedure(&mut self) -> Result<Vec<Statement>, Halt> {
+    pub(super) fn procedure(&mut self) -> Result<Vec<Statement>, StepError> {
         self.begin();
         if self.is_heading() || self.word() != Some("NEW_LINE_IS") {
             return Ok(Vec::new());
@@ -214,7 +214,7 @@ impl Reader<'_> {
     }
 
     /// Rule gpp.modal-declaration. Variables are declared in the declaration part alone.
-    pub(super) fn late_declaration(&self, word: &str) -> Halt {
+    pub(super) fn late_declaration(&self, word: &str) -> StepError {
         let rule = if word == "MODAL" { "gpp.modal-declaration" } else { "gpp.declaration" };
         refuse(
             rule,
@@ -224,11 +224,11 @@ impl Reader<'_> {
     }
 }
 
-fn refused(message: impl Into<String>) -> Halt {
+fn refused(message: impl Into<String>) -> StepError {
     refuse("gpp.declaration", FaultKind::Declaration, message)
 }
 
 /// A name that is not declared.
-pub(super) fn no_such(name: &str) -> Halt {
+pub(super) fn no_such(name: &str) -> StepError {
     refuse("gpp.declaration", FaultKind::NoSuchVariable, format!("{name} is not declared"))
 }

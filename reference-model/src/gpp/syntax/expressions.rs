@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::reader::Reader;
 use super::statements::lone_variable;
 use super::{Expression, Operator, Reference, Side, Test};
-use crate::gpp::refusal::{Halt, refuse};
+use crate::gpp::refusal::{StepError, refuse};
 use crate::gpp::text::Token;
 
 /// The signs and words of comparisons, and the ways in which two sides must compare for each to hold.
@@ -23,7 +23,7 @@ const COMPARISONS: &[(&str, &str, &[Ordering])] = &[
 impl Reader<'_> {
     /// A condition in its parentheses. A variable alone counts as a test of its flag where `lone` says so, and is
     /// noted.
-    pub(super) fn condition(&mut self, lone: bool) -> Result<Vec<Test>, Halt> {
+    pub(super) fn condition(&mut self, lone: bool) -> Result<Vec<Test>, StepError> {
         self.alone = 0;
         self.expect("(")?;
         self.in_condition = true;
@@ -33,7 +33,7 @@ impl Reader<'_> {
         Ok(tests)
     }
 
-    fn tests(&mut self, lone: bool) -> Result<Vec<Test>, Halt> {
+    fn tests(&mut self, lone: bool) -> Result<Vec<Test>, StepError> {
         let mut tests = vec![self.test(lone)?];
         while self.takes("&&") {
             tests.push(self.test(lone)?);
@@ -44,7 +44,7 @@ impl Reader<'_> {
         Ok(tests)
     }
 
-    fn test(&mut self, lone: bool) -> Result<Test, Halt> {
+    fn test(&mut self, lone: bool) -> Result<Test, StepError> {
         if let Some(word @ ("VAR_SET" | "VAR_NOTSET")) = self.word() {
             let on = word == "VAR_SET";
             self.take();
@@ -73,7 +73,12 @@ impl Reader<'_> {
         }
     }
 
-    fn compared(&self, one: Side, ways: &'static [Ordering], other: Side) -> Result<Test, Halt> {
+    fn compared(
+        &self,
+        one: Side,
+        ways: &'static [Ordering],
+        other: Side,
+    ) -> Result<Test, StepError> {
         let is_text = self.is_text(&one);
         self.same_type(is_text, self.is_text(&other))?;
         let orders = ways.contains(&Ordering::Less) != ways.contains(&Ordering::Greater);
@@ -91,7 +96,7 @@ impl Reader<'_> {
     }
 
     /// What is assigned or compared.
-    pub(super) fn side(&mut self) -> Result<Side, Halt> {
+    pub(super) fn side(&mut self) -> Result<Side, StepError> {
         if let Token::Text(text) = self.peek() {
             let text = text.clone();
             self.take();
@@ -114,19 +119,19 @@ impl Reader<'_> {
     }
 
     /// A sum, or a single part of it.
-    fn expression(&mut self) -> Result<Expression, Halt> {
+    fn expression(&mut self) -> Result<Expression, StepError> {
         self.chain(&[("+", Operator::Add), ("-", Operator::Subtract)], Self::product)
     }
 
-    fn product(&mut self) -> Result<Expression, Halt> {
+    fn product(&mut self) -> Result<Expression, StepError> {
         self.chain(&[("*", Operator::Multiply), ("/", Operator::Divide)], Self::operand)
     }
 
     fn chain(
         &mut self,
         operators: &[(&str, Operator)],
-        part: fn(&mut Self) -> Result<Expression, Halt>,
-    ) -> Result<Expression, Halt> {
+        part: fn(&mut Self) -> Result<Expression, StepError>,
+    ) -> Result<Expression, StepError> {
         let first = part(self)?;
         let mut others = Vec::new();
         while let Some((sign, operator)) = operators.iter().find(|(sign, _)| self.is_sign(sign)) {
@@ -142,7 +147,7 @@ impl Reader<'_> {
         Ok(Expression::Chain(Box::new(first), others))
     }
 
-    fn is_number(&self, expression: &Expression) -> Result<(), Halt> {
+    fn is_number(&self, expression: &Expression) -> Result<(), StepError> {
         let is_text = match expression {
             Expression::Variable(reference) => self.variables.refers_to_text(reference),
             Expression::Number(_) | Expression::Negated(_) | Expression::Chain(..) => false,
@@ -150,7 +155,7 @@ impl Reader<'_> {
         self.same_type(is_text, false)
     }
 
-    fn operand(&mut self) -> Result<Expression, Halt> {
+    fn operand(&mut self) -> Result<Expression, StepError> {
         match self.peek().clone() {
             Token::Number(number) => {
                 self.take();
@@ -182,7 +187,7 @@ impl Reader<'_> {
         }
     }
 
-    fn parenthesised(&mut self) -> Result<Expression, Halt> {
+    fn parenthesised(&mut self) -> Result<Expression, StepError> {
         self.deeper()?;
         self.take();
         if self.in_condition && self.is_sign("!") {
@@ -198,7 +203,7 @@ impl Reader<'_> {
         Ok(inner)
     }
 
-    fn named_operand(&mut self, word: &str) -> Result<Expression, Halt> {
+    fn named_operand(&mut self, word: &str) -> Result<Expression, StepError> {
         if self.in_condition && self.depth > 0 && matches!(word, "VAR_SET" | "VAR_NOTSET") {
             return Err(open("whether conditions know parentheses"));
         }
@@ -210,7 +215,7 @@ impl Reader<'_> {
     }
 
     /// A reference to a variable whose name has been read: the index belongs to arrays, and to nothing else.
-    pub(super) fn indexed(&mut self, variable: usize) -> Result<Reference, Halt> {
+    pub(super) fn indexed(&mut self, variable: usize) -> Result<Reference, StepError> {
         let is_array = self.variables.all[variable].size.is_some();
         if is_array != self.is_sign("[") {
             return Err(self.odd(if is_array { "the index of an array" } else { "no index" }));
@@ -230,10 +235,10 @@ impl Reader<'_> {
     }
 }
 
-fn open(what: &str) -> Halt {
-    Halt::Unspecified(format!("no document says {what}"))
+fn open(what: &str) -> StepError {
+    StepError::Unspecified(format!("no document says {what}"))
 }
 
-fn not_a_number(text: &str) -> Halt {
+fn not_a_number(text: &str) -> StepError {
     refuse("gpp.statement", FaultKind::BadNumber, format!("this is no number: {text}"))
 }

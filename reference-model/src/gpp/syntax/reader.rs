@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::{DEEPEST, Heading, Program, Statement, is_keyword};
 use crate::Witness;
 use crate::gpp::readings::Readings;
-use crate::gpp::refusal::{Halt, refuse, refuse_form};
+use crate::gpp::refusal::{StepError, refuse, refuse_form};
 use crate::gpp::text::{Placed, Token, no_number, tokens};
 use crate::gpp::variables::Variables;
 
@@ -20,7 +20,7 @@ pub fn read(
     variables: Variables,
     readings: Readings,
     evidence: &mut Witness,
-) -> Result<Program, (u32, Halt)> {
+) -> Result<Program, (u32, StepError)> {
     let mut reader = Reader {
         tokens: tokens(text),
         at: 0,
@@ -39,7 +39,7 @@ pub fn read(
     let parts = reader.program();
     let begun = reader.begun;
     let Reader { variables, warnings, .. } = reader;
-    let (procedure, blocks) = parts.map_err(|halt| (begun, halt))?;
+    let (procedure, blocks) = parts.map_err(|error| (begun, error))?;
     Ok(Program { variables, procedure, blocks, warnings })
 }
 
@@ -71,7 +71,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn program(&mut self) -> Result<Parts, Halt> {
+    fn program(&mut self) -> Result<Parts, StepError> {
         self.declarations()?;
         let procedure = self.procedure()?;
         let mut blocks = BTreeMap::new();
@@ -120,7 +120,7 @@ impl Reader<'_> {
         stands
     }
 
-    pub(super) fn expect(&mut self, sign: &str) -> Result<(), Halt> {
+    pub(super) fn expect(&mut self, sign: &str) -> Result<(), StepError> {
         if self.takes(sign) { Ok(()) } else { Err(self.odd(&format!("`{sign}`"))) }
     }
 
@@ -139,7 +139,7 @@ impl Reader<'_> {
     }
 
     /// The refusal of what stands where something else belongs.
-    pub(super) fn odd(&mut self, expected: &str) -> Halt {
+    pub(super) fn odd(&mut self, expected: &str) -> StepError {
         let found = match self.peek() {
             Token::Bad(kind, message) => return refuse("gpp.statement", *kind, message.clone()),
             Token::HeadingWord(word) => {
@@ -187,7 +187,7 @@ impl Reader<'_> {
         self.tokens[self.at].begins_line && self.words_up_to_colon(self.at).is_some()
     }
 
-    fn heading(&mut self) -> Result<Heading, Halt> {
+    fn heading(&mut self) -> Result<Heading, StepError> {
         if !self.is_heading() {
             return Err(self.odd("the name of a block"));
         }
@@ -221,19 +221,19 @@ impl Reader<'_> {
     }
 
     /// Goes one deeper among parentheses, brackets and signs.
-    pub(super) fn deeper(&mut self) -> Result<(), Halt> {
+    pub(super) fn deeper(&mut self) -> Result<(), StepError> {
         self.depth += 1;
         too_deep(self.depth)
     }
 
     /// The statement nests another one.
-    pub(super) fn nest(&mut self) -> Result<(), Halt> {
+    pub(super) fn nest(&mut self) -> Result<(), StepError> {
         self.nesting += 1;
         too_deep(self.nesting)
     }
 }
 
-fn too_deep(depth: usize) -> Result<(), Halt> {
+fn too_deep(depth: usize) -> Result<(), StepError> {
     if depth <= DEEPEST {
         return Ok(());
     }

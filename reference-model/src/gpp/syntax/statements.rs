@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::reader::Reader;
 use super::{Action, Condition, Item, Printer, Reference, Statement, Target, Test};
-use crate::gpp::refusal::{Halt, refuse};
+use crate::gpp::refusal::{StepError, refuse};
 use crate::gpp::text::Token;
 
 /// The signs that `NEW_LINE_IS` can name.
@@ -13,7 +13,7 @@ pub(super) const SYMBOLS: &[&str] = &["!", "#", "$", "%", "&", "@", "?", "^", "~
 impl Reader<'_> {
     /// The statements up to the next heading, the end of the program, or a word that ends or divides the statement
     /// around them.
-    pub(super) fn statements(&mut self) -> Result<Vec<Statement>, Halt> {
+    pub(super) fn statements(&mut self) -> Result<Vec<Statement>, StepError> {
         let mut statements = Vec::new();
         loop {
             self.begin();
@@ -28,7 +28,7 @@ impl Reader<'_> {
         }
     }
 
-    fn action(&mut self) -> Result<Action, Halt> {
+    fn action(&mut self) -> Result<Action, StepError> {
         let Some(word) = self.word().map(str::to_owned) else {
             return Err(self.odd("a statement"));
         };
@@ -52,7 +52,7 @@ impl Reader<'_> {
         }
     }
 
-    fn assignment(&mut self) -> Result<Action, Halt> {
+    fn assignment(&mut self) -> Result<Action, StepError> {
         let to = self.reference()?;
         self.expect("=")?;
         let side = self.side()?;
@@ -62,7 +62,7 @@ impl Reader<'_> {
     }
 
     /// What is assigned or compared is of one type with the other side.
-    pub(super) fn same_type(&self, one: bool, other: bool) -> Result<(), Halt> {
+    pub(super) fn same_type(&self, one: bool, other: bool) -> Result<(), StepError> {
         if one == other {
             return Ok(());
         }
@@ -70,7 +70,7 @@ impl Reader<'_> {
         Err(refuse("gpp.statement", FaultKind::WrongType, message))
     }
 
-    fn print(&mut self, printer: Printer) -> Result<Action, Halt> {
+    fn print(&mut self, printer: Printer) -> Result<Action, StepError> {
         self.take();
         let mut items = Vec::new();
         while !self.takes(";") {
@@ -79,7 +79,7 @@ impl Reader<'_> {
         Ok(Action::Print(printer, items))
     }
 
-    fn item(&mut self) -> Result<Item, Halt> {
+    fn item(&mut self) -> Result<Item, StepError> {
         match self.peek().clone() {
             Token::Text(text) => {
                 self.take();
@@ -102,7 +102,7 @@ impl Reader<'_> {
         }
     }
 
-    fn switch(&mut self, on: bool) -> Result<Action, Halt> {
+    fn switch(&mut self, on: bool) -> Result<Action, StepError> {
         self.take();
         let mut targets = Vec::new();
         loop {
@@ -113,7 +113,7 @@ impl Reader<'_> {
         }
     }
 
-    fn target(&mut self) -> Result<Target, Halt> {
+    fn target(&mut self) -> Result<Target, StepError> {
         if self.word() == Some("ALL_VAR") {
             self.old_word("ALL_VAR")?;
             self.take();
@@ -127,7 +127,7 @@ impl Reader<'_> {
         Ok(Target::Variable(self.indexed(place)?))
     }
 
-    fn conditional(&mut self, by_flag: bool) -> Result<Action, Halt> {
+    fn conditional(&mut self, by_flag: bool) -> Result<Action, StepError> {
         let line = self.begun;
         self.take();
         let condition = if by_flag { self.flag()? } else { Condition::All(self.condition(false)?) };
@@ -147,7 +147,7 @@ impl Reader<'_> {
 
     /// The word that ends a statement stands here. At a heading or the end of the program it is missing, which the
     /// statement is refused for; another such word belongs to no statement that is open.
-    fn ends(&mut self, line: u32, word: &str) -> Result<(), Halt> {
+    fn ends(&mut self, line: u32, word: &str) -> Result<(), StepError> {
         if self.is_heading() || *self.peek() == Token::End {
             self.begun = line;
             let message = format!("{word} is missing");
@@ -158,13 +158,13 @@ impl Reader<'_> {
 
     /// The condition of `IF_SET`: one variable, which is warned of when it is tested. The old GPP has conditions
     /// there, too.
-    fn flag(&mut self) -> Result<Condition, Halt> {
+    fn flag(&mut self) -> Result<Condition, StepError> {
         let warnings = self.warnings.len();
         let tests = match self.condition(true) {
             // Whatever it would say, it is a condition; but an index is an expression of its own.
-            Err(Halt::Unspecified(open)) if self.in_condition => {
+            Err(StepError::Unspecified(open)) if self.in_condition => {
                 self.old_word("a condition in IF_SET")?;
-                return Err(Halt::Unspecified(open));
+                return Err(StepError::Unspecified(open));
             }
             tests => tests?,
         };
@@ -181,7 +181,7 @@ impl Reader<'_> {
         Ok(Condition::All(tests))
     }
 
-    fn repeat(&mut self) -> Result<Action, Halt> {
+    fn repeat(&mut self) -> Result<Action, StepError> {
         let line = self.begun;
         self.take();
         self.nest()?;
@@ -191,7 +191,7 @@ impl Reader<'_> {
         self.take();
         let until = match self.condition(true) {
             // A variable alone is all of a condition, so that nothing stands behind it.
-            Err(Halt::Unspecified(_)) if self.alone > 0 => return Err(lone_variable()),
+            Err(StepError::Unspecified(_)) if self.alone > 0 => return Err(lone_variable()),
             Ok(tests) if self.alone > 0 && tests.len() > 1 => return Err(lone_variable()),
             tests => tests?,
         };
@@ -209,7 +209,7 @@ impl Reader<'_> {
     }
 
     /// The place of the variable whose name stands here.
-    pub(super) fn place(&mut self) -> Result<usize, Halt> {
+    pub(super) fn place(&mut self) -> Result<usize, StepError> {
         let Some(name) = self.word().map(str::to_owned) else { return Err(self.odd("a variable")) };
         if super::is_keyword(&name) {
             return Err(self.odd("a variable"));
@@ -220,14 +220,14 @@ impl Reader<'_> {
     }
 
     /// A variable, or a member of an array.
-    pub(super) fn reference(&mut self) -> Result<Reference, Halt> {
+    pub(super) fn reference(&mut self) -> Result<Reference, StepError> {
         let place = self.place()?;
         self.indexed(place)
     }
 }
 
 /// Rule gpp.tested. A variable is a number or a text, and no condition.
-pub(super) fn lone_variable() -> Halt {
+pub(super) fn lone_variable() -> StepError {
     let message = "a variable is no condition: VAR_SET and VAR_NOTSET ask for its flag";
     refuse("gpp.tested", FaultKind::Statement, message)
 }

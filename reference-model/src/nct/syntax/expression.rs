@@ -1,7 +1,7 @@
 //! Expressions.
 
 use super::reader::{Reader, bad};
-use crate::nct::refusal::Halt;
+use crate::nct::refusal::StepError;
 
 /// An expression. It is no deeper than brackets are, whatever its length.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,15 +107,15 @@ const TERMS: &[(&str, Operator)] = &[
 
 impl Reader<'_> {
     /// Rule nct.precedence. A function before `*`, `/` and AND, and those before `+`, `-`, OR and XOR.
-    pub(super) fn expression(&mut self) -> Result<Expression, Halt> {
+    pub(super) fn expression(&mut self) -> Result<Expression, StepError> {
         self.chain(TERMS, |reader| reader.chain(FACTORS, Self::operand))
     }
 
     fn chain(
         &mut self,
         operators: &[(&str, Operator)],
-        mut next: impl FnMut(&mut Self) -> Result<Expression, Halt>,
-    ) -> Result<Expression, Halt> {
+        mut next: impl FnMut(&mut Self) -> Result<Expression, StepError>,
+    ) -> Result<Expression, StepError> {
         let first = next(self)?;
         let mut others = Vec::new();
         while let Some(operator) = self.take_one(operators) {
@@ -128,15 +128,15 @@ impl Reader<'_> {
     }
 
     /// An operand with or without a sign.
-    fn operand(&mut self) -> Result<Expression, Halt> {
+    fn operand(&mut self) -> Result<Expression, StepError> {
         self.signed(Self::unsigned_operand)
     }
 
     /// What comes next, with or without a sign.
     pub(super) fn signed(
         &mut self,
-        next: impl FnOnce(&mut Self) -> Result<Expression, Halt>,
-    ) -> Result<Expression, Halt> {
+        next: impl FnOnce(&mut Self) -> Result<Expression, StepError>,
+    ) -> Result<Expression, StepError> {
         if self.take("-") {
             return Ok(Expression::Negated(Box::new(next(self)?)));
         }
@@ -146,7 +146,7 @@ impl Reader<'_> {
         next(self)
     }
 
-    fn unsigned_operand(&mut self) -> Result<Expression, Halt> {
+    fn unsigned_operand(&mut self) -> Result<Expression, StepError> {
         if let Some(function) = self.function()? {
             let operand = if matches!(self.peek(), Some('A'..='Z')) {
                 return Err(bad("a function has a bracket, a variable or a number behind it"));
@@ -158,7 +158,7 @@ impl Reader<'_> {
         self.simple_operand()
     }
 
-    fn function(&mut self) -> Result<Option<Function>, Halt> {
+    fn function(&mut self) -> Result<Option<Function>, StepError> {
         if let Some(function) = self.take_one(DOCUMENTED) {
             return Ok(Some(function));
         }
@@ -170,7 +170,7 @@ impl Reader<'_> {
     }
 
     /// A bracketed expression, a variable or a number.
-    pub(super) fn simple_operand(&mut self) -> Result<Expression, Halt> {
+    pub(super) fn simple_operand(&mut self) -> Result<Expression, StepError> {
         match self.peek() {
             Some('[') => {
                 self.open()?;
@@ -188,7 +188,7 @@ impl Reader<'_> {
     /// A number sign and the number of a variable.
     ///
     /// Rule nct.indirect. A number that is computed stands in brackets.
-    pub(super) fn variable(&mut self) -> Result<Expression, Halt> {
+    pub(super) fn variable(&mut self) -> Result<Expression, StepError> {
         if !self.take("#") {
             return Err(bad("a variable is missing"));
         }

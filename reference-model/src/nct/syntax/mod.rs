@@ -5,7 +5,7 @@ mod reader;
 mod statement;
 
 use super::readings::Readings;
-use super::refusal::Halt;
+use super::refusal::StepError;
 use super::text::Line;
 
 pub use expression::{Expression, Function, Operator};
@@ -21,7 +21,7 @@ pub struct Block {
     /// The sequence number that opens it.
     pub sequence: Option<u32>,
     /// What it says, or why it is refused when it is reached.
-    pub content: Result<Content, Halt>,
+    pub content: Result<Content, StepError>,
 }
 
 /// What a block says.

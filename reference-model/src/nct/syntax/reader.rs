@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use crate::nct::readings::Readings;
-use crate::nct::refusal::{Halt, refuse, refuse_form};
+use crate::nct::refusal::{StepError, refuse, refuse_form};
 
 /// Most brackets that may stand within each other.
 const DEEPEST: u32 = 5;
@@ -19,7 +19,7 @@ pub(super) struct Reader<'a> {
 }
 
 /// Rule nct.statement-form. A macro statement of another form is refused: 3064 BAD MACRO STATEMENT.
-pub(super) fn bad(message: impl Into<String>) -> Halt {
+pub(super) fn bad(message: impl Into<String>) -> StepError {
     refuse("nct.statement-form", FaultKind::Statement, message)
 }
 
@@ -59,7 +59,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Rule nct.brackets. Brackets stand within each other up to five deep; those of functions and indices count.
-    pub(super) fn open(&mut self) -> Result<(), Halt> {
+    pub(super) fn open(&mut self) -> Result<(), StepError> {
         if !self.take("[") {
             return Err(bad(format!("an opening bracket is missing before {:?}", self.rest)));
         }
@@ -71,7 +71,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    pub(super) fn close(&mut self) -> Result<(), Halt> {
+    pub(super) fn close(&mut self) -> Result<(), StepError> {
         if !self.take("]") {
             return Err(bad("a closing bracket is missing"));
         }
@@ -80,7 +80,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A number without a sign: digits, perhaps with a point.
-    pub(super) fn number(&mut self) -> Result<f64, Halt> {
+    pub(super) fn number(&mut self) -> Result<f64, StepError> {
         let of_number = |c: char| c.is_ascii_digit() || c == '.';
         let length = self.rest.len() - self.rest.trim_start_matches(of_number).len();
         let (text, rest) = self.rest.split_at(length);
@@ -93,7 +93,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A whole number of few digits, as behind DO and END.
-    pub(super) fn digits(&mut self) -> Result<u32, Halt> {
+    pub(super) fn digits(&mut self) -> Result<u32, StepError> {
         let length =
             self.rest.len() - self.rest.trim_start_matches(|c: char| c.is_ascii_digit()).len();
         let (text, rest) = self.rest.split_at(length);

@@ -6,7 +6,7 @@ use super::expression::Expression;
 use super::reader::{Reader, bad};
 use super::{Content, Word};
 use crate::nct::readings::Readings;
-use crate::nct::refusal::{Halt, open, refuse, refuse_form};
+use crate::nct::refusal::{StepError, open, refuse, refuse_form};
 
 /// `[a EQ b]` and its like.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +46,7 @@ const COMPARISONS: &[(&str, Comparison)] = &[
 ];
 
 /// What stands behind the numbers of a block.
-pub(super) fn content(text: &str, readings: &Readings) -> Result<Content, Halt> {
+pub(super) fn content(text: &str, readings: &Readings) -> Result<Content, StepError> {
     let mut reader = Reader::new(text, readings);
     let content = if text.starts_with('#') {
         reader.assignment()?
@@ -72,7 +72,7 @@ pub(super) fn content(text: &str, readings: &Readings) -> Result<Content, Halt> 
 }
 
 impl Reader<'_> {
-    fn assignment(&mut self) -> Result<Content, Halt> {
+    fn assignment(&mut self) -> Result<Content, StepError> {
         let number = self.variable()?;
         if !self.take("=") {
             return Err(bad("an equals sign is missing"));
@@ -80,7 +80,7 @@ impl Reader<'_> {
         Ok(Content::Assign { number, value: self.expression()? })
     }
 
-    fn conditional(&mut self) -> Result<Content, Halt> {
+    fn conditional(&mut self) -> Result<Content, StepError> {
         let condition = self.condition()?;
         if self.take("THEN") {
             return Err(open("IF with THEN: on a page of the manual that is not available"));
@@ -92,12 +92,12 @@ impl Reader<'_> {
     }
 
     /// The number behind GOTO: with a sign or not.
-    fn target(&mut self) -> Result<Expression, Halt> {
+    fn target(&mut self) -> Result<Expression, StepError> {
         self.value()
     }
 
     /// Rule nct.conditions. Two expressions are compared by EQ, NE, GT, LT, GE or LE.
-    fn condition(&mut self) -> Result<Condition, Halt> {
+    fn condition(&mut self) -> Result<Condition, StepError> {
         self.open()?;
         let left = self.expression()?;
         let comparison =
@@ -108,7 +108,7 @@ impl Reader<'_> {
     }
 
     /// Choice nct.loops: whether there are WHILE, DO and END.
-    fn loops(&self) -> Result<(), Halt> {
+    fn loops(&self) -> Result<(), StepError> {
         if self.readings.no_loops {
             return Err(refuse("nct.loops", FaultKind::Statement, "there are no loops"));
         }
@@ -116,7 +116,7 @@ impl Reader<'_> {
     }
 
     /// Rule nct.loop-number. The number of a loop is 1, 2 or 3.
-    fn loop_number(&mut self) -> Result<u32, Halt> {
+    fn loop_number(&mut self) -> Result<u32, StepError> {
         self.loops()?;
         let number = self.digits()?;
         if (1..=3).contains(&number) {
@@ -127,11 +127,11 @@ impl Reader<'_> {
     }
 
     /// A value with or without a sign: a number, a variable, or an expression in brackets.
-    fn value(&mut self) -> Result<Expression, Halt> {
+    fn value(&mut self) -> Result<Expression, StepError> {
         self.signed(Self::simple_operand)
     }
 
-    fn words(&mut self) -> Result<Content, Halt> {
+    fn words(&mut self) -> Result<Content, StepError> {
         let mut words = Vec::new();
         while !self.is_at_end() {
             let letter = self.take_letter().ok_or_else(|| {
@@ -146,7 +146,7 @@ impl Reader<'_> {
 
     /// Rule nct.sequence-number. N opens its block, and so does O.
     /// Rule nct.plain-numbers. They take no variable.
-    fn no_sequence_number(&self, letter: char) -> Result<(), Halt> {
+    fn no_sequence_number(&self, letter: char) -> Result<(), StepError> {
         if !matches!(letter, 'N' | 'O') {
             return Ok(());
         }

@@ -10,25 +10,25 @@ use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 
 /// Most M words of a block.
 const MOST_M_WORDS: usize = 4;
 
 /// Refuses unknown codes, too many of them, and codes that exclude each other; then codes of later issues.
-pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
     count(words, state)?;
     let codes = known(words, state)?;
     groups(words, &codes, state)?;
     axis_words_once(words, &codes, state)?;
     match codes.iter().find_map(|(text, code)| Some((text, code.later?))) {
-        Some((text, what)) => Err(Halt::Unsupported(format!("{text}: {what}"))),
+        Some((text, what)) => Err(StepError::Unsupported(format!("{text}: {what}"))),
         None => Ok(()),
     }
 }
 
 /// Rule modal-groups.four-m-words. A block holds up to four M words.
-fn count(words: &Words, state: &mut State) -> Result<(), Halt> {
+fn count(words: &Words, state: &mut State) -> Result<(), StepError> {
     let rule = "modal-groups.four-m-words";
     if words.m.len() > MOST_M_WORDS {
         let message = format!("{} M words in a block", words.m.len());
@@ -60,7 +60,7 @@ impl fmt::Display for Written {
 ///
 /// Rules modal-groups.g-code-out-of-range and modal-groups.m-code-out-of-range. G codes end at 99, M codes at 199.
 /// Rules modal-groups.unknown-g-code and modal-groups.unknown-m-code. The language does not have every number below.
-fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, Halt> {
+fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepError> {
     let mut codes = Vec::with_capacity(words.g.len() + words.m.len());
     for number in &words.g {
         let text = Written::G(*number);
@@ -92,7 +92,7 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, Halt>
     Ok(codes)
 }
 
-fn unknown(rule: &'static str, text: Written) -> Halt {
+fn unknown(rule: &'static str, text: Written) -> StepError {
     refuse(rule, FaultKind::UnknownCode, format!("there is no {text}"))
 }
 
@@ -102,7 +102,7 @@ fn unknown(rule: &'static str, text: Written) -> Halt {
 /// Rule coolant.both-in-one-block. Whether M7 and M8 exclude each other is a choice.
 /// Choice modal-groups.io-members: whether M62 to M68 exclude each other.
 /// Rule modal-groups.override-group. Whether M50 to M53 belong to the group of M48 and M49 is a choice.
-fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result<(), Halt> {
+fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result<(), StepError> {
     for (place, (text, code)) in codes.iter().enumerate() {
         let Some(group) = code.group else { continue };
         let mut before = codes.iter().take(place);
@@ -138,7 +138,7 @@ fn conflict(
     texts: (Written, Written),
     words: &Words,
     state: &mut State,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let message = format!("{} and {} belong to one modal group", texts.0, texts.1);
     let mist_and_flood =
         group == ModalGroup::Coolant && !words.m.contains(&9) && texts.0 != texts.1;
@@ -169,7 +169,7 @@ fn axis_words_once(
     words: &Words,
     codes: &[(Written, Code)],
     state: &mut State,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     quirks::cancel_beside_offset(words, state)?;
     let user = |group: ModalGroup| {
         codes.iter().find(|(_, code)| code.group == Some(group) && code.axis_words)

@@ -8,13 +8,13 @@ mod words;
 
 use super::machine::State;
 use super::read::Words;
-use super::refusal::Halt;
+use super::refusal::StepError;
 
 /// Refuses a block that cannot be executed, before anything of it is done.
 ///
 /// # Errors
 /// The rule that refuses it, or a code that this edition of the model does not specify.
-pub fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
     codes::check(words, state)?;
     words::check(words, state)?;
     needed::check(words, state)

@@ -8,11 +8,11 @@ use gaugeblock_vocabulary::FaultKind;
 use crate::rs274::machine::State;
 use crate::rs274::order::has_axis_words;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::word;
 
 /// Refuses a code without a word that it needs.
-pub(super) fn check(words: &Words, state: &State) -> Result<(), Halt> {
+pub(super) fn check(words: &Words, state: &State) -> Result<(), StepError> {
     words.g.iter().try_for_each(|code| match code {
         40 => dwell(words),
         431 => dynamic_length(words, state),
@@ -23,7 +23,7 @@ pub(super) fn check(words: &Words, state: &State) -> Result<(), Halt> {
 }
 
 /// Rule dwell.needs-time. G4 has P.
-fn dwell(words: &Words) -> Result<(), Halt> {
+fn dwell(words: &Words) -> Result<(), StepError> {
     if word(words, 'p').is_some() {
         return Ok(());
     }
@@ -31,14 +31,14 @@ fn dwell(words: &Words) -> Result<(), Halt> {
 }
 
 /// Rule tool.dynamic-length-needs-axes. G43.1 has an axis word.
-fn dynamic_length(words: &Words, state: &State) -> Result<(), Halt> {
+fn dynamic_length(words: &Words, state: &State) -> Result<(), StepError> {
     if state.readings.quirk("rs274.dynamic-length-without-axes") {
         return Ok(());
     }
     axis_word("tool.dynamic-length-needs-axes", "G43.1", words)
 }
 
-fn axis_word(rule: &'static str, code: &str, words: &Words) -> Result<(), Halt> {
+fn axis_word(rule: &'static str, code: &str, words: &Words) -> Result<(), StepError> {
     if has_axis_words(words) {
         return Ok(());
     }

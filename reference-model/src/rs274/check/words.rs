@@ -7,12 +7,12 @@ use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code, motion_code};
 use crate::rs274::order::{has_axis_words, is_of_axis, moves_by_axis_words};
 use crate::rs274::quirks::{cycles, settings as quirks};
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::motion::{is_arc, motion_of};
 use crate::rs274::step::{letter, whole};
 
 /// Refuses words without a use. F, S, T and axis words need no code of their own, but for axis words beside G10 L0.
-pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
     axes(words, state)?;
     polar(words)?;
     for letter in words.letters.keys().copied() {
@@ -38,7 +38,7 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
 
 /// P of one code is not that of another: seconds, a number of a coordinate system, a tolerance, a switch. No document
 /// says whose it is when two codes of a block use it. M50 to M53 mean the same by it.
-fn one_meaning_of_p(words: &Words, state: &State) -> Result<(), Halt> {
+fn one_meaning_of_p(words: &Words, state: &State) -> Result<(), StepError> {
     if !words.letters.contains_key(&'p') {
         return Ok(());
     }
@@ -49,14 +49,14 @@ fn one_meaning_of_p(words: &Words, state: &State) -> Result<(), Halt> {
     let by_g = by_g + usize::from(without_code && by_arc('p', words, state));
     if by_g > 1 || by_g == 1 && by_m > 0 {
         let why = "two codes of the block use P, and nothing says whose it is";
-        return Err(Halt::Unspecified(why.to_owned()));
+        return Err(StepError::Unspecified(why.to_owned()));
     }
     Ok(())
 }
 
 /// Rule motion.no-such-axis. A letter of an axis that the machine does not have is refused, with G10 L2 too
 /// (offsets.set-unknown-axis). Polar words stand for X and Y.
-fn axes(words: &Words, state: &mut State) -> Result<(), Halt> {
+fn axes(words: &Words, state: &mut State) -> Result<(), StepError> {
     if !has_axis_words(words) {
         return Ok(());
     }
@@ -120,17 +120,17 @@ fn used_by_offset_data(letter: char, words: &Words, state: &State) -> bool {
 }
 
 /// Rule motion.polar-moves-only. Polar words name a point that a move goes to, and no offset.
-fn polar(words: &Words) -> Result<(), Halt> {
+fn polar(words: &Words) -> Result<(), StepError> {
     if !words.letters.keys().any(|letter| matches!(letter, '@' | '^')) {
         return Ok(());
     }
     if words.g.iter().any(|code| [280, 300].contains(code)) {
         let why = "whether polar words can name the point by way of which G28 and G30 go";
-        return Err(Halt::Unspecified(why.to_owned()));
+        return Err(StepError::Unspecified(why.to_owned()));
     }
     if words.g.contains(&530) {
         let why = "what the angle and distance of polar words are in machine coordinates";
-        return Err(Halt::Unspecified(why.to_owned()));
+        return Err(StepError::Unspecified(why.to_owned()));
     }
     let offset = |code: &u32| [100, 431, 432, 520, 920].contains(code);
     let Some(code) = words.g.iter().find(|code| offset(code)) else { return Ok(()) };
@@ -147,7 +147,7 @@ fn by_arc(letter: char, words: &Words, state: &State) -> bool {
 ///
 /// Rules modal-groups.unused-arc-word (I, J, K), spindle.unused-dollar, spindle.unused-limit (D), tool.unused-length
 /// (H), path-control.unused-tolerance, overrides.both-unused-p, overrides.feed-takes-no-dollar.
-fn unused(letter: char, words: &Words, state: &mut State) -> Halt {
+fn unused(letter: char, words: &Words, state: &mut State) -> StepError {
     let m = |codes: &[u32]| words.m.iter().any(|code| codes.contains(code));
     let exact = words.g.iter().any(|code| [610, 611].contains(code));
     let rule = match letter {
@@ -168,7 +168,7 @@ fn unused(letter: char, words: &Words, state: &mut State) -> Halt {
 }
 
 /// Rule path-control.naive-cam-alone. Q of G64 stands behind a P only.
-fn naive_cam_alone(state: &State) -> Result<(), Halt> {
+fn naive_cam_alone(state: &State) -> Result<(), StepError> {
     if state.readings.quirk("rs274.blend-q-without-p") {
         return Ok(());
     }

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::{Control, Next, Open, Place, Structure, condition, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::{Expression, Keyword};
 
 const BRANCHES: &[Keyword] = &[Keyword::ElseIf, Keyword::Else, Keyword::EndIf];
@@ -17,7 +17,7 @@ impl Control {
         label: &str,
         values: &[Expression],
         state: &mut State,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         self.defined_once(label, "control.duplicate-if", state)?;
         let taken = condition("control.if", values, state)?;
         let next = if taken {
@@ -38,7 +38,7 @@ impl Control {
         label: &str,
         values: &[Expression],
         state: &mut State,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         let Some(taken) = self.branch(label, Keyword::ElseIf, state)? else {
             return self.at_end(label, state);
         };
@@ -58,7 +58,7 @@ impl Control {
     }
 
     /// Rule control.else. Its blocks are executed when no condition before was true.
-    pub(super) fn else_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    pub(super) fn else_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         match self.branch(label, Keyword::Else, state)? {
             Some(taken) if !*taken => {
                 *taken = true;
@@ -74,7 +74,7 @@ impl Control {
     }
 
     /// The end of the group. A condition ends once, unless its label may be followed afterwards.
-    pub(super) fn end_if(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    pub(super) fn end_if(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         if self.branch(label, Keyword::EndIf, state)?.is_some() {
             self.leave(label, |structure| matches!(structure, Structure::If { .. }), state)?;
         }
@@ -92,7 +92,7 @@ impl Control {
         label: &str,
         keyword: Keyword,
         state: &'s mut State,
-    ) -> Result<Option<&'s mut bool>, Halt> {
+    ) -> Result<Option<&'s mut bool>, StepError> {
         let is_if = |structure| matches!(structure, Structure::If { .. });
         if let Some(place) = state.frame().find_open(label, is_if) {
             return match &mut state.frame_mut().open[place].structure {
@@ -119,20 +119,20 @@ impl Control {
                 "the condition {} is in the text, but was not entered by its if",
                 o_word(label)
             );
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         let message = format!("{} is no open condition", o_word(label));
         Err(refuse("control.unmatched-endif", FaultKind::UnknownLabel, message))
     }
 
     /// Goes on at the endif.
-    fn at_end(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    fn at_end(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let line = self.end_of_skipped(label, &[Keyword::EndIf], self.place.line, state)?;
         Ok(Next::At(self.line(line)))
     }
 
     /// Goes on at the next branch.
-    fn at_branch(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    fn at_branch(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let line = self.end_of_skipped(label, BRANCHES, self.place.line, state)?;
         Ok(Next::At(self.line(line)))
     }
@@ -146,7 +146,7 @@ impl Control {
         label: &str,
         rule: &'static str,
         state: &mut State,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         self.not_of_sub(label, rule, state)?;
         if self.defined_elsewhere(label, state).is_none() {
             return Ok(());
@@ -154,7 +154,7 @@ impl Control {
         let executed = state.readings.is("control.skipped-definition", "does-not-count");
         if executed && !state.frame().has_met(label) && !quirks::control::is_left_behind(state) {
             let why = format!("{} has been defined in another call of its sub", o_word(label));
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         Err(duplicate(label, rule))
     }
@@ -165,7 +165,7 @@ impl Control {
         label: &str,
         rule: &'static str,
         state: &State,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         let own = state.frame().is_called(label);
         if own && state.readings.is("control.sub-number-as-label", "refused") {
             return Err(duplicate(label, rule));
@@ -222,14 +222,14 @@ impl Control {
         label: &str,
         kind: impl Fn(Structure) -> bool,
         state: &mut State,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         let frame = state.frame_mut();
         if frame.find_open(label, kind).map(|place| place + 1) != Some(frame.open.len()) {
             let why = format!(
                 "{} ends while a condition or loop that began inside it is open",
                 o_word(label)
             );
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         if let Some(open) = frame.open.pop() {
             frame.end(open);
@@ -239,7 +239,7 @@ impl Control {
 }
 
 /// The refusal of a label that is defined elsewhere.
-pub(super) fn duplicate(label: &str, rule: &'static str) -> Halt {
+pub(super) fn duplicate(label: &str, rule: &'static str) -> StepError {
     let message = format!("the label {} is defined elsewhere", o_word(label));
     refuse(rule, FaultKind::DuplicateLabel, message)
 }

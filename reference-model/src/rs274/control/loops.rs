@@ -8,7 +8,7 @@ use super::{Control, Next, Open, Structure, condition, o_word, single};
 use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::{Expression, Keyword};
 
 fn is_while(structure: Structure) -> bool {
@@ -32,7 +32,7 @@ impl Control {
         label: &str,
         values: &[Expression],
         state: &mut State,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         if let Some(place) = state.frame().find_open(label, is_do) {
             let first = state.frame().open[place].line;
             return self.while_of_do(label, first, values, state);
@@ -67,7 +67,7 @@ impl Control {
     }
 
     /// Nothing says whose end a while is, or whether it is one, whose do is in the text and was not entered.
-    fn not_of_skipped_do(&self, label: &str, state: &State) -> Result<(), Halt> {
+    fn not_of_skipped_do(&self, label: &str, state: &State) -> Result<(), StepError> {
         let ended = state.frame().ended_loops.get(label);
         let is_do = |keyword: Keyword| keyword == Keyword::Do;
         let in_text = self
@@ -76,7 +76,7 @@ impl Control {
             .any(|definition| is_do(definition.keyword) && definition.line < self.place.line);
         if in_text && !ended.is_some_and(|(keyword, _)| is_do(*keyword)) {
             let why = format!("the do {} is in the text, but was not entered", o_word(label));
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         Ok(())
     }
@@ -88,7 +88,7 @@ impl Control {
         first: u32,
         values: &[Expression],
         state: &mut State,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         let again = condition("control.do-while", values, state)?;
         if !quirks::control::do_ends(self) && again {
             return Ok(Next::At(self.line(first + 1)));
@@ -102,7 +102,7 @@ impl Control {
     /// Choice control.do-label: whether several do loops may carry the same label, which the list of errors does not
     /// name. What a do is whose label a condition or another loop defines, it does not tell at all; nor which while
     /// ends which of two, where one stands in the other.
-    pub(super) fn do_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    pub(super) fn do_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         self.not_of_sub(label, "control.do-while", state)?;
         let first = self.defined_elsewhere(label, state);
         let of_do = |definition: &Definition| definition.keyword == Keyword::Do;
@@ -111,14 +111,14 @@ impl Control {
                 "a do whose label {} is that of a condition or another loop",
                 o_word(label)
             );
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         let choice = state.readings.choice("control.do-label");
         let frame = state.frame();
         let around = frame.find_open(label, is_do).map(|place| frame.open[place].line);
         if choice == "each" && around.is_some_and(|around| around != self.place.line) {
             let why = format!("a do {} within one of the same label", o_word(label));
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         let line = match (first, choice) {
             (Some(_), "refused") => return Err(duplicate(label, "control.do-while")),
@@ -130,7 +130,7 @@ impl Control {
     }
 
     /// Rule control.unmatched-endwhile. An endwhile refers to a while, an endrepeat to a repeat.
-    pub(super) fn end_while(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    pub(super) fn end_while(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let open = state.frame().find_open(label, is_while);
         let open = open.map(|place| state.frame().open[place].line);
         let first = open.or_else(|| self.followed(label, Keyword::While, state));
@@ -146,7 +146,7 @@ impl Control {
         label: &str,
         values: &[Expression],
         state: &mut State,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         self.defined_once(label, "control.duplicate-repeat", state)?;
         if state.readings.quirk("rs274.repeat-counter-shared") {
             return quirks::control::shared_repeat(self, label, values, state);
@@ -161,7 +161,7 @@ impl Control {
     }
 
     /// Rule control.repeat-recursion. The turns left belong to this invocation of the sub.
-    pub(super) fn end_repeat(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    pub(super) fn end_repeat(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let Some(place) = state.frame().find_open(label, is_repeat) else {
             let first = self.followed(label, Keyword::Repeat, state);
             let first = first.ok_or_else(|| self.unmatched(label, Keyword::Repeat, state))?;
@@ -213,7 +213,7 @@ impl Control {
     ///
     /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether it
     /// points to one that is in the text and was not entered.
-    fn unmatched(&self, label: &str, head: Keyword, state: &State) -> Halt {
+    fn unmatched(&self, label: &str, head: Keyword, state: &State) -> StepError {
         let in_text = self
             .definitions(label)
             .iter()
@@ -221,14 +221,18 @@ impl Control {
         let followed = state.readings.is("control.ended-label", "followed");
         if in_text && followed && !quirks::control::is_left_behind(state) {
             let why = format!("the loop {} is in the text, but was not entered", o_word(label));
-            return Halt::Unspecified(why);
+            return StepError::Unspecified(why);
         }
         let message = format!("{} is no open loop of this kind", o_word(label));
         refuse("control.unmatched-endwhile", FaultKind::UnknownLabel, message)
     }
 
     /// Goes on after the endrepeat.
-    pub(crate) fn past_repeat(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    pub(crate) fn past_repeat(
+        &mut self,
+        label: &str,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
         if quirks::control::begins_again(self) {
             return Ok(Next::At(self.place));
         }
@@ -237,7 +241,7 @@ impl Control {
     }
 
     /// Rule control.break. It leaves the loop at once.
-    pub(super) fn break_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    pub(super) fn break_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let (place, structure, first) = self.loop_of(label, state)?;
         self.within(label, structure, first, state)?;
         let left = state.frame_mut().open.split_off(place);
@@ -266,22 +270,22 @@ impl Control {
         structure: Structure,
         first: u32,
         state: &mut State,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), StepError> {
         let end = self.find(label, &[structure.end()], first, state);
         if end.is_some_and(|end| end < self.place.line) {
             let why = format!("{} is named behind its end", o_word(label));
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         Ok(())
     }
 
     /// What a loop holds ends before it does: the documents do not know conditions and loops that overlap.
-    fn ends_before(&self, inner: &[Open], end: u32, state: &mut State) -> Result<(), Halt> {
+    fn ends_before(&self, inner: &[Open], end: u32, state: &mut State) -> Result<(), StepError> {
         for Open { label, line, structure } in inner {
             let own = self.find(label, &[structure.end()], *line, state);
             if own.is_some_and(|own| own > end) {
                 let why = format!("{} ends behind the loop in which it began", o_word(label));
-                return Err(Halt::Unspecified(why));
+                return Err(StepError::Unspecified(why));
             }
         }
         Ok(())
@@ -294,14 +298,14 @@ impl Control {
     ///
     /// Quirk rs274.continue-seeks-end. In a while it looks for the end of the loop before that, so that it is refused
     /// where there is none.
-    pub(super) fn continue_(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    pub(super) fn continue_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let ended = state.frame().ended_loops.get(label);
         let ended =
             ended.is_some_and(|(keyword, _)| matches!(keyword, Keyword::While | Keyword::Do));
         let open = state.frame().find_open(label, |_| true).is_some();
         if ended && !open && state.readings.is("control.ended-label", "followed") {
             let why = format!("{} is named behind its end", o_word(label));
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         let (place, structure, first) = self.loop_of(label, state)?;
         self.within(label, structure, first, state)?;
@@ -323,7 +327,7 @@ impl Control {
     /// Rule control.stray-break. A break or continue whose label does not point to a matching while or do is refused.
     ///
     /// Rule control.break-in-repeat. A repeat is no target of break or continue.
-    fn loop_of(&self, label: &str, state: &State) -> Result<(usize, Structure, u32), Halt> {
+    fn loop_of(&self, label: &str, state: &State) -> Result<(usize, Structure, u32), StepError> {
         let frame = state.frame();
         if let Some(place) = frame.find_open(label, |kind| is_while(kind) || is_do(kind)) {
             return Ok((place, frame.open[place].structure, frame.open[place].line));
@@ -341,7 +345,7 @@ impl Control {
 /// How many turns a repeat makes.
 ///
 /// Choice control.repeat-negative: whether a count below zero means no turn or is refused.
-pub(crate) fn turns(values: &[Expression], state: &mut State) -> Result<u64, Halt> {
+pub(crate) fn turns(values: &[Expression], state: &mut State) -> Result<u64, StepError> {
     let count = single("control.repeat", values, state)?;
     if count < 0.0 && state.readings.is("control.repeat-negative", "refused") {
         let message = format!("a repeat of {count} turns");

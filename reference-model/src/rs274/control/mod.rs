@@ -34,7 +34,7 @@ use super::machine::State;
 use super::parameters::Name;
 use super::quirks::{self, skipping::Sought};
 use super::read::{self, Words};
-use super::refusal::{Halt, refuse};
+use super::refusal::{StepError, refuse};
 use super::syntax::{Block, Expression, Keyword, Label, OWord};
 use super::task::Record;
 use crate::math;
@@ -136,7 +136,7 @@ impl Control {
         word: &OWord,
         state: &mut State,
         record: &mut Record,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         if !block.words.is_empty() || !block.settings.is_empty() {
             let message = "other words stand on the line of an o-word";
             return Err(refuse("control.unrelated-words", FaultKind::BadBlock, message));
@@ -166,7 +166,7 @@ impl Control {
         word: &OWord,
         state: &mut State,
         record: &mut Record,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         let values = &word.arguments;
         match word.keyword {
             Keyword::Sub => self.sub(label, state),
@@ -225,7 +225,7 @@ impl Control {
         keywords: &[Keyword],
         after: u32,
         state: &mut State,
-    ) -> Result<u32, Halt> {
+    ) -> Result<u32, StepError> {
         let any_sub = state.readings.quirk("rs274.ends-in-other-subs");
         let end = if any_sub {
             self.files.labels(self.place.file).find_in_any_sub(label, keywords, after, state)
@@ -238,16 +238,16 @@ impl Control {
         if end.is_none() && labels.ends_in_program(label, keywords, after, state) {
             let why =
                 format!("{} goes on behind the beginning of a numbered program", o_word(label));
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         if end.is_some_and(|end| labels.unended_between(after, end)) {
             let why = "what a sub without its end holds, where it is skipped".to_owned();
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         let until = end.or((state.call_level() == 0).then_some(u32::MAX)).unwrap_or_default();
         if !any_sub && labels.computed_between(after, until) {
             let why = "where a sub ends that is skipped, with a number that must be computed";
-            return Err(Halt::Unspecified(why.to_owned()));
+            return Err(StepError::Unspecified(why.to_owned()));
         }
         end.ok_or_else(|| {
             let message = format!("{} has no end further on", o_word(label));
@@ -265,7 +265,7 @@ fn of_subs(keyword: Keyword) -> bool {
 /// Rule subroutines.computed-o-words. The number after O can be given by a parameter or an expression.
 ///
 /// Rules subroutines.numbered-o-words, subroutines.named-o-words. A number counts as a whole, a name in lower case.
-pub(crate) fn label_of(label: &Label, state: &mut State) -> Result<String, Halt> {
+pub(crate) fn label_of(label: &Label, state: &mut State) -> Result<String, StepError> {
     match label {
         Label::Name(name) => {
             state.evidence.accepted("subroutines.named-o-words");
@@ -289,7 +289,7 @@ fn o_word(label: &str) -> String {
 }
 
 /// A number close to an integer, as a label.
-fn whole(number: f64) -> Result<String, Halt> {
+fn whole(number: f64) -> Result<String, StepError> {
     match math::near_integer(number) {
         // It may lie beyond what an integer of the machine holds.
         Some(i64::MIN | i64::MAX) => Ok(format!("{number:.0}")),
@@ -302,16 +302,20 @@ fn whole(number: f64) -> Result<String, Halt> {
 }
 
 /// An expression that a rule of control asks for: when it has no value, the rule's block is refused with it.
-fn evaluated(rule: &'static str, expression: &Expression, state: &mut State) -> Result<f64, Halt> {
+fn evaluated(
+    rule: &'static str,
+    expression: &Expression,
+    state: &mut State,
+) -> Result<f64, StepError> {
     let value = read::evaluate(expression, state);
-    if let Err(Halt::Refused(_)) = value {
+    if let Err(StepError::Refused(_)) = value {
         state.evidence.refused(rule);
     }
     value
 }
 
 /// The one value that a keyword needs: a condition, a count.
-fn single(rule: &'static str, values: &[Expression], state: &mut State) -> Result<f64, Halt> {
+fn single(rule: &'static str, values: &[Expression], state: &mut State) -> Result<f64, StepError> {
     match values {
         [value] => evaluated(rule, value, state),
         [] | [_, _, ..] => {
@@ -322,7 +326,11 @@ fn single(rule: &'static str, values: &[Expression], state: &mut State) -> Resul
 }
 
 /// Rule control.truth. A condition is false when it is zero and true for every other number.
-fn condition(rule: &'static str, values: &[Expression], state: &mut State) -> Result<bool, Halt> {
+fn condition(
+    rule: &'static str,
+    values: &[Expression],
+    state: &mut State,
+) -> Result<bool, StepError> {
     let value = single(rule, values, state)?;
     state.evidence.accepted("control.truth");
     state.evidence.accepted(rule);
@@ -333,6 +341,6 @@ fn condition(rule: &'static str, values: &[Expression], state: &mut State) -> Re
 ///
 /// # Errors
 /// A parameter that cannot be set.
-pub fn assign(settings: &[(Name, f64)], state: &mut State) -> Result<(), Halt> {
+pub fn assign(settings: &[(Name, f64)], state: &mut State) -> Result<(), StepError> {
     settings.iter().try_for_each(|(name, value)| super::parameters::assign(name, *value, state))
 }

@@ -8,7 +8,7 @@ use super::{Call, Control, Frame, MAIN, Next, Place, Style, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::saved_state;
 use crate::rs274::task::Record;
 
@@ -17,10 +17,10 @@ impl Control {
     /// meaning.
     ///
     /// A numbered program that is reached otherwise than by M98 is not in the documents.
-    pub(super) fn program_number(&self, state: &mut State) -> Result<Next, Halt> {
+    pub(super) fn program_number(&self, state: &mut State) -> Result<Next, StepError> {
         if self.begun || state.call_level() > 0 {
             let why = "a numbered program that is reached without a call";
-            return Err(Halt::Unspecified(why.to_owned()));
+            return Err(StepError::Unspecified(why.to_owned()));
         }
         enabled(state)?;
         state.evidence.accepted("fanuc-subs.main-number");
@@ -41,13 +41,13 @@ impl Control {
         words: &Words,
         state: &mut State,
         record: &mut Record,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         enabled(state)?;
         let own = |letter: &char| matches!(letter, 'p' | 'l') && words.m == [98];
         let alone = words.m.len() == 1 && words.g.is_empty() && words.letters.keys().all(own);
         if !alone {
             let why = "M98 or M99 in a block with other words";
-            return Err(Halt::Unspecified(why.to_owned()));
+            return Err(StepError::Unspecified(why.to_owned()));
         }
         if words.m == [98] {
             self.call_numbered(words, state)
@@ -63,7 +63,7 @@ impl Control {
     /// Rules fanuc-subs.repeat-count, fanuc-subs.zero-count. L says how many times; without L it is once.
     ///
     /// Choice fanuc-subs.zero-count-unknown: whether the subprogram must exist that is executed no time.
-    fn call_numbered(&mut self, words: &Words, state: &mut State) -> Result<Next, Halt> {
+    fn call_numbered(&mut self, words: &Words, state: &mut State) -> Result<Next, StepError> {
         let Some(number) = words.letters.get(&'p') else {
             let message = "M98 without P";
             return Err(refuse("fanuc-subs.number-missing", FaultKind::MissingWord, message));
@@ -124,7 +124,7 @@ impl Control {
     /// cannot take its number.
     ///
     /// Choice fanuc-subs.call-itself: whether it is enough that it follows an earlier call.
-    fn numbered_program(&self, label: &str, state: &mut State) -> Result<Place, Halt> {
+    fn numbered_program(&self, label: &str, state: &mut State) -> Result<Place, StepError> {
         let labels = self.files.labels(self.place.file);
         let begins = labels.numbers(label);
         let is_sub = self.subs.contains_key(label);
@@ -134,24 +134,24 @@ impl Control {
         }
         if self.place.file != MAIN && !begins.is_empty() {
             let why = "a numbered program in the file of a sub";
-            return Err(Halt::Unspecified(why.to_owned()));
+            return Err(StepError::Unspecified(why.to_owned()));
         }
         if begins.iter().any(|line| labels.is_inside_sub(*line)) {
             let why = "a numbered program that begins inside a sub";
-            return Err(Halt::Unspecified(why.to_owned()));
+            return Err(StepError::Unspecified(why.to_owned()));
         }
         let later = begins.iter().copied().find(|line| *line > self.place.line);
         if later.is_some_and(|number| labels.subs(label).iter().any(|sub| *sub < number)) {
             let why = "which one M98 calls of a sub and a numbered program of the same number";
-            return Err(Halt::Unspecified(why.to_owned()));
+            return Err(StepError::Unspecified(why.to_owned()));
         }
         if !begins.is_empty() && self.files.has(&format!("{label}.ngc")) {
             let why = format!("which one M98 calls of the number {label} and a file of that name");
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         if begins.len() > 1 {
             let why = format!("which one M98 calls where the number {label} stands several times");
-            return Err(Halt::Unspecified(why));
+            return Err(StepError::Unspecified(why));
         }
         if let Some(first) = quirks::control::known_number(self, label, state) {
             return Ok(first);
@@ -180,7 +180,7 @@ impl Control {
     /// nothing new would come.
     ///
     /// Rule fanuc-subs.mixed-m99. It cannot end a sub that begins with sub.
-    fn end_numbered(&mut self, state: &mut State, record: &mut Record) -> Result<Next, Halt> {
+    fn end_numbered(&mut self, state: &mut State, record: &mut Record) -> Result<Next, StepError> {
         let Some(call) = state.frame().call.clone() else {
             state.evidence.accepted("fanuc-subs.endless");
             return Ok(Next::End(End::Endless));
@@ -217,7 +217,7 @@ impl Control {
 }
 
 /// Rule fanuc-subs.disabled. Numbered programs can be disabled: their calls, their ends and their numbers alone.
-pub(crate) fn enabled(state: &mut State) -> Result<(), Halt> {
+pub(crate) fn enabled(state: &mut State) -> Result<(), StepError> {
     if !state.machine.fanuc_subs {
         let message = "numbered programs are disabled";
         return Err(refuse("fanuc-subs.disabled", FaultKind::FanucDisabled, message));
@@ -238,10 +238,10 @@ fn shared_frame(call: Call, state: &mut State) -> Frame {
 }
 
 /// A number of a program, or a count of turns: the documents say nothing of others than whole ones.
-fn counted(number: f64, what: &str) -> Result<f64, Halt> {
+fn counted(number: f64, what: &str) -> Result<f64, StepError> {
     let whole = number.round() + 0.0;
     if (number - whole).abs() > 0.0001 || whole < 0.0 {
-        return Err(Halt::Unspecified(format!("{what} is {number}")));
+        return Err(StepError::Unspecified(format!("{what} is {number}")));
     }
     Ok(whole)
 }

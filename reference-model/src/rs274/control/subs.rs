@@ -6,7 +6,7 @@ use super::{Call, Control, Frame, MAIN, Next, Place, Style, evaluated, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::quirks::skipping::Sought;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::saved_state;
 use crate::rs274::syntax::{Expression, Keyword, OWord};
 use crate::rs274::task::Record;
@@ -21,7 +21,7 @@ impl Control {
     /// Rule subroutines.body-skipped. The blocks of a sub are not executed where they are defined.
     ///
     /// Rule subroutines.unique-name. A second definition is refused; the same one may be reached again.
-    pub(super) fn sub(&mut self, label: &str, state: &mut State) -> Result<Next, Halt> {
+    pub(super) fn sub(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         if quirks::control::is_head_within(self, state) {
             return Ok(Next::Following);
         }
@@ -55,7 +55,7 @@ impl Control {
     /// Rule subroutines.missing-endsub. A sub ends with an endsub of its own number.
     ///
     /// Rule subroutines.nested-definition. Its body cannot contain another sub.
-    fn define(&mut self, label: &str, place: Place, state: &mut State) -> Result<u32, Halt> {
+    fn define(&mut self, label: &str, place: Place, state: &mut State) -> Result<u32, StepError> {
         let end = self.files.labels_mut(place.file).end_of_defined(label, place.line, state);
         quirks::skipping::pass_over(self, Sought::EndSub { label }, end, state)?;
         let labels = self.files.labels(place.file);
@@ -63,7 +63,7 @@ impl Control {
         let until = end.map_or(u32::MAX, |end| end + 1);
         if in_loop && labels.computed_between(place.line - 1, until) {
             let why = "when the number of a sub or endsub is computed, of one defined in a loop";
-            return Err(Halt::Unspecified(why.to_owned()));
+            return Err(StepError::Unspecified(why.to_owned()));
         }
         if let Some(inner) = labels.sub_between(place.line, end.unwrap_or(u32::MAX)) {
             self.place = Place { line: inner, ..place };
@@ -91,7 +91,7 @@ impl Control {
         values: &[Expression],
         state: &mut State,
         record: &mut Record,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         let own = called_label("subroutines.stray-endsub", state)?;
         if own != label && !state.readings.quirk("rs274.any-endsub") {
             let message = format!("{} sub cannot end with {} endsub", o_word(&own), o_word(label));
@@ -109,7 +109,7 @@ impl Control {
         values: &[Expression],
         state: &mut State,
         record: &mut Record,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         if quirks::control::returns_in_main(self, state) {
             keep_value(values, state)?;
             return Ok(Next::Following);
@@ -136,7 +136,7 @@ impl Control {
         label: &str,
         word: &OWord,
         state: &mut State,
-    ) -> Result<Next, Halt> {
+    ) -> Result<Next, StepError> {
         let arguments = arguments(&word.arguments, state)?;
         let sub = self.found(label, &arguments, state)?;
         deeper("subroutines.level-limit", state)?;
@@ -173,11 +173,16 @@ impl Control {
     /// Rule fanuc-subs.mixed-o-call. A numbered subprogram is called by M98 only.
     ///
     /// Whether the subs of a program that has ended are still there for what is entered by hand no document says.
-    fn found(&mut self, label: &str, arguments: &[f64], state: &mut State) -> Result<Place, Halt> {
+    fn found(
+        &mut self,
+        label: &str,
+        arguments: &[f64],
+        state: &mut State,
+    ) -> Result<Place, StepError> {
         if let Some(sub) = self.subs.get(label) {
             if self.program_is_over && sub.file == MAIN {
                 let why = format!("{} of a program that has ended, called by hand", o_word(label));
-                return Err(Halt::Unspecified(why));
+                return Err(StepError::Unspecified(why));
             }
             state.evidence.accepted("subroutines.defined-before-call");
             state.evidence.accepted("subroutines.unknown-sub");
@@ -228,10 +233,10 @@ impl Control {
     ///
     /// Rule subroutines.file-one-sub. That file defines this sub and no other. Whether it has an endsub shows when its
     /// body is executed.
-    fn in_file(&mut self, label: &str, state: &mut State) -> Result<Option<Place>, Halt> {
+    fn in_file(&mut self, label: &str, state: &mut State) -> Result<Option<Place>, StepError> {
         if label.starts_with('.') || label.contains(['/', '\\']) {
             let why = "a sub without a definition whose name would lead to another folder";
-            return Err(Halt::Unspecified(why.to_owned()));
+            return Err(StepError::Unspecified(why.to_owned()));
         }
         let name = format!("{label}.ngc");
         let Some(first) = self.files.open(&name, state) else { return Ok(None) };
@@ -263,7 +268,12 @@ impl Control {
 
 impl Control {
     /// Rule subroutines.nested-definition. A sub within the body of that of the file is refused at its own block.
-    fn body_of_file(&mut self, label: &str, sub: Place, state: &mut State) -> Result<(), Halt> {
+    fn body_of_file(
+        &mut self,
+        label: &str,
+        sub: Place,
+        state: &mut State,
+    ) -> Result<(), StepError> {
         let labels = self.files.labels(sub.file);
         let end = labels.find(label, &[Keyword::EndSub], sub.line, sub.line + 1, state);
         let Some(inner) = labels.sub_between(sub.line, end.unwrap_or(u32::MAX)) else {
@@ -278,7 +288,7 @@ impl Control {
 /// Rule subroutines.arguments. They are evaluated in the caller, all of them before the sub has its own.
 ///
 /// Rule subroutines.argument-limit. More than thirty are refused.
-fn arguments(values: &[Expression], state: &mut State) -> Result<Vec<f64>, Halt> {
+fn arguments(values: &[Expression], state: &mut State) -> Result<Vec<f64>, StepError> {
     if values.len() > ARGUMENTS {
         let message = format!("a call takes up to {ARGUMENTS} arguments, not {}", values.len());
         return Err(refuse("subroutines.argument-limit", FaultKind::TooManyArguments, message));
@@ -303,7 +313,7 @@ pub(crate) fn passed(arguments: &[f64], state: &mut State) -> [f64; 30] {
 }
 
 /// Rules subroutines.level-limit, fanuc-subs.level-limit. Calls can be nested ten levels deep and no deeper.
-pub(super) fn deeper(rule: &'static str, state: &mut State) -> Result<(), Halt> {
+pub(super) fn deeper(rule: &'static str, state: &mut State) -> Result<(), StepError> {
     let levels = if state.readings.quirk("rs274.nine-levels") {
         quirks::control::levels(LEVELS)
     } else {
@@ -322,7 +332,7 @@ pub(super) fn deeper(rule: &'static str, state: &mut State) -> Result<(), Halt> 
 /// Rules subroutines.stray-endsub, subroutines.stray-return. Outside of any there is nothing to leave.
 ///
 /// Rule fanuc-subs.mixed-endsub. A numbered subprogram ends with M99.
-fn called_label(outside: &'static str, state: &State) -> Result<String, Halt> {
+fn called_label(outside: &'static str, state: &State) -> Result<String, StepError> {
     match &state.frame().call {
         Some(Call { label, style: Style::OWord, .. }) => Ok(label.clone()),
         Some(Call { label, style: Style::Numbered { .. }, .. }) => {
@@ -337,7 +347,11 @@ fn called_label(outside: &'static str, state: &State) -> Result<String, Halt> {
 ///
 /// Rules subroutines.parameters-restored, subroutines.local-named-deleted. With its frame the sub's parameters are gone
 /// and the caller's are there again.
-fn leave_sub(values: &[Expression], state: &mut State, record: &mut Record) -> Result<Next, Halt> {
+fn leave_sub(
+    values: &[Expression],
+    state: &mut State,
+    record: &mut Record,
+) -> Result<Next, StepError> {
     keep_value(values, state)?;
     saved_state::restore_at_return(state, record)?;
     state.evidence.accepted("subroutines.parameters-restored");
@@ -348,7 +362,7 @@ fn leave_sub(values: &[Expression], state: &mut State, record: &mut Record) -> R
 
 /// Rules subroutines.return-value, subroutines.no-return-value. The value is evaluated in the sub that ends; without
 /// one both value parameters are 0.
-fn keep_value(values: &[Expression], state: &mut State) -> Result<(), Halt> {
+fn keep_value(values: &[Expression], state: &mut State) -> Result<(), StepError> {
     match values {
         [] => {
             clear_value(state);

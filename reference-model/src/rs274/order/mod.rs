@@ -10,7 +10,7 @@ pub use rules::{ORDER_RULES, OrderRule};
 
 use super::machine::State;
 use super::read::Words;
-use super::refusal::Halt;
+use super::refusal::StepError;
 use super::step;
 use super::task::Record;
 
@@ -36,7 +36,7 @@ pub fn execute(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<Rest, Halt> {
+) -> Result<Rest, StepError> {
     let frame = state.curve.open.is_some().then(|| state.modes.frame());
     let rest = perform(phase, words, state, record);
     if rest.is_ok()
@@ -44,9 +44,9 @@ pub fn execute(
         && frame.is_some_and(|frame| frame != state.modes.frame())
     {
         let why = "another length unit or offset within the data block of G5.2".to_owned();
-        return Err(Halt::Unspecified(why));
+        return Err(StepError::Unspecified(why));
     }
-    if matches!(rest, Err(Halt::Refused(_))) {
+    if matches!(rest, Err(StepError::Refused(_))) {
         refused_at(phase, words, state);
     }
     rest
@@ -73,7 +73,7 @@ fn perform(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<Rest, Halt> {
+) -> Result<Rest, StepError> {
     match phase {
         Phase::Comment => {
             if let Some(comment) = &words.comment {
@@ -119,7 +119,7 @@ fn perform(
 
 /// M62 to M68. Where a block may hold several of them they come as the list names them, wherever they stand
 /// (order.words-in-any-order).
-fn inputs_outputs(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+fn inputs_outputs(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let mut codes: Vec<u32> =
         words.m.iter().copied().filter(|code| (62..=68).contains(code)).collect();
     codes.sort_unstable();

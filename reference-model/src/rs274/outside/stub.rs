@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::{LengthUnit, Position};
 use super::{Input, Outside};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, each};
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 
 /// The stub of a machine.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +75,7 @@ pub(crate) enum Told {
 ///
 /// # Errors
 /// The stub is asked for a point that has no numbers.
-pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), Halt> {
+pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), StepError> {
     let asked = std::mem::take(&mut state.outside.stub.asked);
     if !state.outside.is_stand_alone() {
         return Ok(());
@@ -91,7 +91,7 @@ pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), Halt> {
         Told::Nothing => {
             if asked && state.outside.stub.lost {
                 let why = "where the stub of a machine stands behind a spline of three points";
-                return Err(Halt::Unspecified(why.to_owned()));
+                return Err(StepError::Unspecified(why.to_owned()));
             }
             if asked {
                 state.position = here;

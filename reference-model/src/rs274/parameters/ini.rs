@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::State;
 use crate::rs274::outside::Item;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 
 /// Whether a name has the form of a HAL item: `_hal[item]`.
 pub(super) fn is_hal(name: &str) -> bool {
@@ -32,7 +32,7 @@ pub(super) fn entry(name: &str, state: &State) -> Option<f64> {
 }
 
 /// Rule parameters.ini-absent. Reading an absent INI entry or HAL item is refused.
-pub(super) fn value(name: &str, state: &State) -> Result<f64, Halt> {
+pub(super) fn value(name: &str, state: &State) -> Result<f64, StepError> {
     entry(name, state).ok_or_else(|| {
         let message = format!("there is no #<{name}>");
         refuse("parameters.ini-absent", FaultKind::NoSuchParameter, message)

@@ -14,7 +14,7 @@ use gaugeblock_vocabulary::{FaultKind, Indexed, Machine, Shared};
 
 use super::machine::State;
 use super::readings::Readings;
-use super::refusal::{Halt, refuse};
+use super::refusal::{StepError, refuse};
 pub use numbered::{DEBUG_SWITCH, changed_persistent, computed_numbers, last};
 pub use rules::{refused_too, rules_of, rules_of_existence};
 
@@ -123,7 +123,7 @@ impl Parameters {
 ///
 /// # Errors
 /// It does not exist, or its value is not specified.
-pub fn value(name: &Name, state: &State) -> Result<f64, Halt> {
+pub fn value(name: &Name, state: &State) -> Result<f64, StepError> {
     let name = match name {
         Name::Numbered(number) => return numbered::value(*number, state),
         Name::Named(name) => name,
@@ -159,7 +159,7 @@ pub fn value(name: &Name, state: &State) -> Result<f64, Halt> {
 ///
 /// # Errors
 /// It is read-only.
-pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), Halt> {
+pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), StepError> {
     writable(name, state)?;
     rules_of(name, state).into_iter().for_each(|rule| state.evidence.accepted(rule));
     state.parameters.written.insert(name.clone());
@@ -185,7 +185,7 @@ pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), Halt> {
 ///
 /// # Errors
 /// It is read-only.
-pub fn writable(name: &Name, state: &State) -> Result<(), Halt> {
+pub fn writable(name: &Name, state: &State) -> Result<(), StepError> {
     let (rule, name) = match name {
         Name::Numbered(number) if numbered::is_computed(*number) => {
             if state.readings.is("parameters.read-only-numbered", "written") {

@@ -9,7 +9,7 @@ use super::State;
 use crate::rs274::modes::start_system;
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::readings::Readings;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 use crate::rs274::step::tool::loaded;
 
 /// The greatest number of a parameter.
@@ -54,7 +54,7 @@ pub(super) fn at_start(machine: &Machine) -> BTreeMap<u32, f64> {
 /// Rule parameters.position-units. 5420 to 5428 are in the current program units.
 /// Rule parameters.tool. 5400 is the tool in the spindle, 5401 to 5413 what the tool table says of it.
 /// Rule parameters.local-numbers. Parameters 1 to 30 are local to a subroutine.
-pub(super) fn value(number: u32, state: &State) -> Result<f64, Halt> {
+pub(super) fn value(number: u32, state: &State) -> Result<f64, StepError> {
     if let Some(argument) = argument(number) {
         return Ok(state.frame().arguments[argument]);
     }

@@ -9,7 +9,7 @@ use super::State;
 use crate::rs274::modes::{Spindle, motion_code};
 use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::quirks::text as quirks;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 
 /// A predefined parameter: its name, the rule that states it, its value.
 struct Predefined(&'static str, &'static str, fn(&State) -> f64);
@@ -113,7 +113,7 @@ pub(super) fn is_predefined(name: &str) -> bool {
 }
 
 /// The value of a predefined parameter; `None` for another name.
-pub(super) fn value(name: &str, state: &State) -> Option<Result<f64, Halt>> {
+pub(super) fn value(name: &str, state: &State) -> Option<Result<f64, StepError>> {
     if is_pocket(name) {
         return Some(pocket(name, state));
     }
@@ -138,11 +138,11 @@ fn is_pocket(name: &str) -> bool {
 
 /// The index of a tool in the tool data. No document says how tools are counted there; without a tool it is said, -1
 /// for the selected one, and nothing is in the spindle's place.
-fn pocket(name: &str, state: &State) -> Result<f64, Halt> {
+fn pocket(name: &str, state: &State) -> Result<f64, StepError> {
     match name {
         "_selected_pocket" if state.prepared_tool < 0 => Ok(-1.0),
         "_current_pocket" if state.known_tool == 0 => Ok(0.0),
-        _ => Err(Halt::Unspecified(format!(
+        _ => Err(StepError::Unspecified(format!(
             "#<{name}> is an index into tool data that no document describes"
         ))),
     }

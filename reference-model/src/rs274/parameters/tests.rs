@@ -6,9 +6,9 @@ fn named(name: &str) -> Name {
     Name::Named(name.to_owned())
 }
 
-fn rule(result: Result<f64, Halt>) -> &'static str {
+fn rule(result: Result<f64, StepError>) -> &'static str {
     match result {
-        Err(Halt::Refused(Refusal { rule, .. })) => rule,
+        Err(StepError::Refused(Refusal { rule, .. })) => rule,
         other => panic!("{other:?}"),
     }
 }

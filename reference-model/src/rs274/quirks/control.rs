@@ -6,7 +6,7 @@ use crate::rs274::control::{Control, Frame, Next, Place, Structure, turns};
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::read;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::{self, Expression, Keyword, Parameter};
 use crate::rs274::text::Line;
 
@@ -14,7 +14,7 @@ use crate::rs274::text::Line;
 ///
 /// # Errors
 /// The condition has no value.
-pub fn evaluate_later_condition(values: &[Expression], state: &mut State) -> Result<(), Halt> {
+pub fn evaluate_later_condition(values: &[Expression], state: &mut State) -> Result<(), StepError> {
     values.iter().try_for_each(|value| read::evaluate(value, state).map(|_| ()))
 }
 
@@ -30,7 +30,7 @@ pub fn shared_repeat(
     label: &str,
     values: &[Expression],
     state: &mut State,
-) -> Result<Next, Halt> {
+) -> Result<Next, StepError> {
     let turns_left = match control.shared_counters.remove(&control.place) {
         Some(left) => left,
         None => turns(values, state)?,
@@ -66,7 +66,7 @@ pub fn known_number(control: &Control, label: &str, state: &State) -> Option<Pla
 ///
 /// # Errors
 /// Such an L.
-pub fn count_too_large(turns: f64, state: &State) -> Result<(), Halt> {
+pub fn count_too_large(turns: f64, state: &State) -> Result<(), StepError> {
     let rule = "rs274.fanuc-count-too-large";
     if turns.round() > f64::from(i32::MAX) && state.readings.quirk(rule) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "L of M98 is too large"));
@@ -131,7 +131,11 @@ pub fn is_reached_again(known: Option<&Place>, place: Place, state: &State) -> b
 ///
 /// # Errors
 /// The endsub is refused, or its value.
-pub fn value_at_definition(control: &mut Control, end: u32, state: &mut State) -> Result<(), Halt> {
+pub fn value_at_definition(
+    control: &mut Control,
+    end: u32,
+    state: &mut State,
+) -> Result<(), StepError> {
     control.place.line = end;
     let Some(Line::Block(text)) = control.files.line(control.place, state) else { return Ok(()) };
     let value = value_behind(text, state)?.map(|value| with_zeros(&value, state));
@@ -142,13 +146,13 @@ pub fn value_at_definition(control: &mut Control, end: u32, state: &mut State) -
 ///
 /// # Errors
 /// The block is refused for what stands up to there.
-pub(super) fn value_behind(text: &str, state: &mut State) -> Result<Option<Expression>, Halt> {
+pub(super) fn value_behind(text: &str, state: &mut State) -> Result<Option<Expression>, StepError> {
     let word = match syntax::parse(text, state) {
         Ok(block) => block.o_word,
-        Err(Halt::Refused(refusal)) if refusal.rule == "control.unrelated-words" => {
+        Err(StepError::Refused(refusal)) if refusal.rule == "control.unrelated-words" => {
             syntax::o_word_of(text, state)
         }
-        Err(halt) => return Err(halt),
+        Err(error) => return Err(error),
     };
     Ok(word.and_then(|word| word.arguments.into_iter().next()))
 }
@@ -157,7 +161,7 @@ pub(super) fn value_behind(text: &str, state: &mut State) -> Result<Option<Expre
 ///
 /// # Errors
 /// It has no value.
-pub(super) fn leave(value: Option<&Expression>, state: &mut State) -> Result<(), Halt> {
+pub(super) fn leave(value: Option<&Expression>, state: &mut State) -> Result<(), StepError> {
     let value = value.map(|value| read::evaluate(value, state)).transpose()?;
     state.parameters.returned = value.unwrap_or(0.0);
     state.parameters.has_returned = value.is_some();

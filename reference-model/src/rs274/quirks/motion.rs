@@ -6,7 +6,7 @@ use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::modes::each;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::motion::{is_arc, motion_of};
 use crate::rs274::step::word;
 
@@ -67,7 +67,7 @@ pub(crate) fn table_under_compensation(state: &State) -> bool {
 
 /// Quirk rs274.per-revolution-standing. Under feed per revolution straight feeds and arcs are refused while the speed
 /// of the spindle is zero, whether it turns or not. Which spindle that is, quirk rs274.chosen-spindle says.
-pub(crate) fn per_revolution(words: &Words, state: &State) -> Result<(), Halt> {
+pub(crate) fn per_revolution(words: &Words, state: &State) -> Result<(), StepError> {
     let rule = "rs274.per-revolution-standing";
     let moves =
         motion_of(words, state).is_some_and(|motion| motion == Motion::Feed || is_arc(motion));
@@ -105,7 +105,7 @@ pub(crate) fn takes_no_time(state: &State) -> bool {
 
 /// Quirk rs274.polar-needs-angle. At the origin a polar move without an angle is refused, in absolute distance mode
 /// too.
-pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), Halt> {
+pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), StepError> {
     let rule = "rs274.polar-needs-angle";
     let at_origin = state.position.x == 0.0 && state.position.y == 0.0;
     if at_origin && word(words, '^').is_none() && state.readings.quirk(rule) {
@@ -116,7 +116,7 @@ pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), Halt> {
 }
 
 /// Quirk rs274.polar-to-origin. Nor may an incremental polar move with an angle end there.
-pub(crate) fn polar_end(distance: f64, state: &State) -> Result<(), Halt> {
+pub(crate) fn polar_end(distance: f64, state: &State) -> Result<(), StepError> {
     let rule = "rs274.polar-to-origin";
     let incremental = state.modes.distance == Distance::Incremental;
     if incremental && distance == 0.0 && state.readings.quirk(rule) {
@@ -133,7 +133,7 @@ pub(crate) fn polar_names_none(state: &State) -> bool {
 
 /// Quirk rs274.polar-plane. Polar words are refused where the block before left another plane than XY; what their own
 /// block selects does not count.
-pub(crate) fn polar_plane(state: &State) -> Result<(), Halt> {
+pub(crate) fn polar_plane(state: &State) -> Result<(), StepError> {
     let rule = "rs274.polar-plane";
     if state.plane_before != Plane::Xy && state.readings.quirk(rule) {
         let message = "polar words outside of the XY plane";

@@ -3,10 +3,10 @@
 use gaugeblock_vocabulary::{FaultKind, FeedMode, Motion};
 
 use crate::rs274::machine::State;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 
 /// Quirk rs274.probe-per-revolution. Under feed per revolution probing is refused.
-pub(crate) fn feed_mode(state: &State) -> Result<(), Halt> {
+pub(crate) fn feed_mode(state: &State) -> Result<(), StepError> {
     let rule = "rs274.probe-per-revolution";
     if state.modes.feed_mode == FeedMode::PerRevolution && state.readings.quirk(rule) {
         return Err(refuse(rule, FaultKind::Probe, "probing under feed per revolution"));

@@ -10,13 +10,13 @@ use gaugeblock_vocabulary::{
 use crate::rs274::machine::State;
 use crate::rs274::modes::{Modes, Spindle, unit_size};
 use crate::rs274::quirks::settings::choose;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::restore::{restored_turn, same};
 use crate::rs274::step::tool_length::{apply, table_offset};
 
 /// Quirk rs274.tool-offset-restore. G43 is programmed again when the offset is off, with the tool in the spindle; an
 /// offset that is on stays as it is. One of zero counts as off.
-pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), Halt> {
+pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), StepError> {
     let is_on = |modes: &Modes| modes.tool_offset != Position::default();
     match (is_on(&state.modes), is_on(saved)) {
         (_, false) => apply(None, state),
@@ -41,7 +41,7 @@ pub(crate) fn programs(saved: &Modes, now: &Modes) -> bool {
 }
 
 /// Quirk rs274.plane-restore. G17, G18 or G19 is programmed before G40, and refused where the cutter is compensated.
-pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), Halt> {
+pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), StepError> {
     let rule = "rs274.plane-restore";
     let compensated = state.modes.compensation != Compensation::Off;
     let three = matches!(saved.plane, Plane::Xy | Plane::Zx | Plane::Yz);
@@ -53,7 +53,7 @@ pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), Halt> {
 }
 
 /// Quirk rs274.system-restore. G54 to G59.3 is programmed behind G41 or G42, and refused then.
-pub(crate) fn system(saved: &Modes, state: &State) -> Result<(), Halt> {
+pub(crate) fn system(saved: &Modes, state: &State) -> Result<(), StepError> {
     let rule = "rs274.system-restore";
     let selected = saved.work_offset != state.modes.work_offset;
     if selected && saved.compensation != Compensation::Off && state.readings.quirk(rule) {
@@ -64,7 +64,7 @@ pub(crate) fn system(saved: &Modes, state: &State) -> Result<(), Halt> {
 }
 
 /// Quirk rs274.retract-under-compensation. G98 or G99 is programmed, behind a G40 where that was in force at the save.
-pub(crate) fn retract(saved: &Modes, state: &State) -> Result<(), Halt> {
+pub(crate) fn retract(saved: &Modes, state: &State) -> Result<(), StepError> {
     if saved.retract == state.modes.retract || saved.compensation == Compensation::Off {
         return Ok(());
     }
@@ -73,7 +73,7 @@ pub(crate) fn retract(saved: &Modes, state: &State) -> Result<(), Halt> {
 
 /// Quirk rs274.retract-under-compensation. The return mode of canned cycles stays as it is while the cutter is
 /// compensated.
-pub(crate) fn retract_under_compensation(state: &State) -> Result<(), Halt> {
+pub(crate) fn retract_under_compensation(state: &State) -> Result<(), StepError> {
     let rule = "rs274.retract-under-compensation";
     if state.modes.compensation != Compensation::Off && state.readings.quirk(rule) {
         let message = "a return mode is selected while the cutter is compensated";
@@ -84,7 +84,7 @@ pub(crate) fn retract_under_compensation(state: &State) -> Result<(), Halt> {
 
 /// Quirk rs274.path-under-compensation. G61, G61.1 or G64 is programmed, behind G41 or G42 where that was in force at
 /// the save.
-pub(crate) fn path_refused(saved: &Modes, state: &State) -> Result<(), Halt> {
+pub(crate) fn path_refused(saved: &Modes, state: &State) -> Result<(), StepError> {
     if programs_path(saved, &state.modes) {
         return path_under(saved.compensation, state);
     }
@@ -92,11 +92,11 @@ pub(crate) fn path_refused(saved: &Modes, state: &State) -> Result<(), Halt> {
 }
 
 /// Quirk rs274.path-under-compensation. The path control mode stays as it is while the cutter is compensated.
-pub(crate) fn path_under_compensation(state: &State) -> Result<(), Halt> {
+pub(crate) fn path_under_compensation(state: &State) -> Result<(), StepError> {
     path_under(state.modes.compensation, state)
 }
 
-fn path_under(compensation: Compensation, state: &State) -> Result<(), Halt> {
+fn path_under(compensation: Compensation, state: &State) -> Result<(), StepError> {
     let rule = "rs274.path-under-compensation";
     if compensation != Compensation::Off && state.readings.quirk(rule) {
         let message = "a path control mode is selected while the cutter is compensated";
@@ -169,7 +169,7 @@ pub(crate) const SPINDLES: &[&str] = &[
 ];
 
 /// Quirk rs274.first-spindle-saved. Spindles after the first stay as they are.
-pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), Halt> {
+pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError> {
     let first_only = state.readings.quirk("rs274.first-spindle-saved");
     let count = if first_only { 1 } else { saved.spindles.len() };
     if saved.spindles[0].mode != state.modes.spindles[0].mode {
@@ -183,7 +183,7 @@ pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), Halt> {
 
 /// Quirk rs274.feed-speed-rounded. A speed that changed comes back as an integer. Quirk rs274.surface-speed-restore.
 /// G96 comes back without D, and is refused when S is not programmed again, because it is the same.
-fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Halt> {
+fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, StepError> {
     let is_same = same(saved.speed, now.speed);
     let rounded = state.readings.quirk("rs274.feed-speed-rounded");
     let speed = match (is_same, rounded) {

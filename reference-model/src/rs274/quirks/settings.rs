@@ -11,7 +11,7 @@ use crate::rs274::modes::{ModalGroup, Modes, Spindle, converted, each, is_rotary
 use crate::rs274::order::has_axis_words;
 use crate::rs274::read::Words;
 use crate::rs274::readings::Readings;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::motion::motion_of;
 use crate::rs274::step::{spindle, whole};
 
@@ -54,7 +54,7 @@ pub(crate) fn m_uses_no_dollar(m_code: u32, state: &State) -> bool {
 }
 
 /// Quirk rs274.speed-override-dollar. M51 takes no $0, nor what is rounded toward that.
-pub(crate) fn override_dollar(spindle: f64, state: &State) -> Result<(), Halt> {
+pub(crate) fn override_dollar(spindle: f64, state: &State) -> Result<(), StepError> {
     if spindle.trunc() == 0.0 && state.readings.quirk("rs274.speed-override-dollar") {
         let message = "M51 with $0";
         return Err(refuse("rs274.speed-override-dollar", FaultKind::SpindleOutOfRange, message));
@@ -85,7 +85,7 @@ pub(crate) fn choose(place: usize, state: &mut State) {
 ///
 /// # Errors
 /// $ names no spindle of the machine.
-pub(crate) fn choose_by_feed_mode(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub(crate) fn choose_by_feed_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
     let rule = "rs274.chosen-spindle";
     if state.readings.quirk(rule) {
         let dollar = words.letters.get(&'$').copied();
@@ -161,7 +161,7 @@ pub(crate) fn group_of_g(g_code: u32, state: &State) -> Option<ModalGroup> {
 }
 
 /// Quirk rs274.machine-incremental. G53 needs absolute distance mode.
-pub(crate) fn machine_incremental(state: &State) -> Result<(), Halt> {
+pub(crate) fn machine_incremental(state: &State) -> Result<(), StepError> {
     let rule = "rs274.machine-incremental";
     if state.modes.distance == Distance::Incremental && state.readings.quirk(rule) {
         let message = "G53 in incremental distance mode";
@@ -205,7 +205,7 @@ pub(crate) fn speed_while_standing(place: usize, state: &mut State) {
 }
 
 /// Quirk rs274.cancel-beside-offset. G80 is refused beside G43.1 and G43.2 with axis words.
-pub(crate) fn cancel_beside_offset(words: &Words, state: &State) -> Result<(), Halt> {
+pub(crate) fn cancel_beside_offset(words: &Words, state: &State) -> Result<(), StepError> {
     let rule = "rs274.cancel-beside-offset";
     let offset = words.g.iter().any(|code| [431, 432].contains(code)) && has_axis_words(words);
     if offset && words.g.contains(&800) && state.readings.quirk(rule) {

@@ -10,7 +10,7 @@ use crate::rs274::quirks::control::{
     count_too_large, known_number, leave, value_behind, with_zeros,
 };
 use crate::rs274::read;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::{self, Keyword, Label, PassedOver};
 use crate::rs274::text::Line;
 
@@ -54,7 +54,7 @@ pub(crate) fn pass_over(
     sought: Sought<'_>,
     end: Option<u32>,
     state: &mut State,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     if !QUIRKS.iter().any(|quirk| state.readings.quirk(quirk)) {
         return Ok(());
     }
@@ -80,7 +80,7 @@ pub(crate) fn to_numbered(
     control: &mut Control,
     label: &str,
     state: &mut State,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     if control.is_called_before(label) || known_number(control, label, state).is_some() {
         return Ok(());
     }
@@ -99,7 +99,7 @@ pub(crate) fn to_called(
     arguments: &[f64],
     end: Option<u32>,
     state: &mut State,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     if !QUIRKS.iter().any(|quirk| state.readings.quirk(quirk)) {
         return Ok(());
     }
@@ -112,13 +112,13 @@ pub(crate) fn to_called(
 }
 
 /// A line that is passed over.
-fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), Halt> {
+fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), StepError> {
     let reads = state.readings.quirk("rs274.skipped-is-read");
     let in_sub = matches!(sought, Sought::EndSub { .. });
     let read = match syntax::passed_over(text, state) {
         Ok(read) => read,
-        Err(halt) if reads && !is_passable(&halt, text) => return Err(halt),
-        Err(halt) if reads => return comments_behind(&halt, text, state),
+        Err(error) if reads && !is_passable(&error, text) => return Err(error),
+        Err(error) if reads => return comments_behind(&error, text, state),
         Err(_) => return Ok(()),
     };
     let word = match read {
@@ -128,7 +128,7 @@ fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), Halt>
             return numbered_call(text, state);
         }
         PassedOver::NumberedCall => return Ok(()),
-        PassedOver::WithoutKeyword(halt) if reads && !in_sub => return Err(halt),
+        PassedOver::WithoutKeyword(error) if reads && !in_sub => return Err(error),
         PassedOver::WithoutKeyword(_) => return Ok(()),
         PassedOver::OWord(word) => word,
     };
@@ -140,7 +140,7 @@ fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), Halt>
         label @ (Label::Number(_) | Label::Name(_)) => label.clone(),
     };
     let label = match label_of(&written, state) {
-        Err(halt) if reads => return Err(halt),
+        Err(error) if reads => return Err(error),
         label => label.ok(),
     };
     match sought {
@@ -183,25 +183,25 @@ fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), Halt>
 
 /// Quirk rs274.value-at-definition. A return of the sub that is defined, and an endsub or return of the one that is
 /// sought behind its call, leaves its value. In the former, named parameters that do not exist count as zero.
-fn returned(in_definition: bool, text: &str, state: &mut State) -> Result<(), Halt> {
+fn returned(in_definition: bool, text: &str, state: &mut State) -> Result<(), StepError> {
     let value = value_behind(text, state)?;
     let value = value.map(|value| if in_definition { with_zeros(&value, state) } else { value });
     leave(value.as_ref(), state)
 }
 
 /// What is wrong with a line and passes all the same: a right parenthesis without a comment.
-fn is_passable(halt: &Halt, text: &str) -> bool {
-    !matches!(halt, Halt::Refused(_)) || behind_parenthesis(halt, text).is_some()
+fn is_passable(error: &StepError, text: &str) -> bool {
+    !matches!(error, StepError::Refused(_)) || behind_parenthesis(error, text).is_some()
 }
 
 /// What stands behind a right parenthesis that is passed is read for its comments.
-fn comments_behind(halt: &Halt, text: &str, state: &mut State) -> Result<(), Halt> {
-    let mut rest = behind_parenthesis(halt, text).map(str::to_owned);
+fn comments_behind(error: &StepError, text: &str, state: &mut State) -> Result<(), StepError> {
+    let mut rest = behind_parenthesis(error, text).map(str::to_owned);
     while let Some(behind) = rest.take() {
         // What begins with a parenthesis has no O-word: a letter takes its place.
         let line = format!("x{behind}");
-        if let Err(halt) = syntax::passed_over(&line, state) {
-            let Some(behind) = behind_parenthesis(&halt, &line) else { return Err(halt) };
+        if let Err(error) = syntax::passed_over(&line, state) {
+            let Some(behind) = behind_parenthesis(&error, &line) else { return Err(error) };
             rest = Some(behind.to_owned());
         }
     }
@@ -209,19 +209,19 @@ fn comments_behind(halt: &Halt, text: &str, state: &mut State) -> Result<(), Hal
 }
 
 /// The text behind the right parenthesis that is refused, if it is one that is.
-fn behind_parenthesis<'a>(halt: &Halt, text: &'a str) -> Option<&'a str> {
-    let Halt::Refused(refusal) = halt else { return None };
+fn behind_parenthesis<'a>(error: &StepError, text: &'a str) -> Option<&'a str> {
+    let StepError::Refused(refusal) = error else { return None };
     let span = refusal.span?;
     let part = text.get(span.start as usize..span.end as usize);
     text.get(span.end as usize..).filter(|_| part == Some(")"))
 }
 
 /// The P and L of an M98 are read, and must be numbers of programs and of turns.
-fn numbered_call(text: &str, state: &mut State) -> Result<(), Halt> {
+fn numbered_call(text: &str, state: &mut State) -> Result<(), StepError> {
     let block = syntax::parse(text, state)?;
     let words = match read::read(&block, state) {
         // Whether an E has its code is not asked here.
-        Err(Halt::Refused(refusal)) if refusal.rule == "text.word-letters" => return Ok(()),
+        Err(StepError::Refused(refusal)) if refusal.rule == "text.word-letters" => return Ok(()),
         read => read?,
     };
     let rule = "rs274.skipped-is-read";
@@ -241,7 +241,7 @@ fn numbered_call(text: &str, state: &mut State) -> Result<(), Halt> {
 
 /// The label whose end is looked for, before that end: what could not begin there, or end there, is refused.
 /// A while or do may be named by break and continue, and a condition has any number of further branches.
-fn own_label(keyword: Keyword, ends: &[Keyword]) -> Result<(), Halt> {
+fn own_label(keyword: Keyword, ends: &[Keyword]) -> Result<(), StepError> {
     let of_loop = ends.iter().any(|end| matches!(end, Keyword::While | Keyword::EndWhile));
     let of_condition = ends.contains(&Keyword::EndIf);
     let kind = match keyword {
@@ -257,7 +257,7 @@ fn own_label(keyword: Keyword, ends: &[Keyword]) -> Result<(), Halt> {
         | Keyword::Continue => FaultKind::UnknownLabel,
         Keyword::Do => {
             let why = "a do whose label is that of the condition or loop around it";
-            return Err(Halt::Unspecified(why.to_owned()));
+            return Err(StepError::Unspecified(why.to_owned()));
         }
         Keyword::Sub
         | Keyword::EndSub

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{FaultKind, FeedMode};
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::motion::{is_spline, motion_of};
 
 /// Quirk rs274.spline-per-revolution. Under G95 splines need no feed rate.
@@ -31,7 +31,7 @@ pub(crate) fn begins_without_direction(state: &State) -> bool {
 }
 
 /// Quirk rs274.quadratic-needs-both. G5.1 needs both I and J.
-pub(crate) fn quadratic_needs_both(words: &Words, state: &State) -> Result<(), Halt> {
+pub(crate) fn quadratic_needs_both(words: &Words, state: &State) -> Result<(), StepError> {
     let rule = "rs274.quadratic-needs-both";
     let both = ['i', 'j'].iter().all(|letter| words.letters.contains_key(letter));
     if !both && state.readings.quirk(rule) {
@@ -46,7 +46,7 @@ pub(crate) fn quadratic_of_zero(state: &State) -> bool {
 }
 
 /// Quirk rs274.nurbs-weight. Each control point behind that of G5.2 needs P.
-pub(crate) fn needs_weight(words: &Words, state: &State) -> Result<(), Halt> {
+pub(crate) fn needs_weight(words: &Words, state: &State) -> Result<(), StepError> {
     let rule = "rs274.nurbs-weight";
     let opens = words.g.contains(&52);
     if !opens && !words.letters.contains_key(&'p') && state.readings.quirk(rule) {
@@ -56,7 +56,7 @@ pub(crate) fn needs_weight(words: &Words, state: &State) -> Result<(), Halt> {
 }
 
 /// Quirk rs274.nurbs-order-two. A NURBS of order two needs three control points too.
-pub(crate) fn of_two_points(points: u32, state: &State) -> Result<(), Halt> {
+pub(crate) fn of_two_points(points: u32, state: &State) -> Result<(), StepError> {
     let rule = "rs274.nurbs-order-two";
     if points == 2 && state.readings.quirk(rule) {
         let message = "a NURBS of two control points";
@@ -66,6 +66,6 @@ pub(crate) fn of_two_points(points: u32, state: &State) -> Result<(), Halt> {
 }
 
 /// A spline without X and Y: no document says where it would lead.
-pub(crate) fn without_axis_words(_state: &State) -> Halt {
-    Halt::Unspecified("a spline without X and Y".to_owned())
+pub(crate) fn without_axis_words(_state: &State) -> StepError {
+    StepError::Unspecified("a spline without X and Y".to_owned())
 }

@@ -10,7 +10,7 @@ use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::readings::Readings;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::Comment;
 
 /// Quirk rs274.shorter-lines: a line has at most so many characters without its line end.
@@ -39,7 +39,7 @@ pub(crate) fn loses_percent_sign(text: &str) -> bool {
 
 /// Quirk rs274.position-under-compensation: 5420 to 5428 have no value while the cutter is compensated, but in
 /// messages.
-pub(crate) fn read_under_compensation(name: &Name, state: &State) -> Result<(), Halt> {
+pub(crate) fn read_under_compensation(name: &Name, state: &State) -> Result<(), StepError> {
     let rule = "rs274.position-under-compensation";
     let of_position = matches!(name, Name::Numbered(5420..=5428));
     if of_position && state.modes.compensation != Compensation::Off && state.readings.quirk(rule) {

@@ -4,11 +4,11 @@ use gaugeblock_vocabulary::{FaultKind, Position, Switch};
 
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::end_point;
 
 /// Quirk rs274.synchronised-feed-word. G33 and G33.1 do not stand in a block with F.
-pub(crate) fn feed_word(words: &Words, state: &State) -> Result<(), Halt> {
+pub(crate) fn feed_word(words: &Words, state: &State) -> Result<(), StepError> {
     let rule = "rs274.synchronised-feed-word";
     if words.letters.contains_key(&'f') && state.readings.quirk(rule) {
         return Err(refuse(rule, FaultKind::UnusedWord, "F with a synchronised move"));
@@ -43,7 +43,7 @@ pub(crate) fn after_thread(
     start: Position,
     end: f64,
     state: &mut State,
-) -> Result<Option<Position>, Halt> {
+) -> Result<Option<Position>, StepError> {
     let other = state.readings.quirk("rs274.thread-other-axes")
         && ['x', 'y', '@', '^'].iter().any(|letter| words.letters.contains_key(letter));
     if !other && !state.readings.quirk("rs274.thread-clearance") {

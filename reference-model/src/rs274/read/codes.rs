@@ -6,11 +6,11 @@ use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::modes;
 use crate::rs274::quirks::text as quirks;
-use crate::rs274::refusal::{Halt, refuse_at};
+use crate::rs274::refusal::{StepError, refuse_at};
 use crate::rs274::syntax::{Expression, Word};
 
 /// Ten times the number of a G code.
-pub(super) fn g_code(word: &Word, value: f64, state: &mut State) -> Result<u32, Halt> {
+pub(super) fn g_code(word: &Word, value: f64, state: &mut State) -> Result<u32, StepError> {
     let number = code(word, value * 10.0, "modal-groups.g-code-out-of-range", state)?;
     if is_computed(word) && modes::g_code(number).is_none() {
         state.evidence.refused("modal-groups.code-from-expression");
@@ -19,7 +19,7 @@ pub(super) fn g_code(word: &Word, value: f64, state: &mut State) -> Result<u32, 
 }
 
 /// The number of an M code.
-pub(super) fn m_code(word: &Word, value: f64, state: &mut State) -> Result<u32, Halt> {
+pub(super) fn m_code(word: &Word, value: f64, state: &mut State) -> Result<u32, StepError> {
     code(word, value, "modal-groups.m-code-out-of-range", state)
 }
 
@@ -28,7 +28,7 @@ pub(super) fn m_code(word: &Word, value: f64, state: &mut State) -> Result<u32, 
 /// Rule modal-groups.code-from-expression. The number of a code may be an expression.
 ///
 /// A code below zero is out of range; whether any other one exists is a matter of the table of codes.
-fn code(word: &Word, value: f64, range: &'static str, state: &mut State) -> Result<u32, Halt> {
+fn code(word: &Word, value: f64, range: &'static str, state: &mut State) -> Result<u32, StepError> {
     let letter = word.letter.to_ascii_uppercase();
     let g_code = range == "modal-groups.g-code-out-of-range";
     let near = math::near_integer(value).or_else(|| {

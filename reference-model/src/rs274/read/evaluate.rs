@@ -7,14 +7,14 @@ use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::quirks::text as quirks;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::{Expression, Parameter};
 
 /// The value of an expression: a finite number.
 ///
 /// # Errors
 /// It has none: a division by zero, an argument outside a function's domain, a parameter that does not exist.
-pub fn evaluate(expression: &Expression, state: &mut State) -> Result<f64, Halt> {
+pub fn evaluate(expression: &Expression, state: &mut State) -> Result<f64, StepError> {
     match expression {
         Expression::Number(number) => Ok(*number),
         Expression::Parameter(parameter) => {
@@ -44,7 +44,7 @@ pub fn evaluate(expression: &Expression, state: &mut State) -> Result<f64, Halt>
 ///
 /// Rule parameters.range. The number of a parameter is an integer from 1 to 5602.
 /// Rule parameters.index-integer. The number of a parameter must be close to an integer.
-pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, Halt> {
+pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, StepError> {
     let number = match parameter {
         Parameter::Named(name) => return Ok(Name::Named(name.clone())),
         Parameter::Numbered(number) => number,
@@ -74,7 +74,7 @@ pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, Hal
     }
 }
 
-fn parameter_value(name: &Name, state: &mut State) -> Result<f64, Halt> {
+fn parameter_value(name: &Name, state: &mut State) -> Result<f64, StepError> {
     quirks::read_under_compensation(name, state)?;
     let value = parameters::value(name, state);
     match &value {
@@ -89,7 +89,7 @@ fn parameter_value(name: &Name, state: &mut State) -> Result<f64, Halt> {
 }
 
 /// Rule expressions.exists. EXISTS is 1 when the named parameter exists and 0 when it does not.
-fn exists(parameter: &Parameter, state: &mut State) -> Result<f64, Halt> {
+fn exists(parameter: &Parameter, state: &mut State) -> Result<f64, StepError> {
     let name = name(parameter, state)?;
     let exists = parameters::exists(&name, state);
     state.evidence.accepted("expressions.exists");

@@ -11,7 +11,7 @@ use gaugeblock_vocabulary::{Axis, FaultKind, Sorted};
 use super::machine::State;
 use super::parameters::{self, Name};
 use super::quirks::{settings, text as quirks};
-use super::refusal::{Halt, refuse_at};
+use super::refusal::{StepError, refuse_at};
 use super::syntax::{Block, Comment, Expression, Setting, Word};
 pub use evaluate::evaluate;
 
@@ -39,7 +39,7 @@ pub struct Words {
 ///
 /// # Errors
 /// An expression has no value, or a word's value is not allowed.
-pub fn read(block: &Block, state: &mut State) -> Result<Words, Halt> {
+pub fn read(block: &Block, state: &mut State) -> Result<Words, StepError> {
     let mut words = Words { comment: block.comment.clone(), ..Words::default() };
     let mut settings = block.settings.iter().peekable();
     for word in &block.words {
@@ -59,7 +59,7 @@ pub fn read(block: &Block, state: &mut State) -> Result<Words, Halt> {
 }
 
 /// Rule modal-groups.repeated-letter. Every letter other than G and M appears at most once in a block.
-fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), Halt> {
+fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), StepError> {
     let value = evaluate(&word.value, state)?;
     if !matches!(word.value, Expression::Number(_)) {
         state.evidence.accepted("expressions.read-before-execution");
@@ -82,7 +82,7 @@ fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), Ha
 
 /// Rule parameters.assignment. The equals sign stores the number on its right in the parameter on its left.
 /// Quirk rs274.named-exists-early: a named parameter that the line creates exists already for the values behind it.
-fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), Halt> {
+fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), StepError> {
     let name = evaluate::name(&setting.target, state)?;
     parameters::writable(&name, state)?;
     if state.readings.quirk("rs274.named-exists-early") {
@@ -97,7 +97,7 @@ fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), Hal
 
 /// Rule text.word-letters. E is no letter of the table: only G76 and M66 to M68 have it.
 /// Quirk rs274.synchronised-e-word. G33 and G33.1 take it.
-fn extra_letter(block: &Block, words: &Words, state: &State) -> Result<(), Halt> {
+fn extra_letter(block: &Block, words: &Words, state: &State) -> Result<(), StepError> {
     let of_codes = words.m.iter().any(|code| (66..=68).contains(code)) || words.g.contains(&760);
     match block.words.iter().find(|word| word.letter == 'e') {
         Some(word) if !of_codes && !settings::takes_e(words, state) => {

@@ -6,7 +6,7 @@ use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::readings::Readings;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::{Function, Operator};
 
 /// Numbers that differ by less are equal.
@@ -21,7 +21,7 @@ pub(super) fn operate(
     left: f64,
     right: f64,
     state: &mut State,
-) -> Result<f64, Halt> {
+) -> Result<f64, StepError> {
     let readings = &state.readings;
     let (rule, value) = match operator {
         Operator::Power => ("expressions.power", power(left, right)?),
@@ -64,7 +64,7 @@ pub(super) fn operate(
 }
 
 /// Rule expressions.division-by-zero. A division by zero gives no number and is refused.
-fn divide(left: f64, right: f64) -> Result<f64, Halt> {
+fn divide(left: f64, right: f64) -> Result<f64, StepError> {
     if is_zero(right) {
         let message = format!("{left} is divided by zero");
         return Err(refuse("expressions.division-by-zero", FaultKind::DivideByZero, message));
@@ -75,7 +75,7 @@ fn divide(left: f64, right: f64) -> Result<f64, Halt> {
 /// Rule expressions.modulus. MOD gives the remainder of a division of any real numbers.
 /// Rule expressions.modulus-zero. A modulus of zero gives no number and is refused.
 /// Choice expressions.modulus-sign: never negative, or with the sign of the number on the left.
-fn modulus(left: f64, right: f64, readings: &Readings) -> Result<f64, Halt> {
+fn modulus(left: f64, right: f64, readings: &Readings) -> Result<f64, StepError> {
     if is_zero(right) {
         let message = format!("the remainder of {left} by zero is no number");
         return Err(refuse("expressions.modulus-zero", FaultKind::DivideByZero, message));
@@ -88,7 +88,7 @@ fn modulus(left: f64, right: f64, readings: &Readings) -> Result<f64, Halt> {
 
 /// Rule expressions.power. Two asterisks raise the number on the left to the power on the right.
 /// Rule expressions.power-domain. A power that is no real number is refused.
-fn power(base: f64, exponent: f64) -> Result<f64, Halt> {
+fn power(base: f64, exponent: f64) -> Result<f64, StepError> {
     let value = math::power(base, exponent);
     if !value.is_finite() {
         let message = format!("{base} to the power {exponent} is no real number");
@@ -120,7 +120,11 @@ fn truth(holds: bool, readings: &Readings) -> f64 {
 /// The value of a function.
 ///
 /// Rule expressions.domain. A function of an argument outside its domain gives no number and is refused.
-pub(super) fn function(function: Function, argument: f64, state: &mut State) -> Result<f64, Halt> {
+pub(super) fn function(
+    function: Function,
+    argument: f64,
+    state: &mut State,
+) -> Result<f64, StepError> {
     let (rule, value) = match function {
         Function::Absolute => ("expressions.absolute", quirks::absolute(argument, &state.readings)),
         Function::Sine => ("expressions.angles", math::sine_of_degrees(argument)),

@@ -2,7 +2,7 @@ use super::*;
 use crate::rs274::refusal::Refusal;
 use crate::rs274::syntax::parse;
 
-fn words(line: &str, state: &mut State) -> Result<Words, Halt> {
+fn words(line: &str, state: &mut State) -> Result<Words, StepError> {
     let block = parse(line, state)?;
     read(&block, state)
 }
@@ -24,7 +24,7 @@ fn check_under(expression: &str, options: &[(&str, &str)], expect: f64) {
 
 fn refused(line: &str) -> &'static str {
     match words(line, &mut State::under(&[])) {
-        Err(Halt::Refused(Refusal { rule, .. })) => rule,
+        Err(StepError::Refused(Refusal { rule, .. })) => rule,
         other => panic!("{line:?}: {other:?}"),
     }
 }

@@ -13,7 +13,7 @@ use crate::math;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::motion as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// A point of the selected plane: along its first axis, along its second.
@@ -47,7 +47,7 @@ pub(super) fn perform(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let axes = axes(state)?;
     let turns = turns(words, state)?;
     one_format(axes, words)?;
@@ -69,7 +69,7 @@ pub(super) fn perform(
 
 /// Rule arcs.plane. An arc lies in the selected plane: XY, ZX or YZ.
 /// Rule arcs.secondary-planes. The planes of U, V and W have no arcs.
-fn axes(state: &mut State) -> Result<Axes, Halt> {
+fn axes(state: &mut State) -> Result<Axes, StepError> {
     use Axis::{X, Y, Z};
     let (first, second, normal) = match state.modes.plane {
         Plane::Xy => (X, Y, Z),
@@ -88,7 +88,7 @@ fn axes(state: &mut State) -> Result<Axes, Halt> {
 /// Rule arcs.turns. P is the number of turns, begun ones too; without P it is 1.
 /// Rule arcs.turns-integer. It must be an integer.
 /// Rule arcs.turns-below-one. What fewer than one are is a choice.
-fn turns(words: &Words, state: &mut State) -> Result<i32, Halt> {
+fn turns(words: &Words, state: &mut State) -> Result<i32, StepError> {
     let Some(number) = word(words, 'p') else { return Ok(1) };
     let rule = "arcs.turns-integer";
     let message = || format!("P{number} is no number of turns");
@@ -116,7 +116,7 @@ fn offset_letter(axis: Axis) -> char {
 
 /// Rule arcs.one-format. An arc has a centre or a radius, not both.
 /// Rule arcs.other-offset. The axis that stands on the plane has no offset.
-fn one_format(axes: Axes, words: &Words) -> Result<(), Halt> {
+fn one_format(axes: Axes, words: &Words) -> Result<(), StepError> {
     let offsets = "ijk".chars().any(|offset| word(words, offset).is_some());
     if offsets && word(words, 'r').is_some() {
         let message = "an arc with an offset of its centre and a radius";
@@ -144,7 +144,7 @@ fn centre_of_offsets(
     end: Position,
     words: &Words,
     state: &mut State,
-) -> Result<InPlane, Halt> {
+) -> Result<InPlane, StepError> {
     let mut offset = |axis: Axis| {
         let offset = word(words, offset_letter(axis))?;
         let diameter = axis == Axis::X && state.modes.lathe == Lathe::Diameter;
@@ -197,7 +197,7 @@ fn tolerances(state: &State) -> (f64, f64) {
 
 /// Rule arcs.unequal-radii. There is a centre that has a distance from the ends of the arc; what is no finite number
 /// is none.
-fn has_numbers(centre: InPlane, radius: f64) -> Result<(), Halt> {
+fn has_numbers(centre: InPlane, radius: f64) -> Result<(), StepError> {
     if [centre.0, centre.1, radius].into_iter().all(f64::is_finite) {
         return Ok(());
     }
@@ -212,7 +212,7 @@ fn same_radius(
     centre: InPlane,
     end: InPlane,
     state: &mut State,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let (to_start, to_end) = (distance(centre, start), distance(centre, end));
     has_numbers(centre, to_start.max(to_end))?;
     let (large, small) = tolerances(state);
@@ -251,7 +251,7 @@ fn centre_of_radius(
     end: Position,
     words: &Words,
     state: &mut State,
-) -> Result<InPlane, Halt> {
+) -> Result<InPlane, StepError> {
     let polar = ['@', '^'].iter().any(|polar| word(words, *polar).is_some())
         && !quirks::polar_names_none(state);
     let named = |axis: Axis| word(words, letter(axis)).is_some();

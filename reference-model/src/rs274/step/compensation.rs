@@ -7,7 +7,7 @@ use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::modes::unit_size;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 
 /// Turns cutter compensation on and off.
 ///
@@ -17,7 +17,7 @@ use crate::rs274::refusal::{Halt, refuse};
 /// # Errors
 /// Rules tool.compensation-twice, tool.compensation-plane, tool.compensation-tool,
 /// tool.dynamic-compensation-needs-diameter, tool.dynamic-compensation-orientation.
-pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     let compensation = words.g.iter().find_map(|code| match code {
         410 => Some(Compensation::Left),
         411 => Some(Compensation::DynamicLeft),
@@ -46,7 +46,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
 
 /// Rule tool.compensation-twice. Compensation is not turned on while it is on.
 /// Rule tool.compensation-plane. Nor is it turned on in the YZ plane, or any other but XY and ZX.
-fn possible(state: &mut State) -> Result<(), Halt> {
+fn possible(state: &mut State) -> Result<(), StepError> {
     if state.modes.compensation != Compensation::Off {
         let message = "cutter compensation is on already";
         return Err(refuse("tool.compensation-twice", FaultKind::CompensationActive, message));
@@ -63,7 +63,7 @@ fn possible(state: &mut State) -> Result<(), Halt> {
 ///
 /// Rule tool.compensation-tool. D is a tool of the tool table, or 0: the tool in the spindle, as without D, whose
 /// radius is zero when there is none.
-fn by_tool(words: &Words, state: &mut State) -> Result<f64, Halt> {
+fn by_tool(words: &Words, state: &mut State) -> Result<f64, StepError> {
     let rule = "tool.compensation-tool";
     let tool = match word(words, 'd') {
         Some(value) => {
@@ -85,7 +85,7 @@ fn by_tool(words: &Words, state: &mut State) -> Result<f64, Halt> {
 ///
 /// Rule tool.dynamic-compensation. D is the diameter.
 /// Rule tool.dynamic-compensation-orientation. L is 0 to 9, and only allowed in the ZX plane.
-fn dynamic(words: &Words, state: &mut State) -> Result<f64, Halt> {
+fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
     let Some(diameter) = word(words, 'd') else {
         let rule = "tool.dynamic-compensation-needs-diameter";
         return Err(refuse(

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{Effect, FaultKind};
 use super::{pass, whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// Waits.
@@ -18,7 +18,7 @@ use crate::rs274::task::Record;
 ///
 /// # Panics
 /// There is no P, which the check asks for: a fault of the model.
-pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let seconds = word(words, 'p').expect("check: G4 has P");
     let any = whole(seconds) != Some(-1) && state.readings.quirk("rs274.negative-dwell");
     if seconds < 0.0 && !any {

@@ -9,7 +9,7 @@ use super::word;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 
 /// Selects the feed mode.
 ///
@@ -17,7 +17,7 @@ use crate::rs274::refusal::{Halt, refuse};
 ///
 /// # Errors
 /// Rule feed.per-revolution-spindle: $ of G95 names no spindle of the machine.
-pub fn select_mode(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn select_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
     let (mode, rule) = if words.g.contains(&930) {
         (FeedMode::InverseTime, "feed.inverse-time")
     } else if words.g.contains(&940) {
@@ -56,7 +56,7 @@ fn change_mode(mode: FeedMode, state: &mut State) {
 ///
 /// # Errors
 /// Rule feed.negative-rate.
-pub fn set_rate(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
     let Some(rate) = word(words, 'f') else { return Ok(()) };
     if rate < 0.0 {
         let message = format!("a feed rate of {rate}");

@@ -7,7 +7,7 @@ use crate::rs274::machine::State;
 use crate::rs274::outside::{Awaited, Input, stub};
 use crate::rs274::quirks::outputs as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// The parameter that holds what M66 found.
@@ -26,7 +26,7 @@ const TIMED_OUT: f64 = -1.0;
 /// # Errors
 /// Rules inputs.one-input, inputs.number-range, inputs.mode-range, inputs.analog-immediate, inputs.zero-timeout,
 /// inputs.without-timeout, inputs.under-compensation.
-pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     super::not_under_compensation("inputs.under-compensation", state)?;
     let input = input(words, state)?;
     let mode = mode(words, state)?;
@@ -42,7 +42,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         None => match state.outside.awaited(input, mode, timeout) {
             Awaited::Comes { after, value } => (after, Some(value)),
             Awaited::TimesOut { after } => (after, None),
-            Awaited::Never => return Err(Halt::WaitsForEver),
+            Awaited::Never => return Err(StepError::WaitsForEver),
         },
     };
     if read.is_none() {
@@ -84,7 +84,7 @@ fn accepted(input: Input, mode: WaitMode, state: &mut State) {
 }
 
 /// Rule inputs.one-input. P names a digital input or E an analog one: one of them, and not both.
-fn input(words: &Words, state: &mut State) -> Result<Input, Halt> {
+fn input(words: &Words, state: &mut State) -> Result<Input, StepError> {
     let rule = "inputs.one-input";
     let input = match (word(words, 'p'), word(words, 'e')) {
         (Some(_), Some(_)) => {
@@ -105,7 +105,7 @@ fn input(words: &Words, state: &mut State) -> Result<Input, Halt> {
 /// Rule inputs.number-range. Inputs are counted from 0, as many as the machine has, which may be more or fewer than
 /// four (inputs.count). Quirk rs274.io-number-rounded: a fraction is rounded. Quirk linuxcnc.input-number: any number
 /// is accepted, and where there is no such input zero is read.
-fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Result<u32, Halt> {
+fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Result<u32, StepError> {
     let any = state.outside.is_stand_alone() || state.readings.quirk("linuxcnc.input-number");
     let number = quirks::number(value, state).and_then(|number| u32::try_from(number).ok());
     let number = number.filter(|number| any || *number < of_machine.into()).ok_or_else(|| {
@@ -121,7 +121,7 @@ fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Resul
 
 /// Rule inputs.mode-range. L is 0 to 4. Rule inputs.mode-optional. Without L there is no wait.
 /// Quirks rs274.wait-mode-any and linuxcnc.wait-mode-times-out: a greater number is accepted.
-fn mode(words: &Words, state: &mut State) -> Result<WaitMode, Halt> {
+fn mode(words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
     let Some(value) = word(words, 'l') else {
         state.evidence.accepted("inputs.mode-optional");
         return Ok(WaitMode::Immediate);
@@ -145,7 +145,7 @@ fn mode(words: &Words, state: &mut State) -> Result<WaitMode, Halt> {
 }
 
 /// Rule inputs.analog-immediate. An analog input is read at once and never awaited.
-fn analog_mode(mode: WaitMode, state: &mut State) -> Result<(), Halt> {
+fn analog_mode(mode: WaitMode, state: &mut State) -> Result<(), StepError> {
     let rule = "inputs.analog-immediate";
     if mode != WaitMode::Immediate {
         let message = "M66 waits for digital inputs only";
@@ -158,7 +158,7 @@ fn analog_mode(mode: WaitMode, state: &mut State) -> Result<(), Halt> {
 /// Rule inputs.zero-timeout. Q is the longest wait in seconds, and not zero, except where nothing is awaited and Q is
 /// ignored (inputs.ignored-timeout).
 /// Rule inputs.without-timeout. Whether a wait needs Q is a choice.
-fn timeout(mode: WaitMode, words: &Words, state: &mut State) -> Result<Option<f64>, Halt> {
+fn timeout(mode: WaitMode, words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     let timeout = word(words, 'q');
     if mode == WaitMode::Immediate {
         if timeout.is_some() {
@@ -180,7 +180,7 @@ fn timeout(mode: WaitMode, words: &Words, state: &mut State) -> Result<Option<f6
             return Err(refuse("inputs.zero-timeout", FaultKind::WordOutOfRange, message));
         }
         Some(seconds) if seconds < 0.0 => {
-            return Err(Halt::Unspecified(format!("a wait of at most {seconds} seconds")));
+            return Err(StepError::Unspecified(format!("a wait of at most {seconds} seconds")));
         }
         Some(_) => {}
     }

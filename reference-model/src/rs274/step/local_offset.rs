@@ -7,7 +7,7 @@ use super::target::offset_words;
 use crate::rs274::machine::State;
 use crate::rs274::modes::each;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 
 /// The parameter that tells whether the offset applies; those of the axes follow, machine unit.
 const APPLIES: u32 = 5210;
@@ -16,7 +16,7 @@ const APPLIES: u32 = 5210;
 ///
 /// # Errors
 /// Those of G52 and G92.
-pub(super) fn change(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub(super) fn change(words: &Words, state: &mut State) -> Result<(), StepError> {
     let code = |wanted: &[u32]| words.g.iter().copied().find(|code| wanted.contains(code));
     match code(&[520, 920]) {
         Some(520) => shift(words, state)?,
@@ -41,7 +41,7 @@ pub(super) fn change(words: &Words, state: &mut State) -> Result<(), Halt> {
 ///
 /// # Errors
 /// Rule offsets.change-under-compensation.
-fn shift(words: &Words, state: &mut State) -> Result<(), Halt> {
+fn shift(words: &Words, state: &mut State) -> Result<(), StepError> {
     in_force_changes(state)?;
     for rule in [
         "offsets.local",
@@ -69,7 +69,7 @@ fn shift(words: &Words, state: &mut State) -> Result<(), Halt> {
 ///
 /// # Errors
 /// Rule offsets.change-under-compensation.
-fn name_point(words: &Words, state: &mut State) -> Result<(), Halt> {
+fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
     in_force_changes(state)?;
     for rule in [
         "offsets.position",

@@ -39,7 +39,7 @@ pub(crate) use word::{whole, word};
 use gaugeblock_vocabulary::{Compensation, FaultKind};
 
 use super::machine::State;
-use super::refusal::{Halt, refuse};
+use super::refusal::{StepError, refuse};
 
 /// Lets time go by; what ends outside meanwhile has ended.
 pub(crate) fn pass(seconds: f64, state: &mut State) {
@@ -48,7 +48,10 @@ pub(crate) fn pass(seconds: f64, state: &mut State) {
 }
 
 /// A code of which it is a choice whether it is allowed while cutter compensation is on; the choice has the rule's id.
-pub(crate) fn not_under_compensation(rule: &'static str, state: &mut State) -> Result<(), Halt> {
+pub(crate) fn not_under_compensation(
+    rule: &'static str,
+    state: &mut State,
+) -> Result<(), StepError> {
     if state.modes.compensation == Compensation::Off {
         return Ok(());
     }

@@ -13,7 +13,7 @@ use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_cod
 use crate::rs274::quirks::motion::per_revolution;
 use crate::rs274::quirks::{motion as motion_quirks, settings as quirks, splines as spline_quirks};
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// What a block asks the machine to do.
@@ -65,7 +65,7 @@ pub(super) fn is_feed(motion: Motion) -> bool {
 ///
 /// # Errors
 /// A move that the modes in force do not allow.
-pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     if !cycles::is_cycle(state.modes.motion) {
         state.series = None;
     }
@@ -80,7 +80,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         machine_coordinates_possible(motion, words, state)?;
     }
     if state.curve.open.is_some() && !is_spline(motion) {
-        return Err(Halt::Unspecified("another motion in an open data block".to_owned()));
+        return Err(StepError::Unspecified("another motion in an open data block".to_owned()));
     }
     if cycles::is_cycle(motion) {
         state.curve = splines::Curve::default();
@@ -115,7 +115,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
 /// Rule motion.cancel. G80 cancels the motion mode. Rule motion.cancel-with-axis-words. Axis words have no place in
 /// its block. Rule modal-groups.axis-words-without-mode and rule motion.axis-words-after-cancel. Nor have they in a
 /// block that does not use them while no motion mode is active.
-fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), Halt> {
+fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), StepError> {
     if has_axis_words(words) && moves_by(words) {
         let message = "axis words, and no motion mode";
         if programmed {
@@ -142,7 +142,7 @@ fn without_axis_words(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     state.evidence.accepted("motion.without-axis-words");
     if state.readings.is("motion.without-axis-words", "move-in-place") {
         return move_to(motion, words, state, record);
@@ -158,9 +158,9 @@ fn move_to(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     if state.modes.compensation != Compensation::Off && !quirks::moves_as_without_radius(state) {
-        return Err(Halt::Unsupported("a move under cutter compensation".to_owned()));
+        return Err(StepError::Unsupported("a move under cutter compensation".to_owned()));
     }
     if is_feed(motion) {
         feed_possible(words, state)?;
@@ -193,7 +193,7 @@ fn machine_coordinates_possible(
     motion: Motion,
     words: &Words,
     state: &mut State,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     if spline_quirks::takes_machine_coordinates(words, state) {
         return Ok(());
     }
@@ -226,7 +226,7 @@ fn machine_coordinates_possible(
 /// (feed.rate-after-mode-change).
 /// Rule spindle.surface-speed-while-stopped. Under constant surface speed the spindle must turn.
 /// Rule arcs.needs-feed-rate. All this holds for arcs too.
-pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), StepError> {
     if state.modes.feed_mode == FeedMode::InverseTime {
         if word(words, 'f').is_none() {
             state.evidence.refused("feed.inverse-time-stray-rate");

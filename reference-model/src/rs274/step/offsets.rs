@@ -10,7 +10,7 @@ use crate::rs274::modes::{converted, each, first_parameter};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::{motion as motion_quirks, settings as quirks};
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// Selects a coordinate system.
@@ -19,7 +19,7 @@ use crate::rs274::task::Record;
 ///
 /// # Errors
 /// Rule offsets.select-under-compensation.
-pub fn select(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn select(words: &Words, state: &mut State) -> Result<(), StepError> {
     let system = words.g.iter().find_map(|code| match code {
         540 | 550 | 560 | 570 | 580 | 590 => Some((code - 530) / 10),
         591..=593 => Some(code - 584),
@@ -71,7 +71,7 @@ fn reload(state: &mut State) {
 ///
 /// # Errors
 /// Those of G10, G28, G30, G52 and G92.
-pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     if has_axis_words(words) && state.modes.motion != Motion::None {
         state.evidence.accepted("modal-groups.motion-suspended");
     }
@@ -84,7 +84,7 @@ pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(
 }
 
 /// G10.
-fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     match kind(words)? {
         0 => tool_table::reload(state),
         1 => tool_table::set(Values::Offsets, words, state, record),
@@ -97,7 +97,7 @@ fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt
 
 /// Rule offsets.change-under-compensation. Whether an offset that is in force can be changed while the cutter is
 /// compensated is a choice.
-pub(super) fn in_force_changes(state: &mut State) -> Result<(), Halt> {
+pub(super) fn in_force_changes(state: &mut State) -> Result<(), StepError> {
     let rule = "offsets.change-under-compensation";
     if state.modes.compensation == Compensation::Off {
         return Ok(());
@@ -116,7 +116,7 @@ pub(super) fn in_force_changes(state: &mut State) -> Result<(), Halt> {
 /// Rule offsets.set-replaces. They replace the old ones, whatever the distance mode.
 /// Rule offsets.set-omitted-axes. Axes without a word keep theirs.
 /// Rule offsets.rotation. R of G10 L2 is the angle by which the system is turned about Z; without R it stays.
-fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), Halt> {
+fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), StepError> {
     if calculated && !has_axis_words(words) && !state.readings.quirk("rs274.calculate-without-axes")
     {
         let message = "G10 L20 needs an axis word";
@@ -184,7 +184,7 @@ fn store_calculated(system: u32, named: &[(Axis, f64)], state: &mut State) {
 }
 
 /// Rule offsets.set-needs-kind. L says what G10 sets.
-fn kind(words: &Words) -> Result<i32, Halt> {
+fn kind(words: &Words) -> Result<i32, StepError> {
     let rule = "offsets.set-needs-kind";
     let Some(kind) = word(words, 'l') else {
         return Err(refuse(rule, FaultKind::MissingWord, "G10 needs L"));
@@ -196,7 +196,7 @@ fn kind(words: &Words) -> Result<i32, Halt> {
 }
 
 /// Rule offsets.set-number. P is an integer from 0 to 9; 0 is the active system.
-fn system(words: &Words, state: &mut State) -> Result<u32, Halt> {
+fn system(words: &Words, state: &mut State) -> Result<u32, StepError> {
     let Some(number) = word(words, 'p').map(|number| quirks::origin_number(number, state)) else {
         let message = "G10 L2 and L20 need P, the coordinate system";
         return Err(refuse("offsets.set-needs-number", FaultKind::MissingWord, message));

@@ -9,7 +9,7 @@ use crate::rs274::machine::State;
 use crate::rs274::outside::Orientation;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::{Record, are_shown};
 
 /// Turns a spindle to an angle.
@@ -22,7 +22,7 @@ use crate::rs274::task::{Record, are_shown};
 /// # Errors
 /// Rules orient.needs-angle, orient.angle-range, orient.direction-range, orient.needs-timeout, orient.zero-timeout,
 /// orient.spindle-range, orient.timeout, orient.fault.
-pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let spindles = spindles(words, state)?;
     let angle = angle(words, state)?;
     let direction = direction(words, state)?;
@@ -55,7 +55,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
 
 /// Rule orient.spindle. $ says whose pins carry the orientation.
 /// Choice orient.without-dollar: without $ it is the first spindle or every one.
-fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, Halt> {
+fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
     let Some(value) = word(words, '$') else {
         let rule = "orient.without-dollar";
         state.evidence.accepted(rule);
@@ -69,7 +69,7 @@ fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, Halt> {
 
 /// Rule orient.needs-angle. R is needed. Rule orient.angle-range. It is 0 to 360 degrees.
 /// Quirk rs274.orient-without-angle: without R the angle is zero if P is there, and else the spindle turns nowhere.
-fn angle(words: &Words, state: &mut State) -> Result<Option<f64>, Halt> {
+fn angle(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     let offset = state.machine.orient_offset;
     let Some(angle) = word(words, 'r') else {
         if state.readings.quirk("rs274.orient-without-angle") {
@@ -92,7 +92,7 @@ fn angle(words: &Words, state: &mut State) -> Result<Option<f64>, Halt> {
 }
 
 /// Rule orient.direction-range. P is 0, 1 or 2.
-fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, Halt> {
+fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, StepError> {
     let value = word(words, 'p').unwrap_or(0.0);
     let direction = match whole(value) {
         Some(0) => OrientDirection::Shortest,
@@ -111,7 +111,7 @@ fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, Halt> 
 
 /// Rule orient.needs-timeout. Q is needed. Rule orient.zero-timeout. Whether it may be zero is a choice.
 /// Quirk rs274.orient-without-timeout: without Q the run does not wait.
-fn timeout(words: &Words, state: &mut State) -> Result<Option<f64>, Halt> {
+fn timeout(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     let Some(seconds) = word(words, 'q') else {
         if state.readings.quirk("rs274.orient-without-timeout") {
             return Ok(None);
@@ -155,7 +155,12 @@ fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State
 
 /// Rule orient.timeout. A spindle that does not stand at its angle within Q seconds is an error.
 /// Rule orient.fault. So is a fault that its encoder reports.
-fn wait(place: usize, timeout: f64, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+fn wait(
+    place: usize,
+    timeout: f64,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
     let Some(orientation) = state.outside.orientation(place) else { return Ok(()) };
     if let Some(fault) = orientation.fault() {
         let message = format!("spindle {place} reports the fault {fault} on its way to its angle");

@@ -6,7 +6,7 @@ use super::word;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::outputs as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// Switches an output.
@@ -21,7 +21,7 @@ pub fn digital(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     super::not_under_compensation("outputs.under-compensation", state)?;
     let Some(value) = word(words, 'p') else {
         let message = format!("M{code} needs P, the number of the output");
@@ -56,7 +56,7 @@ pub fn analog(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     super::not_under_compensation("outputs.under-compensation", state)?;
     let Some(value) = word(words, 'e') else {
         let message = format!("M{code} needs E, the number of the output");
@@ -95,7 +95,7 @@ fn number(
     timing: OutputTiming,
     rule: &'static str,
     state: &mut State,
-) -> Result<i32, Halt> {
+) -> Result<i32, StepError> {
     let whole = quirks::number(value, state);
     let any = state.readings.quirk(match timing {
         OutputTiming::WithMotion => "linuxcnc.output-number-with-motion",

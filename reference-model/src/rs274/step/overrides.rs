@@ -7,7 +7,7 @@ use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 
 /// Enables and disables the controls, M48 and M49 before the single ones, as the document lists them.
 ///
@@ -15,7 +15,7 @@ use crate::rs274::refusal::{Halt, refuse};
 ///
 /// # Errors
 /// Rules overrides.other-p and overrides.out-of-range.
-pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     let rule = "overrides.under-compensation";
     if state.modes.compensation != Compensation::Off && state.readings.is(rule, "refused") {
         let message = "overrides are switched while cutter compensation is on";
@@ -38,7 +38,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
 ///
 /// Rule overrides.both-selected. $ says which spindle's speed override is meant; whether the feed override is meant too
 /// is a choice (overrides.selected-feed).
-fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), Halt> {
+fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), StepError> {
     let spindles = speed_overrides(words, state)?;
     state.evidence.accepted(match switch {
         Switch::On => "overrides.enable-both",
@@ -62,7 +62,7 @@ fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), Halt> {
 
 /// Rules overrides.feed (M50), overrides.speed (M51), overrides.adaptive-feed (M52), overrides.feed-stop (M53): enabled
 /// with P1 or without P, disabled with P0, one control at a time (overrides.one-by-one).
-fn single(code: u32, words: &Words, state: &mut State) -> Result<(), Halt> {
+fn single(code: u32, words: &Words, state: &mut State) -> Result<(), StepError> {
     let switch = switch(words, state)?;
     let rule = match code {
         50 => {
@@ -90,7 +90,7 @@ fn single(code: u32, words: &Words, state: &mut State) -> Result<(), Halt> {
 }
 
 /// Rule overrides.other-p. P is 1 or 0, and 1 when it is not given.
-fn switch(words: &Words, state: &State) -> Result<Switch, Halt> {
+fn switch(words: &Words, state: &State) -> Result<Switch, StepError> {
     let Some(value) = word(words, 'p') else { return Ok(Switch::On) };
     if state.readings.quirk("rs274.override-any-p") {
         return Ok(quirks::switch_of_any_p(value));
@@ -109,7 +109,7 @@ fn switch(words: &Words, state: &State) -> Result<Switch, Halt> {
 ///
 /// Rule overrides.without-dollar. Which they are without $ is a choice.
 /// Rule overrides.speed-selected. With $ it is that of one.
-fn speed_overrides(words: &Words, state: &mut State) -> Result<Vec<usize>, Halt> {
+fn speed_overrides(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
     let dollar = word(words, '$').filter(|_| !quirks::is_of_others(words, state));
     let Some(value) = dollar else {
         state.evidence.accepted("overrides.without-dollar");

@@ -6,7 +6,7 @@ use super::word;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 
 /// Selects the path control mode.
 ///
@@ -15,7 +15,7 @@ use crate::rs274::refusal::{Halt, refuse};
 ///
 /// # Errors
 /// Rule path-control.negative-tolerance.
-pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     quirks::path_under_compensation(state)?;
     let before = state.modes.path;
     let (path, rule) = if words.g.contains(&610) {
@@ -42,7 +42,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
 /// (path-control.without-tolerance).
 /// Rule path-control.naive-cam. Q is the tolerance of the naive CAM detector and zero turns it off; without Q it is P
 /// (path-control.naive-cam-default).
-fn tolerances(words: &Words, state: &mut State) -> Result<(), Halt> {
+fn tolerances(words: &Words, state: &mut State) -> Result<(), StepError> {
     let (blend, naive_cam) = (tolerance('p', words, state)?, tolerance('q', words, state)?);
     state.evidence.accepted(match blend {
         Some(_) => "path-control.tolerance",
@@ -61,7 +61,7 @@ fn tolerances(words: &Words, state: &mut State) -> Result<(), Halt> {
 }
 
 /// Rule path-control.negative-tolerance. Whether a tolerance below zero is refused, or as good as none, is a choice.
-fn tolerance(letter: char, words: &Words, state: &mut State) -> Result<Option<f64>, Halt> {
+fn tolerance(letter: char, words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     let rule = "path-control.negative-tolerance";
     match word(words, letter) {
         Some(value) if value < 0.0 => {

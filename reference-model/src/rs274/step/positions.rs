@@ -10,7 +10,7 @@ use crate::rs274::modes::{converted, each};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::settings::{beside_machine_angle, beside_machine_point};
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// The parameter with X of the position of G28, machine unit; the other axes follow.
@@ -30,7 +30,11 @@ pub(crate) fn moves(words: &Words) -> bool {
 ///
 /// # Errors
 /// Rule positions.under-compensation: none of the four codes is allowed while the cutter is compensated.
-pub(super) fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub(super) fn perform(
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
     if state.modes.compensation != Compensation::Off {
         let message = "a stored position while cutter compensation is on";
         let rule = "positions.under-compensation";
@@ -44,7 +48,7 @@ pub(super) fn perform(words: &Words, state: &mut State, record: &mut Record) -> 
     let turns = [Axis::X, Axis::Y].iter().all(|axis| state.machine.axes.contains(axis));
     if state.modes.rotation != 0.0 && !turns {
         let why = "where a stored position is in a rotated system of a machine without X or Y";
-        return Err(Halt::Unspecified(why.to_owned()));
+        return Err(StepError::Unspecified(why.to_owned()));
     }
     if !moves(words) {
         store(first, state);
@@ -115,7 +119,7 @@ fn by_way_of(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let between = end_point(words, state)?;
     state.evidence.accepted("positions.by-way-of");
     state.evidence.accepted("positions.named-axes");

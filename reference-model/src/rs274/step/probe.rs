@@ -13,7 +13,7 @@ use crate::rs274::order::has_axis_words;
 use crate::rs274::outside::{Wanted, stub};
 use crate::rs274::quirks::probe as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// The parameters that hold where the probe changed, X to W.
@@ -54,7 +54,7 @@ pub(super) fn perform(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let toward = matches!(motion, Motion::ProbeTowardError | Motion::ProbeToward);
     let wanted = if toward { Wanted::Touching } else { Wanted::Free };
     let end = allowed(motion, words, state)?;
@@ -92,7 +92,7 @@ pub(super) fn perform(
 }
 
 /// The rules that a probing move has followed; without a change some are refused.
-fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), Halt> {
+fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), StepError> {
     let toward = matches!(motion, Motion::ProbeTowardError | Motion::ProbeToward);
     let must_change = matches!(motion, Motion::ProbeTowardError | Motion::ProbeAwayError);
     if !changed && must_change {
@@ -116,7 +116,7 @@ fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), Halt> {
 /// compensation is on. Rule probe.zero-feed. It needs a feed rate, under inverse time in its block.
 /// Rule probe.same-point. The programmed point is another than the current one.
 /// Choice probe.standing-spindle: whether probing is a feed move to the rule on constant surface speed.
-fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position, Halt> {
+fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position, StepError> {
     if !has_axis_words(words) {
         let message = "probing without an axis word";
         return Err(refuse("probe.axis-words-missing", FaultKind::MissingWord, message));
@@ -163,7 +163,7 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
 /// # Errors
 /// The way has no length, and a spline has led the stub where memory says that nobody has written: then the way may
 /// have one all the same.
-fn backed_off(end: Position, state: &State) -> Result<Position, Halt> {
+fn backed_off(end: Position, state: &State) -> Result<Position, StepError> {
     let linear = [Axis::X, Axis::Y, Axis::Z];
     let Some(from) = stub::position(state) else { return Ok(end) };
     let back = match state.modes.units {
@@ -175,7 +175,7 @@ fn backed_off(end: Position, state: &State) -> Result<Position, Halt> {
     let mut stops_at = end;
     if length == 0.0 && stub::is_led_by_spline(state) {
         let why = "which way the stub of a machine backs off that stands where a spline has led it";
-        return Err(Halt::Unspecified(why.to_owned()));
+        return Err(StepError::Unspecified(why.to_owned()));
     }
     if length > 0.0 {
         for (axis, way) in linear.into_iter().zip(way) {

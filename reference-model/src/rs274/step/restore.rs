@@ -9,7 +9,7 @@ use super::units_planes::use_units;
 use crate::rs274::machine::State;
 use crate::rs274::modes::{Modes, Spindle};
 use crate::rs274::quirks::{saved_state as quirks, settings};
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 
 /// Brings back the saved state.
 ///
@@ -20,7 +20,7 @@ use crate::rs274::refusal::Halt;
 ///
 /// # Errors
 /// None where the documents are followed; a restore as `rs274` does it can fail.
-pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), Halt> {
+pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), StepError> {
     let changed: Vec<_> = ITEMS.iter().filter(|(_, same)| !same(&state.modes, saved)).collect();
     for (rule, _) in changed {
         state.evidence.accepted(rule);
@@ -107,7 +107,7 @@ fn same_spindles(a: &Modes, b: &Modes, same: impl Fn(&Spindle, &Spindle) -> bool
 
 /// Rule saved-state.work-offset. The coordinate system comes back, with the origin that it has now.
 /// Rule saved-state.tool-length. Tool length compensation comes back with the offset that was in force.
-fn coordinates(saved: &Modes, state: &mut State) -> Result<(), Halt> {
+fn coordinates(saved: &Modes, state: &mut State) -> Result<(), StepError> {
     if state.modes.work_offset != saved.work_offset {
         use_system(saved.work_offset, state);
     }
@@ -164,7 +164,7 @@ fn feed(saved: &Modes, state: &mut State) {
 /// Rules saved-state.speed, saved-state.spindle-mode with saved-state.spindle-limit, and saved-state.spindle-status.
 /// Rule saved-state.each-spindle. Those of every spindle. Whichever of M3, M4 and M5 comes back takes M19's place in
 /// their group, and unlocks the spindle (orient.cleared).
-fn spindles(saved: &Modes, state: &mut State) -> Result<(), Halt> {
+fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError> {
     if quirks::SPINDLES.iter().any(|quirk| state.readings.quirk(quirk)) {
         return quirks::spindles(saved, state);
     }

@@ -9,18 +9,18 @@ use crate::rs274::modes::SavedState;
 use crate::rs274::order::Rest;
 use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// Saves, invalidates or restores, after feed, speed and spindle words of the block and before everything else.
 ///
 /// # Errors
 /// Nothing to restore. Two of these codes in one block: the documents do not say which comes first.
-pub fn perform(words: &Words, state: &mut State) -> Result<Rest, Halt> {
+pub fn perform(words: &Words, state: &mut State) -> Result<Rest, StepError> {
     let codes: Vec<u32> = words.m.iter().copied().filter(|code| (70..=73).contains(code)).collect();
     let [code] = codes[..] else {
         let why = "M70 to M73 are in no modal group, and nothing says which of two acts first";
-        return Err(Halt::Unspecified(why.to_owned()));
+        return Err(StepError::Unspecified(why.to_owned()));
     };
     match code {
         70 => {
@@ -88,7 +88,7 @@ pub fn run_is_over(state: &mut State) {
 /// Rule saved-state.invalidated-level. The saved state of this level cannot be restored from any more; no other level
 /// is touched. Rule saved-state.autorestore-cancelled. Nor does the end of the sub restore. Where M70 and M73 have
 /// one place (saved-state.places) the promise stays, and waits for a valid state there.
-fn invalidate(state: &mut State) -> Result<(), Halt> {
+fn invalidate(state: &mut State) -> Result<(), StepError> {
     let apart = state.readings.is("saved-state.places", "apart");
     let refused = state.readings.is("saved-state.invalidate-nothing", "refused");
     let frame = state.frame_mut();
@@ -118,7 +118,7 @@ fn invalidate(state: &mut State) -> Result<(), Halt> {
 /// Rule saved-state.autorestore-explicit. It may be one that M73 saved, under choice saved-state.restorable.
 /// Rule saved-state.nothing-saved. Where nothing was saved at this level the restore is refused.
 /// Rule saved-state.invalidated. And where what was saved is invalid.
-fn restore_explicitly(state: &mut State) -> Result<Rest, Halt> {
+fn restore_explicitly(state: &mut State) -> Result<Rest, StepError> {
     let saved = restorable(state);
     let Some(saved) = saved.as_ref().filter(|saved| saved.valid) else {
         let rule = if saved.is_some() {
@@ -174,7 +174,7 @@ fn restorable(state: &State) -> Option<SavedState> {
 ///
 /// # Errors
 /// None where the documents are followed; a restore as `rs274` does it can fail.
-pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), Halt> {
+pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), StepError> {
     let frame = state.frame();
     let promised = if state.readings.is("saved-state.places", "one") {
         latest_if_promised(frame)

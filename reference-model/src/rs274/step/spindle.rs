@@ -7,7 +7,7 @@ use crate::rs274::machine::State;
 use crate::rs274::modes::Spindle;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 
 /// Sets the spindle mode and the speed.
 ///
@@ -18,7 +18,7 @@ use crate::rs274::refusal::{Halt, refuse};
 ///
 /// # Errors
 /// Rules spindle.speed-negative, spindle.surface-speed-needs-speed, spindle.out-of-range.
-pub fn set_speed(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
     let speed = word(words, 's');
     if let Some(speed) = speed.filter(|speed| *speed < 0.0) {
         let message = format!("a spindle speed of {speed}");
@@ -41,7 +41,7 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), Halt> {
     }
     let limit = word(words, 'd').filter(|_| surface);
     if limit.is_some_and(|limit| limit < 0.0) {
-        return Err(Halt::Unspecified("a limit of G96 below zero".to_owned()));
+        return Err(StepError::Unspecified("a limit of G96 below zero".to_owned()));
     }
     let limit = limit.map_or(SpindleLimit::None, SpindleLimit::Rpm);
     if words.g.contains(&970) {
@@ -71,7 +71,7 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), Halt> {
 }
 
 /// Rule spindle.rpm-mode-speed. Whether G97 needs S is a choice.
-fn rpm_mode(speed: Option<f64>, state: &mut State) -> Result<(), Halt> {
+fn rpm_mode(speed: Option<f64>, state: &mut State) -> Result<(), StepError> {
     let rule = "spindle.rpm-mode-speed";
     if speed.is_none() && state.readings.is(rule, "required") {
         return Err(refuse(rule, FaultKind::MissingWord, "G97 needs S"));
@@ -84,7 +84,7 @@ fn rpm_mode(speed: Option<f64>, state: &mut State) -> Result<(), Halt> {
 /// Rule spindle.surface-speed-needs-speed. G96 needs S.
 /// Rule spindle.surface-speed-lathe. Diameter mode changes neither.
 /// Rule spindle.surface-speed-limit. D is the highest speed in revolutions per minute, and optional.
-fn surface_speed(words: &Words, speed: Option<f64>, state: &mut State) -> Result<(), Halt> {
+fn surface_speed(words: &Words, speed: Option<f64>, state: &mut State) -> Result<(), StepError> {
     if speed.is_none() {
         let rule = "spindle.surface-speed-needs-speed";
         return Err(refuse(rule, FaultKind::MissingWord, "G96 needs S"));
@@ -110,7 +110,7 @@ fn surface_speed(words: &Words, speed: Option<f64>, state: &mut State) -> Result
 ///
 /// # Errors
 /// Rules spindle.out-of-range and spindle.minus-one.
-pub fn turn(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn turn(words: &Words, state: &mut State) -> Result<(), StepError> {
     let (turn, rule) = if words.m.contains(&3) {
         (SpindleTurn::Clockwise, "spindle.start")
     } else if words.m.contains(&4) {
@@ -160,7 +160,7 @@ pub(crate) fn all(state: &State) -> Vec<usize> {
 /// The spindles that $ names.
 ///
 /// Rule spindle.minus-one. What -1 means is a choice. Rule spindle.selected. Any other number is that spindle.
-fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, Halt> {
+fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, StepError> {
     if whole(number) == Some(-1) {
         let rule = "spindle.minus-one";
         if state.readings.is("spindle.minus-one", "all") {
@@ -174,7 +174,7 @@ fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, Halt> {
 
 /// The spindle that $ names. -1 is none to S, G96 and G97: only M3, M4 and M5 say what it means.
 /// Quirk rs274.speed-of-all-spindles: S without a mode sets the speed of all of them by -1.
-fn one(number: f64, state: &mut State) -> Result<usize, Halt> {
+fn one(number: f64, state: &mut State) -> Result<usize, StepError> {
     let place = self::number(number, state, "spindle.out-of-range")?;
     state.evidence.accepted("spindle.out-of-range");
     state.evidence.accepted("spindle.selected");
@@ -183,7 +183,7 @@ fn one(number: f64, state: &mut State) -> Result<usize, Halt> {
 
 /// Rule spindle.out-of-range. $ must be the number of a spindle that the machine has, from 0; the rule that refuses it
 /// is given, since other chapters say the same.
-pub(crate) fn number(number: f64, state: &State, rule: &'static str) -> Result<usize, Halt> {
+pub(crate) fn number(number: f64, state: &State, rule: &'static str) -> Result<usize, StepError> {
     let number = quirks::spindle_number(number, state);
     let place = whole(number).and_then(|whole| usize::try_from(whole).ok());
     place.filter(|place| *place < state.modes.spindles.len()).ok_or_else(|| {

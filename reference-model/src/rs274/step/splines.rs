@@ -10,7 +10,7 @@ use crate::rs274::machine::State;
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::splines as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// Control points of G5, start and end among them.
@@ -55,7 +55,7 @@ pub(super) fn perform(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     in_xy(words, state)?;
     if motion == Motion::CubicSpline {
         cubic(words, state)?;
@@ -63,13 +63,13 @@ pub(super) fn perform(
         quadratic(words, state)?;
     }
     if state.modes.compensation != Compensation::Off {
-        return Err(Halt::Unsupported("a spline under cutter compensation".to_owned()));
+        return Err(StepError::Unsupported("a spline under cutter compensation".to_owned()));
     }
     if !has_axis_words(words) {
         return Err(quirks::without_axis_words(state));
     }
     if in_data_block {
-        return Err(Halt::Unspecified("another spline in an open data block".to_owned()));
+        return Err(StepError::Unspecified("another spline in an open data block".to_owned()));
     }
     super::motion::feed_possible(words, state)?;
     let end = end_point(words, state)?;
@@ -84,7 +84,7 @@ pub(super) fn perform(
 }
 
 /// Rule splines.plane. Splines are in the XY plane. Rule splines.xy-only. They move no other axis.
-fn in_xy(words: &Words, state: &mut State) -> Result<(), Halt> {
+fn in_xy(words: &Words, state: &mut State) -> Result<(), StepError> {
     if state.modes.plane != Plane::Xy {
         let message = "a spline in another plane than XY";
         return Err(refuse("splines.plane", FaultKind::ModalConflict, message));
@@ -100,7 +100,7 @@ fn in_xy(words: &Words, state: &mut State) -> Result<(), Halt> {
 
 /// Rule splines.cubic-end-direction. Each G5 needs P and Q. Rule splines.cubic-half-direction. It has I and J, or
 /// neither. Rule splines.cubic-first-direction. The first one of a row needs them.
-fn cubic(words: &Words, state: &mut State) -> Result<(), Halt> {
+fn cubic(words: &Words, state: &mut State) -> Result<(), StepError> {
     let has = |letter| word(words, letter).is_some();
     if !has('p') || !has('q') {
         let message = "G5 needs P and Q";
@@ -122,7 +122,7 @@ fn cubic(words: &Words, state: &mut State) -> Result<(), Halt> {
 }
 
 /// Rule splines.quadratic-offset. One of I and J of G5.1 is not zero.
-fn quadratic(words: &Words, state: &mut State) -> Result<(), Halt> {
+fn quadratic(words: &Words, state: &mut State) -> Result<(), StepError> {
     let offset = |letter| word(words, letter).unwrap_or(0.0);
     quirks::quadratic_needs_both(words, state)?;
     let both_zero = offset('i') == 0.0 && offset('j') == 0.0;
@@ -143,10 +143,14 @@ fn quadratic(words: &Words, state: &mut State) -> Result<(), Halt> {
 /// Rule splines.nurbs. G5.2 opens a data block; each X and Y is a control point, and G5.3 executes the curve through
 /// all of them, the current point first. Choice splines.nurbs-feed: where a missing feed rate is refused. Rule
 /// splines.nurbs-first-weight. G5.2 without X and Y names no point.
-pub(super) fn nurbs(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub(super) fn nurbs(
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
     let closes = words.g.contains(&53);
     let opens = words.g.contains(&52);
-    let open = |what: &str| Halt::Unspecified(what.to_owned());
+    let open = |what: &str| StepError::Unspecified(what.to_owned());
     if state.modes.plane != Plane::Xy || state.modes.distance == Distance::Incremental {
         return Err(open("a NURBS in another plane than XY, or in increments"));
     }
@@ -199,11 +203,11 @@ pub(super) fn nurbs(words: &Words, state: &mut State, record: &mut Record) -> Re
 }
 
 /// Executes the curve. With it the motion mode is over.
-fn close(nurbs: &Nurbs, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+fn close(nurbs: &Nurbs, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let points = u32::try_from(nurbs.points.len() + 1).unwrap_or(u32::MAX);
     let Some(end) = nurbs.points.last().copied().filter(|_| points >= nurbs.order) else {
         let what = "a NURBS of fewer control points than its order";
-        return Err(Halt::Unspecified(what.to_owned()));
+        return Err(StepError::Unspecified(what.to_owned()));
     };
     quirks::of_two_points(points, state)?;
     state.modes.motion = Motion::None;

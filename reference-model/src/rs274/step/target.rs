@@ -8,7 +8,7 @@ use crate::rs274::machine::State;
 use crate::rs274::quirks::motion as quirks;
 use crate::rs274::quirks::settings::{beside_machine_angle, beside_machine_point};
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 
 /// The axis words of a block with their values.
 fn axis_words(words: &Words) -> Vec<(Axis, f64)> {
@@ -69,7 +69,7 @@ pub(super) fn moved(words: &Words, state: &State) -> Vec<(Axis, f64)> {
 ///
 /// # Errors
 /// Rules motion.polar-mixed and motion.polar-from-origin.
-pub(crate) fn end_point(words: &Words, state: &mut State) -> Result<Position, Halt> {
+pub(crate) fn end_point(words: &Words, state: &mut State) -> Result<Position, StepError> {
     let mut end = polar(words, state)?.unwrap_or(state.position);
     let incremental = state.modes.distance == Distance::Incremental;
     state.evidence.accepted(if incremental {
@@ -123,7 +123,7 @@ pub(super) fn shifted(coordinate: f64, by: f64) -> f64 {
 /// Rule motion.polar-incremental. In incremental mode both are added to those of the current point.
 /// Rule motion.polar-from-origin. Which has no angle at the origin.
 /// Rule motion.polar-mixed. X and Y have no place beside them.
-pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>, Halt> {
+pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>, StepError> {
     let (distance, angle) = (word(words, '@'), word(words, '^'));
     if distance.is_none() && angle.is_none() {
         return Ok(None);

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{Effect, FaultKind, Tool};
 use super::{whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// Prepares a tool; it is not changed until M6 (tool.select-changes-nothing).
@@ -15,7 +15,7 @@ use crate::rs274::task::Record;
 ///
 /// # Errors
 /// Rules tool.select-integer, tool.select-negative, tool.select-unknown, tool.select-zero-random.
-pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let Some(value) = word(words, 't') else { return Ok(()) };
     let number = whole(value).ok_or_else(|| {
         let message = format!("T{value} is no whole number");
@@ -43,7 +43,7 @@ pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(
 /// Rule tool.select-zero-random. Where tools change places, tool 0 is a tool like any other, there or not.
 /// Rule tool.empty-slot. Whether a number that no tool has may be selected is a choice; then there is no tool
 /// in the spindle after the change.
-fn selected(number: i32, state: &mut State) -> Result<Option<i32>, Halt> {
+fn selected(number: i32, state: &mut State) -> Result<Option<i32>, StepError> {
     let random = state.machine.random_tool_changer;
     if number == 0 && !random {
         state.evidence.accepted("tool.select-zero");
@@ -52,7 +52,7 @@ fn selected(number: i32, state: &mut State) -> Result<Option<i32>, Halt> {
     let by_slot = state.readings.is("tool.selected-by", "slot");
     if by_slot && random && (number == 0 || in_slot(number, state).is_none()) {
         let why = "what T selects in slot 0, or in an empty slot, where tools change places";
-        return Err(Halt::Unspecified(why.to_owned()));
+        return Err(StepError::Unspecified(why.to_owned()));
     }
     let found = if by_slot { in_slot(number, state) } else { entry(number, state).map(|_| number) };
     state.evidence.accepted("tool.selected-by");
@@ -107,7 +107,7 @@ pub(crate) fn named<'a>(
     tool: i32,
     rule: &'static str,
     state: &'a State,
-) -> Result<Option<&'a Tool>, Halt> {
+) -> Result<Option<&'a Tool>, StepError> {
     let zero_is_spindle = tool == 0 && !state.machine.random_tool_changer;
     let tool = if zero_is_spindle { state.known_tool } else { tool };
     if zero_is_spindle && tool == 0 {

@@ -8,7 +8,7 @@ use super::{pass, spindle, whole, word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// Puts the selected tool into the spindle.
@@ -19,7 +19,7 @@ use crate::rs274::task::Record;
 ///
 /// # Errors
 /// Rules tool.change-without-selection and tool.change-under-compensation.
-pub fn change(state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub fn change(state: &mut State, record: &mut Record) -> Result<(), StepError> {
     super::not_under_compensation("tool.change-under-compensation", state)?;
     let tool = tool_to_load(state)?;
     before_moving(state);
@@ -41,7 +41,7 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), Halt> {
 }
 
 /// Rule tool.change-without-selection. Whether a change needs a T since the change before is a choice.
-fn tool_to_load(state: &mut State) -> Result<i32, Halt> {
+fn tool_to_load(state: &mut State) -> Result<i32, StepError> {
     if !state.selected_for_change && !state.outside.is_stand_alone() {
         let rule = "tool.change-without-selection";
         if state.readings.is(rule, "refused") {
@@ -123,7 +123,7 @@ fn swap(tool: i32, state: &mut State) {
 ///
 /// # Errors
 /// Rules tool.set-number-range, tool.set-number-integer, tool.set-number-unknown, tool.set-number-in-program.
-pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let in_program = "tool.set-number-in-program";
     let by_program = state.modes.controller_mode == ControllerMode::Auto;
     if by_program && state.readings.is(in_program, "refused") {
@@ -152,7 +152,7 @@ pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Resu
 
 /// Rule tool.set-number-range. Q is needed, and zero or greater. Rule tool.set-number-integer. It is a whole number.
 /// Quirk rs274.tool-number-rounded: a fraction is rounded.
-fn number(words: &Words, state: &mut State) -> Result<i32, Halt> {
+fn number(words: &Words, state: &mut State) -> Result<i32, StepError> {
     let rule = "tool.set-number-range";
     let Some(value) = word(words, 'q') else {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "M61 needs Q, the number of the tool"));

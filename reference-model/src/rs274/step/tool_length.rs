@@ -10,7 +10,7 @@ use crate::rs274::modes::{converted, each};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 
 /// Turns tool length compensation on and off.
 ///
@@ -19,7 +19,7 @@ use crate::rs274::refusal::{Halt, refuse};
 ///
 /// # Errors
 /// A tool or a word that the code does not allow. Rule tool.length-under-compensation, a choice.
-pub fn perform(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     not_under_compensation("tool.length-under-compensation", state)?;
     if state.readings.quirk("rs274.tool-offset-unit") {
         quirks::tool_offset_as_programmed(state);
@@ -53,7 +53,7 @@ pub(crate) fn apply(offset: Option<Position>, state: &mut State) {
 /// Rule tool.length-zero. H0, and no H, mean the tool in the spindle, and an offset of zero when there is none: without
 /// H that is no number that the table would have to hold.
 /// Rule tool.length-zero-random. Where tools change places, H0 is tool 0, which the table must hold.
-fn of_tool(words: &Words, state: &mut State) -> Result<Position, Halt> {
+fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
     let random = state.machine.random_tool_changer;
     let Some(number) = word(words, 'h') else {
         state.evidence.accepted("tool.length-zero");
@@ -92,7 +92,7 @@ fn dynamic(words: &Words, state: &mut State) -> Position {
 
 /// Rule tool.additional-length. G43.2 adds the offset of tool H, or axis values.
 /// Rule tool.additional-length-words. It needs either H or axis words.
-fn additional(words: &Words, state: &mut State) -> Result<Position, Halt> {
+fn additional(words: &Words, state: &mut State) -> Result<Position, StepError> {
     let rule = "tool.additional-length-words";
     let more = match (word(words, 'h'), has_axis_words(words)) {
         (Some(_), true) => {
@@ -129,7 +129,11 @@ fn additional(words: &Words, state: &mut State) -> Result<Position, Halt> {
 }
 
 /// The offset of a tool, active length unit.
-pub(crate) fn table_offset(tool: i32, rule: &'static str, state: &State) -> Result<Position, Halt> {
+pub(crate) fn table_offset(
+    tool: i32,
+    rule: &'static str,
+    state: &State,
+) -> Result<Position, StepError> {
     let tool = named(tool, rule, state)?;
     let offset = tool.map(|tool| tool.offset).unwrap_or_default();
     Ok(converted(offset, state.machine.length_unit, state.modes.units))

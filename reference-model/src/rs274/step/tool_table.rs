@@ -11,7 +11,7 @@ use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::motion as quirks;
 use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// Where the values of the axis words come from.
@@ -30,7 +30,7 @@ const FIXTURE: u32 = 9;
 
 /// Rule tool.reload. G10 L0 reads the tool table again, which holds what was written into it.
 /// Rule tool.reload-needs-empty-spindle. No tool may be in the spindle.
-pub(super) fn reload(state: &mut State) -> Result<(), Halt> {
+pub(super) fn reload(state: &mut State) -> Result<(), StepError> {
     if state.tool != 0 {
         let message = format!("G10 L0 with tool {} in the spindle", state.tool);
         let rule = "tool.reload-needs-empty-spindle";
@@ -54,7 +54,7 @@ pub(super) fn set(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let compensated = state.modes.compensation != Compensation::Off;
     if compensated && !quirks::table_under_compensation(state) {
         let message = "the tool table while cutter compensation is on";
@@ -115,7 +115,7 @@ fn entry_in_spindle(number: i32, state: &mut State) {
 /// Rule tool.entry-needs-number. P is needed.
 /// Rule tool.entry-zero. It is not zero.
 /// Rule tool.entry-unknown-tool. The tool table holds the tool.
-fn number(words: &Words, state: &State) -> Result<i32, Halt> {
+fn number(words: &Words, state: &State) -> Result<i32, StepError> {
     let Some(value) = word(words, 'p') else {
         let message = "G10 needs P, the number of a tool";
         return Err(refuse("tool.entry-needs-number", FaultKind::MissingWord, message));
@@ -134,7 +134,7 @@ fn number(words: &Words, state: &State) -> Result<i32, Halt> {
 }
 
 /// Rule tool.entry-orientation. Q is an integer from 0 to 9.
-fn orientation(words: &Words) -> Result<Option<u8>, Halt> {
+fn orientation(words: &Words) -> Result<Option<u8>, StepError> {
     let Some(value) = word(words, 'q') else { return Ok(None) };
     let rule = "tool.entry-orientation";
     let message = || format!("Q{value} is no orientation from 0 to 9");
@@ -146,7 +146,7 @@ fn orientation(words: &Words) -> Result<Option<u8>, Halt> {
 }
 
 /// Rule tool.entry-without-words. Whether nothing but the tool may be programmed is a choice.
-fn something(words: &Words, state: &mut State) -> Result<(), Halt> {
+fn something(words: &Words, state: &mut State) -> Result<(), StepError> {
     let any = has_axis_words(words) || "rijq".chars().any(|letter| word(words, letter).is_some());
     if any {
         return Ok(());
@@ -164,7 +164,12 @@ fn something(words: &Words, state: &mut State) -> Result<(), Halt> {
 /// Rule tool.entry-calculated. With G10 L10 the current point has the coordinates of the axis words once the offset is
 /// applied, with the offsets in force.
 /// Rule tool.entry-calculated-fixture. With G10 L11 it has them in G59.3 without a local offset.
-fn offset(values: Values, tool: &Tool, words: &Words, state: &mut State) -> Result<Position, Halt> {
+fn offset(
+    values: Values,
+    tool: &Tool,
+    words: &Words,
+    state: &mut State,
+) -> Result<Position, StepError> {
     let mut modes = state.modes.clone();
     let machine = modes.machine_point(state.position);
     let machine = each(machine, beside_machine_point(state), |point, beside| point - beside);
@@ -185,7 +190,7 @@ fn offset(values: Values, tool: &Tool, words: &Words, state: &mut State) -> Resu
         let plane = named.iter().filter(|(axis, _)| [Axis::X, Axis::Y].contains(axis)).count();
         if modes.rotation != 0.0 && plane == 1 {
             let what = "the tool offset that gives one coordinate of a rotated plane a value";
-            return Err(Halt::Unspecified(what.to_owned()));
+            return Err(StepError::Unspecified(what.to_owned()));
         }
         modes.tool_offset = Position::default();
         let without_tool = modes.machine_point(wanted);

@@ -7,14 +7,14 @@ use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, unit_size};
 use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 
 /// Rules units-planes.plane and units-planes.secondary-planes. Selecting a plane moves nothing.
 ///
 /// # Errors
 /// Rule units-planes.plane-under-compensation, a choice: another one of the planes in which the cutter can be
 /// compensated, or of the third beside them, while it is.
-pub fn select_plane(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub fn select_plane(words: &Words, state: &mut State) -> Result<(), StepError> {
     let plane = words.g.iter().find_map(|code| match code {
         170 => Some((Plane::Xy, "units-planes.plane")),
         180 => Some((Plane::Zx, "units-planes.plane")),
@@ -135,7 +135,7 @@ pub fn select_distance(words: &Words, state: &mut State) {
 }
 
 /// G98 and G99: where canned cycles return to.
-pub(crate) fn select_retract(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub(crate) fn select_retract(words: &Words, state: &mut State) -> Result<(), StepError> {
     quirks::retract_under_compensation(state)?;
     let r_plane = words.g.contains(&990);
     state.modes.retract = if r_plane { Retract::RPlane } else { Retract::OldZ };

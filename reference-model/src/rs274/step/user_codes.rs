@@ -6,7 +6,7 @@ use super::{pass, word};
 use crate::rs274::machine::State;
 use crate::rs274::outside::Missing;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// Runs the program of a user-defined code.
@@ -22,7 +22,7 @@ pub fn perform(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let with_path = state.readings.is("user-codes.place", "search-path");
     let found = state.outside.user_program(code, with_path);
     let found = found.map(|program| (program.duration, program.exit_status, program.folder));
@@ -70,7 +70,7 @@ fn argument(letter: char, words: &Words, state: &mut State) -> String {
 /// Rules user-codes.unknown, user-codes.not-executable, user-codes.extension, user-codes.lower-case,
 /// user-codes.file-name, user-codes.at-start, user-codes.place. Each way of not being there is the error of a code that
 /// does not exist.
-fn unknown(code: u32, missing: Missing) -> Halt {
+fn unknown(code: u32, missing: Missing) -> StepError {
     let (rule, why) = match missing {
         Missing::NoFile => ("user-codes.unknown", "there is no file of its name"),
         Missing::NotExecutable => ("user-codes.not-executable", "its file is not executable"),

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::Span;
 
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 
 /// A block: one line's worth of program.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -202,7 +202,7 @@ pub enum PassedOver {
     /// A label and its keyword; what stands behind them is not read.
     OWord(OWord),
     /// A label without a keyword, and how that is refused where it is no label either.
-    WithoutKeyword(Halt),
+    WithoutKeyword(StepError),
     /// M98.
     NumberedCall,
 }

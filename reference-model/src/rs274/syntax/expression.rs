@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::parser::Parser;
 use super::value::Wanted;
 use super::{Expression, Operator};
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 use crate::rs274::text::Glyph;
 
 const OPERATORS: [(&str, Operator); 15] = [
@@ -76,7 +76,7 @@ impl Parser<'_> {
     ///
     /// Rule expressions.nested. An expression may stand in an expression and gives its value there.
     /// Rule expressions.unbalanced. An expression without its closing bracket is refused.
-    pub(super) fn bracketed(&mut self) -> Result<Expression, Halt> {
+    pub(super) fn bracketed(&mut self) -> Result<Expression, StepError> {
         self.advance();
         if self.peek() == Some('[') {
             self.reach("expressions.nested");
@@ -100,7 +100,7 @@ impl Parser<'_> {
     /// Rule expressions.incomplete. An expression that lacks an operator is refused.
     /// Rule expressions.unknown-operator. An operator that the table does not list is refused.
     /// Rule numbers.no-exponent. What looks like an exponent is not part of a number and is refused.
-    fn no_operator(&self) -> Halt {
+    fn no_operator(&self) -> StepError {
         let next = self.peek();
         let digit =
             |character: Option<char>| character.is_some_and(|character| character.is_ascii_digit());

@@ -7,7 +7,7 @@ use super::parser::Parser;
 use super::value::Wanted;
 use super::{Block, Comment, Setting, Word};
 use crate::rs274::quirks::text as quirks;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 use crate::rs274::text::Glyph;
 
 /// Rule text.word-letters. The letters of the table begin words; no other letter does.
@@ -21,7 +21,7 @@ const AXIS_LETTERS: &str = "xyzabcuvw";
 
 impl Parser<'_> {
     /// A whole block. Its order is: slash, line number, then an O-word or words, settings and comments.
-    pub(super) fn block(&mut self, comments: Vec<Comment>) -> Result<Block, Halt> {
+    pub(super) fn block(&mut self, comments: Vec<Comment>) -> Result<Block, StepError> {
         let mut block = Block { block_delete: self.block_delete(), ..Block::default() };
         block.line_number = self.line_number()?;
         self.comments_first()?;
@@ -54,7 +54,7 @@ impl Parser<'_> {
     /// unsigned integer.
     /// Rule text.line-number-form. One with a sign, without digits on either side of its period, or computed, is
     /// refused.
-    pub(super) fn line_number(&mut self) -> Result<Option<String>, Halt> {
+    pub(super) fn line_number(&mut self) -> Result<Option<String>, StepError> {
         if !self.take("n") {
             return Ok(None);
         }
@@ -91,7 +91,7 @@ impl Parser<'_> {
     /// Goes on behind comments at the beginning of a block.
     ///
     /// Quirk rs274.comment-before-o-word. Neither an O-word nor M98 follows them.
-    fn comments_first(&mut self) -> Result<(), Halt> {
+    fn comments_first(&mut self) -> Result<(), StepError> {
         let led = self.is_led_by_comment();
         self.comments();
         let calls = self.sees("m98") && !self.peek_behind(3).is_some_and(|next| next.is_numeric());
@@ -109,7 +109,7 @@ impl Parser<'_> {
     }
 
     /// Rule text.items-optional. A line needs neither words nor settings.
-    fn items(&mut self, block: &mut Block) -> Result<(), Halt> {
+    fn items(&mut self, block: &mut Block) -> Result<(), StepError> {
         while let Some(next) = self.peek() {
             match next {
                 Glyph::COMMENT => self.advance(),
@@ -123,7 +123,7 @@ impl Parser<'_> {
 
     /// Rule text.word-value. A word is a letter and a number, or something that evaluates to a number.
     /// Rule motion.axis-without-value. An axis letter without a number is refused.
-    fn word(&mut self, letter: char) -> Result<Word, Halt> {
+    fn word(&mut self, letter: char) -> Result<Word, StepError> {
         let start = self.place();
         self.advance();
         let value = self.value(Wanted::Word);
@@ -143,7 +143,7 @@ impl Parser<'_> {
 
     /// Rule parameters.assignment. The equals sign stores the number on its right in the parameter on its left.
     /// Rule parameters.assignment-form. A parameter alone, or a setting without a value, is refused.
-    fn setting(&mut self) -> Result<Setting, Halt> {
+    fn setting(&mut self) -> Result<Setting, StepError> {
         let start = self.place();
         let target = self.parameter()?;
         if !self.take("=") {
@@ -158,7 +158,7 @@ impl Parser<'_> {
     /// Rule text.illegal-input. Characters that no rule allows are refused.
     ///
     /// Other rules say more of what stands where an item should stand.
-    fn misplaced(&self, next: char) -> Halt {
+    fn misplaced(&self, next: char) -> StepError {
         let follows = self.follows_value();
         let ends = matches!(self.peek_behind(1), None | Some(Glyph::COMMENT));
         let (rule, kind, message) = match next {
@@ -205,7 +205,7 @@ impl Parser<'_> {
     }
 
     /// Rule expressions.operators-in-brackets. Binary operators stand inside expressions only.
-    fn operator_outside(&self) -> Halt {
+    fn operator_outside(&self) -> StepError {
         let message = "an operator stands inside brackets only, not";
         self.refuse("expressions.operators-in-brackets", FaultKind::BadExpression, message)
     }

@@ -14,7 +14,7 @@ mod value;
 pub use block::*;
 
 use super::machine::State;
-use super::refusal::{Halt, Refusal};
+use super::refusal::{Refusal, StepError};
 use super::text::condense;
 use parser::Parser;
 pub use parser::Room;
@@ -23,7 +23,7 @@ pub use parser::Room;
 ///
 /// # Errors
 /// The line has not the form of a block.
-pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
+pub fn parse(line: &str, state: &mut State) -> Result<Block, StepError> {
     let mut room = std::mem::take(&mut state.room);
     let comments = condense(line, &mut room.glyphs, state)?;
     let mut parser = Parser::new(room, &state.readings);
@@ -42,7 +42,7 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, Halt> {
 ///
 /// # Errors
 /// The line is too long, a comment is not closed, or a line number, label or keyword is none.
-pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, Halt> {
+pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, StepError> {
     let before = state.evidence.set_deaf(true);
     let mut room = std::mem::take(&mut state.room);
     let condensed = condense(line, &mut room.glyphs, state);
@@ -75,13 +75,13 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
     let mut line = line;
     let mut condensed = condense(line, &mut room.glyphs, state);
     let mut broken = false;
-    if let Err(Halt::Refused(Refusal { span: None, .. })) = &condensed {
+    if let Err(StepError::Refused(Refusal { span: None, .. })) = &condensed {
         broken = true;
         // Of a line that is too long the beginning can be read.
         line = line.char_indices().nth(SHORT).map_or(line, |(end, _)| &line[..end]);
         condensed = condense(line, &mut room.glyphs, state);
     }
-    if let Err(Halt::Refused(Refusal { span: Some(span), .. })) = &condensed {
+    if let Err(StepError::Refused(Refusal { span: Some(span), .. })) = &condensed {
         // What stands before a comment that is not closed, or not opened, can be read.
         broken = true;
         condensed = condense(&line[..span.start as usize], &mut room.glyphs, state);

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::parser::Parser;
 use super::value::Wanted;
 use super::{Expression, Keyword, Label, OWord, PassedOver};
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 
 /// `elseif` stands before `else`, which it begins with.
 const KEYWORDS: [(&str, Keyword); 15] = [
@@ -31,7 +31,7 @@ impl Parser<'_> {
     ///
     /// Rule control.unrelated-words. Other words on the line of an O-word are refused.
     /// Rule control.comment-after. Comments may stand between the values of a call.
-    pub(super) fn o_word(&mut self) -> Result<OWord, Halt> {
+    pub(super) fn o_word(&mut self) -> Result<OWord, StepError> {
         let start = self.place();
         let mut o_word = self.label_and_keyword()?;
         self.comments_of_call(&o_word);
@@ -98,7 +98,7 @@ impl Parser<'_> {
 
     /// What rs274 reads of a line that it passes over: the line number, a label with its keyword, and whether M98
     /// begins it.
-    pub(super) fn passed_over(mut self) -> Result<PassedOver, Halt> {
+    pub(super) fn passed_over(mut self) -> Result<PassedOver, StepError> {
         self.block_delete();
         self.line_number()?;
         if self.is_led_by_comment() {
@@ -118,7 +118,7 @@ impl Parser<'_> {
         self.comments();
         let word = match word {
             Ok(word) => word,
-            Err(halt) if self.peek().is_some() => return Ok(PassedOver::WithoutKeyword(halt)),
+            Err(error) if self.peek().is_some() => return Ok(PassedOver::WithoutKeyword(error)),
             // A name alone counts as a number alone does.
             Err(_) => OWord {
                 label,
@@ -129,15 +129,15 @@ impl Parser<'_> {
         };
         if word.keyword == Keyword::ProgramNumber && self.peek().is_some() {
             let message = "behind the number of an O-word stands a keyword, which does not begin";
-            let halt = self.refuse("control.unrelated-words", FaultKind::BadBlock, message);
-            return Ok(PassedOver::WithoutKeyword(halt));
+            let error = self.refuse("control.unrelated-words", FaultKind::BadBlock, message);
+            return Ok(PassedOver::WithoutKeyword(error));
         }
         Ok(PassedOver::OWord(word))
     }
 
     /// Rule subroutines.numbered-o-words, subroutines.named-o-words, subroutines.computed-o-words: what stands behind
     /// the letter O is a number, perhaps computed, or a name in angle brackets.
-    fn label(&mut self) -> Result<Label, Halt> {
+    fn label(&mut self) -> Result<Label, StepError> {
         self.advance();
         Ok(if self.peek() == Some('<') {
             Label::Name(self.name()?)
@@ -147,14 +147,14 @@ impl Parser<'_> {
     }
 
     /// A label with its keyword.
-    fn label_and_keyword(&mut self) -> Result<OWord, Halt> {
+    fn label_and_keyword(&mut self) -> Result<OWord, StepError> {
         let start = self.place();
         let label = self.label()?;
         self.keyword(label, start)
     }
 
     /// The keyword behind a label; none makes a number alone that of a program.
-    fn keyword(&mut self, label: Label, start: usize) -> Result<OWord, Halt> {
+    fn keyword(&mut self, label: Label, start: usize) -> Result<OWord, StepError> {
         let keyword = match KEYWORDS.iter().find(|(spelling, _)| self.sees(spelling)) {
             Some((spelling, keyword)) => {
                 self.take(spelling);

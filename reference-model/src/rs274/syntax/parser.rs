@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{FaultKind, Span};
 
 use crate::rs274::readings::Readings;
-use crate::rs274::refusal::{Halt, refuse_at};
+use crate::rs274::refusal::{StepError, refuse_at};
 use crate::rs274::text::Glyph;
 
 /// What the parser of a line needs room for; the parser of the next line takes it over.
@@ -126,7 +126,7 @@ impl<'a> Parser<'a> {
     }
 
     /// A refusal at the next character.
-    pub(super) fn refuse(&self, rule: &'static str, kind: FaultKind, message: &str) -> Halt {
+    pub(super) fn refuse(&self, rule: &'static str, kind: FaultKind, message: &str) -> StepError {
         let place = match self.peek() {
             None => "at the end of the line".to_owned(),
             Some(Glyph::COMMENT) => "before a comment".to_owned(),

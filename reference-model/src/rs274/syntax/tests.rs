@@ -1,5 +1,5 @@
 use super::*;
-use crate::rs274::refusal::{Halt, Refusal};
+use crate::rs274::refusal::{Refusal, StepError};
 
 fn parsed(line: &str) -> Block {
     parse(line, &mut State::under(&[])).expect("the line is a block")
@@ -8,7 +8,7 @@ fn parsed(line: &str) -> Block {
 /// The rule that refuses a line.
 fn refused(line: &str) -> &'static str {
     match parse(line, &mut State::under(&[])) {
-        Err(Halt::Refused(Refusal { rule, .. })) => rule,
+        Err(StepError::Refused(Refusal { rule, .. })) => rule,
         other => panic!("{line:?}: {other:?}"),
     }
 }

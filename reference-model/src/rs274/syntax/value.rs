@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::expression::operator_at;
 use super::parser::Parser;
 use super::{Expression, Function, Parameter};
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 use crate::rs274::text::Glyph;
 
 /// What a value is wanted for; it decides which rule refuses a missing one.
@@ -40,7 +40,7 @@ const FUNCTIONS: [(&str, Function); 12] = [
 
 impl Parser<'_> {
     /// A number, a parameter, an expression or a function, perhaps behind a sign.
-    pub(super) fn value(&mut self, wanted: Wanted) -> Result<Expression, Halt> {
+    pub(super) fn value(&mut self, wanted: Wanted) -> Result<Expression, StepError> {
         match self.peek() {
             Some('+' | '-') => self.signed(wanted),
             Some('0'..='9' | '.') => self.number().map(Expression::Number),
@@ -71,7 +71,7 @@ impl Parser<'_> {
     /// Rule numbers.form. A second sign is refused.
     /// Quirk rs274.repeated-signs: each further minus sign negates.
     /// Choice expressions.unary-minus: whether a sign may stand before a parameter, an expression or a function.
-    fn signed(&mut self, wanted: Wanted) -> Result<Expression, Halt> {
+    fn signed(&mut self, wanted: Wanted) -> Result<Expression, StepError> {
         let minus = self.peek() == Some('-');
         self.advance();
         let value = match self.peek() {
@@ -121,7 +121,7 @@ impl Parser<'_> {
     /// Rule numbers.form. A second decimal point is refused.
     /// Rule numbers.zeros. Leading and trailing zeros change no number.
     /// Rule numbers.many-digits. A number may have any number of digits; about seventeen significant ones count.
-    fn number(&mut self) -> Result<f64, Halt> {
+    fn number(&mut self) -> Result<f64, StepError> {
         let mut text = std::mem::take(&mut self.room.digits);
         text.clear();
         self.take_into(&mut text, |character| character.is_ascii_digit());
@@ -162,7 +162,7 @@ impl Parser<'_> {
     /// Rule parameters.sign-first. The number sign binds closer than any operator.
     /// Rule parameters.name-marks. A name stands between < and >.
     /// Choice parameters.function-number: whether a function gives the number.
-    pub(super) fn parameter(&mut self) -> Result<Parameter, Halt> {
+    pub(super) fn parameter(&mut self) -> Result<Parameter, StepError> {
         self.advance();
         if self.peek() == Some('<') {
             return self.name().map(Parameter::Named);
@@ -181,7 +181,7 @@ impl Parser<'_> {
 
     /// Rule parameters.name-spelling. Case and blanks in a name do not count.
     /// Quirk rs274.empty-name. There may be none.
-    pub(super) fn name(&mut self) -> Result<String, Halt> {
+    pub(super) fn name(&mut self) -> Result<String, StepError> {
         self.advance();
         // A NUL is no character of a text, wherever it stands.
         let ends = ['>', Glyph::COMMENT, '\0'];
@@ -196,7 +196,7 @@ impl Parser<'_> {
     }
 
     /// Rule expressions.function-brackets. A function takes its argument in brackets.
-    fn function(&mut self, wanted: Wanted) -> Result<Expression, Halt> {
+    fn function(&mut self, wanted: Wanted) -> Result<Expression, StepError> {
         if self.take("exists") {
             return self.exists();
         }
@@ -214,7 +214,7 @@ impl Parser<'_> {
     }
 
     /// A function's argument.
-    fn argument(&mut self, rule: &'static str) -> Result<Expression, Halt> {
+    fn argument(&mut self, rule: &'static str) -> Result<Expression, StepError> {
         if self.peek() == Some('[') {
             return self.bracketed();
         }
@@ -226,7 +226,7 @@ impl Parser<'_> {
     }
 
     /// Rule expressions.arctangent. ATAN takes two bracketed arguments with a slash between them.
-    fn arc_tangent(&mut self) -> Result<Expression, Halt> {
+    fn arc_tangent(&mut self) -> Result<Expression, StepError> {
         const RULE: &str = "expressions.arctangent";
         let opposite = self.argument(RULE)?;
         if !self.take("/") {
@@ -242,7 +242,7 @@ impl Parser<'_> {
 
     /// Rule expressions.exists-argument. EXISTS of a numbered parameter or of an expression is refused.
     /// Quirk rs274.exists-numbered: EXISTS of a numbered parameter is accepted.
-    fn exists(&mut self) -> Result<Expression, Halt> {
+    fn exists(&mut self) -> Result<Expression, StepError> {
         let wrong = |parser: &Self| {
             let message = "EXISTS takes one named parameter in brackets, not what stands";
             Err(parser.refuse("expressions.exists-argument", FaultKind::BadExpression, message))
@@ -262,7 +262,7 @@ impl Parser<'_> {
     }
 
     /// Which rule misses a value.
-    fn missing(&self, wanted: Wanted) -> Halt {
+    fn missing(&self, wanted: Wanted) -> StepError {
         let letter = self.peek().is_some_and(|next| next.is_ascii_lowercase());
         let letters = (0..)
             .take_while(|index| {

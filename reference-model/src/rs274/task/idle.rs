@@ -9,7 +9,7 @@ use super::request::{Activity, Answer};
 use super::{Run, open_entries};
 use crate::rs274::control::{Control, Frame, MAIN, Place};
 use crate::rs274::quirks::task as quirks;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 use crate::rs274::step;
 use crate::rs274::text::Line;
 
@@ -25,7 +25,7 @@ pub(super) enum Then {
 impl Run<'_> {
     /// The controller waits for the operator. A block by hand that ends a program, or is broken off, is how the run
     /// ended.
-    pub(super) fn idle(&mut self, end: &mut End) -> Result<Then, Halt> {
+    pub(super) fn idle(&mut self, end: &mut End) -> Result<Then, StepError> {
         self.pause_asked = false;
         while let Some(happening) = self.operator.next(f64::INFINITY) {
             let now = self.state.outside.time();
@@ -95,7 +95,7 @@ impl Run<'_> {
     }
 
     /// A block that the operator enters by hand; how it ended when it ended the program.
-    fn entry(&mut self, event: usize) -> Result<Option<End>, Halt> {
+    fn entry(&mut self, event: usize) -> Result<Option<End>, StepError> {
         let earlier = self.scenario.operator.iter().take(event);
         let entered = earlier.filter(|event| matches!(event.action, Action::Mdi(_))).count();
         let line = u32::try_from(entered).unwrap_or(u32::MAX).saturating_add(1);
@@ -108,14 +108,14 @@ impl Run<'_> {
     /// Executes a block entered by hand, with all that it calls.
     ///
     /// How it ended when it ended the program; an abort leaves the controller idle.
-    fn by_hand(&mut self, place: Place) -> Result<Option<End>, Halt> {
+    fn by_hand(&mut self, place: Place) -> Result<Option<End>, StepError> {
         self.begin_anew();
         self.by_hand = true;
         self.control.begin_by_hand(place);
         let after = Place { line: place.line + 1, ..place };
         let end = loop {
             if let Some(bound) = self.exhausted() {
-                return Err(Halt::Ended(End::BudgetExhausted { bound }));
+                return Err(StepError::Ended(End::BudgetExhausted { bound }));
             }
             match self.next() {
                 Ok(None) if self.control.place == after && self.state.call_level() == 0 => {
@@ -123,8 +123,8 @@ impl Run<'_> {
                 }
                 Ok(None) => {}
                 Ok(Some(end)) => break Some(end),
-                Err(halt @ Halt::Ended(End::Aborted)) => break Some(self.halted(halt)),
-                Err(halt) => return Err(halt),
+                Err(error @ StepError::Ended(End::Aborted)) => break Some(self.end_after(error)),
+                Err(error) => return Err(error),
             }
         };
         self.by_hand = false;
@@ -147,8 +147,8 @@ impl Run<'_> {
             match done {
                 Ok(None) => {}
                 Ok(Some(after)) => end = after,
-                Err(halt) => {
-                    return self.halted(halt);
+                Err(error) => {
+                    return self.end_after(error);
                 }
             }
             place.line += 1;

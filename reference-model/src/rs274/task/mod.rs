@@ -40,7 +40,7 @@ use super::outside::Outside;
 use super::parameters::{self, Name, Parameters};
 use super::quirks::settings;
 use super::readings::Readings;
-use super::refusal::{Halt, Refusal};
+use super::refusal::{Refusal, StepError};
 use super::step;
 use super::syntax::Room;
 use crate::{Evidence, Witness};
@@ -244,7 +244,7 @@ impl<'a> Run<'a> {
             match self.idle(&mut end) {
                 Ok(idle::Then::Nothing) => return end,
                 Ok(idle::Then::Begin) => end = self.program(),
-                Err(halt) => return self.halted(halt),
+                Err(error) => return self.end_after(error),
             }
         }
     }
@@ -258,7 +258,7 @@ impl<'a> Run<'a> {
             match self.next() {
                 Ok(None) => {}
                 Ok(Some(end)) => return end,
-                Err(halt) => return self.halted(halt),
+                Err(error) => return self.end_after(error),
             }
         }
     }
@@ -341,10 +341,10 @@ impl<'a> Run<'a> {
     /// How a run ends whose block does not go on.
     ///
     /// Rule subroutines.file-fault. A fault in a called file is a fault of the run.
-    fn halted(&mut self, halt: Halt) -> End {
+    fn end_after(&mut self, error: StepError) -> End {
         let block = self.control.files.block(self.control.place);
-        match halt {
-            Halt::Refused(Refusal { rule, kind, message, span }) => {
+        match error {
+            StepError::Refused(Refusal { rule, kind, message, span }) => {
                 self.state.evidence.refused(rule);
                 if ![MAIN, self.entries.file].contains(&self.control.place.file) {
                     self.state.evidence.refused("subroutines.file-fault");
@@ -356,11 +356,11 @@ impl<'a> Run<'a> {
                 let message = format!("{message} ({rule})");
                 End::Fault(Fault { kind: Some(kind), block: Some(block), span, message })
             }
-            Halt::Unsupported(what) => End::Unsupported { block, what },
-            Halt::Unspecified(why) => End::Unspecified { block, why },
-            Halt::TooManyEffects => End::BudgetExhausted { bound: Bound::Effects },
-            Halt::WaitsForEver => End::BudgetExhausted { bound: Bound::Time },
-            Halt::Ended(end) => {
+            StepError::Unsupported(what) => End::Unsupported { block, what },
+            StepError::Unspecified(why) => End::Unspecified { block, why },
+            StepError::TooManyEffects => End::BudgetExhausted { bound: Bound::Effects },
+            StepError::WaitsForEver => End::BudgetExhausted { bound: Bound::Time },
+            StepError::Ended(end) => {
                 self.is_within_block = false;
                 if end == End::Aborted {
                     self.record.broken_off(block, &self.state);

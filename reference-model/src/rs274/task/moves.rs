@@ -14,7 +14,7 @@ use crate::rs274::machine::{Panel, State};
 use crate::rs274::order::{self, Phase, Rest};
 use crate::rs274::outside::Outside;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 use crate::rs274::step;
 use crate::rs274::step::feed::Speed;
 
@@ -144,7 +144,7 @@ impl Run<'_> {
         phase: Phase,
         words: &Words,
         began: &mut f64,
-    ) -> Result<Rest, Halt> {
+    ) -> Result<Rest, StepError> {
         let before = self.without_evidence();
         let mark = self.record.mark();
         let mut watch = Watch {
@@ -164,11 +164,11 @@ impl Run<'_> {
             self.state = *stop.state;
             self.record.back_to(stop.record.clone());
             self.show(None);
-            if let Err(halt) = self.waits_for(stop.why) {
-                if halt == Halt::Ended(End::Aborted) {
+            if let Err(error) = self.waits_for(stop.why) {
+                if error == StepError::Ended(End::Aborted) {
                     self.breaks_off(phase, before);
                 }
-                return Err(halt);
+                return Err(error);
             }
             *began = self.state.outside.time();
             let waited = Waited {
@@ -192,7 +192,7 @@ impl Run<'_> {
     }
 
     /// Waits until a move may begin or a dwell is over.
-    fn waits_for(&mut self, why: Why) -> Result<(), Halt> {
+    fn waits_for(&mut self, why: Why) -> Result<(), StepError> {
         match why {
             Why::Move(speed) => self.may_move(speed),
             Why::Dwell(seconds) | Why::Wait(seconds) => {
@@ -206,7 +206,7 @@ impl Run<'_> {
     }
 
     /// A move begins only once nothing holds it, and the program is not paused.
-    fn may_move(&mut self, speed: Speed) -> Result<(), Halt> {
+    fn may_move(&mut self, speed: Speed) -> Result<(), StepError> {
         if self.pause_asked {
             self.stand_paused(Activity::Paused(By::Operator))?;
         }
@@ -221,7 +221,7 @@ impl Run<'_> {
             } else if let Some(change) = change {
                 self.state.outside.within_wait(change);
             } else {
-                return Err(Halt::Ended(End::Paused));
+                return Err(StepError::Ended(End::Paused));
             }
         }
         Ok(())

@@ -10,7 +10,7 @@ use crate::rs274::machine::State;
 use crate::rs274::order::{Phase, Phases, Rest};
 use crate::rs274::outside::stub;
 use crate::rs274::read::{self, Words};
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::Keyword;
 use crate::rs274::text::Line;
 use crate::rs274::{check, order, step, syntax};
@@ -19,7 +19,7 @@ impl Run<'_> {
     /// The next line of the program.
     ///
     /// Rule program-end.percent. The second percent line ends the run and does nothing else: it is no program end.
-    pub(super) fn next(&mut self) -> Result<Option<End>, Halt> {
+    pub(super) fn next(&mut self) -> Result<Option<End>, StepError> {
         let place = self.control.place;
         self.state.line = place.line;
         let source = Arc::clone(self.control.files.source(place.file));
@@ -32,10 +32,10 @@ impl Run<'_> {
             Some(Line::End) if self.state.call_level() > 0 => {
                 self.between()?;
                 let why = "a percent line that is reached in a subroutine".to_owned();
-                return Err(Halt::Unspecified(why));
+                return Err(StepError::Unspecified(why));
             }
             Some(Line::End) if self.by_hand => {
-                return Err(Halt::Unspecified("a percent sign, entered by hand".to_owned()));
+                return Err(StepError::Unspecified("a percent sign, entered by hand".to_owned()));
             }
             Some(Line::End) => {
                 self.between()?;
@@ -63,7 +63,7 @@ impl Run<'_> {
     /// Rules program-end.missing, text.percent-unclosed. The file has ended, the program has not.
     ///
     /// Rule subroutines.missing-endsub. Nor has a sub that began in it.
-    fn missing_end(&self) -> Halt {
+    fn missing_end(&self) -> StepError {
         if self.state.frame().is_sub() {
             let message = "the file ends without an endsub";
             return refuse("subroutines.missing-endsub", FaultKind::MissingEnd, message);
@@ -77,7 +77,7 @@ impl Run<'_> {
     }
 
     /// One block: parsed, evaluated, checked, executed, recorded.
-    fn block(&mut self, text: &str) -> Result<Next, Halt> {
+    fn block(&mut self, text: &str) -> Result<Next, StepError> {
         let place = self.control.files.block(self.control.place);
         self.begins(&place)?;
         let block = syntax::parse(text, &mut self.state)?;
@@ -128,18 +128,18 @@ impl Run<'_> {
     }
 
     /// A block has been executed, with as many effects as the budget allows.
-    fn done(&mut self) -> Result<(), Halt> {
+    fn done(&mut self) -> Result<(), StepError> {
         if self.record.is_over() {
-            return Err(Halt::TooManyEffects);
+            return Err(StepError::TooManyEffects);
         }
         self.is_within_block = false;
         Ok(())
     }
 
     /// What only a program can do: by hand the documents leave it open, unless it is said.
-    fn by_hand_only(&self, allowed: bool, what: &str) -> Result<(), Halt> {
+    fn by_hand_only(&self, allowed: bool, what: &str) -> Result<(), StepError> {
         if self.by_hand && self.state.call_level() == 0 && !allowed {
-            return Err(Halt::Unspecified(format!("{what}, entered by hand")));
+            return Err(StepError::Unspecified(format!("{what}, entered by hand")));
         }
         Ok(())
     }
@@ -150,7 +150,7 @@ impl Run<'_> {
     /// they pause, or before them and after its comment.
     ///
     /// In a phase that takes time the operator may act. What an abort breaks off has not been done.
-    fn execute(&mut self, words: &Words) -> Result<Rest, Halt> {
+    fn execute(&mut self, words: &Words) -> Result<Rest, StepError> {
         let mut rest = Rest::Execute;
         let mut settings = (!words.settings.is_empty()).then_some(&words.settings);
         let before_words =
@@ -183,11 +183,11 @@ impl Run<'_> {
                     rest = done;
                     None
                 }
-                Err(Halt::WaitsForEver) => return Err(self.waits_before(phase, phases, words)),
-                Err(refused @ Halt::Refused(_)) if self.state.outside.time() > began => {
+                Err(StepError::WaitsForEver) => return Err(self.waits_before(phase, phases, words)),
+                Err(refused @ StepError::Refused(_)) if self.state.outside.time() > began => {
                     Some(refused)
                 }
-                Err(halt) => return Err(halt),
+                Err(error) => return Err(error),
             };
             if phase == Phase::Motion && refused.is_none() {
                 let in_main = self.state.call_level() == 0;
@@ -198,14 +198,14 @@ impl Run<'_> {
             if rest == Rest::Drop {
                 // Quirk rs274.rest-of-restore-block. A feed is not asked for; what else is asked before is not known.
                 let later = self.fault_after(phase, phases, words);
-                if later.is_some_and(|halt| !is_of_feed(&halt)) {
+                if later.is_some_and(|error| !is_of_feed(&error)) {
                     let why = "a restore in a block whose rest is not executed, and would be refused or open";
-                    return Err(Halt::Unspecified(why.to_owned()));
+                    return Err(StepError::Unspecified(why.to_owned()));
                 }
                 break;
             }
             let counted = self.state.outside.changes().len();
-            if let Err(halt) = self.took_time_since(began, phase) {
+            if let Err(error) = self.took_time_since(began, phase) {
                 let evidence = std::mem::take(&mut self.state.evidence);
                 if let Some(before) = before {
                     let after = std::mem::replace(&mut self.state, before);
@@ -215,7 +215,7 @@ impl Run<'_> {
                     self.state.panel = after.panel;
                 }
                 self.state.evidence = evidence;
-                return Err(halt);
+                return Err(error);
             }
             if let Some(refused) = refused {
                 return Err(refused);
@@ -236,40 +236,42 @@ impl Run<'_> {
 
     /// A block waits for ever for one of its phases. Where a later one has a fault, no document says whether that is
     /// found before.
-    fn waits_before(&mut self, phase: Phase, phases: Phases, words: &Words) -> Halt {
+    fn waits_before(&mut self, phase: Phase, phases: Phases, words: &Words) -> StepError {
         if self.fault_after(phase, phases, words).is_some() {
             let why = "a block that waits for ever before a part of it that is refused, or open";
-            return Halt::Unspecified(why.to_owned());
+            return StepError::Unspecified(why.to_owned());
         }
         self.waits_for_ever()
     }
 
     /// Why one of the phases of a block that come later would be refused, or is open.
-    fn fault_after(&self, phase: Phase, phases: Phases, words: &Words) -> Option<Halt> {
+    fn fault_after(&self, phase: Phase, phases: Phases, words: &Words) -> Option<StepError> {
         let mut state = self.state.clone();
         let mut record = Record::new(&state);
         let mut later = phases.iter().skip_while(|before| *before != phase).skip(1);
         later.find_map(|phase| {
             let executed = order::execute(phase, words, &mut state, &mut record);
-            executed.err().filter(|halt| !matches!(halt, Halt::WaitsForEver))
+            executed.err().filter(|error| !matches!(error, StepError::WaitsForEver))
         })
     }
 
     /// Reading ahead ends with what waits for the machine, unless that is refused. A tool change has stopped the
     /// spindle by then.
-    fn read_up_to(&mut self, phase: Phase, words: &Words) -> Halt {
+    fn read_up_to(&mut self, phase: Phase, words: &Words) -> StepError {
         let mut state = self.state.clone();
         let mut record = Record::new(&state);
         match order::execute(phase, words, &mut state, &mut record) {
-            Err(Halt::Refused(refused)) if !step::probe::is_found_out_by_machine(refused.rule) => {
-                return Halt::Refused(refused);
+            Err(StepError::Refused(refused))
+                if !step::probe::is_found_out_by_machine(refused.rule) =>
+            {
+                return StepError::Refused(refused);
             }
             Ok(_) | Err(_) => {}
         }
         if phase == Phase::ChangeTool {
             step::tool_change::before_moving(&mut self.state);
         }
-        Halt::Ended(End::Paused)
+        StepError::Ended(End::Paused)
     }
 
     /// The state as an abort brings it back: what was reached stays reached.
@@ -293,7 +295,7 @@ impl Run<'_> {
     }
 
     /// A block with M98 or M99: its comment and settings, then the call or return.
-    fn numbered(&mut self, words: &Words) -> Result<Next, Halt> {
+    fn numbered(&mut self, words: &Words) -> Result<Next, StepError> {
         if let Some(comment) = &words.comment {
             step::message::perform(comment, &mut self.state, &mut self.record)?;
         }
@@ -306,7 +308,7 @@ impl Run<'_> {
     /// Rule program-end.lines-after. What stands behind them is not read.
     ///
     /// Rule fanuc-subs.block-deleted-end. One that block delete would skip ends the program while block delete is off.
-    fn ended(&mut self, deletable: bool) -> Result<(), Halt> {
+    fn ended(&mut self, deletable: bool) -> Result<(), StepError> {
         self.control.files.source(MAIN).program_ends(&mut self.state)?;
         let inside_control = !self.state.frame().open.is_empty();
         let inside_sub = self.state.call_level() > 0;
@@ -340,8 +342,8 @@ impl Run<'_> {
 }
 
 /// Whether a rule of feeds refuses it.
-fn is_of_feed(halt: &Halt) -> bool {
-    let Halt::Refused(refusal) = halt else { return false };
+fn is_of_feed(error: &StepError) -> bool {
+    let StepError::Refused(refusal) = error else { return false };
     refusal.rule.split('.').next() == Some("feed")
 }
 

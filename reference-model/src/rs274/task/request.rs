@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::{ControllerMode, Effect, End, Request};
 use super::Run;
 use super::operator::Happening;
 use crate::rs274::quirks::task as quirks;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 
 /// What the controller is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,14 +54,18 @@ impl Run<'_> {
         &mut self,
         happening: Happening<'_>,
         activity: Activity,
-    ) -> Result<Answer, Halt> {
+    ) -> Result<Answer, StepError> {
         self.state.outside.is_asked(true);
         let answer = self.answer(happening, activity);
         self.state.outside.is_asked(false);
         answer
     }
 
-    fn answer(&mut self, happening: Happening<'_>, activity: Activity) -> Result<Answer, Halt> {
+    fn answer(
+        &mut self,
+        happening: Happening<'_>,
+        activity: Activity,
+    ) -> Result<Answer, StepError> {
         // A spindle may have come to its angle meanwhile.
         self.show(None);
         let panel = &mut self.state.panel;
@@ -80,7 +84,7 @@ impl Run<'_> {
                 self.forget_waiting();
                 self.switch_off();
             }
-            Action::Abort => return Err(Halt::Ended(End::Aborted)),
+            Action::Abort => return Err(StepError::Ended(End::Aborted)),
             Action::Pause => return self.pause(activity),
             Action::Resume => return self.resume(activity),
             Action::CycleStart => return self.cycle_start(activity),
@@ -91,7 +95,7 @@ impl Run<'_> {
     }
 
     /// A program that runs can be paused, and then goes on where it was.
-    fn pause(&mut self, activity: Activity) -> Result<Answer, Halt> {
+    fn pause(&mut self, activity: Activity) -> Result<Answer, StepError> {
         if self.by_hand && activity == Activity::Running {
             return Err(self.open("a pause"));
         }
@@ -99,7 +103,7 @@ impl Run<'_> {
     }
 
     /// Rule pause.resume. After a pause the program goes on at the following block.
-    fn resume(&mut self, activity: Activity) -> Result<Answer, Halt> {
+    fn resume(&mut self, activity: Activity) -> Result<Answer, StepError> {
         if self.by_hand && activity == Activity::Running {
             return Err(self.open("resume"));
         }
@@ -116,7 +120,7 @@ impl Run<'_> {
     /// Rule pause.pallet-restart. After M60 it lets the program go on at the following block.
     /// Rule pause.cycle-start. Whether it does so after M0 and M1 is a choice.
     /// Rule program-end.restart. While nothing runs it starts the program at its first block.
-    fn cycle_start(&mut self, activity: Activity) -> Result<Answer, Halt> {
+    fn cycle_start(&mut self, activity: Activity) -> Result<Answer, StepError> {
         match activity {
             Activity::Running | Activity::Paused(By::Operator) => {
                 return Err(self.open("cycle start"));
@@ -141,13 +145,13 @@ impl Run<'_> {
     }
 
     /// Rules task.mode-kept and pause.mode-kept. While a program runs or pauses the controller remains in auto mode.
-    fn change_mode(&mut self, mode: ControllerMode, activity: Activity) -> Result<(), Halt> {
+    fn change_mode(&mut self, mode: ControllerMode, activity: Activity) -> Result<(), StepError> {
         if self.by_hand && activity != Activity::Idle {
             return Err(self.open("a mode"));
         }
         if mode == self.state.modes.controller_mode {
             let drops = activity == Activity::Running && quirks::drops_program(mode, &self.state);
-            return if drops { Err(Halt::Ended(End::Aborted)) } else { Ok(()) };
+            return if drops { Err(StepError::Ended(End::Aborted)) } else { Ok(()) };
         }
         if activity == Activity::Idle {
             self.state.evidence.accepted("task.mode-kept");
@@ -173,7 +177,7 @@ impl Run<'_> {
     /// Rule program-end.mdi-follows. After the program end, in MDI mode, it can. Rule pause.mdi-refused. Nor can it
     /// while a program pauses. Rule task.mdi-in-manual. Whether it can in manual mode is a choice; the controller
     /// changes to MDI mode by itself then.
-    fn enter(&mut self, place: usize, activity: Activity) -> Result<Answer, Halt> {
+    fn enter(&mut self, place: usize, activity: Activity) -> Result<Answer, StepError> {
         let mode = self.state.modes.controller_mode;
         let in_manual = "task.mdi-in-manual";
         let rule = match mode {
@@ -204,8 +208,8 @@ impl Run<'_> {
     }
 
     /// What no document settles.
-    fn open(&self, what: &str) -> Halt {
+    fn open(&self, what: &str) -> StepError {
         let doing = if self.by_hand { "a block entered by hand" } else { "a program" };
-        Halt::Unspecified(format!("{what} is asked for while {doing} is executed"))
+        StepError::Unspecified(format!("{what} is asked for while {doing} is executed"))
     }
 }

@@ -6,11 +6,11 @@ use super::Run;
 use super::request::{Activity, Answer, By};
 use crate::rs274::order::Phase;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 
 impl Run<'_> {
     /// A block begins: what the operator does at that moment comes before the block.
-    pub(super) fn begins(&mut self, block: &BlockLocation) -> Result<(), Halt> {
+    pub(super) fn begins(&mut self, block: &BlockLocation) -> Result<(), StepError> {
         self.record.begin();
         self.waits_for_machine = false;
         self.at_block = None;
@@ -30,7 +30,7 @@ impl Run<'_> {
 
     /// Between two blocks, and where the text ends: what the operator has done by now, and the pause that was asked
     /// for.
-    pub(super) fn between(&mut self) -> Result<(), Halt> {
+    pub(super) fn between(&mut self) -> Result<(), StepError> {
         // Only what is read ahead begins again where the block did, or where a block of it is refused.
         let may_be_broken_off = self.ahead || self.operator.may_abort();
         if may_be_broken_off && self.state.readings.is("abort.read-ahead", "read-on") {
@@ -49,7 +49,7 @@ impl Run<'_> {
     ///
     /// Choice pause.during-dwell. A dwell stands still with its program, or goes on. What something outside takes
     /// goes on.
-    pub(super) fn took_time_since(&mut self, began: f64, phase: Phase) -> Result<(), Halt> {
+    pub(super) fn took_time_since(&mut self, began: f64, phase: Phase) -> Result<(), StepError> {
         let end = self.state.outside.time();
         if end <= began || self.operator.is_done() {
             return Ok(());
@@ -62,7 +62,7 @@ impl Run<'_> {
 
     /// What the operator does up to a time while a block is executed; the seconds by which a pause makes it longer,
     /// where it is a dwell.
-    pub(super) fn meanwhile(&mut self, until: f64, dwells: bool) -> Result<f64, Halt> {
+    pub(super) fn meanwhile(&mut self, until: f64, dwells: bool) -> Result<f64, StepError> {
         let mut longer = 0.0;
         while let Some(happening) = self.operator.next(until + longer) {
             let now = self.state.outside.time();
@@ -79,7 +79,7 @@ impl Run<'_> {
 
     /// A dwell of a program that is paused: where it stands still it does so until the program goes on; the seconds
     /// that it took.
-    pub(super) fn stand_in_dwell(&mut self) -> Result<f64, Halt> {
+    pub(super) fn stand_in_dwell(&mut self) -> Result<f64, StepError> {
         let rule = "pause.during-dwell";
         if !self.pause_asked {
             return Ok(0.0);
@@ -95,7 +95,7 @@ impl Run<'_> {
     /// is over once it goes on.
     ///
     /// Rule pause.by-hand. A block entered by hand is followed by a stop anyway: the next one can be entered.
-    pub(super) fn paused(&mut self, words: &Words) -> Result<(), Halt> {
+    pub(super) fn paused(&mut self, words: &Words) -> Result<(), StepError> {
         if self.ahead {
             return Ok(());
         }
@@ -105,7 +105,7 @@ impl Run<'_> {
         }
         if self.by_hand {
             let why = "a pause in a sub that was called by hand";
-            return Err(Halt::Unspecified(why.to_owned()));
+            return Err(StepError::Unspecified(why.to_owned()));
         }
         let pallets = words.m.iter().any(|code| matches!(code, 30 | 60));
         let by = if pallets { By::Pallets } else { By::Stop };
@@ -115,7 +115,7 @@ impl Run<'_> {
     /// Stands until the operator lets the program go on; the seconds that it took.
     ///
     /// Where the operator does nothing more the run ends here.
-    pub(super) fn stand_paused(&mut self, activity: Activity) -> Result<f64, Halt> {
+    pub(super) fn stand_paused(&mut self, activity: Activity) -> Result<f64, StepError> {
         self.pause_asked = false;
         let began = self.state.outside.time();
         while let Some(happening) = self.operator.next(f64::INFINITY) {
@@ -125,19 +125,19 @@ impl Run<'_> {
                 return Ok(self.state.outside.time() - began);
             }
         }
-        Err(Halt::Ended(End::Paused))
+        Err(StepError::Ended(End::Paused))
     }
 
     /// A block waits for something that never comes: the operator alone can end that.
-    pub(super) fn waits_for_ever(&mut self) -> Halt {
+    pub(super) fn waits_for_ever(&mut self) -> StepError {
         while let Some(happening) = self.operator.next(f64::INFINITY) {
             let now = self.state.outside.time();
             self.state.outside.within_wait(happening.time.max(now));
             match self.request(happening, Activity::Running) {
                 Ok(answer) => self.pause_asked |= answer == Answer::Pauses,
-                Err(halt) => return halt,
+                Err(error) => return error,
             }
         }
-        Halt::WaitsForEver
+        StepError::WaitsForEver
     }
 }

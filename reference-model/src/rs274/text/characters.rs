@@ -6,7 +6,7 @@ use super::comments::comment_at;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::readings::Readings;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::Comment;
 
 /// A character that counts.
@@ -38,7 +38,7 @@ pub fn condense(
     line: &str,
     glyphs: &mut Vec<Glyph>,
     state: &mut State,
-) -> Result<Vec<Comment>, Halt> {
+) -> Result<Vec<Comment>, StepError> {
     line_length(line, &state.readings)?;
     let bytes = line.as_bytes();
     glyphs.clear();
@@ -92,7 +92,7 @@ fn checked_comment(
     at: usize,
     another: bool,
     state: &mut State,
-) -> Result<Comment, Halt> {
+) -> Result<Comment, StepError> {
     let comment = comment_at(line, at, &state.readings).inspect_err(|_| {
         if another {
             state.evidence.refused("text.comment-format-checked");
@@ -110,7 +110,7 @@ fn checked_comment(
 /// Rule text.line-length. A line has at most 256 characters; a longer one is refused.
 /// Choice text.line-end-counted: whether the line end is one of them.
 /// Quirk rs274.shorter-lines: 252 bytes without the line end.
-fn line_length(line: &str, readings: &Readings) -> Result<(), Halt> {
+fn line_length(line: &str, readings: &Readings) -> Result<(), StepError> {
     if line.len() <= quirks::LONGEST_LINE {
         // So many are allowed whatever is chosen.
         return Ok(());

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::characters::span;
 use crate::rs274::readings::Readings;
-use crate::rs274::refusal::{Halt, refuse_at};
+use crate::rs274::refusal::{StepError, refuse_at};
 use crate::rs274::syntax::Comment;
 
 /// The comment that begins at a byte of the line, which is a semicolon or a parenthesis.
@@ -17,7 +17,7 @@ use crate::rs274::syntax::Comment;
 ///
 /// # Errors
 /// It is not closed, or closed without having begun.
-pub(super) fn comment_at(line: &str, at: usize, readings: &Readings) -> Result<Comment, Halt> {
+pub(super) fn comment_at(line: &str, at: usize, readings: &Readings) -> Result<Comment, StepError> {
     let rest = &line[at..];
     let wrong = |end: usize, message: &str| {
         Err(refuse_at("text.comment-unclosed", FaultKind::BadComment, span(at, end), message))

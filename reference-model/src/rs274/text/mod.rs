@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use super::machine::State;
 use super::readings::Readings;
-use super::refusal::{Halt, refuse};
+use super::refusal::{StepError, refuse};
 use gaugeblock_vocabulary::FaultKind;
 
 /// A file of program text, cut into lines.
@@ -100,7 +100,7 @@ impl Source {
 
     /// Rule text.percent-unclosed. A file with a percent line at its beginning, and neither another one nor a program
     /// end, is refused. One without any percent line needs the program end as much: see `program-end`.
-    pub fn unclosed(&self) -> Halt {
+    pub fn unclosed(&self) -> StepError {
         refuse(
             "text.percent-unclosed",
             FaultKind::MissingEnd,
@@ -114,7 +114,7 @@ impl Source {
     ///
     /// # Errors
     /// The second percent line is missed.
-    pub fn program_ends(&self, state: &mut State) -> Result<(), Halt> {
+    pub fn program_ends(&self, state: &mut State) -> Result<(), StepError> {
         let useful = &self.lines[self.first..];
         let second = || useful.iter().any(|line| is_percent(&self.text[line.clone()]));
         if self.percent && state.readings.is("text.percent-unclosed-ended", "refused") && !second()

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
 use crate::rs274::machine::State;
 use crate::rs274::order::has_axis_words;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::{letter, word};
 
 /// Rule cycles.axis-words-missing. A cycle needs an axis word.
@@ -13,7 +13,7 @@ use crate::rs274::step::{letter, word};
 /// Rule cycles.words-of-plane. Nor have U, V and W in a plane of X, Y and Z, or the other way round.
 /// Rule cycles.under-compensation. It is refused while cutter compensation is on.
 /// Rule cycles.inverse-time. So it is under inverse time.
-pub(super) fn check(words: &Words, state: &mut State) -> Result<(), Halt> {
+pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
     let Some(axes) = has_axis_words(words).then(|| super::axes_of(state.modes.plane)) else {
         let message = "a cycle without axis words";
         return Err(refuse("cycles.axis-words-missing", FaultKind::MissingWord, message));

@@ -8,7 +8,7 @@ use super::{Cycle, Kind, axes_of};
 use crate::rs274::machine::State;
 use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::target::moved;
 use crate::rs274::step::{spindle, word};
 
@@ -62,12 +62,12 @@ pub(super) fn find(
     kind: Kind,
     words: &Words,
     state: &mut State,
-) -> Result<(Series, Cycle), Halt> {
+) -> Result<(Series, Cycle), StepError> {
     let axes = axes_of(state.modes.plane);
     let [_, _, normal] = axes;
     if state.modes.lathe == Lathe::Diameter && normal == Axis::X {
         let what = "R along X in diameter mode";
-        return Err(Halt::Unspecified(what.to_owned()));
+        return Err(StepError::Unspecified(what.to_owned()));
     }
     let before = state.series;
     let same = before.filter(|before| before.motion == motion);
@@ -122,7 +122,7 @@ fn sticky(
     before: Option<f64>,
     rule: &'static str,
     state: &mut State,
-) -> Result<f64, Halt> {
+) -> Result<f64, StepError> {
     let found = number.or(before).ok_or_else(|| {
         let message = "a number that the first of these cycles needs";
         refuse(rule, FaultKind::MissingWord, message)
@@ -140,7 +140,7 @@ fn unchanged(
     before: Option<Series>,
     normal: Axis,
     state: &State,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let Some(before) = before else { return Ok(()) };
     let now = Frame::of(state);
     let told_anew = before.last.plane != now.plane || before.last.unit != now.unit;
@@ -149,14 +149,14 @@ fn unchanged(
     let to_initial = state.modes.retract == Retract::OldZ;
     if told_anew && !all_programmed || before.first != now && to_initial {
         let what = "a row of cycles over a change of plane, length unit or offset";
-        return Err(Halt::Unspecified(what.to_owned()));
+        return Err(StepError::Unspecified(what.to_owned()));
     }
     Ok(())
 }
 
 /// Rule cycles.spindle. $ names the spindle of G74, G84 and G86; without it that is spindle 0, unless quirk
 /// rs274.chosen-spindle holds. Where no cycle takes $ (quirk rs274.cycle-dollar), it is another code's.
-fn spindle_of(words: &Words, state: &mut State) -> Result<usize, Halt> {
+fn spindle_of(words: &Words, state: &mut State) -> Result<usize, StepError> {
     let rule = "cycles.spindle";
     let dollar = word(words, '$').filter(|_| !state.readings.quirk("rs274.cycle-dollar"));
     let Some(number) = dollar else { return Ok(state.chosen_spindle) };

@@ -19,7 +19,7 @@ use crate::rs274::modes::motion_mode;
 use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::quirks::saved_state::tolerances_as_numbers;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 pub use heights::Series;
 
@@ -121,11 +121,11 @@ pub(super) fn perform(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let (kind, rule) = kind_of(motion).expect("motion: a cycle has a kind");
     if kind == Kind::Undefined {
         let what = "what G87 and G88 do, which the manual calls undefined";
-        return Err(Halt::Unspecified(what.to_owned()));
+        return Err(StepError::Unspecified(what.to_owned()));
     }
     allowed::check(words, state)?;
     let repeats = repeats(words, state)?;
@@ -143,7 +143,7 @@ pub(super) fn perform(
     }
     for place in places {
         if record.is_full() {
-            return Err(Halt::TooManyEffects);
+            return Err(StepError::TooManyEffects);
         }
         in_between(&cycle, place, state, record);
         strokes::perform(&cycle, state, record)?;
@@ -157,7 +157,7 @@ pub(super) fn perform(
 
 /// Rule cycles.repeat-count. L is a positive integer, however large: the budget bounds what is executed of it.
 /// Rule cycles.repeat-not-sticky. Without it the cycle is executed once.
-fn repeats(words: &Words, state: &mut State) -> Result<u64, Halt> {
+fn repeats(words: &Words, state: &mut State) -> Result<u64, StepError> {
     let rule = "cycles.repeat-count";
     let Some(value) = word(words, 'l') else {
         state.evidence.accepted("cycles.repeat-not-sticky");
@@ -185,14 +185,14 @@ fn places(
     state: &mut State,
     cycle: &Cycle,
     repeats: u64,
-) -> Result<impl Iterator<Item = [f64; 2]> + use<>, Halt> {
+) -> Result<impl Iterator<Item = [f64; 2]> + use<>, StepError> {
     let incremental = state.modes.distance == Distance::Incremental;
     let [first, second, _] = cycle.axes;
     let named = polar(words, state)?;
     if named.is_some() && (state.modes.plane != Plane::Xy || incremental && repeats > 1) {
         let what =
             "polar words in a cycle of another plane, or in an incremental one that is repeated";
-        return Err(Halt::Unspecified(what.to_owned()));
+        return Err(StepError::Unspecified(what.to_owned()));
     }
     let from = named.unwrap_or(state.position);
     let values = moved(words, state);

@@ -7,7 +7,7 @@ use crate::rs274::machine::State;
 use crate::rs274::order::Phase;
 use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::{spindle, word};
 use crate::rs274::task::{Record, show};
 
@@ -24,7 +24,7 @@ pub(super) fn dwell(
     words: &Words,
     before: Option<f64>,
     state: &mut State,
-) -> Result<Option<f64>, Halt> {
+) -> Result<Option<f64>, StepError> {
     let taps = matches!(kind, Kind::TapLeft | Kind::TapRight);
     if !taps && !matches!(kind, Kind::DrillDwell | Kind::BoreSpindleStop | Kind::BoreDwell) {
         return Ok(None);
@@ -58,7 +58,7 @@ pub(super) fn peck(
     words: &Words,
     before: Option<f64>,
     state: &mut State,
-) -> Result<Option<f64>, Halt> {
+) -> Result<Option<f64>, StepError> {
     if !matches!(kind, Kind::ChipBreaking | Kind::Peck) {
         return Ok(None);
     }
@@ -79,7 +79,7 @@ pub(super) fn peck(
 /// Whether the spindle is as the cycle needs it.
 ///
 /// Rule cycles.bore-needs-spindle. The spindle turns before G86.
-pub(super) fn possible(cycle: &Cycle, state: &mut State) -> Result<(), Halt> {
+pub(super) fn possible(cycle: &Cycle, state: &mut State) -> Result<(), StepError> {
     match cycle.kind {
         Kind::TapLeft => tapping::possible(cycle, SpindleTurn::Counterclockwise, state),
         Kind::TapRight => tapping::possible(cycle, SpindleTurn::Clockwise, state),
@@ -108,7 +108,11 @@ pub(super) fn possible(cycle: &Cycle, state: &mut State) -> Result<(), Halt> {
 /// Rule cycles.bore. G85 feeds out to R, and traverses on to the clear height.
 /// Rule cycles.bore-dwell. G89 dwells, and feeds out to the clear height.
 /// Rule cycles.bore-spindle-stop. G86 dwells, stops the spindle, traverses out, and lets it turn again as before.
-pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub(super) fn perform(
+    cycle: &Cycle,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
     let [_, _, normal] = cycle.axes;
     if matches!(cycle.kind, Kind::ChipBreaking | Kind::Peck) {
         return pecks(cycle, state, record);
@@ -154,7 +158,7 @@ pub(super) fn dwells(seconds: f64, state: &mut State, record: &mut Record) {
 /// Rule cycles.chip-breaking. Between two pecks G73 backs off by 0.254 mm or 0.01 inch. Rule cycles.peck. G83
 /// traverses out to R, whatever the return mode is, and back to that much above what it has drilled. Choice
 /// cycles.chip-break-return: whether G73 ends at R under G98 too.
-fn pecks(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+fn pecks(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let [_, _, normal] = cycle.axes;
     let back_off = match state.modes.units {
         LengthUnit::Inch => 0.01,
@@ -163,7 +167,7 @@ fn pecks(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), Ha
     let mut drilled = cycle.retract - cycle.peck;
     while drilled - cycle.bottom > REACHED {
         if record.is_full() {
-            return Err(Halt::TooManyEffects);
+            return Err(StepError::TooManyEffects);
         }
         feed_along(normal, drilled, state, record);
         if cycle.kind == Kind::Peck {

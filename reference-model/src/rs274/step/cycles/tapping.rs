@@ -6,11 +6,15 @@ use super::strokes::{dwells, turns};
 use super::{Cycle, Kind};
 use crate::rs274::machine::State;
 use crate::rs274::quirks::cycles as quirks;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 
 /// Choice cycles.tap-direction: whether the spindle must turn as the thread is cut.
-pub(super) fn possible(cycle: &Cycle, cutting: SpindleTurn, state: &State) -> Result<(), Halt> {
+pub(super) fn possible(
+    cycle: &Cycle,
+    cutting: SpindleTurn,
+    state: &State,
+) -> Result<(), StepError> {
     let rule = "cycles.tap-direction";
     if state.readings.is(rule, "any") {
         return Ok(());

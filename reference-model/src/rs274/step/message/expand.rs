@@ -5,14 +5,14 @@ use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::readings::Readings;
-use crate::rs274::refusal::Halt;
+use crate::rs274::refusal::StepError;
 
 /// The text with values for its parameters.
 ///
 /// Rule active-comments.format-lasts. A format holds for the rest of the line until another one; it need not stand next
 /// to the parameter.
 /// Rule active-comments.format-per-line. A format does not outlast its line.
-pub(super) fn expand(text: &str, state: &mut State) -> Result<String, Halt> {
+pub(super) fn expand(text: &str, state: &mut State) -> Result<String, StepError> {
     let mut decimals = default_decimals(&state.readings);
     let mut expanded = String::new();
     let mut rest = text;
@@ -111,7 +111,7 @@ fn parameter_at<'a>(text: &'a str, state: &mut State) -> Option<(Option<Name>, &
 ///
 /// Rule active-comments.absent-named. A named parameter that does not exist is shown by number signs, not refused.
 /// Choice active-comments.absent-name: by one or by six of them.
-fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<String, Halt> {
+fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<String, StepError> {
     let value = name.map(|name| shown_value(name, state));
     match value {
         Some(Ok(value)) => {
@@ -127,11 +127,11 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
             // An integer has no negative zero.
             Ok(if text == "-0" { "0".to_owned() } else { text })
         }
-        None | Some(Err(Halt::Refused(_))) => {
+        None | Some(Err(StepError::Refused(_))) => {
             state.evidence.accepted("active-comments.absent-named");
             let one = state.readings.is("active-comments.absent-name", "number-sign");
             Ok(if one { "#" } else { "######" }.to_owned())
         }
-        Some(Err(halt)) => Err(halt),
+        Some(Err(error)) => Err(error),
     }
 }

@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::{Channel, Effect, FaultKind};
 
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::Comment;
 use crate::rs274::task::Record;
 use expand::expand;
@@ -22,7 +22,7 @@ use keyword::{Active, active};
 ///
 /// # Errors
 /// Rule active-comments.abort. ABORT ends the program with its text as an error, with the values of parameters in it.
-pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let Some((active, text)) = active(&comment.text, &state.readings) else {
         state.evidence.accepted(if keyword::has_msg_inside(&comment.text) {
             "active-comments.msg-first"
@@ -84,7 +84,7 @@ fn msg(text: &str, state: &mut State, record: &mut Record) {
 
 /// Rule active-comments.debug. DEBUG displays a message with the values of parameters in it.
 /// Rule parameters.debug-switch. While 5599 is 0 the DEBUG comments say nothing.
-fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     state.evidence.accepted("parameters.debug-switch");
     let switch = shown_value(&Name::Numbered(parameters::DEBUG_SWITCH), state)?;
     if switch.abs() > 0.0 { say(Channel::Display, text, state, record) } else { Ok(()) }
@@ -93,7 +93,7 @@ fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), Halt>
 /// Rule active-comments.log. LOG writes what follows its comma to the open log file.
 /// Rule active-comments.log-closed. LOG writes nothing while no log file is open.
 /// Quirk rs274.log-closed: it speaks all the same.
-fn log(text: &str, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+fn log(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     state.evidence.accepted("active-comments.log-closed");
     if state.log_open || state.readings.quirk("rs274.log-closed") {
         return say(Channel::Log, text, state, record);
@@ -102,7 +102,12 @@ fn log(text: &str, state: &mut State, record: &mut Record) -> Result<(), Halt> {
 }
 
 /// Rule active-comments.print. PRINT writes a message with the values of parameters in it.
-fn say(channel: Channel, text: &str, state: &mut State, record: &mut Record) -> Result<(), Halt> {
+fn say(
+    channel: Channel,
+    text: &str,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
     let text = expand(text, state)?;
     record.effect(state, Effect::Message { channel, text });
     Ok(())
@@ -113,7 +118,7 @@ fn say(channel: Channel, text: &str, state: &mut State, record: &mut Record) -> 
 /// Rule active-comments.absent-named. What does not exist has none, also where it would be zero in an expression.
 /// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value
 /// or its old one.
-fn shown_value(name: &Name, state: &State) -> Result<f64, Halt> {
+fn shown_value(name: &Name, state: &State) -> Result<f64, StepError> {
     let new = state.readings.is("active-comments.same-block-setting", "new")
         && !parameters::is_told(name);
     match state.parameters.announced(name) {

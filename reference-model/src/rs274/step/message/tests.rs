@@ -100,7 +100,7 @@ fn abort_is_an_error_with_values() {
         semicolon: false,
         span: Span { start: 0, end: 0 },
     };
-    let Err(Halt::Refused(Refusal { message, kind, .. })) =
+    let Err(StepError::Refused(Refusal { message, kind, .. })) =
         perform(&comment, &mut state, &mut record)
     else {
         panic!("it is refused");

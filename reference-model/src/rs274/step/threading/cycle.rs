@@ -8,7 +8,7 @@ use super::{number, selected_spindle, turning_spindle};
 use crate::rs274::machine::State;
 use crate::rs274::quirks::threading as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::{letter, whole, word};
 use crate::rs274::task::Record;
 
@@ -56,14 +56,14 @@ pub(in crate::rs274::step) fn perform(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let thread = find(words, state)?;
     state.modes.motion = gaugeblock_vocabulary::Motion::Thread76;
     let mut count = 1.0;
     let mut left = thread.springs;
     while left >= 0 || thread.springs < 0 {
         if record.is_full() {
-            return Err(Halt::TooManyEffects);
+            return Err(StepError::TooManyEffects);
         }
         let depth = thread.depth(count);
         count += 1.0;
@@ -173,7 +173,7 @@ fn traverse(end: Position, state: &mut State, record: &mut Record) {
 /// negative. Rule threading.thread-degression. R is not less than 1.
 /// Rule threading.thread-taper. E is not more than half the drive line.
 /// Rule threading.thread-diameter. In diameter mode I, J and K are diameters.
-fn find(words: &Words, state: &mut State) -> Result<Thread, Halt> {
+fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
     refused_words(words, state)?;
     let spindle = if state.readings.is("threading.cycle-spindle", "turning") {
         turning_spindle(words, state)?
@@ -201,7 +201,7 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, Halt> {
     let springs = word(words, 'h').map_or(Some(0), whole);
     let tapers = word(words, 'l').map_or(Some(0), whole).filter(|ends| (0..=3).contains(ends));
     let Some(_) = tapers else {
-        return Err(Halt::Unspecified("an L of G76 that is none of 0 to 3".to_owned()));
+        return Err(StepError::Unspecified("an L of G76 that is none of 0 to 3".to_owned()));
     };
     let thread = Thread {
         start,
@@ -222,7 +222,7 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, Halt> {
     Ok(thread)
 }
 
-fn refused_words(words: &Words, state: &mut State) -> Result<(), Halt> {
+fn refused_words(words: &Words, state: &mut State) -> Result<(), StepError> {
     if state.modes.plane != Plane::Zx && !state.readings.quirk("rs274.thread-any-plane") {
         let message = "G76 in another plane than ZX";
         return Err(refuse("threading.thread-plane", FaultKind::ModalConflict, message));
@@ -257,7 +257,7 @@ fn refused_words(words: &Words, state: &mut State) -> Result<(), Halt> {
 
 /// What the manual leaves open: how deep passes are under another degression than 1 and 2, and what numbers mean that
 /// make no thread.
-fn open(thread: &Thread, state: &mut State) -> Result<(), Halt> {
+fn open(thread: &Thread, state: &mut State) -> Result<(), StepError> {
     let is_degression = |value: f64| (thread.degression - value).abs() == 0.0;
     let other_degression = !is_degression(1.0) && !is_degression(2.0);
     let tapers = thread.tapers_in || thread.tapers_out;
@@ -270,10 +270,10 @@ fn open(thread: &Thread, state: &mut State) -> Result<(), Halt> {
         || thread.springs < -1;
     if other_degression || no_thread {
         let what = "a thread of another degression than 1 and 2, or one without a depth or a taper";
-        return Err(Halt::Unspecified(what.to_owned()));
+        return Err(StepError::Unspecified(what.to_owned()));
     }
     if state.modes.compensation != Compensation::Off {
-        return Err(Halt::Unsupported("a thread under cutter compensation".to_owned()));
+        return Err(StepError::Unsupported("a thread under cutter compensation".to_owned()));
     }
     if thread.slide.abs() > 0.0 {
         state.evidence.accepted("threading.thread-slide");

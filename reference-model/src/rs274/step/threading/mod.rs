@@ -14,7 +14,7 @@ use crate::rs274::modes::{converted, each, unit_size};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::{settings, threading as quirks};
 use crate::rs274::read::Words;
-use crate::rs274::refusal::{Halt, refuse};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
 pub(super) use cycle::perform as thread;
 
@@ -31,7 +31,7 @@ pub(super) fn perform(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     if !has_axis_words(words) {
         let message = "a synchronised move without an axis word";
         return Err(refuse("threading.axis-words-missing", FaultKind::MissingWord, message));
@@ -44,10 +44,12 @@ pub(super) fn perform(
     };
     if pitch <= 0.0 || word(words, 'i').is_some_and(|factor| factor <= 0.0) {
         let what = "a way per revolution, or a factor of the way back, that is not positive";
-        return Err(Halt::Unspecified(what.to_owned()));
+        return Err(StepError::Unspecified(what.to_owned()));
     }
     if state.modes.compensation != Compensation::Off {
-        return Err(Halt::Unsupported("a synchronised move under cutter compensation".to_owned()));
+        return Err(StepError::Unsupported(
+            "a synchronised move under cutter compensation".to_owned(),
+        ));
     }
     let end = end_point(words, state)?;
     within_velocities(place, pitch, end, state)?;
@@ -70,7 +72,7 @@ pub(super) fn perform(
 /// The spindle that $ names; without $ it is spindle 0, unless quirk rs274.chosen-spindle holds.
 ///
 /// Rule threading.spindle. It is one that the machine has.
-fn selected_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
+fn selected_spindle(words: &Words, state: &mut State) -> Result<usize, StepError> {
     let Some(number) = word(words, '$') else { return Ok(state.chosen_spindle) };
     let place = spindle::number(number, state, "threading.spindle")?;
     settings::choose(place, state);
@@ -81,7 +83,7 @@ fn selected_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
 /// The same, which must turn.
 ///
 /// Rule threading.needs-spindle. It turns; whether G76 too needs that is choice threading.cycle-spindle.
-fn turning_spindle(words: &Words, state: &mut State) -> Result<usize, Halt> {
+fn turning_spindle(words: &Words, state: &mut State) -> Result<usize, StepError> {
     let place = selected_spindle(words, state)?;
     let turn = state.modes.spindles[place].known_turn();
     if matches!(turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
@@ -101,7 +103,7 @@ fn within_velocities(
     pitch: f64,
     end: Position,
     state: &mut State,
-) -> Result<(), Halt> {
+) -> Result<(), StepError> {
     let modes = &state.modes;
     let spindle = modes.spindles[place];
     if spindle.mode == SpindleMode::SurfaceSpeed {
