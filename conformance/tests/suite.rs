@@ -29,10 +29,10 @@ fn the_model_reads_exactly_the_choices_of_the_pages() {
             (choice.id.as_str(), choice.options.iter().map(|o| o.name.as_str()).collect())
         })
         .collect();
-    let of_model: BTreeMap<&str, Vec<&str>> = gaugeblock_reference::rs274::readings::CHOICES
+    let of_model: BTreeMap<&str, Vec<&str>> = gaugeblock_reference::rs274::choices::CHOICES
         .iter()
-        .chain(gaugeblock_reference::gpp::readings::CHOICES)
-        .chain(gaugeblock_reference::nct::readings::CHOICES)
+        .chain(gaugeblock_reference::gpp::choices::CHOICES)
+        .chain(gaugeblock_reference::nct::choices::CHOICES)
         .map(|(id, options)| (*id, options.to_vec()))
         .collect();
     assert_eq!(of_pages, of_model);
@@ -43,7 +43,7 @@ fn the_model_reads_exactly_the_choices_of_the_pages() {
         .map(|choice| choice.id.as_str())
         .collect();
     let known: BTreeSet<&str> =
-        gaugeblock_reference::rs274::readings::QUIRKS.iter().copied().collect();
+        gaugeblock_reference::rs274::choices::QUIRKS.iter().copied().collect();
     assert_eq!(quirks, known);
 }
 

@@ -86,7 +86,7 @@ mod tests {
 
     #[test]
     fn a_name_has_its_value_among_many() {
-        let names = crate::rs274::readings::QUIRKS.iter().copied().chain(["", "a", "b"]);
+        let names = crate::rs274::choices::QUIRKS.iter().copied().chain(["", "a", "b"]);
         let entries: Vec<(&'static str, usize)> = names.zip(0..).collect();
         // Crowded, so that many names lead to a slot that another one has.
         let slots = entries.len().next_power_of_two();

@@ -123,9 +123,9 @@ struct Register {
 
 static REGISTER: LazyLock<Register> = LazyLock::new(|| {
     // Some refuse under the id of a choice or quirk.
-    let choices = [rs274::readings::CHOICES, gpp::readings::CHOICES, nct::readings::CHOICES];
+    let choices = [rs274::choices::CHOICES, gpp::choices::CHOICES, nct::choices::CHOICES];
     let choices = choices.into_iter().flatten().map(|(id, _)| *id);
-    let ids = RULES.lines().chain(choices).chain(rs274::readings::QUIRKS.iter().copied());
+    let ids = RULES.lines().chain(choices).chain(rs274::choices::QUIRKS.iter().copied());
     let ids: BTreeSet<_> = ids.collect();
     let rules = ByName::new(SLOTS, ids.into_iter().map(|id| (id, ())).collect());
     let mut led_to = vec![0_u16; SLOTS];

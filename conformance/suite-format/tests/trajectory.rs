@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use gaugeblock_reference::motion::laws::Law;
-use gaugeblock_reference::motion::laws::readings::{CHOICES, Readings};
+use gaugeblock_reference::motion::laws::choices::{CHOICES, Choices};
 use gaugeblock_suite::files::of_folder;
 use gaugeblock_suite::{MotionCase, Rule, Saying, Suite};
 
@@ -74,10 +74,10 @@ fn the_laws_read_exactly_the_choices_of_the_pages() {
     assert_eq!(of_pages, of_laws);
     for (id, options) in CHOICES {
         for option in *options {
-            Readings::new([(*id, *option)]).expect("a listed option is read");
+            Choices::new([(*id, *option)]).expect("a listed option is read");
         }
-        assert_eq!(Readings::new([(*id, options[0])]), Ok(Readings::default()), "{id}");
-        assert!(Readings::new([(*id, "another")]).is_err());
+        assert_eq!(Choices::new([(*id, options[0])]), Ok(Choices::default()), "{id}");
+        assert!(Choices::new([(*id, "another")]).is_err());
     }
 }
 

@@ -39,7 +39,7 @@ impl Run<'_> {
         if let Some(value) = &self.variables.cells[cell].value {
             return Ok(value.clone());
         }
-        if !self.readings.without_value_is_zero {
+        if !self.choices.without_value_is_zero {
             let name = self.variables.shown_name(reference.variable, cell);
             return Err(refuse_form(FaultKind::NoValue, format!("{name} has no value")));
         }
@@ -155,7 +155,7 @@ impl Run<'_> {
 
     fn read_back(&self, number: f64, format: usize) -> Result<f64, StepError> {
         let format = &self.variables.formats[format];
-        format.read_back(number, self.readings.tie).map_err(|_| too_long())
+        format.read_back(number, self.choices.tie).map_err(|_| too_long())
     }
 }
 

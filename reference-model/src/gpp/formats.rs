@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use super::readings::Tie;
+use super::choices::Tie;
 
 /// The names of the formats. The first is that of texts.
 pub const NAMES: [&str; 19] = [

@@ -15,10 +15,10 @@
 //!
 //! What a scenario and a trace are in this language says `README.md` beside the pages of its rules.
 
+pub mod choices;
 pub mod evaluate;
 pub mod formats;
 pub mod print;
-pub mod readings;
 pub mod record;
 pub mod refusal;
 pub mod run;

@@ -57,7 +57,7 @@ impl Run<'_> {
         if self.program.procedure.is_empty() {
             return Ok(());
         }
-        if self.readings.lazy_newline {
+        if self.choices.lazy_newline {
             self.newline_waits = true;
             return Ok(());
         }
@@ -95,7 +95,7 @@ impl Run<'_> {
             self.evidence.accepted("gpp.off-modal");
         }
         if !self.variables.cells[cell].on {
-            if is_modal && self.readings.off_modal_left_out {
+            if is_modal && self.choices.off_modal_left_out {
                 return Ok(());
             }
             self.evidence.accepted("gpp.off-printed");
@@ -105,7 +105,7 @@ impl Run<'_> {
             self.record.say(Channel::Display, format!("warning: {name} has no value"));
             return Ok(());
         };
-        let text = self.variables.text(variable, value, self.readings.tie);
+        let text = self.variables.text(variable, value, self.choices.tie);
         let text = text.expect("status: what is assigned has a text");
         self.evidence.accepted("gpp.number-format");
         printing.printed.push((variable, cell));
@@ -124,7 +124,7 @@ impl Run<'_> {
         }
         if is_member {
             self.evidence.accepted("gpp.modal-members");
-            if self.readings.members_stay_on {
+            if self.choices.members_stay_on {
                 return;
             }
         }

@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::{
     BlockLocation, Bound, Channel, Effect, Event, GppState, Indexed, Program, State, Step, Switch,
 };
 
-use super::readings::Tie;
+use super::choices::Tie;
 use super::refusal::StepError;
 use super::variables::Variables;
 

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{
     BlockLocation, End, Fault, Language, Outcome, Program as Files, Scenario, Settings, Step,
 };
 
-use super::readings::Readings;
+use super::choices::Choices;
 use super::record::{Record, TOOLPATH};
 use super::refusal::{Refusal, StepError};
 use super::syntax::{self, Action, Condition, Program, Statement};
@@ -15,7 +15,7 @@ use crate::{Evidence, Witness};
 /// A program that runs.
 pub(super) struct Run<'a> {
     pub(super) program: &'a Program,
-    pub(super) readings: Readings,
+    pub(super) choices: Choices,
     pub(super) evidence: &'a mut Witness,
     pub(super) variables: Variables,
     pub(super) record: Record,
@@ -28,14 +28,14 @@ pub(super) struct Run<'a> {
 /// What the documents say about a scenario in this language, and the rules that were reached.
 pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     let mut evidence = Witness::default();
-    let readings = Readings::new(&scenario.options);
+    let choices = Choices::new(&scenario.options);
     let toolpath = scenario.program.files.get(TOOLPATH).map_or("", String::as_str);
-    let (steps, end) = match compiled(scenario, toolpath, readings, &mut evidence) {
+    let (steps, end) = match compiled(scenario, toolpath, choices, &mut evidence) {
         Ok((program, blocks)) => {
             let mut run = Run {
                 variables: program.variables.clone(),
                 program: &program,
-                readings,
+                choices,
                 evidence: &mut evidence,
                 record: Record::new(scenario.budget),
                 newline_waits: false,
@@ -53,13 +53,13 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
 fn compiled(
     scenario: &Scenario,
     toolpath: &str,
-    readings: Readings,
+    choices: Choices,
     evidence: &mut Witness,
 ) -> Result<(Program, Vec<Processed>), (BlockLocation, StepError)> {
     let of = |file: &'static str| move |(line, error)| (BlockLocation::new(file, line), error);
-    let toolpath = toolpath::read(toolpath, &readings).map_err(of(TOOLPATH))?;
+    let toolpath = toolpath::read(toolpath, &choices).map_err(of(TOOLPATH))?;
     let main = &scenario.program.main;
-    let program = syntax::read(main, toolpath.variables, readings, evidence);
+    let program = syntax::read(main, toolpath.variables, choices, evidence);
     Ok((program.map_err(of(Files::MAIN))?, toolpath.blocks))
 }
 
@@ -110,7 +110,7 @@ impl Run<'_> {
         for (variable, value) in &block.values {
             self.receive(*variable, value.clone())?;
         }
-        self.record.end(self.at.clone(), &self.variables, self.readings.tie)?;
+        self.record.end(self.at.clone(), &self.variables, self.choices.tie)?;
         let program = self.program;
         program.blocks.get(&block.heading).map_or(Ok(()), |block| self.statements(block))
     }
@@ -186,6 +186,6 @@ impl Run<'_> {
     /// The statement at a line has done what it does, up to here.
     pub(super) fn end_step(&mut self, line: u32) -> Result<(), StepError> {
         let block = BlockLocation::new(Files::MAIN, line);
-        self.record.end(block, &self.variables, self.readings.tie)
+        self.record.end(block, &self.variables, self.choices.tie)
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::readings::AssignedAgain;
+use super::choices::AssignedAgain;
 use super::refusal::{StepError, refuse};
 use super::run::Run;
 use super::syntax::Target;
@@ -26,7 +26,7 @@ impl Run<'_> {
         if is_first {
             self.evidence.accepted("gpp.first-assignment");
         }
-        let again = match self.readings.assigned_again {
+        let again = match self.choices.assigned_again {
             AssignedAgain::IfChanged => is_changed,
             AssignedAgain::Always => true,
             AssignedAgain::FirstOnly => false,
@@ -81,7 +81,7 @@ impl Run<'_> {
     /// Rule gpp.changed-by-format. Sets a value; whether it is another one is told by the text in the variable's
     /// format. All that are identical have it, each in a format of its own.
     fn set_value(&mut self, variable: usize, cell: usize, value: Value) -> Result<bool, StepError> {
-        let tie = self.readings.tie;
+        let tie = self.choices.tie;
         let sharing = self.variables.of_cell(cell);
         for place in &sharing {
             self.variables.text(*place, &value, tie).map_err(|_| too_long())?;

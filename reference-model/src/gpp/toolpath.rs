@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use gaugeblock_vocabulary::FaultKind;
 
+use super::choices::Choices;
 use super::formats::{self, CHARACTER, Format, MOST_DIGITS, NAMES};
-use super::readings::Readings;
 use super::refusal::{StepError, refuse_form};
 use super::syntax::{Heading, is_keyword};
 use super::text::{LONGEST_NUMBER, LONGEST_TEXT, is_number};
@@ -38,9 +38,9 @@ pub struct Processed {
 ///
 /// # Errors
 /// The first line that is not of its form, and why.
-pub fn read(text: &str, readings: &Readings) -> Result<Toolpath, (u32, StepError)> {
+pub fn read(text: &str, choices: &Choices) -> Result<Toolpath, (u32, StepError)> {
     let mut reader = Reader {
-        readings,
+        choices,
         given: BTreeSet::new(),
         toolpath: Toolpath { variables: Variables::new(formats::all()), blocks: Vec::new() },
     };
@@ -49,7 +49,7 @@ pub fn read(text: &str, readings: &Readings) -> Result<Toolpath, (u32, StepError
         read.map_err(|error| (number, error))?;
     }
     // A format may be given behind the variables that have it.
-    reader.toolpath.variables.take_modality_of_formats(readings);
+    reader.toolpath.variables.take_modality_of_formats(choices);
     Ok(reader.toolpath)
 }
 
@@ -66,7 +66,7 @@ fn content(line: &str) -> Result<&str, StepError> {
 }
 
 struct Reader<'a> {
-    readings: &'a Readings,
+    choices: &'a Choices,
     /// Formats that the head has given.
     given: BTreeSet<usize>,
     toolpath: Toolpath,
@@ -143,7 +143,7 @@ impl Reader<'_> {
             return Err(bad("nothing stands after the format"));
         }
         let declared =
-            self.toolpath.variables.declare(&name, None, format, Some(class), self.readings);
+            self.toolpath.variables.declare(&name, None, format, Some(class), self.choices);
         declared.map_err(|_| bad("there are too many variables"))
     }
 

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_vocabulary::FaultKind;
 
+use super::choices::{Choices, Tie};
 use super::formats::{self, CHARACTER, Format};
-use super::readings::{Readings, Tie};
 use super::refusal::{StepError, refuse_form};
 use super::syntax::Reference;
 
@@ -101,7 +101,7 @@ impl Variables {
         size: Option<u32>,
         format: usize,
         class: Option<Class>,
-        readings: &Readings,
+        choices: &Choices,
     ) -> Result<(), StepError> {
         let members = usize::try_from(size.unwrap_or(1)).unwrap_or(usize::MAX);
         if members > MOST_VARIABLES.saturating_sub(self.cells.len()) {
@@ -115,7 +115,7 @@ impl Variables {
             size,
             cell: self.cells.len(),
             format,
-            modal: readings.modality_by_format && self.formats[format].modal,
+            modal: choices.modality_by_format && self.formats[format].modal,
             modality_is_declared: false,
             class,
             is_declared: class.is_none(),
@@ -126,9 +126,9 @@ impl Variables {
     }
 
     /// Makes every variable as modal as its format is now, where formats have a modality.
-    pub fn take_modality_of_formats(&mut self, readings: &Readings) {
+    pub fn take_modality_of_formats(&mut self, choices: &Choices) {
         for variable in &mut self.all {
-            variable.modal = readings.modality_by_format && self.formats[variable.format].modal;
+            variable.modal = choices.modality_by_format && self.formats[variable.format].modal;
         }
     }
 

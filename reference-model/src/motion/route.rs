@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::{Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
 
 use super::curve::Curve;
-use super::laws::readings::ToleranceAtChange;
+use super::laws::choices::ToleranceAtChange;
 use super::vector::{Nine, direction, dot, from_segment};
 
 /// A moving element.

@@ -82,7 +82,7 @@ impl Run<'_> {
             }
             let number = match set_letter {
                 Some(place) => {
-                    let set = sets.next(place, self.readings.by_set);
+                    let set = sets.next(place, self.choices.by_set);
                     if set > MOST_SETS {
                         let message = format!("more than {MOST_SETS} sets of I, J and K");
                         let rule = "nct.argument-sets";
@@ -113,7 +113,7 @@ impl Run<'_> {
         };
         match number(LETTERS) {
             Some(number) => Ok(Some(number)),
-            None if is_block && self.readings.own_numbers => Ok(number(OTHERS)),
+            None if is_block && self.choices.own_numbers => Ok(number(OTHERS)),
             None if is_block => Ok(None),
             None => {
                 let message = format!("{letter} is no argument");

@@ -140,7 +140,7 @@ impl Run<'_> {
         let rule = match self.modal_calls.pop() {
             Some(_) if self.modal_calls.is_empty() => "nct.cancel-earlier",
             Some(_) => "nct.cancel-last",
-            None if self.readings.cancel_refused => {
+            None if self.choices.cancel_refused => {
                 let message = "G67 without a modal call";
                 return Err(refuse("nct.cancel-nothing", FaultKind::Macro, message));
             }
@@ -202,7 +202,7 @@ impl Run<'_> {
         arguments: Locals,
         reach: Reach,
     ) -> Result<(), StepError> {
-        let most = if self.readings.five_levels { 5 } else { 4 };
+        let most = if self.choices.five_levels { 5 } else { 4 };
         if self.variables.level() >= most {
             let message = format!("more than {most} macro levels");
             return Err(refuse("nct.level-limit", FaultKind::TooManyLevels, message));
@@ -233,7 +233,7 @@ impl Run<'_> {
         reach: Reach,
     ) -> Result<(), StepError> {
         let program = self.programs.find(program)?;
-        let most = if self.readings.five_levels { 15 } else { 8 };
+        let most = if self.choices.five_levels { 15 } else { 8 };
         if self.frames.len() > most {
             let message = format!("more than {most} calls within each other");
             return Err(refuse("nct.level-limit", FaultKind::TooManyLevels, message));
@@ -318,7 +318,7 @@ impl Run<'_> {
             }
             frame.repeats -= 1;
             frame.next = 0;
-            if let (true, Kind::Macro(arguments)) = (self.readings.reloaded, &frame.kind) {
+            if let (true, Kind::Macro(arguments)) = (self.choices.reloaded, &frame.kind) {
                 *self.variables.locals() = **arguments;
             }
             return Ok(Flow::On);
@@ -348,7 +348,7 @@ impl Run<'_> {
     /// Choice nct.main-return.
     fn main_return(&mut self, to: Option<i64>) -> Result<Flow, StepError> {
         let rule = "nct.main-return";
-        if self.readings.main_return_refused {
+        if self.choices.main_return_refused {
             return Err(refuse(rule, FaultKind::OutsideSub, "M99 in the main program"));
         }
         self.evidence.accepted(rule);

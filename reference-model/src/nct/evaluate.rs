@@ -69,9 +69,9 @@ impl Run<'_> {
             return self.bits(operand, 0.0, |operand, _| !operand);
         }
         self.evidence.accepted("nct.functions");
-        let radians = if self.readings.radians { operand } else { operand.to_radians() };
+        let radians = if self.choices.radians { operand } else { operand.to_radians() };
         let angle =
-            |degrees: f64| if self.readings.radians { degrees.to_radians() } else { degrees };
+            |degrees: f64| if self.choices.radians { degrees.to_radians() } else { degrees };
         let result = match function {
             Function::Cosine => math::cosine(radians),
             Function::Sine => math::sine(radians),
@@ -82,9 +82,9 @@ impl Run<'_> {
             Function::SquareRoot => math::square_root(operand),
             Function::Absolute => operand.abs(),
             Function::Round => operand.round(),
-            Function::Fix if self.readings.floor_and_ceiling => operand.floor(),
+            Function::Fix if self.choices.floor_and_ceiling => operand.floor(),
             Function::Fix => operand.trunc(),
-            Function::Fup if self.readings.floor_and_ceiling => operand.ceil(),
+            Function::Fup if self.choices.floor_and_ceiling => operand.ceil(),
             Function::Fup if operand < 0.0 => operand.floor(),
             Function::Fup => operand.ceil(),
             Function::Logarithm => math::logarithm(operand),
@@ -124,7 +124,7 @@ impl Run<'_> {
         right: f64,
         operation: fn(u32, u32) -> u32,
     ) -> Result<f64, StepError> {
-        let unsigned = self.readings.unsigned;
+        let unsigned = self.choices.unsigned;
         let bits = |number: f64| {
             let number = rounded(number);
             if unsigned {

@@ -20,11 +20,11 @@
 
 pub mod arguments;
 pub mod calls;
+pub mod choices;
 pub mod evaluate;
 pub mod modes;
 pub mod motion;
 pub mod programs;
-pub mod readings;
 pub mod record;
 pub mod refusal;
 pub mod run;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::readings::Readings;
+use super::choices::Choices;
 use super::refusal::{StepError, open, refuse};
 use super::syntax::{self, Block, Content};
 use super::text;
@@ -37,7 +37,7 @@ pub struct Programs {
 
 impl Programs {
     /// The programs of a text. What is wrong with a block shows when it is reached.
-    pub fn read(text: &str, block_delete: bool, readings: &Readings) -> Self {
+    pub fn read(text: &str, block_delete: bool, choices: &Choices) -> Self {
         let mut begun: Vec<(u32, Vec<Block>)> = Vec::new();
         let mut by_number = BTreeMap::new();
         for line in text::lines(text) {
@@ -51,7 +51,7 @@ impl Programs {
             let is_number_alone =
                 line.program.is_some() && line.sequence.is_none() && line.rest.is_empty();
             if !is_number_alone || line.fault.is_some() {
-                let block = syntax::block(&line, readings);
+                let block = syntax::block(&line, choices);
                 if let Some((_, blocks)) = begun.last_mut() {
                     blocks.push(block);
                 }

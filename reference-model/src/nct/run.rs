@@ -7,11 +7,11 @@ use gaugeblock_vocabulary::{
 };
 
 use super::calls::{Frame, Kind, ModalCall, Reach};
+use super::choices::Choices;
 use super::evaluate::rounded;
 use super::modes::{Block as Codes, Modes};
 use super::motion::{self, OF_ARC, axis, is_arc};
 use super::programs::Programs;
-use super::readings::Readings;
 use super::record::Record;
 use super::refusal::{Refusal, StepError, open, refuse, refuse_form};
 use super::syntax::{Content, Expression, Word};
@@ -22,7 +22,7 @@ use crate::{Evidence, Witness};
 /// A program that runs.
 pub(super) struct Run<'a> {
     pub(super) programs: &'a Programs,
-    pub(super) readings: Readings,
+    pub(super) choices: Choices,
     pub(super) evidence: &'a mut Witness,
     pub(super) variables: Variables,
     /// The modal calls in force, the one that was commanded last at the end.
@@ -50,9 +50,9 @@ pub(super) enum Flow {
 /// What the documents say about a scenario in this language, and the rules that were reached.
 pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     let mut evidence = Witness::default();
-    let readings = Readings::new(&scenario.options);
+    let choices = Choices::new(&scenario.options);
     let block_delete = scenario.program.block_delete;
-    let programs = Programs::read(&scenario.program.main, block_delete, &readings);
+    let programs = Programs::read(&scenario.program.main, block_delete, &choices);
     let modes = Modes::new();
     let start = modes.settings();
     let main = Frame {
@@ -65,7 +65,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     };
     let mut run = Run {
         programs: &programs,
-        readings,
+        choices,
         evidence: &mut evidence,
         variables: Variables::new(),
         modal_calls: Vec::new(),
@@ -348,7 +348,7 @@ impl Run<'_> {
         if time < 0.0 {
             return Err(refuse(rule, FaultKind::WordOutOfRange, "a dwell below zero"));
         }
-        let seconds = if self.readings.milliseconds { time / 1000.0 } else { time };
+        let seconds = if self.choices.milliseconds { time / 1000.0 } else { time };
         self.record.effect(&self.modes, Effect::Dwell { seconds });
         self.evidence.accepted(rule);
         Ok(())

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::{Machine, Plane, Position, Rs274State, Settings, Shared};
 
+use super::choices::Choices;
 use super::control::Frame;
 use super::modes::Modes;
 use super::outside::Outside;
 use super::parameters::Parameters;
-use super::readings::Readings;
 use super::step::cycles::Series;
 use super::step::splines::Curve;
 use super::syntax::Room;
@@ -19,7 +19,7 @@ use crate::Witness;
 #[derive(Clone, Debug)]
 pub struct State {
     /// How the documents are read.
-    pub readings: Shared<Readings>,
+    pub choices: Shared<Choices>,
     /// The machine that it drives.
     pub machine: Shared<Machine>,
     /// The mode in force of each modal group, with feed, speeds, coolant, overrides, offsets: all that M70 can save
@@ -172,12 +172,12 @@ impl State {
     /// A state before the first block, for tests: the default machine under some options.
     pub(crate) fn under(options: &[(&str, &str)]) -> Self {
         let options = options.iter().map(|(id, option)| ((*id).to_owned(), (*option).to_owned()));
-        let readings = Readings::new(&gaugeblock_vocabulary::Options(options.collect()))
+        let choices = Choices::new(&gaugeblock_vocabulary::Options(options.collect()))
             .expect("options are known");
         let machine = Machine::default();
         Self {
-            modes: Modes::new(&machine, &readings),
-            parameters: Parameters::new(&machine, &readings),
+            modes: Modes::new(&machine, &choices),
+            parameters: Parameters::new(&machine, &choices),
             machine: machine.into(),
             position: Position::default(),
             tool: 0,
@@ -199,12 +199,12 @@ impl State {
             outside: Outside::new(
                 &gaugeblock_vocabulary::scenario::Environment::default(),
                 1,
-                &readings,
+                &choices,
             ),
             shown: None,
             room: Room::default(),
             evidence: Witness::default(),
-            readings: readings.into(),
+            choices: choices.into(),
         }
     }
 }

@@ -18,6 +18,7 @@
 //! | [`quirks`] | where a real controller departs from its own document; off the main path |
 
 pub mod check;
+pub mod choices;
 pub mod control;
 pub mod machine;
 pub mod modes;
@@ -26,7 +27,6 @@ pub mod outside;
 pub mod parameters;
 pub mod quirks;
 pub mod read;
-pub mod readings;
 pub mod refusal;
 pub mod step;
 pub mod syntax;

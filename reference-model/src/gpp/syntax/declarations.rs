@@ -27,7 +27,7 @@ impl Reader<'_> {
             }
         }
         for variable in &self.variables.all {
-            if self.readings.modality_by_format {
+            if self.choices.modality_by_format {
                 self.evidence.accepted("gpp.format-modality");
             } else if !variable.modal {
                 self.evidence.accepted("gpp.default-non-modal");
@@ -68,7 +68,7 @@ impl Reader<'_> {
             return Err(refused(format!("{name} is no name of a user variable")));
         }
         let size = if self.takes("[") { Some(self.size()?) } else { None };
-        self.variables.declare(&name, size, format, None, &self.readings)
+        self.variables.declare(&name, size, format, None, &self.choices)
     }
 
     /// The number of members; one that no variable can have is too large, however it is written.
@@ -89,7 +89,7 @@ impl Reader<'_> {
     }
 
     fn another_format(&mut self, place: usize, format: usize) -> Result<(), StepError> {
-        let by_format = self.readings.modality_by_format;
+        let by_format = self.choices.modality_by_format;
         let is_modal = self.variables.formats[format].modal;
         let variable = &mut self.variables.all[place];
         if variable.is_declared {
@@ -144,7 +144,7 @@ impl Reader<'_> {
 
     /// Rule gpp.old-words. What only the old GPP understands.
     pub(super) fn old_word(&mut self, word: &str) -> Result<(), StepError> {
-        if self.readings.old_words {
+        if self.choices.old_words {
             self.evidence.accepted("gpp.old-words");
             return Ok(());
         }

@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::{DEEPEST, Heading, Program, Statement, is_keyword};
 use crate::Witness;
-use crate::gpp::readings::Readings;
+use crate::gpp::choices::Choices;
 use crate::gpp::refusal::{StepError, refuse, refuse_form};
 use crate::gpp::text::{Placed, Token, no_number, tokens};
 use crate::gpp::variables::Variables;
@@ -18,7 +18,7 @@ use crate::gpp::variables::Variables;
 pub fn read(
     text: &str,
     variables: Variables,
-    readings: Readings,
+    choices: Choices,
     evidence: &mut Witness,
 ) -> Result<Program, (u32, StepError)> {
     let mut reader = Reader {
@@ -32,7 +32,7 @@ pub fn read(
         nesting: 0,
         alone: 0,
         variables,
-        readings,
+        choices,
         evidence,
         warnings: Vec::new(),
     };
@@ -65,7 +65,7 @@ pub(super) struct Reader<'a> {
     /// How many variables stood alone as tests of the last condition.
     pub(super) alone: usize,
     pub(super) variables: Variables,
-    pub(super) readings: Readings,
+    pub(super) choices: Choices,
     pub(super) evidence: &'a mut Witness,
     pub(super) warnings: Vec<(u32, String)>,
 }

@@ -173,7 +173,7 @@ impl Reader<'_> {
             self.warnings.truncate(warnings);
             return Ok(Condition::Flag(reference.clone()));
         }
-        if all_alone && !self.readings.old_words {
+        if all_alone && !self.choices.old_words {
             let message = "IF_SET tests one variable";
             return Err(refuse("gpp.tested", FaultKind::Statement, message));
         }

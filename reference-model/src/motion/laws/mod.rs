@@ -13,15 +13,15 @@
 //! | `outputs` | when outputs switch |
 //! | `operator` | hold, abort, and what is left to stop on |
 //! | `record`, `matching`, `visits` | what is judged; which point of the path a sample stands for; when corners are passed |
-//! | `readings` | which reading holds where the documents leave something open |
+//! | `choices` | which reading holds where the documents leave something open |
 
 mod axes;
+pub mod choices;
 mod feed;
 mod following;
 mod matching;
 mod operator;
 mod outputs;
-pub mod readings;
 mod record;
 mod rest;
 mod verdict;
@@ -29,8 +29,8 @@ mod visits;
 
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 
+use choices::Choices;
 pub(in crate::motion) use matching::follows;
-use readings::Readings;
 use record::Record;
 pub use verdict::{Judgement, Law, Verdict, Violation};
 
@@ -43,12 +43,12 @@ pub fn judge(
     limits: &MotionLimits,
     script: &MotionScript,
 ) -> Judgement {
-    judge_under(Readings::default(), samples, path, limits, script)
+    judge_under(Choices::default(), samples, path, limits, script)
 }
 
 /// Holds samples to all laws under some readings.
 pub fn judge_under(
-    readings: Readings,
+    choices: Choices,
     samples: &Samples,
     path: &ProgrammedPath,
     limits: &MotionLimits,
@@ -58,7 +58,7 @@ pub fn judge_under(
         let why = || Verdict::NotJudged("there is no sample".to_owned());
         return Judgement(Law::ALL.iter().map(|law| (*law, why())).collect());
     }
-    let record = Record::new(readings, samples, path, limits, script);
+    let record = Record::new(choices, samples, path, limits, script);
     let verdict = |law: &Law| match law {
         Law::Velocity => axes::velocity(&record),
         Law::Acceleration => axes::acceleration(&record),
@@ -91,7 +91,7 @@ pub fn deviations(
     if samples.is_empty() {
         return Vec::new();
     }
-    following::deviations(&Record::new(Readings::default(), samples, path, limits, script))
+    following::deviations(&Record::new(Choices::default(), samples, path, limits, script))
 }
 
 #[cfg(test)]

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use gaugeblock_vocabulary::Pin;
 use gaugeblock_vocabulary::motion::Column;
 
+use super::choices::MotionStart;
 use super::matching::Matching;
-use super::readings::MotionStart;
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
 use super::visits::{Visit, rest_after, visits};
@@ -162,7 +162,7 @@ fn start(
         .fold((end, 0), |all, near| (all.0.min(near.0), all.1.max(near.1)));
     let rests = corner.passing == Passing::Rest;
     let leg = route.legs.get(number).filter(|_| visit.at.is_none() || !rests);
-    let (Some(leg), MotionStart::BlendEnd) = (leg, record.readings.motion_start) else {
+    let (Some(leg), MotionStart::BlendEnd) = (leg, record.choices.motion_start) else {
         return near;
     };
     let on_path = |sample: &usize| {

@@ -4,8 +4,8 @@ use gaugeblock_vocabulary::motion::{
     MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples,
 };
 
+use super::choices::Choices;
 use super::matching::{self, Matching, Measure};
-use super::readings::Readings;
 use crate::motion::bound::{Stop, stopping_on_blend};
 use crate::motion::envelope::Envelope;
 use crate::motion::route::Route;
@@ -17,7 +17,7 @@ const RELATIVE: f64 = 1e-9;
 /// Samples of one run and what they are held to.
 pub(super) struct Record<'a> {
     /// Which reading of the documents holds.
-    pub(super) readings: Readings,
+    pub(super) choices: Choices,
     pub(super) samples: &'a Samples,
     pub(super) path: &'a ProgrammedPath,
     pub(super) limits: &'a MotionLimits,
@@ -86,7 +86,7 @@ impl Requests {
 impl<'a> Record<'a> {
     /// Prepares a record that has a sample.
     pub(super) fn new(
-        readings: Readings,
+        choices: Choices,
         samples: &'a Samples,
         path: &'a ProgrammedPath,
         limits: &'a MotionLimits,
@@ -100,7 +100,7 @@ impl<'a> Record<'a> {
         let bulge = bulge(&points, &envelope, period);
         let requests = Requests::of(script, period / limits.period, points.len());
         let backwards = backwards(&points, &requests, &envelope, period);
-        let matched = Route::under(readings.tolerance_at_change, path).and_then(|route| {
+        let matched = Route::under(choices.tolerance_at_change, path).and_then(|route| {
             if route.legs.is_empty() {
                 return Err("the path leads nowhere".to_owned());
             }
@@ -111,7 +111,7 @@ impl<'a> Record<'a> {
             Ok((route, matching))
         });
         Self {
-            readings,
+            choices,
             samples,
             path,
             limits,

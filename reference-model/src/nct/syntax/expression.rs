@@ -119,7 +119,7 @@ impl Reader<'_> {
         let first = next(self)?;
         let mut others = Vec::new();
         while let Some(operator) = self.take_one(operators) {
-            if operator == Operator::Modulo && self.readings.documented_functions {
+            if operator == Operator::Modulo && self.choices.documented_functions {
                 return Err(bad("no document names MOD"));
             }
             others.push((operator, next(self)?));
@@ -163,7 +163,7 @@ impl Reader<'_> {
             return Ok(Some(function));
         }
         let usual = self.take_one(USUAL);
-        if usual.is_some() && self.readings.documented_functions {
+        if usual.is_some() && self.choices.documented_functions {
             return Err(bad("no document names this function"));
         }
         Ok(usual)

@@ -4,7 +4,7 @@ mod expression;
 mod reader;
 mod statement;
 
-use super::readings::Readings;
+use super::choices::Choices;
 use super::refusal::StepError;
 use super::text::Line;
 
@@ -56,10 +56,10 @@ pub struct Word {
 }
 
 /// The block of a line.
-pub fn block(line: &Line, readings: &Readings) -> Block {
+pub fn block(line: &Line, choices: &Choices) -> Block {
     let content = match &line.fault {
         Some(fault) => Err(fault.clone()),
-        None => statement::content(&line.rest, readings),
+        None => statement::content(&line.rest, choices),
     };
     Block { line: line.number, is_optional: line.is_optional, sequence: line.sequence, content }
 }

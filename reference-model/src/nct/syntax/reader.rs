@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::nct::readings::Readings;
+use crate::nct::choices::Choices;
 use crate::nct::refusal::{StepError, refuse, refuse_form};
 
 /// Most brackets that may stand within each other.
@@ -15,7 +15,7 @@ const LONGEST_NUMBER: usize = 40;
 pub(super) struct Reader<'a> {
     rest: &'a str,
     depth: u32,
-    pub(super) readings: &'a Readings,
+    pub(super) choices: &'a Choices,
 }
 
 /// Rule nct.statement-form. A macro statement of another form is refused: 3064 BAD MACRO STATEMENT.
@@ -24,8 +24,8 @@ pub(super) fn bad(message: impl Into<String>) -> StepError {
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(text: &'a str, readings: &'a Readings) -> Self {
-        Self { rest: text, depth: 0, readings }
+    pub(super) fn new(text: &'a str, choices: &'a Choices) -> Self {
+        Self { rest: text, depth: 0, choices }
     }
 
     pub(super) fn is_at_end(&self) -> bool {

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::expression::Expression;
 use super::reader::{Reader, bad};
 use super::{Content, Word};
-use crate::nct::readings::Readings;
+use crate::nct::choices::Choices;
 use crate::nct::refusal::{StepError, open, refuse, refuse_form};
 
 /// `[a EQ b]` and its like.
@@ -46,8 +46,8 @@ const COMPARISONS: &[(&str, Comparison)] = &[
 ];
 
 /// What stands behind the numbers of a block.
-pub(super) fn content(text: &str, readings: &Readings) -> Result<Content, StepError> {
-    let mut reader = Reader::new(text, readings);
+pub(super) fn content(text: &str, choices: &Choices) -> Result<Content, StepError> {
+    let mut reader = Reader::new(text, choices);
     let content = if text.starts_with('#') {
         reader.assignment()?
     } else if reader.take("GOTO") {
@@ -109,7 +109,7 @@ impl Reader<'_> {
 
     /// Choice nct.loops: whether there are WHILE, DO and END.
     fn loops(&self) -> Result<(), StepError> {
-        if self.readings.no_loops {
+        if self.choices.no_loops {
             return Err(refuse("nct.loops", FaultKind::Statement, "there are no loops"));
         }
         Ok(())

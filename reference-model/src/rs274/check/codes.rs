@@ -4,12 +4,12 @@ use std::fmt;
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::rs274::choices::Choices;
 use crate::rs274::machine::State;
 use crate::rs274::modes::{Code, ModalGroup, g_code, g_text, m_code};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
-use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{StepError, refuse};
 
 /// Most M words of a block.
@@ -86,7 +86,7 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepE
         let code = m_code(*number).ok_or_else(|| unknown(rule, text))?;
         state.evidence.accepted(rule);
         let group = code.group.or_else(|| quirks::group_of(*number, state));
-        let group = group.or_else(|| group_by_choice(*number, &state.readings));
+        let group = group.or_else(|| group_by_choice(*number, &state.choices));
         codes.push((text, Code { group, ..*code }));
     }
     Ok(codes)
@@ -121,10 +121,10 @@ fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result
 }
 
 /// The group of an M code of which it is a choice whether it belongs to one.
-fn group_by_choice(number: u32, readings: &Readings) -> Option<ModalGroup> {
+fn group_by_choice(number: u32, choices: &Choices) -> Option<ModalGroup> {
     let (group, belongs) = match number {
-        50..=53 => (ModalGroup::Overrides, readings.is("modal-groups.override-members", "all")),
-        62..=68 => (ModalGroup::InputsOutputs, readings.is("modal-groups.io-members", "exclusive")),
+        50..=53 => (ModalGroup::Overrides, choices.is("modal-groups.override-members", "all")),
+        62..=68 => (ModalGroup::InputsOutputs, choices.is("modal-groups.io-members", "exclusive")),
         _ => return None,
     };
     belongs.then_some(group)
@@ -144,7 +144,7 @@ fn conflict(
         group == ModalGroup::Coolant && !words.m.contains(&9) && texts.0 != texts.1;
     if mist_and_flood {
         let rule = "coolant.both-in-one-block";
-        if state.readings.is(rule, "accepted") {
+        if state.choices.is(rule, "accepted") {
             state.evidence.accepted(rule);
             return Ok(());
         }
@@ -152,7 +152,7 @@ fn conflict(
     }
     let cancels = |text: Written| text == Written::G(800);
     let cancel = group == ModalGroup::Motion && (cancels(texts.0) || cancels(texts.1));
-    if cancel && state.readings.quirk("rs274.cancel-with-motion") {
+    if cancel && state.choices.quirk("rs274.cancel-with-motion") {
         return Ok(());
     }
     if group == ModalGroup::Spindle && [texts.0, texts.1].contains(&Written::M(19)) {
@@ -189,7 +189,7 @@ fn axis_words_once(
         return Err(refuse("modal-groups.axis-words-twice", FaultKind::AxisWords, message));
     }
     state.evidence.accepted("modal-groups.axis-words-twice");
-    let quirk = state.readings.quirk("rs274.dynamic-length-with-motion");
+    let quirk = state.choices.quirk("rs274.dynamic-length-with-motion");
     match user(ModalGroup::ToolLength) {
         Some((Written::G(432), _)) if !has_axis_words(words) => Ok(()),
         Some((other, _)) if !quirk => {

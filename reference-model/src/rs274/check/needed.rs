@@ -32,7 +32,7 @@ fn dwell(words: &Words) -> Result<(), StepError> {
 
 /// Rule tool.dynamic-length-needs-axes. G43.1 has an axis word.
 fn dynamic_length(words: &Words, state: &State) -> Result<(), StepError> {
-    if state.readings.quirk("rs274.dynamic-length-without-axes") {
+    if state.choices.quirk("rs274.dynamic-length-without-axes") {
         return Ok(());
     }
     axis_word("tool.dynamic-length-needs-axes", "G43.1", words)

@@ -169,7 +169,7 @@ fn unused(letter: char, words: &Words, state: &mut State) -> StepError {
 
 /// Rule path-control.naive-cam-alone. Q of G64 stands behind a P only.
 fn naive_cam_alone(state: &State) -> Result<(), StepError> {
-    if state.readings.quirk("rs274.blend-q-without-p") {
+    if state.choices.quirk("rs274.blend-q-without-p") {
         return Ok(());
     }
     let message = "G64 with Q and without P";

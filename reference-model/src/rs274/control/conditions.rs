@@ -44,7 +44,7 @@ impl Control {
         };
         if *taken {
             state.evidence.accepted("control.first-true-only");
-            if state.readings.quirk("rs274.later-conditions-evaluated") {
+            if state.choices.quirk("rs274.later-conditions-evaluated") {
                 quirks::control::evaluate_later_condition(values, state)?;
                 return self.at_branch(label, state);
             }
@@ -101,7 +101,7 @@ impl Control {
             };
         }
         if state.frame().ended_conditions.contains(label) {
-            let followed = state.readings.is("control.ended-label", "followed");
+            let followed = state.choices.is("control.ended-label", "followed");
             let message = format!("the condition {} has ended", o_word(label));
             let refusal = refuse("control.unmatched-endif", FaultKind::UnknownLabel, message);
             return if followed { Ok(None) } else { Err(refusal) };
@@ -151,7 +151,7 @@ impl Control {
         if self.defined_elsewhere(label, state).is_none() {
             return Ok(());
         }
-        let executed = state.readings.is("control.skipped-definition", "does-not-count");
+        let executed = state.choices.is("control.skipped-definition", "does-not-count");
         if executed && !state.frame().has_met(label) && !quirks::control::is_left_behind(state) {
             let why = format!("{} has been defined in another call of its sub", o_word(label));
             return Err(StepError::Unspecified(why));
@@ -167,7 +167,7 @@ impl Control {
         state: &State,
     ) -> Result<(), StepError> {
         let own = state.frame().is_called(label);
-        if own && state.readings.is("control.sub-number-as-label", "refused") {
+        if own && state.choices.is("control.sub-number-as-label", "refused") {
             return Err(duplicate(label, rule));
         }
         Ok(())
@@ -186,7 +186,7 @@ impl Control {
             state.evidence.accepted("control.labels-in-subs");
         }
         let scope = labels.scope(state.frame().numbered_line().unwrap_or(here));
-        let counts = state.readings.is("control.skipped-definition", "counts");
+        let counts = state.choices.is("control.skipped-definition", "counts");
         let in_text = labels.definitions(label, here).first().map(|definition| definition.line);
         let earlier = in_text.filter(|line| counts && *line < here);
         let executed = *self.defined.entry((file, scope, label.to_owned())).or_insert(here);

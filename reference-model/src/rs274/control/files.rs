@@ -71,9 +71,9 @@ impl Files {
 
     /// Opens a file and reads it once for its labels, up to the percent line that ends it. No rule is reached by that.
     fn add(&mut self, name: &str, text: &str, state: &mut State) -> Place {
-        let mut source = Source::new(name, text, &state.readings);
+        let mut source = Source::new(name, text, &state.choices);
         if let Some(main) = self.opened.first()
-            && state.readings.quirk("rs274.percent-in-file")
+            && state.choices.quirk("rs274.percent-in-file")
         {
             source = source.called_by(&main.source);
         }

@@ -113,7 +113,7 @@ impl Control {
             );
             return Err(StepError::Unspecified(why));
         }
-        let choice = state.readings.choice("control.do-label");
+        let choice = state.choices.choice("control.do-label");
         let frame = state.frame();
         let around = frame.find_open(label, is_do).map(|place| frame.open[place].line);
         if choice == "each" && around.is_some_and(|around| around != self.place.line) {
@@ -148,7 +148,7 @@ impl Control {
         state: &mut State,
     ) -> Result<Next, StepError> {
         self.defined_once(label, "control.duplicate-repeat", state)?;
-        if state.readings.quirk("rs274.repeat-counter-shared") {
+        if state.choices.quirk("rs274.repeat-counter-shared") {
             return quirks::control::shared_repeat(self, label, values, state);
         }
         let turns = turns(values, state)?;
@@ -168,7 +168,7 @@ impl Control {
             return Ok(Next::At(self.line(first)));
         };
         let first = state.frame().open[place].line;
-        if state.readings.quirk("rs274.repeat-counter-shared") {
+        if state.choices.quirk("rs274.repeat-counter-shared") {
             self.leave(label, is_repeat, state)?;
             return Ok(Next::At(self.line(first)));
         }
@@ -198,8 +198,8 @@ impl Control {
     fn followed(&self, label: &str, head: Keyword, state: &State) -> Option<u32> {
         let last = state.frame().ended_loops.get(label).copied();
         let last = last.filter(|(keyword, _)| *keyword == head).map(|(_, line)| line);
-        let to_first = head == Keyword::Do && state.readings.is("control.do-label", "first");
-        let followed = to_first || state.readings.is("control.ended-label", "followed");
+        let to_first = head == Keyword::Do && state.choices.is("control.do-label", "first");
+        let followed = to_first || state.choices.is("control.ended-label", "followed");
         // The text tells nothing of a label that must be computed.
         let last = last.filter(|_| followed)?;
         let earlier = |definition: &&Definition| {
@@ -218,7 +218,7 @@ impl Control {
             .definitions(label)
             .iter()
             .any(|definition| definition.keyword == head && definition.line < self.place.line);
-        let followed = state.readings.is("control.ended-label", "followed");
+        let followed = state.choices.is("control.ended-label", "followed");
         if in_text && followed && !quirks::control::is_left_behind(state) {
             let why = format!("the loop {} is in the text, but was not entered", o_word(label));
             return StepError::Unspecified(why);
@@ -250,7 +250,7 @@ impl Control {
         }
         let ends = if structure == Structure::Do { Keyword::While } else { Keyword::EndWhile };
         self.break_remembered |=
-            structure == Structure::While && state.readings.quirk("rs274.break-remembered");
+            structure == Structure::While && state.choices.quirk("rs274.break-remembered");
         if structure == Structure::While && quirks::control::begins_again(self) {
             state.frame_mut().open.truncate(place + 1);
             return Ok(Next::At(self.line(first)));
@@ -303,7 +303,7 @@ impl Control {
         let ended =
             ended.is_some_and(|(keyword, _)| matches!(keyword, Keyword::While | Keyword::Do));
         let open = state.frame().find_open(label, |_| true).is_some();
-        if ended && !open && state.readings.is("control.ended-label", "followed") {
+        if ended && !open && state.choices.is("control.ended-label", "followed") {
             let why = format!("{} is named behind its end", o_word(label));
             return Err(StepError::Unspecified(why));
         }
@@ -316,7 +316,7 @@ impl Control {
             quirks::control::do_continues(self, label, line, state);
             return Ok(Next::At(self.line(line)));
         }
-        if state.readings.quirk("rs274.continue-seeks-end") {
+        if state.choices.quirk("rs274.continue-seeks-end") {
             self.end_of_skipped(label, &[Keyword::EndWhile], self.place.line, state)?;
         }
         Ok(Next::At(self.line(first)))
@@ -347,11 +347,11 @@ impl Control {
 /// Choice control.repeat-negative: whether a count below zero means no turn or is refused.
 pub(crate) fn turns(values: &[Expression], state: &mut State) -> Result<u64, StepError> {
     let count = single("control.repeat", values, state)?;
-    if count < 0.0 && state.readings.is("control.repeat-negative", "refused") {
+    if count < 0.0 && state.choices.is("control.repeat-negative", "refused") {
         let message = format!("a repeat of {count} turns");
         return Err(refuse("control.repeat", FaultKind::WordOutOfRange, message));
     }
-    let whole = match state.readings.choice("control.repeat-fraction") {
+    let whole = match state.choices.choice("control.repeat-fraction") {
         "rounded-to-even" => count.round_ties_even(),
         "rounded-down" => count.floor(),
         "rounded-up" => count.ceil(),

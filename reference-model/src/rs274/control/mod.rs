@@ -145,7 +145,7 @@ impl Control {
             state.evidence.accepted("control.unrelated-words");
         }
         if block.comment.is_some() && word.keyword != Keyword::ProgramNumber {
-            if state.readings.is("control.comment-after-o-word", "refused") {
+            if state.choices.is("control.comment-after-o-word", "refused") {
                 let message = "a comment stands on the line of an o-word";
                 return Err(refuse("control.comment-after", FaultKind::BadBlock, message));
             }
@@ -226,7 +226,7 @@ impl Control {
         after: u32,
         state: &mut State,
     ) -> Result<u32, StepError> {
-        let any_sub = state.readings.quirk("rs274.ends-in-other-subs");
+        let any_sub = state.choices.quirk("rs274.ends-in-other-subs");
         let end = if any_sub {
             self.files.labels(self.place.file).find_in_any_sub(label, keywords, after, state)
         } else {

@@ -73,9 +73,9 @@ impl Control {
         // It may lie beyond what an integer of the machine holds.
         let label = format!("{:.0}", counted(*number, "P of M98")?);
         let turns = saturated(counted(turns, "L of M98")?);
-        let none = turns == 0 && !state.readings.quirk("rs274.fanuc-zero-loops");
+        let none = turns == 0 && !state.choices.quirk("rs274.fanuc-zero-loops");
         let back = Place { line: self.place.line + 1, ..self.place };
-        let free = turns == 0 && state.readings.is("fanuc-subs.zero-count-unknown", "accepted");
+        let free = turns == 0 && state.choices.is("fanuc-subs.zero-count-unknown", "accepted");
         if turns > 0 {
             quirks::skipping::to_numbered(self, &label, state)?;
         }
@@ -110,8 +110,8 @@ impl Control {
     /// Choice fanuc-subs.value-after-call: whether it clears the value of an earlier call.
     fn value_after_call(&self, state: &mut State) {
         state.evidence.accepted("fanuc-subs.no-return-value");
-        let at_return = state.readings.quirk("rs274.value-cleared-at-return");
-        if state.readings.is("fanuc-subs.value-after-call", "cleared") && !at_return {
+        let at_return = state.choices.quirk("rs274.value-cleared-at-return");
+        if state.choices.is("fanuc-subs.value-after-call", "cleared") && !at_return {
             clear_value(state);
         }
     }
@@ -164,7 +164,7 @@ impl Control {
         if let Some(line) = begins.last() {
             let first = self.line(line + 1);
             let known = self.called.contains(&first);
-            if known && state.readings.is("fanuc-subs.call-itself", "allowed") {
+            if known && state.choices.is("fanuc-subs.call-itself", "allowed") {
                 return Ok(first);
             }
             let message = format!("the subprogram {label} stands before its call");
@@ -190,7 +190,7 @@ impl Control {
             return Err(refuse("fanuc-subs.mixed-m99", FaultKind::MixedStyles, message));
         };
         saved_state::restore_at_return(state, record)?;
-        if state.readings.quirk("rs274.value-cleared-at-return") {
+        if state.choices.quirk("rs274.value-cleared-at-return") {
             clear_value(state);
         }
         self.share_back(state);
@@ -207,7 +207,7 @@ impl Control {
     /// that is a choice (fanuc-subs.named-locals).
     fn share_back(&self, state: &mut State) {
         let left = state.frames.pop().expect("control: only a called frame is left");
-        let shared = state.readings.is("fanuc-subs.named-locals", "shared");
+        let shared = state.choices.is("fanuc-subs.named-locals", "shared");
         let caller = state.frame_mut();
         caller.arguments = left.arguments;
         if shared {
@@ -231,7 +231,7 @@ pub(crate) fn enabled(state: &mut State) -> Result<(), StepError> {
 fn shared_frame(call: Call, state: &mut State) -> Frame {
     state.evidence.accepted("fanuc-subs.shared-parameters");
     state.evidence.accepted("fanuc-subs.named-locals");
-    let shared = state.readings.is("fanuc-subs.named-locals", "shared");
+    let shared = state.choices.is("fanuc-subs.named-locals", "shared");
     let caller = state.frame();
     let locals = if shared { caller.locals.clone() } else { Default::default() };
     Frame { arguments: caller.arguments, locals, call: Some(call), ..Frame::default() }

@@ -42,7 +42,7 @@ impl Control {
             return Err(refuse("subroutines.unique-name", FaultKind::DuplicateSub, message));
         }
         let end = self.define(label, self.place, state)?;
-        if state.readings.quirk("rs274.value-at-definition") {
+        if state.choices.quirk("rs274.value-at-definition") {
             quirks::control::value_at_definition(self, end, state)?;
         }
         state.evidence.accepted("subroutines.body-skipped");
@@ -93,7 +93,7 @@ impl Control {
         record: &mut Record,
     ) -> Result<Next, StepError> {
         let own = called_label("subroutines.stray-endsub", state)?;
-        if own != label && !state.readings.quirk("rs274.any-endsub") {
+        if own != label && !state.choices.quirk("rs274.any-endsub") {
             let message = format!("{} sub cannot end with {} endsub", o_word(&own), o_word(label));
             return Err(refuse("subroutines.missing-endsub", FaultKind::UnknownLabel, message));
         }
@@ -115,7 +115,7 @@ impl Control {
             return Ok(Next::Following);
         }
         let own = called_label("subroutines.stray-return", state)?;
-        if own != label && state.readings.is("subroutines.return-label", "own") {
+        if own != label && state.choices.is("subroutines.return-label", "own") {
             let message =
                 format!("a return from {} carries the number {}", o_word(&own), o_word(label));
             return Err(refuse("subroutines.return-label", FaultKind::UnknownLabel, message));
@@ -140,7 +140,7 @@ impl Control {
         let arguments = arguments(&word.arguments, state)?;
         let sub = self.found(label, &arguments, state)?;
         deeper("subroutines.level-limit", state)?;
-        if !state.readings.quirk("rs274.value-cleared-at-return") {
+        if !state.choices.quirk("rs274.value-cleared-at-return") {
             clear_value(state);
             state.evidence.accepted("subroutines.value-cleared");
         }
@@ -195,7 +195,7 @@ impl Control {
         if let Some(sub) = self.in_file(label, state)? {
             return Ok(sub);
         }
-        let is_found_first = state.readings.quirk("rs274.sub-found-later")
+        let is_found_first = state.choices.quirk("rs274.sub-found-later")
             && later.is_some_and(|sub| number.is_none_or(|number| sub < number));
         if is_numbered && !is_found_first {
             quirks::skipping::to_called(self, label, arguments, number, state)?;
@@ -204,7 +204,7 @@ impl Control {
         }
         quirks::skipping::to_called(self, label, arguments, later, state)?;
         if let Some(line) = later {
-            if state.readings.quirk("rs274.sub-found-later") {
+            if state.choices.quirk("rs274.sub-found-later") {
                 let sub = Place { line, ..self.place };
                 self.subs.insert(label.to_owned(), sub);
                 self.found_later.insert(sub);
@@ -247,7 +247,7 @@ impl Control {
             return Err(refuse("subroutines.file-call", FaultKind::UnknownSub, message));
         };
         let sub = Place { line: subs[own].0, ..first };
-        if subs.len() > 1 && !state.readings.quirk("rs274.file-with-two-subs") {
+        if subs.len() > 1 && !state.choices.quirk("rs274.file-with-two-subs") {
             if own == 0 {
                 self.body_of_file(label, sub, state)?;
             }
@@ -303,7 +303,7 @@ fn arguments(values: &[Expression], state: &mut State) -> Result<Vec<f64>, StepE
 /// Rule subroutines.unpassed-arguments. From the first one not passed, #1 to #30 have the caller's values.
 pub(crate) fn passed(arguments: &[f64], state: &mut State) -> [f64; 30] {
     state.evidence.accepted("subroutines.unpassed-arguments");
-    let mut all = if state.readings.quirk("rs274.unpassed-arguments-zero") {
+    let mut all = if state.choices.quirk("rs274.unpassed-arguments-zero") {
         [0.0; 30]
     } else {
         state.frame().arguments
@@ -314,7 +314,7 @@ pub(crate) fn passed(arguments: &[f64], state: &mut State) -> [f64; 30] {
 
 /// Rules subroutines.level-limit, fanuc-subs.level-limit. Calls can be nested ten levels deep and no deeper.
 pub(super) fn deeper(rule: &'static str, state: &mut State) -> Result<(), StepError> {
-    let levels = if state.readings.quirk("rs274.nine-levels") {
+    let levels = if state.choices.quirk("rs274.nine-levels") {
         quirks::control::levels(LEVELS)
     } else {
         LEVELS

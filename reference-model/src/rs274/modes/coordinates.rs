@@ -175,13 +175,13 @@ fn turned(point: Position, degrees: f64) -> Position {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rs274::readings::Readings;
+    use crate::rs274::choices::Choices;
     use gaugeblock_vocabulary::Machine;
 
     fn modes() -> Modes {
         let stored = [(5221, 10.0), (5224, 5.0), (5230, 90.0)].into_iter().collect();
         let machine = Machine { parameters: stored, ..Machine::default() };
-        let mut modes = Modes::new(&machine, &Readings::default());
+        let mut modes = Modes::new(&machine, &Choices::default());
         modes.tool_offset.z = 2.0;
         modes.g92_offset.x = 1.0;
         modes

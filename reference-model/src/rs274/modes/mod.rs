@@ -19,8 +19,8 @@ use gaugeblock_vocabulary::{
     Plane, Position, Retract, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
+use super::choices::Choices;
 use super::quirks::settings::initial_tolerance;
-use super::readings::Readings;
 use crate::math::near_integer;
 
 /// The mode in force of each modal group, with all values that stay in force until they are set again.
@@ -142,15 +142,15 @@ impl Modes {
     ///
     /// The documents say no more. Everything else begins as the README of this crate tells: absolute distance, feed per
     /// minute, nothing on but overrides and feed stop.
-    pub fn new(machine: &Machine, readings: &Readings) -> Self {
+    pub fn new(machine: &Machine, choices: &Choices) -> Self {
         let stored = |number: u32| stored(machine, number).unwrap_or(0.0);
         // Choice units-planes.initial-unit.
-        let initial_unit = match readings.choice("units-planes.initial-unit") {
+        let initial_unit = match choices.choice("units-planes.initial-unit") {
             "machine" => machine.length_unit,
             _ => LengthUnit::Millimetre,
         };
         let mut modes = Self {
-            motion: match readings.choice("modal-groups.initial-motion") {
+            motion: match choices.choice("modal-groups.initial-motion") {
                 "feed" => Motion::Feed,
                 "traverse" => Motion::Traverse,
                 _ => Motion::None,
@@ -163,7 +163,7 @@ impl Modes {
             feed_rate: 0.0,
             feed_number: 0.0,
             feed_awaited: false,
-            retract: match readings.choice("modal-groups.initial-retract") {
+            retract: match choices.choice("modal-groups.initial-retract") {
                 "old-z" => Retract::OldZ,
                 _ => Retract::RPlane,
             },
@@ -178,7 +178,7 @@ impl Modes {
             local_applies: false,
             rotation: 0.0,
             path: Path::Continuous,
-            blend_tolerance: initial_tolerance(readings) / unit_size(initial_unit),
+            blend_tolerance: initial_tolerance(choices) / unit_size(initial_unit),
             naive_cam_tolerance: 0.0,
             tolerance_unit: LengthUnit::Millimetre,
             lathe: Lathe::Radius,
@@ -216,7 +216,7 @@ mod tests {
 
     fn at_start(parameters: &[(u32, f64)]) -> Modes {
         let parameters = parameters.iter().copied().collect();
-        Modes::new(&Machine { parameters, ..Machine::default() }, &Readings::default())
+        Modes::new(&Machine { parameters, ..Machine::default() }, &Choices::default())
     }
 
     #[test]

@@ -127,7 +127,7 @@ mod tests {
     use gaugeblock_vocabulary::scenario::{Environment, InputChange};
 
     use super::*;
-    use crate::rs274::readings::Readings;
+    use crate::rs274::choices::Choices;
 
     fn outside(changes: &[(f64, f64)]) -> Outside {
         let input = || "digital_in[0]".to_owned();
@@ -137,7 +137,7 @@ mod tests {
             value: *value,
         });
         let environment = Environment { inputs: inputs.collect(), ..Environment::default() };
-        Outside::new(&environment, 1, &Readings::default())
+        Outside::new(&environment, 1, &Choices::default())
     }
 
     #[test]

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Pin, PinChange, Shared, Sorted};
 
-use super::readings::Readings;
+use super::choices::Choices;
 pub(crate) use hal::Item;
 use hal::Synchronised;
 pub(crate) use inputs::{Awaited, Input};
@@ -58,8 +58,8 @@ impl Outside {
     /// The outside before the first block: all outputs are off.
     ///
     /// Choice orient.brake-otherwise: whether the brake of a spindle that stands is applied.
-    pub fn new(environment: &Environment, spindles: usize, readings: &Readings) -> Self {
-        let braked = readings.is("orient.brake-otherwise", "while-standing");
+    pub fn new(environment: &Environment, spindles: usize, choices: &Choices) -> Self {
+        let braked = choices.is("orient.brake-otherwise", "while-standing");
         let brakes = (0..if braked { spindles } else { 0 })
             .filter_map(|spindle| Some((Pin::SpindleBrake(u16::try_from(spindle).ok()?), 1.0)));
         let mut outside = Self {

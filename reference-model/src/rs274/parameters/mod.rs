@@ -12,8 +12,8 @@ use std::fmt;
 
 use gaugeblock_vocabulary::{FaultKind, Indexed, Machine, Shared};
 
+use super::choices::Choices;
 use super::machine::State;
-use super::readings::Readings;
 use super::refusal::{StepError, refuse};
 pub use numbered::{DEBUG_SWITCH, changed_persistent, computed_numbers, last};
 pub use rules::{refused_too, rules_of, rules_of_existence};
@@ -65,7 +65,7 @@ pub struct Parameters {
 
 impl Parameters {
     /// The parameters when a program starts: the stored ones, and 0 for all others except #5220 and #5599.
-    pub fn new(machine: &Machine, _readings: &Readings) -> Self {
+    pub fn new(machine: &Machine, _readings: &Choices) -> Self {
         Self { numbered: numbered::at_start(machine).into(), ..Self::default() }
     }
 
@@ -138,7 +138,7 @@ pub fn value(name: &Name, state: &State) -> Result<f64, StepError> {
     if ini::is_outside(name) {
         return ini::value(name, state);
     }
-    if is_global(name) && state.readings.is("parameters.absent-global", "zero") {
+    if is_global(name) && state.choices.is("parameters.absent-global", "zero") {
         return Ok(0.0);
     }
     let (rule, message) = if state.frames.iter().any(|frame| frame.locals.contains_key(name)) {
@@ -188,7 +188,7 @@ pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), StepErro
 pub fn writable(name: &Name, state: &State) -> Result<(), StepError> {
     let (rule, name) = match name {
         Name::Numbered(number) if numbered::is_computed(*number) => {
-            if state.readings.is("parameters.read-only-numbered", "written") {
+            if state.choices.is("parameters.read-only-numbered", "written") {
                 return Ok(());
             }
             ("parameters.read-only", number.to_string())
@@ -199,7 +199,7 @@ pub fn writable(name: &Name, state: &State) -> Result<(), StepError> {
         Name::Named(name)
             if ini::is_outside(name)
                 && ini::entry(name, state).is_none()
-                && state.readings.quirk("rs274.hal-assignment") =>
+                && state.choices.quirk("rs274.hal-assignment") =>
         {
             return Ok(());
         }

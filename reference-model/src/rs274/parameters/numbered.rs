@@ -6,9 +6,9 @@ use std::ops::RangeInclusive;
 use gaugeblock_vocabulary::{Axis, Machine};
 
 use super::State;
+use crate::rs274::choices::Choices;
 use crate::rs274::modes::start_system;
 use crate::rs274::quirks::text as quirks;
-use crate::rs274::readings::Readings;
 use crate::rs274::refusal::StepError;
 use crate::rs274::step::tool::loaded;
 
@@ -79,8 +79,8 @@ pub(super) fn assign(number: u32, value: f64, state: &mut State) {
 
 /// Rule parameters.range. The greatest number of a parameter is 5602.
 /// Quirk rs274.last-parameter: it is one less.
-pub fn last(readings: &Readings) -> u32 {
-    if readings.quirk("rs274.last-parameter") { quirks::LAST_PARAMETER } else { LAST }
+pub fn last(choices: &Choices) -> u32 {
+    if choices.quirk("rs274.last-parameter") { quirks::LAST_PARAMETER } else { LAST }
 }
 
 /// The parameters whose value the machine's state decides.

@@ -163,7 +163,7 @@ fn spindle_on(state: &State) -> f64 {
     let spindle = spindle(state);
     let commanded =
         matches!(spindle.known_turn(), SpindleTurn::Clockwise | SpindleTurn::Counterclockwise);
-    let by_command = state.readings.is("parameters.spindle-on-at-zero", "commanded");
+    let by_command = state.choices.is("parameters.spindle-on-at-zero", "commanded");
     flag(commanded && (by_command || spindle.speed > 0.0))
 }
 
@@ -188,7 +188,7 @@ fn plane(plane: Plane) -> f64 {
 /// Quirk rs274.dynamic-compensation-code: G41.1 and G42.1 look like G41 and G42.
 fn compensation(state: &State) -> f64 {
     let compensation = state.modes.compensation;
-    if state.readings.quirk("rs274.dynamic-compensation-code") {
+    if state.choices.quirk("rs274.dynamic-compensation-code") {
         return f64::from(quirks::compensation_code(compensation));
     }
     f64::from(match compensation {
@@ -208,7 +208,7 @@ fn coordinate_system(system: u32) -> f64 {
 /// Rule parameters.tool-offset. `_tool_offset` is 1 while a tool offset is on, else 0.
 /// Quirk rs274.zero-tool-offset-off: it is 1 while an offset is not zero.
 fn tool_offset(state: &State) -> f64 {
-    if state.readings.quirk("rs274.zero-tool-offset-off") {
+    if state.choices.quirk("rs274.zero-tool-offset-off") {
         return flag(quirks::has_tool_offset(state));
     }
     flag(state.modes.tool_length == Switch::On)
@@ -217,20 +217,20 @@ fn tool_offset(state: &State) -> f64 {
 /// Rule parameters.retract. `_retract_r_plane` and `_retract_old_z` tell the canned cycle return mode.
 /// Choice parameters.retract-names: each as it is named, or each under the other one's code.
 fn retract(state: &State, named: Retract) -> f64 {
-    let by_name = state.readings.is("parameters.retract-names", "by-name");
+    let by_name = state.choices.is("parameters.retract-names", "by-name");
     flag((state.modes.retract == named) == by_name)
 }
 
 /// Rule parameters.lathe-mode. `_lathe_diameter_mode` and `_lathe_radius_mode` are 1 under G7 and G8.
 /// Choice parameters.lathe-flags: on every machine or on a lathe only, which no machine of a scenario is.
 fn lathe(state: &State, mode: Lathe) -> f64 {
-    flag(state.modes.lathe == mode && state.readings.is("parameters.lathe-flags", "any-machine"))
+    flag(state.modes.lathe == mode && state.choices.is("parameters.lathe-flags", "any-machine"))
 }
 
 /// Rule parameters.override-flags. `_feed_override` and `_speed_override` are 1 while that override is enabled.
 /// Choice parameters.override-names: each as it is named, or each under the other one's code.
 fn override_flag(state: &State, feed: bool) -> f64 {
-    let by_name = state.readings.is("parameters.override-names", "by-name");
+    let by_name = state.choices.is("parameters.override-names", "by-name");
     let switch =
         if feed == by_name { state.modes.feed_override } else { spindle(state).speed_override };
     flag(switch == Switch::On)
@@ -239,7 +239,7 @@ fn override_flag(state: &State, feed: bool) -> f64 {
 /// Rule parameters.tool. `_selected_tool` is the tool of the last T, -1 before.
 /// Quirk rs274.selected-tool-zero: 0 before.
 fn selected_tool(state: &State) -> f64 {
-    if state.readings.quirk("rs274.selected-tool-zero") {
+    if state.choices.quirk("rs274.selected-tool-zero") {
         return f64::from(quirks::selected_tool(state));
     }
     f64::from(state.selected_tool)

@@ -30,7 +30,7 @@ fn stored_parameters_are_there_at_the_start_and_volatile_ones_are_not() {
         (40, f64::NAN),
     ];
     let machine = Machine { parameters: parameters.into_iter().collect(), ..Machine::default() };
-    let parameters = Parameters::new(&machine, &Readings::default());
+    let parameters = Parameters::new(&machine, &Choices::default());
     let nonzero: Vec<u32> = parameters.nonzero().0.keys().copied().collect();
     assert_eq!(nonzero, [31, 5220, 5241, 5599]);
 }

@@ -48,9 +48,9 @@ pub fn shared_repeat(
 /// it was found by its call.
 pub fn is_head_within(control: &Control, state: &State) -> bool {
     let quirk = if control.place.file == 0 {
-        state.frame().is_sub() && state.readings.quirk("rs274.sub-found-later")
+        state.frame().is_sub() && state.choices.quirk("rs274.sub-found-later")
     } else {
-        state.readings.quirk("rs274.file-with-two-subs")
+        state.choices.quirk("rs274.file-with-two-subs")
     };
     state.call_level() > 0 && quirk
 }
@@ -59,7 +59,7 @@ pub fn is_head_within(control: &Control, state: &State) -> bool {
 /// stands in.
 pub fn known_number(control: &Control, label: &str, state: &State) -> Option<Place> {
     let first = control.numbers_called.get(label).copied();
-    first.filter(|_| state.readings.quirk("rs274.numbers-of-all-files"))
+    first.filter(|_| state.choices.quirk("rs274.numbers-of-all-files"))
 }
 
 /// Quirk rs274.fanuc-count-too-large. L of M98 is refused, as if it were negative, from 2147483648 on.
@@ -68,7 +68,7 @@ pub fn known_number(control: &Control, label: &str, state: &State) -> Option<Pla
 /// Such an L.
 pub fn count_too_large(turns: f64, state: &State) -> Result<(), StepError> {
     let rule = "rs274.fanuc-count-too-large";
-    if turns.round() > f64::from(i32::MAX) && state.readings.quirk(rule) {
+    if turns.round() > f64::from(i32::MAX) && state.choices.quirk(rule) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "L of M98 is too large"));
     }
     Ok(())
@@ -103,12 +103,12 @@ pub fn while_ends(control: &mut Control, label: &str, end: u32, state: &mut Stat
 /// Quirk rs274.continue-remembered, and rs274.break-remembered for a break that is skipped: a do loop is continued
 /// whose while stands on line `end`.
 pub fn do_continues(control: &mut Control, label: &str, end: u32, state: &mut State) {
-    control.continue_remembered = state.readings.quirk("rs274.continue-remembered");
+    control.continue_remembered = state.choices.quirk("rs274.continue-remembered");
     breaks_skipped(control, label, end, state);
 }
 
 fn breaks_skipped(control: &mut Control, label: &str, end: u32, state: &mut State) {
-    if state.readings.quirk("rs274.break-remembered") {
+    if state.choices.quirk("rs274.break-remembered") {
         let skipped = control.find(label, &[Keyword::Break], control.place.line, state);
         control.break_remembered |= skipped.is_some_and(|line| line < end);
     }
@@ -118,12 +118,12 @@ fn breaks_skipped(control: &mut Control, label: &str, end: u32, state: &mut Stat
 /// value as a sub's would, and the program goes on behind it.
 pub fn returns_in_main(control: &Control, state: &State) -> bool {
     let in_main = state.frame().call.is_none();
-    in_main && control.has_called && state.readings.quirk("rs274.return-after-call")
+    in_main && control.has_called && state.choices.quirk("rs274.return-after-call")
 }
 
 /// Quirk rs274.sub-reached-again. A definition that is reached a second time, as in a loop, is refused.
 pub fn is_reached_again(known: Option<&Place>, place: Place, state: &State) -> bool {
-    known == Some(&place) && state.readings.quirk("rs274.sub-reached-again")
+    known == Some(&place) && state.choices.quirk("rs274.sub-reached-again")
 }
 
 /// Quirk rs274.value-at-definition. The value of an endsub is evaluated where the sub is defined; named parameters that
@@ -195,7 +195,7 @@ pub(super) fn with_zeros(expression: &Expression, state: &State) -> Expression {
 /// Quirk rs274.fanuc-zero-loops. Whether what is executed may belong to a level left behind, where the labels of the
 /// program around it are not known.
 pub fn is_left_behind(state: &State) -> bool {
-    state.readings.quirk("rs274.fanuc-zero-loops") && state.frame().shares_parameters()
+    state.choices.quirk("rs274.fanuc-zero-loops") && state.frame().shares_parameters()
 }
 
 /// Quirk rs274.nine-levels. The main program counts as a level.

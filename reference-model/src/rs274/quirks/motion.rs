@@ -13,7 +13,7 @@ use crate::rs274::step::word;
 /// Quirk rs274.arc-radius-tolerance. How far the radii at start and end of an arc may be apart: about five times as
 /// far as documented. The larger holds always, the smaller for arcs of which it is more than a thousandth.
 pub(crate) fn radius_tolerances(state: &State) -> Option<(f64, f64)> {
-    if !state.readings.quirk("rs274.arc-radius-tolerance") {
+    if !state.choices.quirk("rs274.arc-radius-tolerance") {
         return None;
     }
     let diagonal = std::f64::consts::SQRT_2;
@@ -26,7 +26,7 @@ pub(crate) fn radius_tolerances(state: &State) -> Option<(f64, f64)> {
 /// Quirk rs274.arc-least-radius. An arc whose centre is nearer than this to its start or its end has no radius.
 pub(crate) fn least_radius(state: &State) -> f64 {
     match state.modes.units {
-        _ if !state.readings.quirk("rs274.arc-least-radius") => 0.0,
+        _ if !state.choices.quirk("rs274.arc-least-radius") => 0.0,
         LengthUnit::Inch => 0.000_05,
         LengthUnit::Millimetre => 0.001_27,
     }
@@ -35,24 +35,24 @@ pub(crate) fn least_radius(state: &State) -> f64 {
 /// Quirk rs274.arc-no-radius. A radius of zero that is within what is lost when numbers are written has a centre that
 /// is no number.
 pub(crate) fn arcs_without_radius(state: &State) -> bool {
-    state.readings.quirk("rs274.arc-no-radius")
+    state.choices.quirk("rs274.arc-no-radius")
 }
 
 /// Quirk rs274.machine-without-axes. G53 needs no axis word where G0 or G1 stands in its block.
 pub(crate) fn machine_without_axes(words: &Words, state: &State) -> bool {
     let programmed = words.g.iter().any(|code| [0, 10].contains(code));
-    programmed && state.readings.quirk("rs274.machine-without-axes")
+    programmed && state.choices.quirk("rs274.machine-without-axes")
 }
 
 /// Quirk rs274.machine-zero-sign. G53 computes the axes anew that it does not move.
 pub(crate) fn computes_all_anew(state: &State) -> bool {
-    state.readings.quirk("rs274.machine-zero-sign")
+    state.choices.quirk("rs274.machine-zero-sign")
 }
 
 /// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, or the program end turns back to
 /// G54, the point is turned without the local offset, which it keeps as it was.
 pub(crate) fn turn_system(reload: fn(&mut State), state: &mut State) {
-    if !state.readings.quirk("rs274.rotation-under-local-offset") {
+    if !state.choices.quirk("rs274.rotation-under-local-offset") {
         return reload(state);
     }
     let local = std::mem::take(&mut state.modes.g92_offset);
@@ -62,7 +62,7 @@ pub(crate) fn turn_system(reload: fn(&mut State), state: &mut State) {
 
 /// Quirk rs274.tool-entry-under-compensation. The tool table can be changed while the cutter is compensated.
 pub(crate) fn table_under_compensation(state: &State) -> bool {
-    state.readings.quirk("rs274.tool-entry-under-compensation")
+    state.choices.quirk("rs274.tool-entry-under-compensation")
 }
 
 /// Quirk rs274.per-revolution-standing. Under feed per revolution straight feeds and arcs are refused while the speed
@@ -74,7 +74,7 @@ pub(crate) fn per_revolution(words: &Words, state: &State) -> Result<(), StepErr
     let spindle = state.modes.spindles.get(state.chosen_spindle);
     let no_speed = spindle.is_some_and(|spindle| spindle.speed == 0.0);
     let per_revolution = state.modes.feed_mode == FeedMode::PerRevolution;
-    if moves && no_speed && per_revolution && state.readings.quirk(rule) {
+    if moves && no_speed && per_revolution && state.choices.quirk(rule) {
         let message = "a feed per revolution, and no speed";
         return Err(refuse(rule, FaultKind::ZeroSpeed, message));
     }
@@ -92,7 +92,7 @@ pub(crate) fn feed_of_move(motion: Motion, end: Position, state: &mut State) {
     let length = |[x, y, z]: [f64; 3]| math::hypotenuse(math::hypotenuse(x, y), z);
     let lengths = [[way.x, way.y, way.z], [way.u, way.v, way.w], [way.a, way.b, way.c]].map(length);
     let length = lengths.into_iter().find(|length| *length > 0.0).unwrap_or_default();
-    if state.readings.quirk("rs274.feed-name-inverse-time") {
+    if state.choices.quirk("rs274.feed-name-inverse-time") {
         modes.feed_number = (length * modes.feed_rate).max(0.1);
     }
 }
@@ -100,7 +100,7 @@ pub(crate) fn feed_of_move(motion: Motion, end: Position, state: &mut State) {
 /// Quirk rs274.inverse-time-zero-rate. Under inverse time F may be zero, with straight feeds, arcs, G5 and G5.1.
 pub(crate) fn takes_no_time(state: &State) -> bool {
     state.modes.feed_mode == FeedMode::InverseTime
-        && state.readings.quirk("rs274.inverse-time-zero-rate")
+        && state.choices.quirk("rs274.inverse-time-zero-rate")
 }
 
 /// Quirk rs274.polar-needs-angle. At the origin a polar move without an angle is refused, in absolute distance mode
@@ -108,7 +108,7 @@ pub(crate) fn takes_no_time(state: &State) -> bool {
 pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), StepError> {
     let rule = "rs274.polar-needs-angle";
     let at_origin = state.position.x == 0.0 && state.position.y == 0.0;
-    if at_origin && word(words, '^').is_none() && state.readings.quirk(rule) {
+    if at_origin && word(words, '^').is_none() && state.choices.quirk(rule) {
         let message = "a distance without an angle, from the origin";
         return Err(refuse(rule, FaultKind::AxisWords, message));
     }
@@ -119,7 +119,7 @@ pub(crate) fn polar_angle(words: &Words, state: &State) -> Result<(), StepError>
 pub(crate) fn polar_end(distance: f64, state: &State) -> Result<(), StepError> {
     let rule = "rs274.polar-to-origin";
     let incremental = state.modes.distance == Distance::Incremental;
-    if incremental && distance == 0.0 && state.readings.quirk(rule) {
+    if incremental && distance == 0.0 && state.choices.quirk(rule) {
         let message = "an incremental polar move to the origin";
         return Err(refuse(rule, FaultKind::AxisWords, message));
     }
@@ -128,14 +128,14 @@ pub(crate) fn polar_end(distance: f64, state: &State) -> Result<(), StepError> {
 
 /// Quirk rs274.polar-arc-plane. For an arc with a radius outside of the XY plane polar words name no axis of the plane.
 pub(crate) fn polar_names_none(state: &State) -> bool {
-    state.modes.plane != Plane::Xy && state.readings.quirk("rs274.polar-arc-plane")
+    state.modes.plane != Plane::Xy && state.choices.quirk("rs274.polar-arc-plane")
 }
 
 /// Quirk rs274.polar-plane. Polar words are refused where the block before left another plane than XY; what their own
 /// block selects does not count.
 pub(crate) fn polar_plane(state: &State) -> Result<(), StepError> {
     let rule = "rs274.polar-plane";
-    if state.plane_before != Plane::Xy && state.readings.quirk(rule) {
+    if state.plane_before != Plane::Xy && state.choices.quirk(rule) {
         let message = "polar words outside of the XY plane";
         return Err(refuse(rule, FaultKind::ModalConflict, message));
     }

@@ -8,7 +8,7 @@ use crate::rs274::refusal::{StepError, refuse};
 /// Quirk rs274.probe-per-revolution. Under feed per revolution probing is refused.
 pub(crate) fn feed_mode(state: &State) -> Result<(), StepError> {
     let rule = "rs274.probe-per-revolution";
-    if state.modes.feed_mode == FeedMode::PerRevolution && state.readings.quirk(rule) {
+    if state.modes.feed_mode == FeedMode::PerRevolution && state.choices.quirk(rule) {
         return Err(refuse(rule, FaultKind::Probe, "probing under feed per revolution"));
     }
     Ok(())
@@ -17,11 +17,11 @@ pub(crate) fn feed_mode(state: &State) -> Result<(), StepError> {
 /// Quirk rs274.probe-inverse-time. Under inverse time probing ignores F in its block, and goes at the rate that was
 /// set before.
 pub(crate) fn keeps_rate(state: &State) -> bool {
-    state.readings.quirk("rs274.probe-inverse-time")
+    state.choices.quirk("rs274.probe-inverse-time")
 }
 
 /// Quirk rs274.probe-same-point. G38.3 and G38.5 may lead to where the controlled point is.
 pub(crate) fn goes_nowhere(motion: Motion, state: &State) -> bool {
     let silent = matches!(motion, Motion::ProbeToward | Motion::ProbeAway);
-    silent && state.readings.quirk("rs274.probe-same-point")
+    silent && state.choices.quirk("rs274.probe-same-point")
 }

@@ -45,7 +45,7 @@ pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), StepError> {
     let rule = "rs274.plane-restore";
     let compensated = state.modes.compensation != Compensation::Off;
     let three = matches!(saved.plane, Plane::Xy | Plane::Zx | Plane::Yz);
-    if compensated && three && saved.plane != state.modes.plane && state.readings.quirk(rule) {
+    if compensated && three && saved.plane != state.modes.plane && state.choices.quirk(rule) {
         let message = "a restore of the plane while the cutter is compensated";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
@@ -56,7 +56,7 @@ pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), StepError> {
 pub(crate) fn system(saved: &Modes, state: &State) -> Result<(), StepError> {
     let rule = "rs274.system-restore";
     let selected = saved.work_offset != state.modes.work_offset;
-    if selected && saved.compensation != Compensation::Off && state.readings.quirk(rule) {
+    if selected && saved.compensation != Compensation::Off && state.choices.quirk(rule) {
         let message = "a restore of the coordinate system beside that of the compensation";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
@@ -75,7 +75,7 @@ pub(crate) fn retract(saved: &Modes, state: &State) -> Result<(), StepError> {
 /// compensated.
 pub(crate) fn retract_under_compensation(state: &State) -> Result<(), StepError> {
     let rule = "rs274.retract-under-compensation";
-    if state.modes.compensation != Compensation::Off && state.readings.quirk(rule) {
+    if state.modes.compensation != Compensation::Off && state.choices.quirk(rule) {
         let message = "a return mode is selected while the cutter is compensated";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
@@ -98,7 +98,7 @@ pub(crate) fn path_under_compensation(state: &State) -> Result<(), StepError> {
 
 fn path_under(compensation: Compensation, state: &State) -> Result<(), StepError> {
     let rule = "rs274.path-under-compensation";
-    if compensation != Compensation::Off && state.readings.quirk(rule) {
+    if compensation != Compensation::Off && state.choices.quirk(rule) {
         let message = "a path control mode is selected while the cutter is compensated";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
@@ -140,13 +140,13 @@ pub(crate) const FEED: &[&str] =
 /// programmed again, because it is the same. Quirk rs274.feed-unit. F comes back as the number that was programmed,
 /// whatever the length unit was.
 pub(crate) fn feed(saved: &Modes, state: &mut State) {
-    let by_number = state.readings.quirk("rs274.feed-unit");
+    let by_number = state.choices.quirk("rs274.feed-unit");
     let number = |modes: &Modes| if by_number { modes.feed_number } else { modes.feed_rate };
     let is_same = same(number(&state.modes), number(saved));
-    let rounded = state.readings.quirk("rs274.feed-speed-rounded");
+    let rounded = state.choices.quirk("rs274.feed-speed-rounded");
     let programmed = if rounded { decimals(number(saved), 1) } else { number(saved) };
     let mode_changed = saved.feed_mode != state.modes.feed_mode;
-    let lost = state.readings.quirk("rs274.feed-mode-feed");
+    let lost = state.choices.quirk("rs274.feed-mode-feed");
     let ignored = lost && saved.feed_mode == FeedMode::InverseTime;
     if !ignored && (!is_same || lost && mode_changed) {
         let number = if is_same { 0.0 } else { programmed };
@@ -170,7 +170,7 @@ pub(crate) const SPINDLES: &[&str] = &[
 
 /// Quirk rs274.first-spindle-saved. Spindles after the first stay as they are.
 pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError> {
-    let first_only = state.readings.quirk("rs274.first-spindle-saved");
+    let first_only = state.choices.quirk("rs274.first-spindle-saved");
     let count = if first_only { 1 } else { saved.spindles.len() };
     if saved.spindles[0].mode != state.modes.spindles[0].mode {
         choose(0, state);
@@ -185,14 +185,14 @@ pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError
 /// G96 comes back without D, and is refused when S is not programmed again, because it is the same.
 fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, StepError> {
     let is_same = same(saved.speed, now.speed);
-    let rounded = state.readings.quirk("rs274.feed-speed-rounded");
+    let rounded = state.choices.quirk("rs274.feed-speed-rounded");
     let speed = match (is_same, rounded) {
         (true, _) => now.speed,
         (false, true) => decimals(saved.speed, 0),
         (false, false) => saved.speed,
     };
     let mut limit = saved.limit;
-    if state.readings.quirk("rs274.surface-speed-restore") {
+    if state.choices.quirk("rs274.surface-speed-restore") {
         let to_surface = saved.mode == SpindleMode::SurfaceSpeed;
         limit = if saved.mode == now.mode { now.limit } else { SpindleLimit::None };
         if to_surface && saved.mode != now.mode && is_same {
@@ -216,7 +216,7 @@ fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Ste
 /// at the save. Quirk rs274.orient-forgets-turning. One that is taken for stopped is not stopped either. Returns how
 /// it turns, and whether it is taken for stopped.
 fn restored(saved: &Spindle, now: &Spindle, state: &State) -> (SpindleTurn, bool) {
-    let as_stopped = state.readings.quirk("rs274.oriented-as-stopped");
+    let as_stopped = state.choices.quirk("rs274.oriented-as-stopped");
     let was_stopped = taken_turn(saved, state) == SpindleTurn::Stopped;
     let oriented = now.turn == SpindleTurn::Oriented;
     if was_stopped && (oriented && as_stopped || now.taken_for_stopped) {
@@ -227,7 +227,7 @@ fn restored(saved: &Spindle, now: &Spindle, state: &State) -> (SpindleTurn, bool
 
 /// Quirk rs274.oriented-as-stopped. How a spindle is taken to turn.
 fn taken_turn(spindle: &Spindle, state: &State) -> SpindleTurn {
-    let as_stopped = state.readings.quirk("rs274.oriented-as-stopped");
+    let as_stopped = state.choices.quirk("rs274.oriented-as-stopped");
     let turn = spindle.known_turn();
     if turn == SpindleTurn::Oriented && as_stopped { SpindleTurn::Stopped } else { turn }
 }
@@ -251,7 +251,7 @@ pub(crate) fn path(saved: &Modes, state: &mut State) {
 /// Quirk rs274.tolerance-unit. G64 is programmed again with the numbers of its tolerances, in whatever unit.
 pub(crate) fn tolerances_as_numbers(state: &mut State) {
     let modes = &mut state.modes;
-    if state.readings.quirk("rs274.tolerance-unit") {
+    if state.choices.quirk("rs274.tolerance-unit") {
         let factor = unit_size(modes.units) / unit_size(modes.tolerance_unit);
         modes.blend_tolerance *= factor;
         modes.naive_cam_tolerance *= factor;
@@ -285,7 +285,7 @@ pub(crate) enum Control {
 pub(crate) fn disabled_by_path(saved: &Modes, now: &Modes, state: &State) -> Option<Control> {
     let has_p = saved.path == Path::Continuous && programs_path(saved, now);
     let is_zero = same(saved.blend_tolerance, 0.0);
-    if !(has_p && is_zero && state.readings.quirk("rs274.shared-p")) {
+    if !(has_p && is_zero && state.choices.quirk("rs274.shared-p")) {
         return None;
     }
     let comes_on = |saved: Switch, now: Switch| saved == Switch::On && now == Switch::Off;

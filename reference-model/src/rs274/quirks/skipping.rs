@@ -55,7 +55,7 @@ pub(crate) fn pass_over(
     end: Option<u32>,
     state: &mut State,
 ) -> Result<(), StepError> {
-    if !QUIRKS.iter().any(|quirk| state.readings.quirk(quirk)) {
+    if !QUIRKS.iter().any(|quirk| state.choices.quirk(quirk)) {
         return Ok(());
     }
     let start = control.place;
@@ -100,7 +100,7 @@ pub(crate) fn to_called(
     end: Option<u32>,
     state: &mut State,
 ) -> Result<(), StepError> {
-    if !QUIRKS.iter().any(|quirk| state.readings.quirk(quirk)) {
+    if !QUIRKS.iter().any(|quirk| state.choices.quirk(quirk)) {
         return Ok(());
     }
     let call = Call { label: label.to_owned(), back: control.place, style: Style::OWord };
@@ -113,7 +113,7 @@ pub(crate) fn to_called(
 
 /// A line that is passed over.
 fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), StepError> {
-    let reads = state.readings.quirk("rs274.skipped-is-read");
+    let reads = state.choices.quirk("rs274.skipped-is-read");
     let in_sub = matches!(sought, Sought::EndSub { .. });
     let read = match syntax::passed_over(text, state) {
         Ok(read) => read,
@@ -145,13 +145,13 @@ fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), StepE
     };
     match sought {
         Sought::Structure { label: own, ends }
-            if label.as_deref() == Some(own) && state.readings.quirk("rs274.skipped-labels") =>
+            if label.as_deref() == Some(own) && state.choices.quirk("rs274.skipped-labels") =>
         {
             own_label(word.keyword, ends)
         }
         Sought::EndSub { .. }
             if word.keyword == Keyword::ProgramNumber
-                && state.readings.quirk("rs274.number-in-sub") =>
+                && state.choices.quirk("rs274.number-in-sub") =>
         {
             let message = "a number alone within a sub that is defined";
             Err(refuse("rs274.number-in-sub", FaultKind::NestedSub, message))
@@ -163,14 +163,14 @@ fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), StepE
         Sought::EndSub { label: own }
             if label.as_deref() == Some(own)
                 && word.keyword == Keyword::Return
-                && state.readings.quirk("rs274.value-at-definition") =>
+                && state.choices.quirk("rs274.value-at-definition") =>
         {
             returned(true, text, state)
         }
         Sought::Called { label: own }
             if label.as_deref() == Some(own)
                 && matches!(word.keyword, Keyword::EndSub | Keyword::Return)
-                && state.readings.quirk("rs274.value-at-definition") =>
+                && state.choices.quirk("rs274.value-at-definition") =>
         {
             returned(false, text, state)
         }

@@ -11,30 +11,30 @@ use crate::rs274::step::motion::{is_spline, motion_of};
 pub(crate) fn needs_no_feed(words: &Words, state: &State) -> bool {
     state.modes.feed_mode == FeedMode::PerRevolution
         && motion_of(words, state).is_some_and(is_spline)
-        && state.readings.quirk("rs274.spline-per-revolution")
+        && state.choices.quirk("rs274.spline-per-revolution")
 }
 
 /// Quirk rs274.nurbs-machine-coordinates. G53 may stand with G5.2. What it does there, no controller shows: no spline
 /// of a point alone ends.
 pub(crate) fn takes_machine_coordinates(words: &Words, state: &State) -> bool {
-    words.g.contains(&52) && state.readings.quirk("rs274.nurbs-machine-coordinates")
+    words.g.contains(&52) && state.choices.quirk("rs274.nurbs-machine-coordinates")
 }
 
 /// Quirk rs274.spline-not-modal. G5 and G5.1 leave the motion mode as it was.
 pub(crate) fn is_not_modal(state: &State) -> bool {
-    state.readings.quirk("rs274.spline-not-modal")
+    state.choices.quirk("rs274.spline-not-modal")
 }
 
 /// Quirk rs274.cubic-without-direction. The first G5 of a row needs no I and J.
 pub(crate) fn begins_without_direction(state: &State) -> bool {
-    state.readings.quirk("rs274.cubic-without-direction")
+    state.choices.quirk("rs274.cubic-without-direction")
 }
 
 /// Quirk rs274.quadratic-needs-both. G5.1 needs both I and J.
 pub(crate) fn quadratic_needs_both(words: &Words, state: &State) -> Result<(), StepError> {
     let rule = "rs274.quadratic-needs-both";
     let both = ['i', 'j'].iter().all(|letter| words.letters.contains_key(letter));
-    if !both && state.readings.quirk(rule) {
+    if !both && state.choices.quirk(rule) {
         return Err(refuse(rule, FaultKind::MissingWord, "G5.1 with only one of I and J"));
     }
     Ok(())
@@ -42,14 +42,14 @@ pub(crate) fn quadratic_needs_both(words: &Words, state: &State) -> Result<(), S
 
 /// Quirk rs274.quadratic-of-zero. Both may be zero.
 pub(crate) fn quadratic_of_zero(state: &State) -> bool {
-    state.readings.quirk("rs274.quadratic-of-zero")
+    state.choices.quirk("rs274.quadratic-of-zero")
 }
 
 /// Quirk rs274.nurbs-weight. Each control point behind that of G5.2 needs P.
 pub(crate) fn needs_weight(words: &Words, state: &State) -> Result<(), StepError> {
     let rule = "rs274.nurbs-weight";
     let opens = words.g.contains(&52);
-    if !opens && !words.letters.contains_key(&'p') && state.readings.quirk(rule) {
+    if !opens && !words.letters.contains_key(&'p') && state.choices.quirk(rule) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "a control point without its weight"));
     }
     Ok(())
@@ -58,7 +58,7 @@ pub(crate) fn needs_weight(words: &Words, state: &State) -> Result<(), StepError
 /// Quirk rs274.nurbs-order-two. A NURBS of order two needs three control points too.
 pub(crate) fn of_two_points(points: u32, state: &State) -> Result<(), StepError> {
     let rule = "rs274.nurbs-order-two";
-    if points == 2 && state.readings.quirk(rule) {
+    if points == 2 && state.choices.quirk(rule) {
         let message = "a NURBS of two control points";
         return Err(refuse(rule, FaultKind::MissingWord, message));
     }

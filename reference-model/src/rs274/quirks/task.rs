@@ -10,7 +10,7 @@ use crate::rs274::modes::{Modes, converted};
 /// the beginning where nothing has moved, then without the speeds; but not the motion mode itself, and none where
 /// that motion was in a sub.
 pub(crate) fn modes_of_last_motion(modes: &Modes, has_moved: bool, state: &mut State) {
-    if state.readings.quirk("linuxcnc.modes-of-last-motion") {
+    if state.choices.quirk("linuxcnc.modes-of-last-motion") {
         let machine = state.modes.machine_point(state.position);
         let machine = converted(machine, state.modes.units, modes.units);
         let restored = Modes { motion: state.modes.motion, ..modes.clone() };
@@ -29,10 +29,10 @@ pub(crate) fn modes_of_last_motion(modes: &Modes, has_moved: bool, state: &mut S
 
 /// Quirk linuxcnc.auto-while-running. A request for the mode that a program runs in drops the program.
 pub(crate) fn drops_program(mode: ControllerMode, state: &State) -> bool {
-    mode == ControllerMode::Auto && state.readings.quirk("linuxcnc.auto-while-running")
+    mode == ControllerMode::Auto && state.choices.quirk("linuxcnc.auto-while-running")
 }
 
 /// Quirk linuxcnc.returned-value-kept. What the last sub has returned is still there when a program starts.
 pub(crate) fn keeps_value(state: &State) -> bool {
-    state.readings.quirk("linuxcnc.returned-value-kept")
+    state.choices.quirk("linuxcnc.returned-value-kept")
 }

@@ -7,9 +7,9 @@
 use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
 
 use crate::math;
+use crate::rs274::choices::Choices;
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
-use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::Comment;
 
@@ -42,7 +42,7 @@ pub(crate) fn loses_percent_sign(text: &str) -> bool {
 pub(crate) fn read_under_compensation(name: &Name, state: &State) -> Result<(), StepError> {
     let rule = "rs274.position-under-compensation";
     let of_position = matches!(name, Name::Numbered(5420..=5428));
-    if of_position && state.modes.compensation != Compensation::Off && state.readings.quirk(rule) {
+    if of_position && state.modes.compensation != Compensation::Off && state.choices.quirk(rule) {
         let message = "the position while the cutter is compensated";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
@@ -59,31 +59,31 @@ pub(crate) fn create_early(name: &Name, state: &mut State) {
 }
 
 /// Quirk rs274.g-code-tolerance: a G code may be off by a ten-thousandth itself. The integer that ten times it means.
-pub(crate) fn close_g_code(tenfold: f64, readings: &Readings) -> Option<i64> {
+pub(crate) fn close_g_code(tenfold: f64, choices: &Choices) -> Option<i64> {
     let near = math::near_integer(tenfold.round())?;
     let close = (tenfold - tenfold.round()).abs() <= 0.001;
-    Some(near).filter(|_| close && readings.quirk("rs274.g-code-tolerance"))
+    Some(near).filter(|_| close && choices.quirk("rs274.g-code-tolerance"))
 }
 
 /// Quirk rs274.absolute-negative-zero: ABS leaves the sign of a zero.
-pub(crate) fn absolute(argument: f64, readings: &Readings) -> f64 {
-    let left = argument == 0.0 && readings.quirk("rs274.absolute-negative-zero");
+pub(crate) fn absolute(argument: f64, choices: &Choices) -> f64 {
+    let left = argument == 0.0 && choices.quirk("rs274.absolute-negative-zero");
     if left { argument } else { argument.abs() }
 }
 
 /// Quirk rs274.repeated-negative-word: a P or Q of -1 or less counts as none, so that another one may follow it.
 /// Quirk rs274.polar-repeated: so may a polar word in any case.
-pub(crate) fn may_be_repeated(letter: char, earlier: f64, readings: &Readings) -> bool {
+pub(crate) fn may_be_repeated(letter: char, earlier: f64, choices: &Choices) -> bool {
     match letter {
-        '@' | '^' => readings.quirk("rs274.polar-repeated"),
-        'p' | 'q' => earlier <= -1.0 && readings.quirk("rs274.repeated-negative-word"),
+        '@' | '^' => choices.quirk("rs274.polar-repeated"),
+        'p' | 'q' => earlier <= -1.0 && choices.quirk("rs274.repeated-negative-word"),
         _ => false,
     }
 }
 
 /// Quirk rs274.rounded-zero-sign: what ROUND makes zero has no sign.
-pub(crate) fn rounded(value: f64, readings: &Readings) -> f64 {
-    let zero = value == 0.0 && readings.quirk("rs274.rounded-zero-sign");
+pub(crate) fn rounded(value: f64, choices: &Choices) -> f64 {
+    let zero = value == 0.0 && choices.quirk("rs274.rounded-zero-sign");
     if zero { 0.0 } else { value }
 }
 
@@ -105,7 +105,7 @@ pub(crate) fn has_tool_offset(state: &State) -> bool {
 /// feed rate in force. Quirk rs274.feed-name-inverse-time: under inverse time it is the feed rate of the last move.
 pub(crate) fn feed(state: &State) -> f64 {
     let modes = &state.modes;
-    let by_number = state.readings.quirk(if modes.feed_mode == FeedMode::InverseTime {
+    let by_number = state.choices.quirk(if modes.feed_mode == FeedMode::InverseTime {
         "rs274.feed-name-inverse-time"
     } else {
         "rs274.feed-name-number"
@@ -119,14 +119,14 @@ pub(crate) fn selected_tool(state: &State) -> i32 {
 }
 
 /// Quirk rs274.message-small-value. A message shows what is nearer to zero than a ten-thousandth as zero.
-pub(crate) fn told(value: f64, readings: &Readings) -> f64 {
-    let small = value.abs() < 1e-4 && readings.quirk("rs274.message-small-value");
+pub(crate) fn told(value: f64, choices: &Choices) -> f64 {
+    let small = value.abs() < 1e-4 && choices.quirk("rs274.message-small-value");
     if small { 0.0 } else { value }
 }
 
 /// Quirk rs274.message-parameter-zero. #0 stands for zero in a message: what stands behind it.
-pub(crate) fn parameter_zero<'a>(text: &'a str, readings: &Readings) -> Option<&'a str> {
-    if !readings.quirk("rs274.message-parameter-zero") {
+pub(crate) fn parameter_zero<'a>(text: &'a str, choices: &Choices) -> Option<&'a str> {
+    if !choices.quirk("rs274.message-parameter-zero") {
         return None;
     }
     let number = text.strip_prefix('#')?;

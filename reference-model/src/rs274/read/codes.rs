@@ -32,7 +32,7 @@ fn code(word: &Word, value: f64, range: &'static str, state: &mut State) -> Resu
     let letter = word.letter.to_ascii_uppercase();
     let g_code = range == "modal-groups.g-code-out-of-range";
     let near = math::near_integer(value).or_else(|| {
-        let close = g_code.then(|| quirks::close_g_code(value, &state.readings));
+        let close = g_code.then(|| quirks::close_g_code(value, &state.choices));
         close.flatten()
     });
     let Some(number) = near else {

@@ -59,7 +59,7 @@ pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, Ste
         let message = format!("the number of a parameter is an integer, not {value}");
         return Err(refuse("parameters.index-integer", FaultKind::ParameterNotInteger, message));
     };
-    let last = parameters::last(&state.readings);
+    let last = parameters::last(&state.choices);
     match u32::try_from(number) {
         Ok(number) if (1..=last).contains(&number) => {
             state.evidence.accepted("parameters.range");
@@ -105,12 +105,12 @@ fn exists(parameter: &Parameter, state: &mut State) -> Result<f64, StepError> {
 fn arc_tangent(opposite: f64, adjacent: f64, state: &mut State) -> f64 {
     state.evidence.accepted("expressions.arctangent");
     state.evidence.accepted("expressions.angles");
-    let angle = if state.readings.is("expressions.negative-zero", "kept") {
+    let angle = if state.choices.is("expressions.negative-zero", "kept") {
         math::degrees_of_signed(opposite, adjacent)
     } else {
         math::degrees_of(opposite, adjacent)
     };
-    if angle < 0.0 && state.readings.is("expressions.arctangent-range", "full-turn") {
+    if angle < 0.0 && state.choices.is("expressions.arctangent-range", "full-turn") {
         return angle + 360.0;
     }
     angle

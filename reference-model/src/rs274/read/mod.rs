@@ -69,7 +69,7 @@ fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), St
         'm' => words.m.push(codes::m_code(word, value, state)?),
         letter => {
             let earlier = words.letters.insert(letter, value);
-            let counts = |value| !quirks::may_be_repeated(letter, value, &state.readings);
+            let counts = |value| !quirks::may_be_repeated(letter, value, &state.choices);
             if earlier.is_some_and(counts) {
                 let message = format!("the letter {} stands twice", letter.to_ascii_uppercase());
                 let kind = FaultKind::RepeatedWord;
@@ -85,7 +85,7 @@ fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), St
 fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), StepError> {
     let name = evaluate::name(&setting.target, state)?;
     parameters::writable(&name, state)?;
-    if state.readings.quirk("rs274.named-exists-early") {
+    if state.choices.quirk("rs274.named-exists-early") {
         quirks::create_early(&name, state);
     }
     let value = evaluate(&setting.value, state)?;

@@ -3,9 +3,9 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use crate::math;
+use crate::rs274::choices::Choices;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::text as quirks;
-use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::{Function, Operator};
 
@@ -22,34 +22,30 @@ pub(super) fn operate(
     right: f64,
     state: &mut State,
 ) -> Result<f64, StepError> {
-    let readings = &state.readings;
+    let choices = &state.choices;
     let (rule, value) = match operator {
         Operator::Power => ("expressions.power", power(left, right)?),
         Operator::Divide => ("expressions.arithmetic", divide(left, right)?),
-        Operator::Modulus => ("expressions.modulus", modulus(left, right, readings)?),
+        Operator::Modulus => ("expressions.modulus", modulus(left, right, choices)?),
         Operator::Multiply => ("expressions.arithmetic", left * right),
         Operator::Add => ("expressions.arithmetic", left + right),
         Operator::Subtract => ("expressions.arithmetic", left - right),
-        Operator::Equal => ("expressions.tolerance", truth(equal(left, right), readings)),
-        Operator::NotEqual => ("expressions.tolerance", truth(!equal(left, right), readings)),
+        Operator::Equal => ("expressions.tolerance", truth(equal(left, right), choices)),
+        Operator::NotEqual => ("expressions.tolerance", truth(!equal(left, right), choices)),
         Operator::Greater => {
-            ("expressions.relational", truth(greater(left, right, readings), readings))
+            ("expressions.relational", truth(greater(left, right, choices), choices))
         }
-        Operator::Less => {
-            ("expressions.relational", truth(greater(right, left, readings), readings))
-        }
+        Operator::Less => ("expressions.relational", truth(greater(right, left, choices), choices)),
         Operator::GreaterOrEqual => {
-            ("expressions.relational", truth(!greater(right, left, readings), readings))
+            ("expressions.relational", truth(!greater(right, left, choices), choices))
         }
         Operator::LessOrEqual => {
-            ("expressions.relational", truth(!greater(left, right, readings), readings))
+            ("expressions.relational", truth(!greater(left, right, choices), choices))
         }
-        Operator::And => {
-            ("expressions.logical", truth(!is_zero(left) && !is_zero(right), readings))
-        }
-        Operator::Or => ("expressions.logical", truth(!is_zero(left) || !is_zero(right), readings)),
+        Operator::And => ("expressions.logical", truth(!is_zero(left) && !is_zero(right), choices)),
+        Operator::Or => ("expressions.logical", truth(!is_zero(left) || !is_zero(right), choices)),
         Operator::ExclusiveOr => {
-            ("expressions.logical", truth(is_zero(left) != is_zero(right), readings))
+            ("expressions.logical", truth(is_zero(left) != is_zero(right), choices))
         }
     };
     if !value.is_finite() {
@@ -75,12 +71,12 @@ fn divide(left: f64, right: f64) -> Result<f64, StepError> {
 /// Rule expressions.modulus. MOD gives the remainder of a division of any real numbers.
 /// Rule expressions.modulus-zero. A modulus of zero gives no number and is refused.
 /// Choice expressions.modulus-sign: never negative, or with the sign of the number on the left.
-fn modulus(left: f64, right: f64, readings: &Readings) -> Result<f64, StepError> {
+fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, StepError> {
     if is_zero(right) {
         let message = format!("the remainder of {left} by zero is no number");
         return Err(refuse("expressions.modulus-zero", FaultKind::DivideByZero, message));
     }
-    if readings.is("expressions.modulus-sign", "dividend") {
+    if choices.is("expressions.modulus-sign", "dividend") {
         return Ok(left % right);
     }
     Ok(left.rem_euclid(right))
@@ -104,13 +100,13 @@ fn equal(left: f64, right: f64) -> bool {
 
 /// Rule expressions.relational. GT, GE, LT and LE compare two numbers.
 /// Choice expressions.order-tolerance: as they are, or with the tolerance of equality.
-fn greater(left: f64, right: f64, readings: &Readings) -> bool {
-    left > right && !(readings.is("expressions.order-tolerance", "tolerant") && equal(left, right))
+fn greater(left: f64, right: f64, choices: &Choices) -> bool {
+    left > right && !(choices.is("expressions.order-tolerance", "tolerant") && equal(left, right))
 }
 
 /// Choice expressions.true-value: what a true comparison gives.
-fn truth(holds: bool, readings: &Readings) -> f64 {
-    match (holds, readings.choice("expressions.true-value")) {
+fn truth(holds: bool, choices: &Choices) -> f64 {
+    match (holds, choices.choice("expressions.true-value")) {
         (false, _) => 0.0,
         (true, "minus-one") => -1.0,
         (true, _) => 1.0,
@@ -126,7 +122,7 @@ pub(super) fn function(
     state: &mut State,
 ) -> Result<f64, StepError> {
     let (rule, value) = match function {
-        Function::Absolute => ("expressions.absolute", quirks::absolute(argument, &state.readings)),
+        Function::Absolute => ("expressions.absolute", quirks::absolute(argument, &state.choices)),
         Function::Sine => ("expressions.angles", math::sine_of_degrees(argument)),
         Function::Cosine => ("expressions.angles", math::cosine_of_degrees(argument)),
         Function::Tangent => ("expressions.angles", math::tangent_of_degrees(argument)),
@@ -138,8 +134,8 @@ pub(super) fn function(
         Function::RoundDown => ("expressions.rounding-functions", argument.floor()),
         Function::RoundUp => ("expressions.rounding-functions", argument.ceil()),
         Function::Round => {
-            let rounded = round(argument, &state.readings);
-            ("expressions.rounding-functions", quirks::rounded(rounded, &state.readings))
+            let rounded = round(argument, &state.choices);
+            ("expressions.rounding-functions", quirks::rounded(rounded, &state.choices))
         }
     };
     if !value.is_finite() {
@@ -151,8 +147,8 @@ pub(super) fn function(
 }
 
 /// Choice expressions.round-half: away from zero, to the greater one, or to the even one.
-fn round(number: f64, readings: &Readings) -> f64 {
-    match readings.choice("expressions.round-half") {
+fn round(number: f64, choices: &Choices) -> f64 {
+    match choices.choice("expressions.round-half") {
         "up" if is_half(number) => number.ceil(),
         "even" => number.round_ties_even(),
         _ => number.round(),

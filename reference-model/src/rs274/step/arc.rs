@@ -95,7 +95,7 @@ fn turns(words: &Words, state: &mut State) -> Result<i32, StepError> {
     let turns = whole(number).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     if turns < 1 {
         let rule = "arcs.turns-below-one";
-        if state.readings.is(rule, "refused") {
+        if state.choices.is(rule, "refused") {
             return Err(refuse(rule, FaultKind::WordOutOfRange, message()));
         }
         state.evidence.accepted(rule);
@@ -151,7 +151,7 @@ fn centre_of_offsets(
         if diameter {
             state.evidence.accepted("arcs.diameter-centre");
         }
-        let halved = diameter && state.readings.is("arcs.diameter-centre", "diameter");
+        let halved = diameter && state.choices.is("arcs.diameter-centre", "diameter");
         Some(if halved { offset / 2.0 } else { offset })
     };
     let offsets = (offset(axes.first), offset(axes.second));
@@ -186,7 +186,7 @@ fn distance(from: InPlane, to: InPlane) -> f64 {
 ///
 /// Choice arcs.small-tolerance: the manual has two numbers for the smaller one.
 fn tolerances(state: &State) -> (f64, f64) {
-    let fine = state.readings.is("arcs.small-tolerance", "fine");
+    let fine = state.choices.is("arcs.small-tolerance", "fine");
     quirks::radius_tolerances(state).unwrap_or(match (state.modes.units, fine) {
         (LengthUnit::Inch, false) => (0.05, 0.000_5),
         (LengthUnit::Inch, true) => (0.05, 0.000_1),
@@ -228,7 +228,7 @@ fn same_radius(
     }
     if to_start == 0.0 {
         let rule = "arcs.zero-radius";
-        if state.readings.is(rule, "refused") {
+        if state.choices.is(rule, "refused") {
             return Err(refuse(rule, FaultKind::BadArc, "an arc without a radius"));
         }
         state.evidence.accepted(rule);
@@ -272,7 +272,7 @@ fn centre_of_radius(
             LengthUnit::Inch => 0.000_05,
             LengthUnit::Millimetre => 0.001_27,
         };
-        let accepted = state.readings.is("arcs.radius-just-too-small", "half-circle");
+        let accepted = state.choices.is("arcs.radius-just-too-small", "half-circle");
         // No circle has a radius of zero, and no number that is written is rounded to it.
         let none = radius == 0.0 && !quirks::arcs_without_radius(state);
         if !accepted || none || short > tolerance {

@@ -96,7 +96,7 @@ fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
     };
     if let Some(orientation) = word(words, 'l') {
         let rule = "tool.dynamic-compensation-orientation";
-        let most = if state.readings.quirk("rs274.orientation-too-large") { i32::MAX } else { 9 };
+        let most = if state.choices.quirk("rs274.orientation-too-large") { i32::MAX } else { 9 };
         if !whole(orientation).is_some_and(|number| (0..=most).contains(&number)) {
             let message = format!("L{orientation} is no orientation from 0 to 9");
             return Err(refuse(rule, FaultKind::WordOutOfRange, message));

@@ -20,7 +20,7 @@ use crate::rs274::task::Record;
 /// There is no P, which the check asks for: a fault of the model.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let seconds = word(words, 'p').expect("check: G4 has P");
-    let any = whole(seconds) != Some(-1) && state.readings.quirk("rs274.negative-dwell");
+    let any = whole(seconds) != Some(-1) && state.choices.quirk("rs274.negative-dwell");
     if seconds < 0.0 && !any {
         let message = format!("a dwell of {seconds} seconds");
         return Err(refuse("dwell.negative-time", FaultKind::WordOutOfRange, message));

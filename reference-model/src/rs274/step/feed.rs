@@ -40,7 +40,7 @@ pub fn select_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// Rule feed.rate-after-mode-change. After a switch to G94 or G95 no feed rate is set until a new one is given.
 fn change_mode(mode: FeedMode, state: &mut State) {
     let switched =
-        mode != state.modes.feed_mode || state.readings.quirk("rs274.feed-lost-at-same-mode");
+        mode != state.modes.feed_mode || state.choices.quirk("rs274.feed-lost-at-same-mode");
     if switched && mode != FeedMode::InverseTime {
         state.modes.feed_rate = 0.0;
         state.modes.feed_number = 0.0;
@@ -64,7 +64,7 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
     }
     let motion = motion_of(words, state);
     let feeds = motion.is_some_and(|motion| {
-        let probes = is_probing(motion) && !state.readings.quirk("rs274.probe-inverse-time");
+        let probes = is_probing(motion) && !state.choices.quirk("rs274.probe-inverse-time");
         probes || is_spline(motion) || is_feed(motion)
     });
     if state.modes.feed_mode == FeedMode::InverseTime && !feeds {
@@ -77,7 +77,7 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
     }
     state.modes.feed_rate = rate;
     let of_move = state.modes.feed_mode == FeedMode::InverseTime
-        && state.readings.quirk("rs274.feed-name-inverse-time");
+        && state.choices.quirk("rs274.feed-name-inverse-time");
     if !of_move {
         state.modes.feed_number = rate;
     }

@@ -106,7 +106,7 @@ fn input(words: &Words, state: &mut State) -> Result<Input, StepError> {
 /// four (inputs.count). Quirk rs274.io-number-rounded: a fraction is rounded. Quirk linuxcnc.input-number: any number
 /// is accepted, and where there is no such input zero is read.
 fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Result<u32, StepError> {
-    let any = state.outside.is_stand_alone() || state.readings.quirk("linuxcnc.input-number");
+    let any = state.outside.is_stand_alone() || state.choices.quirk("linuxcnc.input-number");
     let number = quirks::number(value, state).and_then(|number| u32::try_from(number).ok());
     let number = number.filter(|number| any || *number < of_machine.into()).ok_or_else(|| {
         let message = format!("{letter}{value} names no input of {of_machine}");
@@ -127,7 +127,7 @@ fn mode(words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
         return Ok(WaitMode::Immediate);
     };
     let ids = ["rs274.wait-mode-any", "linuxcnc.wait-mode-times-out"];
-    let any = ids.iter().any(|quirk| state.readings.quirk(quirk));
+    let any = ids.iter().any(|quirk| state.choices.quirk(quirk));
     let mode = match whole(value) {
         Some(0) => WaitMode::Immediate,
         Some(1) => WaitMode::Rise,
@@ -169,7 +169,7 @@ fn timeout(mode: WaitMode, words: &Words, state: &mut State) -> Result<Option<f6
     match timeout {
         None => {
             let rule = "inputs.without-timeout";
-            if state.readings.is(rule, "refused") {
+            if state.choices.is(rule, "refused") {
                 let message = "M66 that waits needs Q, the longest wait in seconds";
                 return Err(refuse(rule, FaultKind::MissingWord, message));
             }

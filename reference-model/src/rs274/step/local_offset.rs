@@ -83,7 +83,7 @@ fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
     let before = state.modes.g92_offset;
     let in_system = each(state.position, before, |point, offset| point + offset);
     // Quirk rs274.position-omitted-axes. Axes without a word keep theirs.
-    let kept = state.readings.quirk("rs274.position-omitted-axes");
+    let kept = state.choices.quirk("rs274.position-omitted-axes");
     let mut offset = if kept { before } else { Position::default() };
     for (axis, value) in offset_words(words, state) {
         *offset.get_mut(axis) = in_system.get(axis) - value;

@@ -55,7 +55,7 @@ pub(crate) fn not_under_compensation(
     if state.modes.compensation == Compensation::Off {
         return Ok(());
     }
-    if state.readings.is(rule, "refused") {
+    if state.choices.is(rule, "refused") {
         let message = "this code while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }

@@ -41,7 +41,7 @@ pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
 fn by_offsets_alone(words: &Words, state: &State) -> bool {
     is_arc(state.modes.motion)
         && moves_without_code(words)
-        && state.readings.is("arcs.offsets-alone", "arc")
+        && state.choices.is("arcs.offsets-alone", "arc")
 }
 
 /// Whether a motion is an arc.
@@ -144,7 +144,7 @@ fn without_axis_words(
     record: &mut Record,
 ) -> Result<(), StepError> {
     state.evidence.accepted("motion.without-axis-words");
-    if state.readings.is("motion.without-axis-words", "move-in-place") {
+    if state.choices.is("motion.without-axis-words", "move-in-place") {
         return move_to(motion, words, state, record);
     }
     state.modes.motion = motion;
@@ -267,7 +267,7 @@ pub(super) fn surface_speed_stands(state: &State) -> bool {
     let mut spindles = state.modes.spindles.iter().filter(|spindle| surface(spindle.mode));
     let standing = spindles
         .any(|spindle| matches!(spindle.turn, SpindleTurn::Stopped | SpindleTurn::Oriented));
-    standing && !state.readings.quirk("rs274.surface-speed-while-stopped")
+    standing && !state.choices.quirk("rs274.surface-speed-while-stopped")
 }
 
 /// The rules that an accepted move follows, those on modes that held until it among them.

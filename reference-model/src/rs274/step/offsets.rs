@@ -102,7 +102,7 @@ pub(super) fn in_force_changes(state: &mut State) -> Result<(), StepError> {
     if state.modes.compensation == Compensation::Off {
         return Ok(());
     }
-    if state.readings.is(rule, "refused") {
+    if state.choices.is(rule, "refused") {
         let message = "an offset in force is changed while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
@@ -117,7 +117,7 @@ pub(super) fn in_force_changes(state: &mut State) -> Result<(), StepError> {
 /// Rule offsets.set-omitted-axes. Axes without a word keep theirs.
 /// Rule offsets.rotation. R of G10 L2 is the angle by which the system is turned about Z; without R it stays.
 fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), StepError> {
-    if calculated && !has_axis_words(words) && !state.readings.quirk("rs274.calculate-without-axes")
+    if calculated && !has_axis_words(words) && !state.choices.quirk("rs274.calculate-without-axes")
     {
         let message = "G10 L20 needs an axis word";
         return Err(refuse("offsets.calculate-needs-axes", FaultKind::MissingWord, message));

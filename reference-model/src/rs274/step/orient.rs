@@ -59,7 +59,7 @@ fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
     let Some(value) = word(words, '$') else {
         let rule = "orient.without-dollar";
         state.evidence.accepted(rule);
-        return Ok(if state.readings.is(rule, "all") { all(state) } else { vec![0] });
+        return Ok(if state.choices.is(rule, "all") { all(state) } else { vec![0] });
     };
     let place = number(value, state, "orient.spindle-range")?;
     state.evidence.accepted("orient.spindle-range");
@@ -72,7 +72,7 @@ fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
 fn angle(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     let offset = state.machine.orient_offset;
     let Some(angle) = word(words, 'r') else {
-        if state.readings.quirk("rs274.orient-without-angle") {
+        if state.choices.quirk("rs274.orient-without-angle") {
             return Ok(word(words, 'p').map(|_| offset));
         }
         let rule = "orient.needs-angle";
@@ -113,14 +113,14 @@ fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, StepEr
 /// Quirk rs274.orient-without-timeout: without Q the run does not wait.
 fn timeout(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     let Some(seconds) = word(words, 'q') else {
-        if state.readings.quirk("rs274.orient-without-timeout") {
+        if state.choices.quirk("rs274.orient-without-timeout") {
             return Ok(None);
         }
         let rule = "orient.needs-timeout";
         return Err(refuse(rule, FaultKind::MissingWord, "M19 needs Q, the longest wait"));
     };
     let rule = "orient.zero-timeout";
-    if seconds < 0.0 || seconds == 0.0 && state.readings.is(rule, "refused") {
+    if seconds < 0.0 || seconds == 0.0 && state.choices.is(rule, "refused") {
         let message = format!("M19 with a longest wait of {seconds} seconds");
         return Err(refuse(rule, FaultKind::WordOutOfRange, message));
     }
@@ -143,7 +143,7 @@ fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State
     state.outside.set(Pin::SpindleOrientMode(spindle), direction);
     state.evidence.accepted("orient.pins");
     let locked = state.outside.level(Pin::SpindleLocked(spindle)) != 0.0;
-    if locked && state.readings.quirk("linuxcnc.orient-while-locked") {
+    if locked && state.choices.quirk("linuxcnc.orient-while-locked") {
         return;
     }
     // On its way it is neither locked nor braked, however short the way is.
@@ -222,7 +222,7 @@ fn brake_at(time: f64, place: usize, state: &mut State) {
     let Some(spindle) = index(place) else { return };
     let stands = !turns(place, state) && state.outside.orientation(place).is_none();
     let locked = state.outside.level(Pin::SpindleLocked(spindle)) != 0.0;
-    let standing = state.readings.is("orient.brake-otherwise", "while-standing");
+    let standing = state.choices.is("orient.brake-otherwise", "while-standing");
     let released = state.modes.spindles[place].brake_released;
     let applied = locked || stands && standing && !released;
     if locked {

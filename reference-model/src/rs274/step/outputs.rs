@@ -67,7 +67,7 @@ pub fn analog(
     let output = number(value, 'E', of_machine, timing, "outputs.analog-number-range", state)?;
     let to = match word(words, 'q') {
         Some(to) => to,
-        None if state.readings.quirk("rs274.output-value-optional") => quirks::ABSENT_VALUE,
+        None if state.choices.quirk("rs274.output-value-optional") => quirks::ABSENT_VALUE,
         None => {
             let message = format!("M{code} needs Q, the value of the output");
             return Err(refuse("outputs.analog-needs-value", FaultKind::MissingWord, message));
@@ -97,7 +97,7 @@ fn number(
     state: &mut State,
 ) -> Result<i32, StepError> {
     let whole = quirks::number(value, state);
-    let any = state.readings.quirk(match timing {
+    let any = state.choices.quirk(match timing {
         OutputTiming::WithMotion => "linuxcnc.output-number-with-motion",
         OutputTiming::AtOnce => "linuxcnc.output-number-at-once",
     });
@@ -136,7 +136,7 @@ fn switch(pin: Option<Pin>, value: f64, timing: OutputTiming, state: &mut State)
     if state.outside.awaits_motion_with(pin) {
         let rule = "outputs.at-once-over-waiting";
         state.evidence.accepted(rule);
-        if state.readings.is(rule, "replaces") {
+        if state.choices.is(rule, "replaces") {
             state.outside.forget_with_motion(pin);
         }
     }

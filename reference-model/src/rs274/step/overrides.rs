@@ -17,7 +17,7 @@ use crate::rs274::refusal::{StepError, refuse};
 /// Rules overrides.other-p and overrides.out-of-range.
 pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     let rule = "overrides.under-compensation";
-    if state.modes.compensation != Compensation::Off && state.readings.is(rule, "refused") {
+    if state.modes.compensation != Compensation::Off && state.choices.is(rule, "refused") {
         let message = "overrides are switched while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
@@ -51,7 +51,7 @@ fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), StepErro
     if state.modes.feed_override == switch {
         state.evidence.accepted("overrides.repeated");
     }
-    if !selected || state.readings.is("overrides.selected-feed", "switched") {
+    if !selected || state.choices.is("overrides.selected-feed", "switched") {
         state.modes.feed_override = switch;
     }
     for place in spindles {
@@ -92,7 +92,7 @@ fn single(code: u32, words: &Words, state: &mut State) -> Result<(), StepError> 
 /// Rule overrides.other-p. P is 1 or 0, and 1 when it is not given.
 fn switch(words: &Words, state: &State) -> Result<Switch, StepError> {
     let Some(value) = word(words, 'p') else { return Ok(Switch::On) };
-    if state.readings.quirk("rs274.override-any-p") {
+    if state.choices.quirk("rs274.override-any-p") {
         return Ok(quirks::switch_of_any_p(value));
     }
     match whole(value) {
@@ -113,7 +113,7 @@ fn speed_overrides(words: &Words, state: &mut State) -> Result<Vec<usize>, StepE
     let dollar = word(words, '$').filter(|_| !quirks::is_of_others(words, state));
     let Some(value) = dollar else {
         state.evidence.accepted("overrides.without-dollar");
-        let every = state.readings.is("overrides.without-dollar", "all");
+        let every = state.choices.is("overrides.without-dollar", "all");
         return Ok(if every { all(state) } else { vec![0] });
     };
     quirks::override_dollar(value, state)?;

@@ -65,7 +65,7 @@ fn tolerance(letter: char, words: &Words, state: &mut State) -> Result<Option<f6
     let rule = "path-control.negative-tolerance";
     match word(words, letter) {
         Some(value) if value < 0.0 => {
-            if state.readings.is(rule, "refused") {
+            if state.choices.is(rule, "refused") {
                 let message = format!("a tolerance of {value}");
                 return Err(refuse(rule, FaultKind::WordOutOfRange, message));
             }

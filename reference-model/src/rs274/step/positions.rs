@@ -92,7 +92,7 @@ fn straight(first: u32, state: &mut State, record: &mut Record) {
     if (first..first + 9).all(|number| state.parameters.stored(number) == 0.0) {
         state.evidence.accepted("positions.not-stored");
     }
-    if state.readings.quirk("rs274.position-move-in-place") {
+    if state.choices.quirk("rs274.position-move-in-place") {
         traverse(state.modes.machine_point(state.position), state, record);
     }
     let (here, mut there) = (state.modes.machine_point(state.position), destination(first, state));
@@ -124,7 +124,7 @@ fn by_way_of(
     state.evidence.accepted("positions.by-way-of");
     state.evidence.accepted("positions.named-axes");
     traverse(state.modes.machine_point(between), state, record);
-    let of_machine = state.readings.is("positions.rotated-axes", "machine");
+    let of_machine = state.choices.is("positions.rotated-axes", "machine");
     let to = |point: Position, state: &State| {
         if of_machine { state.modes.machine_point(point) } else { point }
     };

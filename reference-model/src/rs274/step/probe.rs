@@ -133,7 +133,7 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
         return Err(refuse("probe.zero-feed", FaultKind::ZeroFeed, message));
     }
     let choice = "probe.standing-spindle";
-    if state.readings.is(choice, "refused") && super::motion::surface_speed_stands(state) {
+    if state.choices.is(choice, "refused") && super::motion::surface_speed_stands(state) {
         let message = "probing under constant surface speed while the spindle stands";
         let rule = "spindle.surface-speed-while-stopped";
         return Err(refuse(rule, FaultKind::ZeroSpeed, message));

@@ -29,7 +29,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) {
     }
     state.evidence.accepted("program-end.mode");
     let changes = state.modes.controller_mode != ControllerMode::Mdi;
-    if changes && !state.readings.quirk("linuxcnc.auto-after-program-end") {
+    if changes && !state.choices.quirk("linuxcnc.auto-after-program-end") {
         state.modes.controller_mode = ControllerMode::Mdi;
         record.effect(state, Effect::ChangeControllerMode { mode: ControllerMode::Mdi });
     }
@@ -63,9 +63,9 @@ fn reset(state: &mut State) {
         state.evidence.accepted("offsets.local-persists");
     }
     motion_quirks::turn_system(|state| use_system(1, state), state);
-    let every = state.readings.is("program-end.spindles", "all");
+    let every = state.choices.is("program-end.spindles", "all");
     let stopped = if every { all(state) } else { vec![0] };
-    let speed_override = !state.readings.quirk("rs274.speed-override-at-end");
+    let speed_override = !state.choices.quirk("rs274.speed-override-at-end");
     per_minute(state);
     let modes = &mut state.modes;
     modes.plane = Plane::Xy;
@@ -90,7 +90,7 @@ fn reset(state: &mut State) {
 /// Choice program-end.feed-after-mode-change: whether F keeps its number where it counted otherwise before.
 fn per_minute(state: &mut State) {
     let switched = state.modes.feed_mode != FeedMode::PerMinute;
-    if switched && state.readings.is("program-end.feed-after-mode-change", "zero") {
+    if switched && state.choices.is("program-end.feed-after-mode-change", "zero") {
         state.modes.feed_rate = 0.0;
     }
     state.modes.feed_mode = FeedMode::PerMinute;

@@ -111,14 +111,14 @@ fn coordinates(saved: &Modes, state: &mut State) -> Result<(), StepError> {
     if state.modes.work_offset != saved.work_offset {
         use_system(saved.work_offset, state);
     }
-    if state.readings.quirk("rs274.local-offset-restore") {
+    if state.choices.quirk("rs274.local-offset-restore") {
         quirks::local_offset(saved, state);
     }
     let cancelled = saved.tool_length == Switch::Off;
-    if cancelled && state.readings.quirk("rs274.tool-offset-unit") {
+    if cancelled && state.choices.quirk("rs274.tool-offset-unit") {
         settings::tool_offset_as_programmed(state);
     }
-    if state.readings.quirk("rs274.tool-offset-restore") {
+    if state.choices.quirk("rs274.tool-offset-restore") {
         return quirks::tool_offset(saved, state);
     }
     apply((saved.tool_length == Switch::On).then_some(saved.tool_offset), state);
@@ -128,7 +128,7 @@ fn coordinates(saved: &Modes, state: &mut State) -> Result<(), StepError> {
 /// Rule saved-state.path. The mode comes back.
 /// Rule saved-state.path-tolerances. G64 comes back with both tolerances; the other modes have none.
 fn path(saved: &Modes, state: &mut State) {
-    if state.readings.quirk("rs274.tolerance-unit") {
+    if state.choices.quirk("rs274.tolerance-unit") {
         return quirks::path(saved, state);
     }
     state.modes.path = saved.path;
@@ -141,7 +141,7 @@ fn path(saved: &Modes, state: &mut State) {
 
 /// Rule saved-state.compensation. Off, left and right come back, dynamic or not.
 fn compensation(saved: &Modes, state: &mut State) {
-    if state.readings.quirk("rs274.dynamic-compensation-restore") {
+    if state.choices.quirk("rs274.dynamic-compensation-restore") {
         return quirks::compensation(saved, state);
     }
     state.modes.compensation = saved.compensation;
@@ -151,8 +151,8 @@ fn compensation(saved: &Modes, state: &mut State) {
 /// Rules saved-state.feed-mode and saved-state.feed.
 /// Rule saved-state.feed-of-feed-mode. The feed comes back together with the mode in which it was given.
 fn feed(saved: &Modes, state: &mut State) {
-    let readings = &state.readings;
-    if quirks::FEED.iter().any(|quirk| readings.quirk(quirk)) {
+    let choices = &state.choices;
+    if quirks::FEED.iter().any(|quirk| choices.quirk(quirk)) {
         return quirks::feed(saved, state);
     }
     state.modes.feed_mode = saved.feed_mode;
@@ -165,7 +165,7 @@ fn feed(saved: &Modes, state: &mut State) {
 /// Rule saved-state.each-spindle. Those of every spindle. Whichever of M3, M4 and M5 comes back takes M19's place in
 /// their group, and unlocks the spindle (orient.cleared).
 fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError> {
-    if quirks::SPINDLES.iter().any(|quirk| state.readings.quirk(quirk)) {
+    if quirks::SPINDLES.iter().any(|quirk| state.choices.quirk(quirk)) {
         return quirks::spindles(saved, state);
     }
     for (place, saved) in saved.spindles.iter().enumerate() {
@@ -196,7 +196,7 @@ pub(crate) fn restored_turn(saved: SpindleTurn, now: SpindleTurn) -> SpindleTurn
 /// Rules saved-state.mist and saved-state.flood. Each comes back apart from the other.
 /// Rules saved-state.adaptive-feed and saved-state.feed-stop.
 fn coolant(saved: &Modes, state: &mut State) {
-    if state.readings.quirk("rs274.off-not-restored") {
+    if state.choices.quirk("rs274.off-not-restored") {
         return quirks::switches(saved, state);
     }
     state.modes.mist = saved.mist;
@@ -208,7 +208,7 @@ fn coolant(saved: &Modes, state: &mut State) {
 /// Rules saved-state.feed-override and saved-state.speed-override. They are saved apart, so that each mixture comes
 /// back (saved-state.mixed-overrides).
 fn overrides(saved: &Modes, state: &mut State) {
-    if state.readings.quirk("rs274.override-restore") {
+    if state.choices.quirk("rs274.override-restore") {
         return quirks::overrides(saved, state);
     }
     state.modes.feed_override = saved.feed_override;
@@ -221,8 +221,8 @@ fn overrides(saved: &Modes, state: &mut State) {
 /// back that its list leaves out is a choice.
 fn motion(saved: &Modes, state: &mut State) {
     state.evidence.accepted("saved-state.motion-mode");
-    let restored = state.readings.is("saved-state.motion-mode", "restored");
-    let every = state.readings.is("saved-state.listed-motion", "every");
+    let restored = state.choices.is("saved-state.motion-mode", "restored");
+    let every = state.choices.is("saved-state.listed-motion", "every");
     if restored && (every || LISTED_MOTION.contains(&saved.motion)) {
         state.modes.motion = saved.motion;
     }

@@ -78,7 +78,7 @@ fn levels(state: &State) -> Vec<&'static str> {
 /// Choice saved-state.after-run. A run is over, or the next one begins: what the main program has saved holds on, or
 /// it does not.
 pub fn run_is_over(state: &mut State) {
-    if state.readings.is("saved-state.after-run", "forgotten") {
+    if state.choices.is("saved-state.after-run", "forgotten") {
         state.frames[0].forget_saved();
     }
 }
@@ -89,8 +89,8 @@ pub fn run_is_over(state: &mut State) {
 /// is touched. Rule saved-state.autorestore-cancelled. Nor does the end of the sub restore. Where M70 and M73 have
 /// one place (saved-state.places) the promise stays, and waits for a valid state there.
 fn invalidate(state: &mut State) -> Result<(), StepError> {
-    let apart = state.readings.is("saved-state.places", "apart");
-    let refused = state.readings.is("saved-state.invalidate-nothing", "refused");
+    let apart = state.choices.is("saved-state.places", "apart");
+    let refused = state.choices.is("saved-state.invalidate-nothing", "refused");
     let frame = state.frame_mut();
     let mut any = false;
     for saved in [&mut frame.saved_by_m70, &mut frame.saved].into_iter().flatten() {
@@ -147,7 +147,7 @@ fn restore_explicitly(state: &mut State) -> Result<Rest, StepError> {
     before.tool_offset_unit = state.modes.tool_offset_unit;
     before.tool_length = state.modes.tool_length;
     let restores = state.modes != before || quirks::programs(&saved.modes, &before);
-    let drop = restores && state.readings.quirk("rs274.rest-of-restore-block");
+    let drop = restores && state.choices.quirk("rs274.rest-of-restore-block");
     Ok(if drop { Rest::Drop } else { Rest::Execute })
 }
 
@@ -155,10 +155,10 @@ fn restore_explicitly(state: &mut State) -> Result<Rest, StepError> {
 /// one.
 fn restorable(state: &State) -> Option<SavedState> {
     let frame = state.frame();
-    if state.readings.is("saved-state.restorable", "either") {
+    if state.choices.is("saved-state.restorable", "either") {
         return frame.saved.clone();
     }
-    let one_place = state.readings.is("saved-state.places", "one");
+    let one_place = state.choices.is("saved-state.places", "one");
     let of_m70 = frame.saved_by_m70.as_ref()?;
     if one_place { frame.saved.clone() } else { Some(of_m70.clone()) }
 }
@@ -176,7 +176,7 @@ fn restorable(state: &State) -> Option<SavedState> {
 /// None where the documents are followed; a restore as `rs274` does it can fail.
 pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), StepError> {
     let frame = state.frame();
-    let promised = if state.readings.is("saved-state.places", "one") {
+    let promised = if state.choices.is("saved-state.places", "one") {
         latest_if_promised(frame)
     } else {
         frame.restore_at_return.clone()

@@ -27,9 +27,7 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
     let surface = words.g.contains(&960);
     let mode_too = surface || words.g.contains(&970);
     let spindles = match word(words, '$') {
-        Some(-1.0) if !mode_too && state.readings.quirk("rs274.speed-of-all-spindles") => {
-            all(state)
-        }
+        Some(-1.0) if !mode_too && state.choices.quirk("rs274.speed-of-all-spindles") => all(state),
         Some(number) => vec![one(number, state)?],
         None => vec![0],
     };
@@ -73,7 +71,7 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// Rule spindle.rpm-mode-speed. Whether G97 needs S is a choice.
 fn rpm_mode(speed: Option<f64>, state: &mut State) -> Result<(), StepError> {
     let rule = "spindle.rpm-mode-speed";
-    if speed.is_none() && state.readings.is(rule, "required") {
+    if speed.is_none() && state.choices.is(rule, "required") {
         return Err(refuse(rule, FaultKind::MissingWord, "G97 needs S"));
     }
     state.evidence.accepted(rule);
@@ -149,7 +147,7 @@ pub(crate) fn set_turn(turn: SpindleTurn, place: usize, state: &mut State) {
 /// Rule spindle.without-dollar. Which spindles M3, M4 and M5 without $ act on is a choice.
 fn without_dollar(state: &mut State) -> Vec<usize> {
     state.evidence.accepted("spindle.without-dollar");
-    if state.readings.is("spindle.without-dollar", "all") { all(state) } else { vec![0] }
+    if state.choices.is("spindle.without-dollar", "all") { all(state) } else { vec![0] }
 }
 
 /// Every spindle of the machine.
@@ -163,7 +161,7 @@ pub(crate) fn all(state: &State) -> Vec<usize> {
 fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, StepError> {
     if whole(number) == Some(-1) {
         let rule = "spindle.minus-one";
-        if state.readings.is("spindle.minus-one", "all") {
+        if state.choices.is("spindle.minus-one", "all") {
             state.evidence.accepted(rule);
             return Ok(all(state));
         }

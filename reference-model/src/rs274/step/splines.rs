@@ -162,7 +162,7 @@ pub(super) fn nurbs(
     if state.modes.feed_mode == FeedMode::InverseTime {
         return Err(open("which block of a NURBS has the F of inverse time"));
     }
-    let at_opening = state.readings.is("splines.nurbs-feed", "at-opening");
+    let at_opening = state.choices.is("splines.nurbs-feed", "at-opening");
     if at_opening != closes {
         super::motion::feed_possible(words, state)?;
     }

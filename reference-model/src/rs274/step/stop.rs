@@ -16,7 +16,7 @@ use crate::rs274::task::Record;
 /// Choice pause.pallet-codes. One document says of M30 and M60 in its table what its sections say of the other.
 /// Rule pause.pallet. M60 exchanges the pallet shuttles and then pauses it, whatever that switch is.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Rest {
-    let (ends, pauses) = match state.readings.choice("pause.pallet-codes") {
+    let (ends, pauses) = match state.choices.choice("pause.pallet-codes") {
         "table" => (60, 30),
         _ => (30, 60),
     };

@@ -24,7 +24,7 @@ pub(crate) fn offset_words(words: &Words, state: &mut State) -> Vec<(Axis, f64)>
     let rule = "units-planes.diameter-offsets";
     if state.modes.lathe == Lathe::Diameter {
         state.evidence.accepted(rule);
-        if state.readings.is(rule, "every-word") {
+        if state.choices.is(rule, "every-word") {
             return moved(words, state);
         }
     }

@@ -49,7 +49,7 @@ fn selected(number: i32, state: &mut State) -> Result<Option<i32>, StepError> {
         state.evidence.accepted("tool.select-zero");
         return Ok(None);
     }
-    let by_slot = state.readings.is("tool.selected-by", "slot");
+    let by_slot = state.choices.is("tool.selected-by", "slot");
     if by_slot && random && (number == 0 || in_slot(number, state).is_none()) {
         let why = "what T selects in slot 0, or in an empty slot, where tools change places";
         return Err(StepError::Unspecified(why.to_owned()));
@@ -65,7 +65,7 @@ fn selected(number: i32, state: &mut State) -> Result<Option<i32>, StepError> {
             }
             Ok(Some(tool))
         }
-        None if state.readings.is("tool.empty-slot", "accepted") => {
+        None if state.choices.is("tool.empty-slot", "accepted") => {
             state.evidence.accepted(rule);
             Ok(None)
         }

@@ -44,7 +44,7 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), StepError> {
 fn tool_to_load(state: &mut State) -> Result<i32, StepError> {
     if !state.selected_for_change && !state.outside.is_stand_alone() {
         let rule = "tool.change-without-selection";
-        if state.readings.is(rule, "refused") {
+        if state.choices.is(rule, "refused") {
             return Err(refuse(rule, FaultKind::MissingWord, "M6, and no tool is selected"));
         }
         state.evidence.accepted(rule);
@@ -107,7 +107,7 @@ fn swap(tool: i32, state: &mut State) {
         state.evidence.accepted("tool.change-zero");
     }
     let exchanged = state.machine.random_tool_changer
-        && state.readings.is("tool.old-tool-place", "slot-of-the-new");
+        && state.choices.is("tool.old-tool-place", "slot-of-the-new");
     let slot = state.slots.iter().find(|(_, stored)| **stored == tool).map(|(slot, _)| *slot);
     if let Some(slot) = slot.filter(|_| exchanged && tool != old) {
         // M61 may have put it into the spindle without taking it out of its slot; it lies in one place.
@@ -126,14 +126,14 @@ fn swap(tool: i32, state: &mut State) {
 pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let in_program = "tool.set-number-in-program";
     let by_program = state.modes.controller_mode == ControllerMode::Auto;
-    if by_program && state.readings.is(in_program, "refused") {
+    if by_program && state.choices.is(in_program, "refused") {
         let message = "M61 in a program";
         return Err(refuse(in_program, FaultKind::ControllerMode, message));
     }
     let tool = number(words, state)?;
     let unknown = tool > 0 && entry(tool, state).is_none();
     let rule = "tool.set-number-unknown";
-    if unknown && state.readings.is(rule, "refused") {
+    if unknown && state.choices.is(rule, "refused") {
         let message = format!("the tool table holds no tool {tool}");
         return Err(refuse(rule, FaultKind::ToolNotFound, message));
     }
@@ -157,7 +157,7 @@ fn number(words: &Words, state: &mut State) -> Result<i32, StepError> {
     let Some(value) = word(words, 'q') else {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "M61 needs Q, the number of the tool"));
     };
-    let rounded = state.readings.quirk("rs274.tool-number-rounded");
+    let rounded = state.choices.quirk("rs274.tool-number-rounded");
     let number = if rounded { whole(value.round_ties_even()) } else { whole(value) };
     if value < 0.0 && number != Some(0) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, format!("M61 with Q{value}")));

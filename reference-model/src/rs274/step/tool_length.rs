@@ -21,7 +21,7 @@ use crate::rs274::refusal::{StepError, refuse};
 /// A tool or a word that the code does not allow. Rule tool.length-under-compensation, a choice.
 pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     not_under_compensation("tool.length-under-compensation", state)?;
-    if state.readings.quirk("rs274.tool-offset-unit") {
+    if state.choices.quirk("rs274.tool-offset-unit") {
         quirks::tool_offset_as_programmed(state);
     }
     let offset = if words.g.contains(&490) {
@@ -112,7 +112,7 @@ fn additional(words: &Words, state: &mut State) -> Result<Position, StepError> {
                 whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
             table_offset(tool, rule, state)?
         }
-        (None, true) if state.readings.quirk("rs274.additional-length-axes") => {
+        (None, true) if state.choices.quirk("rs274.additional-length-axes") => {
             let message = "G43.2 without H";
             return Err(refuse("rs274.additional-length-axes", FaultKind::MissingWord, message));
         }

@@ -152,7 +152,7 @@ fn something(words: &Words, state: &mut State) -> Result<(), StepError> {
         return Ok(());
     }
     let rule = "tool.entry-without-words";
-    if state.readings.is(rule, "refused") {
+    if state.choices.is(rule, "refused") {
         return Err(refuse(rule, FaultKind::MissingWord, "a tool, and nothing to set of it"));
     }
     state.evidence.accepted(rule);

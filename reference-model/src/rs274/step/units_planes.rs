@@ -97,7 +97,7 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
 /// Rule units-planes.feed-over-unit-change. What becomes of the feed is a choice; under inverse time it is no length.
 fn convert_feed(before: LengthUnit, state: &mut State) {
     state.evidence.accepted("units-planes.feed-over-unit-change");
-    let rescaled = state.readings.is("units-planes.feed-over-unit-change", "rescaled");
+    let rescaled = state.choices.is("units-planes.feed-over-unit-change", "rescaled");
     if rescaled && state.modes.feed_mode != FeedMode::InverseTime {
         let modes = &mut state.modes;
         // As positions are converted: to and fro it is the same feed again.

@@ -23,7 +23,7 @@ pub fn perform(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    let with_path = state.readings.is("user-codes.place", "search-path");
+    let with_path = state.choices.is("user-codes.place", "search-path");
     let found = state.outside.user_program(code, with_path);
     let found = found.map(|program| (program.duration, program.exit_status, program.folder));
     let (duration, exit_status, folder) = found.map_err(|missing| unknown(code, missing))?;
@@ -43,7 +43,7 @@ pub fn perform(
         return Ok(());
     }
     let rule = "user-codes.exit-status";
-    if state.readings.is(rule, "ends-the-run") {
+    if state.choices.is(rule, "ends-the-run") {
         let message = format!("the program of M{code} ended with status {exit_status}");
         return Err(refuse(rule, FaultKind::UserCode, message));
     }
@@ -61,7 +61,7 @@ fn argument(letter: char, words: &Words, state: &mut State) -> String {
         }
         None => {
             state.evidence.accepted("user-codes.missing-argument");
-            let minus_one = state.readings.is("user-codes.missing-argument", "minus-one");
+            let minus_one = state.choices.is("user-codes.missing-argument", "minus-one");
             if minus_one { "-1.000000".to_owned() } else { String::new() }
         }
     }

@@ -105,7 +105,7 @@ impl Parser<'_> {
 
     /// Whether a comment comes next that counts as the beginning of a block.
     pub(super) fn is_led_by_comment(&self) -> bool {
-        self.peek() == Some(Glyph::COMMENT) && self.readings.quirk(quirks::COMMENT_FIRST)
+        self.peek() == Some(Glyph::COMMENT) && self.choices.quirk(quirks::COMMENT_FIRST)
     }
 
     /// Rule text.items-optional. A line needs neither words nor settings.
@@ -214,7 +214,7 @@ impl Parser<'_> {
     /// Rule active-comments.semicolon. A semicolon comment is the last of its line and may be active.
     /// Quirk rs274.semicolon-plain: it is never active, and does not silence an active comment before it.
     fn active(&mut self, mut comments: Vec<Comment>) -> Option<Comment> {
-        if self.readings.quirk("rs274.semicolon-plain") {
+        if self.choices.quirk("rs274.semicolon-plain") {
             return quirks::active_comment(comments);
         }
         if comments.last().is_some_and(|comment| comment.semicolon) {

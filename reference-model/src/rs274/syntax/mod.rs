@@ -26,7 +26,7 @@ pub use parser::Room;
 pub fn parse(line: &str, state: &mut State) -> Result<Block, StepError> {
     let mut room = std::mem::take(&mut state.room);
     let comments = condense(line, &mut room.glyphs, state)?;
-    let mut parser = Parser::new(room, &state.readings);
+    let mut parser = Parser::new(room, &state.choices);
     let parsed = parser.block(comments);
     let (room, failed) = parser.into_rules();
     if parsed.is_ok() {
@@ -48,7 +48,7 @@ pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, StepErro
     let condensed = condense(line, &mut room.glyphs, state);
     state.evidence.set_deaf(before);
     condensed?;
-    Parser::new(room, &state.readings).passed_over()
+    Parser::new(room, &state.choices).passed_over()
 }
 
 /// So many characters are never too many for a line.
@@ -88,7 +88,7 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
     }
     state.evidence.set_deaf(before);
     condensed.ok()?;
-    let mut parser = Parser::new(room, &state.readings);
+    let mut parser = Parser::new(room, &state.choices);
     let word = parser.leading_o_word(with_arguments);
     (state.room, _) = parser.into_rules();
     word.filter(|word| !broken || word.keyword != Keyword::ProgramNumber)

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, Span};
 
-use crate::rs274::readings::Readings;
+use crate::rs274::choices::Choices;
 use crate::rs274::refusal::{StepError, refuse_at};
 use crate::rs274::text::Glyph;
 
@@ -32,16 +32,16 @@ pub(super) struct Parser<'a> {
     pub(super) room: Room,
     /// Index of the next character.
     at: usize,
-    pub(super) readings: &'a Readings,
+    pub(super) choices: &'a Choices,
     /// Rules that refuse the line besides the one that the refusal names.
     failed: Vec<&'static str>,
 }
 
 impl<'a> Parser<'a> {
     /// A parser of the characters in the room.
-    pub(super) fn new(mut room: Room, readings: &'a Readings) -> Self {
+    pub(super) fn new(mut room: Room, choices: &'a Choices) -> Self {
         room.reached.clear();
-        Self { room, at: 0, readings, failed: Vec::new() }
+        Self { room, at: 0, choices, failed: Vec::new() }
     }
 
     /// A rule decided something.

@@ -79,7 +79,7 @@ impl Parser<'_> {
                 self.reach("numbers.sign");
                 self.value(wanted)?
             }
-            Some('+' | '-') if self.readings.quirk("rs274.repeated-signs") => self.value(wanted)?,
+            Some('+' | '-') if self.choices.quirk("rs274.repeated-signs") => self.value(wanted)?,
             Some('+' | '-') => {
                 return Err(self.refuse(
                     "numbers.form",
@@ -89,7 +89,7 @@ impl Parser<'_> {
             }
             Some(Glyph::COMMENT) => self.value(wanted)?,
             _ if self.sees_value() => {
-                if self.readings.is("expressions.unary-minus", "refused") {
+                if self.choices.is("expressions.unary-minus", "refused") {
                     let message = "a sign belongs to a number, which does not begin";
                     return Err(self.refuse("numbers.form", FaultKind::BadExpression, message));
                 }
@@ -170,7 +170,7 @@ impl Parser<'_> {
         if matches!(self.peek(), Some('#' | '[')) {
             self.reach("parameters.indirect");
         }
-        if self.sees_function() && self.readings.is("parameters.function-number", "refused") {
+        if self.sees_function() && self.choices.is("parameters.function-number", "refused") {
             let message = "a parameter's number is wanted, not a function, which stands";
             return Err(self.refuse("parameters.indirect", FaultKind::BadExpression, message));
         }
@@ -186,7 +186,7 @@ impl Parser<'_> {
         // A NUL is no character of a text, wherever it stands.
         let ends = ['>', Glyph::COMMENT, '\0'];
         let name = self.take_while(|character| !ends.contains(&character));
-        let empty = name.is_empty() && !self.readings.quirk("rs274.empty-name");
+        let empty = name.is_empty() && !self.choices.quirk("rs274.empty-name");
         if empty || !self.take(">") {
             let message = "a name stands between < and >, which is missing";
             return Err(self.refuse("parameters.name-marks", FaultKind::BadBlock, message));
@@ -251,7 +251,7 @@ impl Parser<'_> {
             return wrong(self);
         }
         let numbered = self.peek_behind(1) != Some('<');
-        if numbered && !self.readings.quirk("rs274.exists-numbered") {
+        if numbered && !self.choices.quirk("rs274.exists-numbered") {
             return wrong(self);
         }
         let parameter = self.parameter()?;

@@ -21,7 +21,7 @@ impl Run<'_> {
             self.state.evidence.accepted("abort.autorestore");
         }
         self.state.evidence.accepted("abort.read-ahead");
-        let reads_on = self.state.readings.is("abort.read-ahead", "read-on");
+        let reads_on = self.state.choices.is("abort.read-ahead", "read-on");
         let end = if reads_on && !self.by_hand && !self.waits_for_machine {
             self.read_on()
         } else {
@@ -43,7 +43,7 @@ impl Run<'_> {
         if self.state.outside.awaits_motion() {
             let choice = "outputs.waiting-after-abort";
             self.state.evidence.accepted(choice);
-            if self.state.readings.is(choice, "forgotten") {
+            if self.state.choices.is(choice, "forgotten") {
                 self.state.outside.forget_all_with_motion();
             }
         }
@@ -53,7 +53,7 @@ impl Run<'_> {
     /// (orient.cleared), or leaves them alone.
     pub(super) fn switch_off(&mut self) {
         self.state.evidence.accepted("abort.spindle-and-coolant");
-        if self.state.readings.is("abort.spindle-and-coolant", "switched-off") {
+        if self.state.choices.is("abort.spindle-and-coolant", "switched-off") {
             let modes = &mut self.state.modes;
             modes.mist = Switch::Off;
             modes.flood = Switch::Off;

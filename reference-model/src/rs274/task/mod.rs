@@ -33,13 +33,13 @@ pub(crate) use pins::{are_shown, show};
 pub use record::Record;
 
 use self::operator::Operator;
+use super::choices::Choices;
 use super::control::{Control, Frame, MAIN, Place};
 use super::machine::{Panel, State, in_pocket_zero, slots};
 use super::modes::{Modes, Rounding};
 use super::outside::Outside;
 use super::parameters::{self, Name, Parameters};
 use super::quirks::settings;
-use super::readings::Readings;
 use super::refusal::{Refusal, StepError};
 use super::step;
 use super::syntax::Room;
@@ -49,7 +49,7 @@ use crate::{Evidence, Witness};
 #[derive(Debug, Default)]
 pub struct Kept {
     /// How the documents are read under some options.
-    readings: Option<(Options, Shared<Readings>)>,
+    choices: Option<(Options, Shared<Choices>)>,
     /// Who looks on.
     witness: Witness,
     /// Room for what the parser makes of a line.
@@ -58,15 +58,15 @@ pub struct Kept {
 
 impl Kept {
     /// How the documents are read under some options, which are most often those of the run before.
-    fn readings(&mut self, options: &Options) -> Result<Shared<Readings>, String> {
-        if let Some((known, readings)) = &self.readings
+    fn choices(&mut self, options: &Options) -> Result<Shared<Choices>, String> {
+        if let Some((known, choices)) = &self.choices
             && known == options
         {
-            return Ok(readings.clone());
+            return Ok(choices.clone());
         }
-        let readings = Shared::from(Readings::new(options)?);
-        self.readings = Some((options.clone(), readings.clone()));
-        Ok(readings)
+        let choices = Shared::from(Choices::new(options)?);
+        self.choices = Some((options.clone(), choices.clone()));
+        Ok(choices)
     }
 }
 
@@ -74,12 +74,12 @@ impl Kept {
 ///
 /// Options that the model does not know end the run before its first block.
 pub fn run(kept: &mut Kept, scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
-    let readings = match kept.readings(&scenario.options) {
-        Ok(readings) => readings,
+    let choices = match kept.choices(&scenario.options) {
+        Ok(choices) => choices,
         Err(what) => return (not_begun(what), Evidence::default()),
     };
     let witness = std::mem::take(&mut kept.witness);
-    let mut state = start(scenario, readings, rounding, witness);
+    let mut state = start(scenario, choices, rounding, witness);
     state.room = std::mem::take(&mut kept.room);
     state.evidence.accepted("modal-groups.initial-modes");
     state.evidence.accepted("offsets.start-system");
@@ -117,22 +117,22 @@ fn leaves_nothing(end: &End) -> bool {
 /// The state before the first block.
 fn start(
     scenario: &Scenario,
-    readings: Shared<Readings>,
+    choices: Shared<Choices>,
     rounding: Rounding,
     evidence: Witness,
 ) -> State {
     let machine = scenario.machine.clone();
-    let mut modes = Modes { rounding, ..Modes::new(&machine, &readings) };
+    let mut modes = Modes { rounding, ..Modes::new(&machine, &choices) };
     if scenario.program.start == Start::Mdi {
         modes.controller_mode = ControllerMode::Mdi;
     }
-    let outside = Outside::new(&scenario.environment, modes.spindles.len(), &readings);
+    let outside = Outside::new(&scenario.environment, modes.spindles.len(), &choices);
     let tool = in_pocket_zero(&machine);
     State {
-        position: settings::start(&modes, &readings),
+        position: settings::start(&modes, &choices),
         modes,
-        parameters: Parameters::new(&machine, &readings),
-        readings,
+        parameters: Parameters::new(&machine, &choices),
+        choices,
         panel: Panel::new(&machine),
         outside,
         machine: machine.into(),
@@ -310,8 +310,8 @@ impl<'a> Run<'a> {
     fn again(&self) -> State {
         let mut scenario = self.scenario.clone();
         scenario.budget.steps = u32::try_from(self.record.steps()).unwrap_or(u32::MAX);
-        let (readings, rounding) = (self.state.readings.clone(), self.state.modes.rounding);
-        let state = start(&scenario, readings, rounding, Witness::deaf());
+        let (choices, rounding) = (self.state.choices.clone(), self.state.modes.rounding);
+        let state = start(&scenario, choices, rounding, Witness::deaf());
         let mut record = Record::new(&state);
         record.allow(&scenario.budget);
         let mut again = Run::new(&scenario, state, record);
@@ -328,12 +328,12 @@ impl<'a> Run<'a> {
         let shares = |frame: &&mut Frame| frame.shares_parameters();
         let Some(sharing) = called.iter_mut().take_while(shares).last() else { return };
         let main = &mut self.state.frames[0];
-        main.arguments = if self.state.readings.quirk("rs274.fanuc-changes-at-end") {
+        main.arguments = if self.state.choices.quirk("rs274.fanuc-changes-at-end") {
             self.control.at_last_call
         } else {
             sharing.arguments
         };
-        if self.state.readings.is("fanuc-subs.named-locals", "shared") {
+        if self.state.choices.is("fanuc-subs.named-locals", "shared") {
             main.locals = std::mem::take(&mut sharing.locals);
         }
     }

@@ -154,7 +154,7 @@ impl Run<'_> {
         let mut rest = Rest::Execute;
         let mut settings = (!words.settings.is_empty()).then_some(&words.settings);
         let before_words =
-            settings.is_some() && self.state.readings.is("parameters.setting-time", "before-words");
+            settings.is_some() && self.state.choices.is("parameters.setting-time", "before-words");
         let phases = Phases::of(words);
         for phase in phases.iter() {
             if before_words
@@ -335,7 +335,7 @@ impl Run<'_> {
     fn over(&mut self) {
         step::saved_state::run_is_over(&mut self.state);
         // What is only read ahead has not ended.
-        if !self.ahead && self.state.readings.is("outputs.waiting-after-end", "forgotten") {
+        if !self.ahead && self.state.choices.is("outputs.waiting-after-end", "forgotten") {
             self.state.outside.forget_all_with_motion();
         }
     }

@@ -127,14 +127,14 @@ impl Run<'_> {
             }
             Activity::Idle => return Ok(Answer::Begins),
             Activity::Paused(By::Pallets) => {
-                if !self.state.readings.quirk("linuxcnc.cycle-start-while-paused") {
+                if !self.state.choices.quirk("linuxcnc.cycle-start-while-paused") {
                     self.state.evidence.accepted("pause.pallet-restart");
                     return Ok(Answer::GoesOn);
                 }
             }
             Activity::Paused(By::Stop) => {
                 let rule = "pause.cycle-start";
-                if self.state.readings.is(rule, "goes-on") {
+                if self.state.choices.is(rule, "goes-on") {
                     self.state.evidence.accepted(rule);
                     return Ok(Answer::GoesOn);
                 }
@@ -187,7 +187,7 @@ impl Run<'_> {
             ControllerMode::Auto => "task.auto-refuses-mdi",
         };
         let allowed = mode == ControllerMode::Mdi
-            || mode == ControllerMode::Manual && self.state.readings.is(in_manual, "executed");
+            || mode == ControllerMode::Manual && self.state.choices.is(in_manual, "executed");
         if allowed {
             self.state.evidence.accepted(rule);
             self.state.evidence.accepted("program-end.mdi-follows");

@@ -33,7 +33,7 @@ impl Run<'_> {
     pub(super) fn between(&mut self) -> Result<(), StepError> {
         // Only what is read ahead begins again where the block did, or where a block of it is refused.
         let may_be_broken_off = self.ahead || self.operator.may_abort();
-        if may_be_broken_off && self.state.readings.is("abort.read-ahead", "read-on") {
+        if may_be_broken_off && self.state.choices.is("abort.read-ahead", "read-on") {
             self.at_block = Some(Box::new(self.without_evidence()));
         }
         loop {
@@ -85,7 +85,7 @@ impl Run<'_> {
             return Ok(0.0);
         }
         self.state.evidence.accepted(rule);
-        if self.state.readings.is(rule, "goes-on") {
+        if self.state.choices.is(rule, "goes-on") {
             return Ok(0.0);
         }
         self.stand_paused(Activity::Paused(By::Operator))

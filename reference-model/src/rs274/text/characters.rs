@@ -3,9 +3,9 @@
 use gaugeblock_vocabulary::{FaultKind, Span};
 
 use super::comments::comment_at;
+use crate::rs274::choices::Choices;
 use crate::rs274::machine::State;
 use crate::rs274::quirks::text as quirks;
-use crate::rs274::readings::Readings;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::Comment;
 
@@ -39,7 +39,7 @@ pub fn condense(
     glyphs: &mut Vec<Glyph>,
     state: &mut State,
 ) -> Result<Vec<Comment>, StepError> {
-    line_length(line, &state.readings)?;
+    line_length(line, &state.choices)?;
     let bytes = line.as_bytes();
     glyphs.clear();
     glyphs.reserve(bytes.len());
@@ -93,7 +93,7 @@ fn checked_comment(
     another: bool,
     state: &mut State,
 ) -> Result<Comment, StepError> {
-    let comment = comment_at(line, at, &state.readings).inspect_err(|_| {
+    let comment = comment_at(line, at, &state.choices).inspect_err(|_| {
         if another {
             state.evidence.refused("text.comment-format-checked");
         }
@@ -110,14 +110,14 @@ fn checked_comment(
 /// Rule text.line-length. A line has at most 256 characters; a longer one is refused.
 /// Choice text.line-end-counted: whether the line end is one of them.
 /// Quirk rs274.shorter-lines: 252 bytes without the line end.
-fn line_length(line: &str, readings: &Readings) -> Result<(), StepError> {
+fn line_length(line: &str, choices: &Choices) -> Result<(), StepError> {
     if line.len() <= quirks::LONGEST_LINE {
         // So many are allowed whatever is chosen.
         return Ok(());
     }
-    let (limit, length) = if readings.quirk("rs274.shorter-lines") {
+    let (limit, length) = if choices.quirk("rs274.shorter-lines") {
         (quirks::LONGEST_LINE, line.len())
-    } else if readings.is("text.line-end-counted", "counted") {
+    } else if choices.is("text.line-end-counted", "counted") {
         (255, line.chars().count())
     } else {
         (256, line.chars().count())

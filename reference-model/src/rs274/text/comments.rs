@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::characters::span;
-use crate::rs274::readings::Readings;
+use crate::rs274::choices::Choices;
 use crate::rs274::refusal::{StepError, refuse_at};
 use crate::rs274::syntax::Comment;
 
@@ -17,7 +17,7 @@ use crate::rs274::syntax::Comment;
 ///
 /// # Errors
 /// It is not closed, or closed without having begun.
-pub(super) fn comment_at(line: &str, at: usize, readings: &Readings) -> Result<Comment, StepError> {
+pub(super) fn comment_at(line: &str, at: usize, choices: &Choices) -> Result<Comment, StepError> {
     let rest = &line[at..];
     let wrong = |end: usize, message: &str| {
         Err(refuse_at("text.comment-unclosed", FaultKind::BadComment, span(at, end), message))
@@ -33,7 +33,7 @@ pub(super) fn comment_at(line: &str, at: usize, readings: &Readings) -> Result<C
         return wrong(line.len(), "the comment is not closed");
     };
     let end = at + 1 + text.len() + 1;
-    if text.contains('(') && readings.is("text.comment-nested", "refused") {
+    if text.contains('(') && choices.is("text.comment-nested", "refused") {
         return wrong(end, "a left parenthesis within a comment");
     }
     Ok(Comment { text: text.to_owned(), semicolon: false, span: span(at, end) })

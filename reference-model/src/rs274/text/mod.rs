@@ -9,8 +9,8 @@ pub use characters::{Glyph, condense};
 
 use std::ops::Range;
 
+use super::choices::Choices;
 use super::machine::State;
-use super::readings::Readings;
 use super::refusal::{StepError, refuse};
 use gaugeblock_vocabulary::FaultKind;
 
@@ -44,8 +44,8 @@ pub enum Line<'a> {
 
 impl Source {
     /// Cuts a file into lines.
-    pub fn new(name: &str, text: &str, readings: &Readings) -> Self {
-        let text = with_line_feeds(text, readings);
+    pub fn new(name: &str, text: &str, choices: &Choices) -> Self {
+        let text = with_line_feeds(text, choices);
         let lines = lines(&text);
         let begins = lines.iter().position(|line| first(&text[line.clone()]).is_some());
         let percent = begins.filter(|index| is_percent(&text[lines[*index].clone()]));
@@ -89,7 +89,7 @@ impl Source {
                 state.evidence.accepted("text.percent-line");
                 return Some(Line::End);
             }
-            match state.readings.choice("text.percent-alone") {
+            match state.choices.choice("text.percent-alone") {
                 "ends" => return Some(Line::End),
                 "ignored" => return Some(Line::Nothing),
                 _ => {}
@@ -117,8 +117,7 @@ impl Source {
     pub fn program_ends(&self, state: &mut State) -> Result<(), StepError> {
         let useful = &self.lines[self.first..];
         let second = || useful.iter().any(|line| is_percent(&self.text[line.clone()]));
-        if self.percent && state.readings.is("text.percent-unclosed-ended", "refused") && !second()
-        {
+        if self.percent && state.choices.is("text.percent-unclosed-ended", "refused") && !second() {
             return Err(self.unclosed());
         }
         state.evidence.accepted("text.percent-optional");
@@ -141,12 +140,12 @@ fn is_percent(line: &str) -> bool {
 
 /// Rule text.line-end. A line ends with a carriage return, a line feed or both.
 /// Quirk rs274.lone-return: a carriage return alone does not end one.
-fn with_line_feeds(text: &str, readings: &Readings) -> String {
+fn with_line_feeds(text: &str, choices: &Choices) -> String {
     if !text.contains('\r') {
         return text.to_owned();
     }
     let text = text.replace("\r\n", "\n");
-    if readings.quirk("rs274.lone-return") { text } else { text.replace('\r', "\n") }
+    if choices.quirk("rs274.lone-return") { text } else { text.replace('\r', "\n") }
 }
 
 /// The place of each line of a text, without its line feed; a last one without a line feed is a line too.

@@ -2,7 +2,7 @@ use super::*;
 
 fn source(text: &str, options: &[(&str, &str)]) -> (Source, State) {
     let state = State::under(options);
-    (Source::new("main.ngc", text, &state.readings), state)
+    (Source::new("main.ngc", text, &state.choices), state)
 }
 
 /// The kinds of a file's lines, from its first useful one.

@@ -158,7 +158,7 @@ fn unchanged(
 /// rs274.chosen-spindle holds. Where no cycle takes $ (quirk rs274.cycle-dollar), it is another code's.
 fn spindle_of(words: &Words, state: &mut State) -> Result<usize, StepError> {
     let rule = "cycles.spindle";
-    let dollar = word(words, '$').filter(|_| !state.readings.quirk("rs274.cycle-dollar"));
+    let dollar = word(words, '$').filter(|_| !state.choices.quirk("rs274.cycle-dollar"));
     let Some(number) = dollar else { return Ok(state.chosen_spindle) };
     let place = spindle::number(number, state, rule)?;
     state.evidence.accepted(rule);

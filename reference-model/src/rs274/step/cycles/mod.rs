@@ -138,7 +138,7 @@ pub(super) fn perform(
     accepted(words, rule, state);
     rise(&cycle, state, record);
     let path = state.modes.path;
-    if state.readings.quirk("rs274.cycle-exact-path") {
+    if state.choices.quirk("rs274.cycle-exact-path") {
         state.modes.path = Path::ExactPath;
     }
     for place in places {
@@ -148,7 +148,7 @@ pub(super) fn perform(
         in_between(&cycle, place, state, record);
         strokes::perform(&cycle, state, record)?;
     }
-    if path == Path::Continuous && state.readings.quirk("rs274.cycle-exact-path") {
+    if path == Path::Continuous && state.choices.quirk("rs274.cycle-exact-path") {
         tolerances_as_numbers(state);
     }
     state.modes.path = path;

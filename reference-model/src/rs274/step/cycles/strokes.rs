@@ -29,9 +29,9 @@ pub(super) fn dwell(
     if !taps && !matches!(kind, Kind::DrillDwell | Kind::BoreSpindleStop | Kind::BoreDwell) {
         return Ok(None);
     }
-    let before = before.filter(|_| state.readings.is("cycles.sticky-arguments", "sticky"));
+    let before = before.filter(|_| state.choices.is("cycles.sticky-arguments", "sticky"));
     let Some(seconds) = word(words, 'p').or(before) else {
-        if taps && state.readings.is("cycles.tap-without-dwell", "zero") {
+        if taps && state.choices.is("cycles.tap-without-dwell", "zero") {
             return Ok(quirks::dwell_of_tap(state));
         }
         let rule = if taps { "cycles.tap-without-dwell" } else { "cycles.dwell-needed" };
@@ -62,7 +62,7 @@ pub(super) fn peck(
     if !matches!(kind, Kind::ChipBreaking | Kind::Peck) {
         return Ok(None);
     }
-    let before = before.filter(|_| state.readings.is("cycles.sticky-arguments", "sticky"));
+    let before = before.filter(|_| state.choices.is("cycles.sticky-arguments", "sticky"));
     let Some(peck) = quirks::peck(words, state).or(before) else {
         let message = "this cycle needs Q, the increment of its pecks";
         return Err(refuse("cycles.peck-needed", FaultKind::MissingWord, message));
@@ -177,8 +177,8 @@ fn pecks(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), St
         drilled -= cycle.peck;
     }
     feed_along(normal, cycle.bottom, state, record);
-    let ends_at_retract = cycle.kind == Kind::ChipBreaking
-        && state.readings.is("cycles.chip-break-return", "retract");
+    let ends_at_retract =
+        cycle.kind == Kind::ChipBreaking && state.choices.is("cycles.chip-break-return", "retract");
     let end = if ends_at_retract { cycle.retract } else { cycle.clear };
     traverse_along(normal, end, state, record);
     Ok(())

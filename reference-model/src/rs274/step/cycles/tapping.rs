@@ -16,7 +16,7 @@ pub(super) fn possible(
     state: &State,
 ) -> Result<(), StepError> {
     let rule = "cycles.tap-direction";
-    if state.readings.is(rule, "any") {
+    if state.choices.is(rule, "any") {
         return Ok(());
     }
     let kind = match state.modes.spindles[cycle.spindle].known_turn() {
@@ -48,7 +48,7 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     turns(out, cycle, state);
     dwells(cycle.dwell, state, record);
     feed(normal, cycle.clear, state, record);
-    if state.readings.is("cycles.tap-return", "as-before") {
+    if state.choices.is("cycles.tap-return", "as-before") {
         turns(SpindleTurn::Stopped, cycle, state);
         if matches!(before.turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise) {
             turns(before.turn, cycle, state);

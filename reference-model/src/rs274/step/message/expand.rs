@@ -1,10 +1,10 @@
 //! Values of parameters in messages.
 
 use super::shown_value;
+use crate::rs274::choices::Choices;
 use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::quirks::text as quirks;
-use crate::rs274::readings::Readings;
 use crate::rs274::refusal::StepError;
 
 /// The text with values for its parameters.
@@ -13,21 +13,21 @@ use crate::rs274::refusal::StepError;
 /// to the parameter.
 /// Rule active-comments.format-per-line. A format does not outlast its line.
 pub(super) fn expand(text: &str, state: &mut State) -> Result<String, StepError> {
-    let mut decimals = default_decimals(&state.readings);
+    let mut decimals = default_decimals(&state.choices);
     let mut expanded = String::new();
     let mut rest = text;
     while let Some(next) = rest.chars().next() {
         if let Some((format, behind)) = format_at(rest, state) {
             decimals = format;
             rest = behind;
-        } else if let Some(behind) = quirks::parameter_zero(rest, &state.readings) {
+        } else if let Some(behind) = quirks::parameter_zero(rest, &state.choices) {
             expanded += &format!("{:.decimals$}", 0.0);
             rest = behind;
         } else if let Some((name, behind)) = parameter_at(rest, state) {
             expanded += &shown(name.as_ref(), decimals, state)?;
             rest = behind;
         } else {
-            let loses_sign = next == '%' && wrong_format(rest, &state.readings);
+            let loses_sign = next == '%' && wrong_format(rest, &state.choices);
             if next == '%' {
                 state.evidence.accepted("active-comments.wrong-format");
             }
@@ -49,15 +49,15 @@ pub(super) fn expand(text: &str, state: &mut State) -> Result<String, StepError>
 /// Quirk rs274.long-format: it is none.
 fn format_at<'a>(text: &'a str, state: &mut State) -> Option<(usize, &'a str)> {
     let format = text.strip_prefix('%')?;
-    let long = format.strip_prefix("lf").filter(|_| !state.readings.quirk("rs274.long-format"));
+    let long = format.strip_prefix("lf").filter(|_| !state.choices.quirk("rs274.long-format"));
     let (decimals, behind) = if let Some(behind) = long {
         state.evidence.accepted("active-comments.long-format");
-        (default_decimals(&state.readings), behind)
+        (default_decimals(&state.choices), behind)
     } else if let Some(behind) = format.strip_prefix('d') {
         state.evidence.accepted("active-comments.integer-format");
         (0, behind)
     } else if let Some(behind) = format.strip_prefix('f') {
-        let four = state.readings.is("active-comments.plain-f-format", "four-decimals");
+        let four = state.choices.is("active-comments.plain-f-format", "four-decimals");
         (if four { 4 } else { 6 }, behind)
     } else {
         let format = format.strip_prefix('.')?;
@@ -71,14 +71,14 @@ fn format_at<'a>(text: &'a str, state: &mut State) -> Option<(usize, &'a str)> {
 }
 
 /// Choice active-comments.default-format: the decimals of a value before any format.
-fn default_decimals(readings: &Readings) -> usize {
-    if readings.is("active-comments.default-format", "six-decimals") { 6 } else { 4 }
+fn default_decimals(choices: &Choices) -> usize {
+    if choices.is("active-comments.default-format", "six-decimals") { 6 } else { 4 }
 }
 
 /// Rule active-comments.wrong-format. What is not a format is shown as it stands.
 /// Quirk rs274.wrong-format-sign: one with a period loses its percent sign.
-fn wrong_format(text: &str, readings: &Readings) -> bool {
-    readings.quirk("rs274.wrong-format-sign") && quirks::loses_percent_sign(text)
+fn wrong_format(text: &str, choices: &Choices) -> bool {
+    choices.quirk("rs274.wrong-format-sign") && quirks::loses_percent_sign(text)
 }
 
 /// A parameter, or `None` for a number that none has, and what stands behind it.
@@ -102,7 +102,7 @@ fn parameter_at<'a>(text: &'a str, state: &mut State) -> Option<(Option<Name>, &
         return None;
     }
     state.evidence.accepted("active-comments.numbered");
-    let last = parameters::last(&state.readings);
+    let last = parameters::last(&state.choices);
     let number = number.parse().ok().filter(|number| (1..=last).contains(number));
     Some((number.map(Name::Numbered), behind))
 }
@@ -120,8 +120,8 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
                     .into_iter()
                     .for_each(|rule| state.evidence.accepted(rule));
             }
-            let value = quirks::told(value, &state.readings);
-            let signed = value != 0.0 || state.readings.is("expressions.negative-zero", "kept");
+            let value = quirks::told(value, &state.choices);
+            let signed = value != 0.0 || state.choices.is("expressions.negative-zero", "kept");
             let value = if signed { value } else { 0.0 };
             let text = format!("{value:.decimals$}");
             // An integer has no negative zero.
@@ -129,7 +129,7 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
         }
         None | Some(Err(StepError::Refused(_))) => {
             state.evidence.accepted("active-comments.absent-named");
-            let one = state.readings.is("active-comments.absent-name", "number-sign");
+            let one = state.choices.is("active-comments.absent-name", "number-sign");
             Ok(if one { "#" } else { "######" }.to_owned())
         }
         Some(Err(error)) => Err(error),

@@ -1,7 +1,7 @@
 //! What makes a comment active.
 
+use crate::rs274::choices::Choices;
 use crate::rs274::quirks::text as quirks;
-use crate::rs274::readings::Readings;
 
 /// What an active comment does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,9 +59,9 @@ const WITH_TEXT: [(&str, Active); 7] = [
 /// Rule active-comments.msg-spelling. MSG may have blanks within and before it and lower case letters; the other
 /// keywords are read in the same way. Quirk rs274.message-blanks: blanks may only stand before it. Choice
 /// active-comments.msg-without-comma: whether MSG without a comma is a message.
-pub(super) fn active<'a>(comment: &'a str, readings: &Readings) -> Option<(Active, &'a str)> {
+pub(super) fn active<'a>(comment: &'a str, choices: &Choices) -> Option<(Active, &'a str)> {
     if let Some((before, text)) = comment.split_once(',') {
-        let keyword = if readings.quirk("rs274.message-blanks") {
+        let keyword = if choices.quirk("rs274.message-blanks") {
             quirks::keyword(before)
         } else {
             spelled(before)
@@ -79,7 +79,7 @@ pub(super) fn active<'a>(comment: &'a str, readings: &Readings) -> Option<(Activ
     if let Some(file) = behind(comment, "probeopen") {
         return Some((Active::ProbeOpen, file));
     }
-    if readings.is("active-comments.msg-without-comma", "message") {
+    if choices.is("active-comments.msg-without-comma", "message") {
         return behind(comment, "msg").map(|text| (Active::Message, text));
     }
     None

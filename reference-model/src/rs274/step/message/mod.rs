@@ -23,7 +23,7 @@ use keyword::{Active, active};
 /// # Errors
 /// Rule active-comments.abort. ABORT ends the program with its text as an error, with the values of parameters in it.
 pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Result<(), StepError> {
-    let Some((active, text)) = active(&comment.text, &state.readings) else {
+    let Some((active, text)) = active(&comment.text, &state.choices) else {
         state.evidence.accepted(if keyword::has_msg_inside(&comment.text) {
             "active-comments.msg-first"
         } else {
@@ -44,13 +44,13 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
             state.log_open = true;
             let append = active == Active::LogAppend;
             // Choice active-comments.file-name-blanks.
-            let whole = state.readings.is("active-comments.file-name-blanks", "part-of-it");
+            let whole = state.choices.is("active-comments.file-name-blanks", "part-of-it");
             let name = if whole { text } else { text.trim_matches(keyword::is_blank) };
             record.effect(state, Effect::LogOpen { file: name.to_owned(), append });
         }
         Active::LogClose => {
             let open = std::mem::replace(&mut state.log_open, false);
-            if open || state.readings.quirk("rs274.log-closed") {
+            if open || state.choices.quirk("rs274.log-closed") {
                 record.effect(state, Effect::LogClose {});
             }
         }
@@ -95,7 +95,7 @@ fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepE
 /// Quirk rs274.log-closed: it speaks all the same.
 fn log(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     state.evidence.accepted("active-comments.log-closed");
-    if state.log_open || state.readings.quirk("rs274.log-closed") {
+    if state.log_open || state.choices.quirk("rs274.log-closed") {
         return say(Channel::Log, text, state, record);
     }
     Ok(())
@@ -119,8 +119,8 @@ fn say(
 /// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value
 /// or its old one.
 fn shown_value(name: &Name, state: &State) -> Result<f64, StepError> {
-    let new = state.readings.is("active-comments.same-block-setting", "new")
-        && !parameters::is_told(name);
+    let new =
+        state.choices.is("active-comments.same-block-setting", "new") && !parameters::is_told(name);
     match state.parameters.announced(name) {
         Some(value) if new => Ok(value),
         _ if matches!(name, Name::Named(_)) && !parameters::exists(name, state) => {

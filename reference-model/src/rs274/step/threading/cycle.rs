@@ -103,7 +103,7 @@ impl Thread {
 fn ends(thread: &Thread, depth: f64, state: &State) -> [f64; 2] {
     let direction = quirks::direction(thread.end - thread.start.z, state);
     let along = direction * crate::math::tangent_of_degrees(thread.slide);
-    let both = state.readings.is("threading.slide-end", "with-depth");
+    let both = state.choices.is("threading.slide-end", "with-depth");
     let behind = if both { (thread.full - depth) * along } else { 0.0 };
     [thread.start.z + depth * along, thread.end - behind]
 }
@@ -122,14 +122,14 @@ fn pass(thread: &Thread, depth: f64, state: &mut State, record: &mut Record) {
     let cut = thread.start.x + thread.peak + inward * depth;
     let out = cut - inward * thread.full;
     let at = |x: f64, z: f64| Position { x, z, ..line };
-    if state.position != line || state.readings.quirk("rs274.thread-clearance") {
+    if state.position != line || state.choices.quirk("rs274.thread-clearance") {
         traverse(line, state, record);
     }
     if !thread.tapers_in {
         traverse(at(cut, from), state, record);
     }
     let feed_override = state.modes.feed_override;
-    if state.readings.quirk("rs274.thread-feed-override") {
+    if state.choices.quirk("rs274.thread-feed-override") {
         state.modes.feed_override = Switch::Off;
     }
     let aslant = thread.pitch * crate::math::hypotenuse(thread.full, thread.taper) / thread.taper;
@@ -175,7 +175,7 @@ fn traverse(end: Position, state: &mut State, record: &mut Record) {
 /// Rule threading.thread-diameter. In diameter mode I, J and K are diameters.
 fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
     refused_words(words, state)?;
-    let spindle = if state.readings.is("threading.cycle-spindle", "turning") {
+    let spindle = if state.choices.is("threading.cycle-spindle", "turning") {
         turning_spindle(words, state)?
     } else {
         selected_spindle(words, state)?
@@ -186,7 +186,7 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
     let start = state.position;
     let incremental = state.modes.distance == Distance::Incremental;
     let end = if incremental { start.z + value('z') } else { value('z') };
-    let any_taper = state.readings.quirk("rs274.thread-long-taper");
+    let any_taper = state.choices.quirk("rs274.thread-long-taper");
     if value('e') > (end - start.z).abs() / 2.0 && !any_taper {
         let message = "a taper of more than half the thread";
         return Err(refuse("threading.thread-taper", FaultKind::WordOutOfRange, message));
@@ -195,7 +195,7 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
         state.evidence.accepted("threading.thread-diameter");
     }
     let degression = word(words, 'r').unwrap_or_else(|| {
-        let areas = state.readings.is("threading.without-degression", "constant-area");
+        let areas = state.choices.is("threading.without-degression", "constant-area");
         if areas { 2.0 } else { 1.0 }
     });
     let springs = word(words, 'h').map_or(Some(0), whole);
@@ -223,11 +223,11 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
 }
 
 fn refused_words(words: &Words, state: &mut State) -> Result<(), StepError> {
-    if state.modes.plane != Plane::Zx && !state.readings.quirk("rs274.thread-any-plane") {
+    if state.modes.plane != Plane::Zx && !state.choices.quirk("rs274.thread-any-plane") {
         let message = "G76 in another plane than ZX";
         return Err(refuse("threading.thread-plane", FaultKind::ModalConflict, message));
     }
-    let x_and_y = state.readings.quirk("rs274.thread-other-axes");
+    let x_and_y = state.choices.quirk("rs274.thread-other-axes");
     let other = |axis: &Axis| {
         let allowed = *axis == Axis::Z || x_and_y && matches!(axis, Axis::X | Axis::Y);
         !allowed && word(words, letter(*axis)).is_some()
@@ -242,13 +242,13 @@ fn refused_words(words: &Words, state: &mut State) -> Result<(), StepError> {
         return Err(refuse("threading.thread-words", FaultKind::MissingWord, message));
     }
     let below = |letter: char, least: f64| word(words, letter).is_some_and(|value| value < least);
-    let any_springs = state.readings.quirk("rs274.thread-negative-springs");
+    let any_springs = state.choices.quirk("rs274.thread-negative-springs");
     let not_negative = if any_springs { "pjk" } else { "pjkh" };
     if let Some(negative) = not_negative.chars().find(|letter| below(*letter, 0.0)) {
         let message = format!("a negative {} of G76", negative.to_ascii_uppercase());
         return Err(refuse("threading.thread-negative", FaultKind::WordOutOfRange, message));
     }
-    if below('r', 1.0) && !state.readings.quirk("rs274.thread-low-degression") {
+    if below('r', 1.0) && !state.choices.quirk("rs274.thread-low-degression") {
         let message = "a degression of less than 1";
         return Err(refuse("threading.thread-degression", FaultKind::WordOutOfRange, message));
     }

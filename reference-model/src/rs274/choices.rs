@@ -322,14 +322,14 @@ fn known(id: &str) -> Option<Known> {
 
 /// The options in force for a run.
 #[derive(Clone, Debug)]
-pub struct Readings {
+pub struct Choices {
     /// The option of each choice, in the order of [`CHOICES`].
     chosen: Vec<&'static str>,
     /// The quirks that are shown.
     shown: BTreeSet<&'static str>,
 }
 
-impl Default for Readings {
+impl Default for Choices {
     /// The first option of each choice, and no quirk.
     fn default() -> Self {
         let chosen = CHOICES.iter().map(|(_, options)| options[0]).collect();
@@ -337,32 +337,32 @@ impl Default for Readings {
     }
 }
 
-impl Readings {
+impl Choices {
     /// Takes over a scenario's options; what it does not list has its default.
     ///
     /// # Errors
     /// An id or option that the model does not know, as a sentence.
     pub fn new(options: &Options) -> Result<Self, String> {
-        let mut readings = Self::default();
+        let mut choices = Self::default();
         for (id, option) in &options.0 {
             match (known(id), option.as_str()) {
                 (None, _) => return Err(format!("there is no choice or quirk {id}")),
                 (Some(Known::Choice(place, options)), option) => {
                     let known = options.iter().find(|known| **known == option);
-                    readings.chosen[place] = known.ok_or_else(|| {
+                    choices.chosen[place] = known.ok_or_else(|| {
                         format!("the choice {id} has the options {}", options.join(", "))
                     })?;
                 }
                 (Some(Known::Quirk(_)), "documented") => {}
                 (Some(Known::Quirk(id)), "observed") => {
-                    readings.shown.insert(id);
+                    choices.shown.insert(id);
                 }
                 (Some(Known::Quirk(_)), _) => {
                     return Err(format!("the quirk {id} is documented or observed, not {option}"));
                 }
             }
         }
-        Ok(readings)
+        Ok(choices)
     }
 
     /// The option of a choice.

@@ -20,7 +20,7 @@ pub const CHOICES: &[(&str, &[&str])] = &[
 
 /// The options that apply to a run. Each names the option that is not the default.
 #[derive(Clone, Copy, Debug)]
-pub struct Readings {
+pub struct Choices {
     /// Angles of functions are in radians.
     pub radians: bool,
     /// G, L, N and P of a block that is taken as arguments have variables of their own.
@@ -47,7 +47,7 @@ pub struct Readings {
     pub unsigned: bool,
 }
 
-impl Readings {
+impl Choices {
     /// Reads the options; what is not listed has its default.
     pub fn new(options: &Options) -> Self {
         Self {

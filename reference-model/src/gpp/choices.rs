@@ -36,7 +36,7 @@ pub enum Tie {
 
 /// The options that apply to a run.
 #[derive(Clone, Copy, Debug)]
-pub struct Readings {
+pub struct Choices {
     /// A printed member of a modal array stays on.
     pub members_stay_on: bool,
     /// What turns a variable on again.
@@ -55,7 +55,7 @@ pub struct Readings {
     pub without_value_is_zero: bool,
 }
 
-impl Readings {
+impl Choices {
     /// Reads the options; what is not listed has its default.
     pub fn new(options: &Options) -> Self {
         let assigned_again = match options.get("gpp.assigned-again") {

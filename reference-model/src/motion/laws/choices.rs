@@ -30,40 +30,40 @@ pub enum ToleranceAtChange {
 
 /// An option of each choice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Readings {
+pub struct Choices {
     /// `trajectory.motion-start`.
     pub motion_start: MotionStart,
     /// `trajectory.tolerance-at-change`.
     pub tolerance_at_change: ToleranceAtChange,
 }
 
-impl Readings {
+impl Choices {
     /// Reads options by the ids of their choices; what is not listed has its default.
     ///
     /// # Errors
     /// A choice or an option that there is not, as a sentence.
     pub fn new<'a>(options: impl IntoIterator<Item = (&'a str, &'a str)>) -> Result<Self, String> {
-        let mut readings = Self::default();
+        let mut choices = Self::default();
         for (id, option) in options {
             match (id, option) {
                 ("trajectory.motion-start", "corner") => {
-                    readings.motion_start = MotionStart::Corner;
+                    choices.motion_start = MotionStart::Corner;
                 }
                 ("trajectory.motion-start", "blend-end") => {
-                    readings.motion_start = MotionStart::BlendEnd;
+                    choices.motion_start = MotionStart::BlendEnd;
                 }
                 ("trajectory.tolerance-at-change", "larger") => {
-                    readings.tolerance_at_change = ToleranceAtChange::Larger;
+                    choices.tolerance_at_change = ToleranceAtChange::Larger;
                 }
                 ("trajectory.tolerance-at-change", "before") => {
-                    readings.tolerance_at_change = ToleranceAtChange::Before;
+                    choices.tolerance_at_change = ToleranceAtChange::Before;
                 }
                 ("trajectory.tolerance-at-change", "after") => {
-                    readings.tolerance_at_change = ToleranceAtChange::After;
+                    choices.tolerance_at_change = ToleranceAtChange::After;
                 }
                 _ => return Err(format!("no law depends on {id} = {option}")),
             }
         }
-        Ok(readings)
+        Ok(choices)
     }
 }
