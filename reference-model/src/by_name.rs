@@ -4,7 +4,7 @@
 const NONE: u16 = u16::MAX;
 
 /// Of some thousand factors the one by which the fewest rules have to share a slot. Another one is found by trying
-/// odd numbers until the test of `witness` that counts them passes.
+/// odd numbers until the test of `coverage` that counts them passes.
 const FACTOR: u64 = 0x4484_31bc_e18c_b9a5;
 
 /// Values by name. To find one costs the same however many there are.

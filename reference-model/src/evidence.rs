@@ -1,6 +1,6 @@
 //! Evidence: which rules a run reached, and with which outcome. It is never part of what is compared.
 
-use crate::witness;
+use crate::coverage;
 
 /// What a rule said about a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,7 +35,7 @@ impl Evidence {
     /// All that was reached, ordered by rule.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, RuleOutcome)> {
         let outcomes = self.reached.iter().flat_map(|reached| {
-            let rule = witness::id(reached.rule);
+            let rule = coverage::id(reached.rule);
             let accepted = reached.accepted.then_some((rule, RuleOutcome::Accepted));
             let refused = reached.refused.then_some((rule, RuleOutcome::Refused));
             [accepted, refused].into_iter().flatten()
@@ -72,7 +72,7 @@ impl Tally {
     /// Counts what a run reached.
     pub fn add(&mut self, evidence: &Evidence) {
         if self.runs.is_empty() && !evidence.reached.is_empty() {
-            self.runs.resize(witness::count(), Runs::default());
+            self.runs.resize(coverage::count(), Runs::default());
         }
         for reached in &evidence.reached {
             let runs = &mut self.runs[usize::from(reached.rule)];
@@ -95,7 +95,7 @@ impl Tally {
 
     /// How many runs reached an outcome.
     pub fn runs_with(&self, rule: &str, outcome: RuleOutcome) -> u64 {
-        let place = witness::place(rule);
+        let place = coverage::place(rule);
         let runs = place.and_then(|place| self.runs.get(place)).copied().unwrap_or_default();
         match outcome {
             RuleOutcome::Accepted => runs.accepted,
@@ -106,7 +106,7 @@ impl Tally {
     /// Every outcome that was reached, and in how many runs; in no order that means anything.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, RuleOutcome, u64)> {
         let outcomes = (0..).zip(&self.runs).flat_map(|(rule, runs)| {
-            let id = witness::id(rule);
+            let id = coverage::id(rule);
             [(id, RuleOutcome::Accepted, runs.accepted), (id, RuleOutcome::Refused, runs.refused)]
         });
         outcomes.filter(|(_, _, runs)| *runs > 0)

@@ -10,16 +10,16 @@
 //! no scenario. It is written from the documents, without reading the production interpreter.
 
 mod by_name;
+mod coverage;
 mod evidence;
 pub mod gpp;
 mod math;
 pub mod motion;
 pub mod nct;
 pub mod rs274;
-mod witness;
 
+pub use coverage::{RULES, RuleCoverage};
 pub use evidence::{Evidence, RuleOutcome, Tally};
-pub use witness::{RULES, Witness};
 
 pub use rs274::Kept;
 pub use rs274::modes::Rounding;

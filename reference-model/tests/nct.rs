@@ -173,9 +173,9 @@ proptest! {
         let mut scenario = Scenario::of(lines.join("\n"));
         scenario.program.language = Language::Nct;
         scenario.budget = Budget { steps: 2000, ..Budget::default() };
-        let (first, evidence) = run(&scenario);
+        let (first, coverage) = run(&scenario);
         assert!(first.steps.len() <= 2000);
-        assert_eq!((first, evidence), run(&scenario));
+        assert_eq!((first, coverage), run(&scenario));
     }
 }
 

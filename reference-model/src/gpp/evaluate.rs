@@ -25,7 +25,7 @@ impl Run<'_> {
             let message = format!("an index is from 1 to {size}, not {index}");
             return Err(refuse("gpp.index", FaultKind::IndexOutOfRange, message));
         }
-        self.evidence.accepted("gpp.index");
+        self.coverage.accepted("gpp.index");
         let member: usize = index.to_string().parse().expect("index: a whole number in range");
         Ok(first + member - 1)
     }
@@ -93,7 +93,7 @@ impl Run<'_> {
                     let name = self.variables.shown_name(reference.variable, cell);
                     self.record.say(Channel::Display, format!("warning: {name} is not modal"));
                 }
-                self.evidence.accepted("gpp.tested");
+                self.coverage.accepted("gpp.tested");
                 Ok(self.variables.cells[cell].on)
             }
         }
@@ -117,12 +117,12 @@ impl Run<'_> {
         match test {
             Test::Is(on, reference) => {
                 let cell = self.cell(reference)?;
-                self.evidence.accepted("gpp.tested");
+                self.coverage.accepted("gpp.tested");
                 Ok(self.variables.cells[cell].on == *on)
             }
             Test::Compare(one, ways, other) => {
                 let ordering = self.compared(one, other)?;
-                self.evidence.accepted("gpp.comparison");
+                self.coverage.accepted("gpp.comparison");
                 Ok(ways.contains(&ordering))
             }
         }

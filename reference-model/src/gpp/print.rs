@@ -53,7 +53,7 @@ impl Run<'_> {
     /// Rule gpp.newline-symbol. The symbol runs its procedure: at each occurrence, or, in the old GPP, when something
     /// is printed after it.
     fn newline(&mut self, printing: &mut Printing) -> Result<(), StepError> {
-        self.evidence.accepted("gpp.newline-symbol");
+        self.coverage.accepted("gpp.newline-symbol");
         if self.program.procedure.is_empty() {
             return Ok(());
         }
@@ -92,13 +92,13 @@ impl Run<'_> {
         let cell = self.cell(reference)?;
         let is_modal = self.variables.all[variable].modal;
         if is_modal {
-            self.evidence.accepted("gpp.off-modal");
+            self.coverage.accepted("gpp.off-modal");
         }
         if !self.variables.cells[cell].on {
             if is_modal && self.choices.off_modal_left_out {
                 return Ok(());
             }
-            self.evidence.accepted("gpp.off-printed");
+            self.coverage.accepted("gpp.off-printed");
         }
         let Some(value) = &self.variables.cells[cell].value else {
             let name = self.variables.shown_name(variable, cell);
@@ -107,7 +107,7 @@ impl Run<'_> {
         };
         let text = self.variables.text(variable, value, self.choices.tie);
         let text = text.expect("status: what is assigned has a text");
-        self.evidence.accepted("gpp.number-format");
+        self.coverage.accepted("gpp.number-format");
         printing.printed.push((variable, cell));
         self.put(printing, &text)
     }
@@ -119,21 +119,21 @@ impl Run<'_> {
         let declared = &self.variables.all[variable];
         let (is_modal, is_member) = (declared.modal, declared.size.is_some());
         if !is_modal {
-            self.evidence.accepted("gpp.non-modal-stays");
+            self.coverage.accepted("gpp.non-modal-stays");
             return;
         }
         if is_member {
-            self.evidence.accepted("gpp.modal-members");
+            self.coverage.accepted("gpp.modal-members");
             if self.choices.members_stay_on {
                 return;
             }
         }
-        self.evidence.accepted(match printer {
+        self.coverage.accepted(match printer {
             Printer::Output => "gpp.output-turns-off",
             Printer::Print => "gpp.print-turns-off",
         });
         if self.variables.is_shared(cell) {
-            self.evidence.accepted("gpp.identical-printed");
+            self.coverage.accepted("gpp.identical-printed");
         }
         self.turn(variable, cell, false);
     }

@@ -10,13 +10,13 @@ use super::refusal::{Refusal, StepError};
 use super::syntax::{self, Action, Condition, Program, Statement};
 use super::toolpath::{self, Processed};
 use super::variables::Variables;
-use crate::{Evidence, Witness};
+use crate::{Evidence, RuleCoverage};
 
 /// A program that runs.
 pub(super) struct Run<'a> {
     pub(super) program: &'a Program,
     pub(super) choices: Choices,
-    pub(super) evidence: &'a mut Witness,
+    pub(super) coverage: &'a mut RuleCoverage,
     pub(super) variables: Variables,
     pub(super) record: Record,
     /// The newline procedure runs before the next thing that is printed.
@@ -27,47 +27,47 @@ pub(super) struct Run<'a> {
 
 /// What the documents say about a scenario in this language, and the rules that were reached.
 pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
-    let mut evidence = Witness::default();
+    let mut coverage = RuleCoverage::default();
     let choices = Choices::new(&scenario.options);
     let toolpath = scenario.program.files.get(TOOLPATH).map_or("", String::as_str);
-    let (steps, end) = match compiled(scenario, toolpath, choices, &mut evidence) {
+    let (steps, end) = match compiled(scenario, toolpath, choices, &mut coverage) {
         Ok((program, blocks)) => {
             let mut run = Run {
                 variables: program.variables.clone(),
                 program: &program,
                 choices,
-                evidence: &mut evidence,
+                coverage: &mut coverage,
                 record: Record::new(scenario.budget),
                 newline_waits: false,
                 at: BlockLocation::new(Files::MAIN, 1),
             };
             let stopped = run.whole(&blocks).err();
-            let end = stopped.map_or(End::ProgramEnd, |error| ended(error, run.at, run.evidence));
+            let end = stopped.map_or(End::ProgramEnd, |error| ended(error, run.at, run.coverage));
             (run.record.steps, end)
         }
-        Err((at, error)) => (Vec::new(), ended(error, at, &mut evidence)),
+        Err((at, error)) => (Vec::new(), ended(error, at, &mut coverage)),
     };
-    (outcome(steps, end), evidence.take())
+    (outcome(steps, end), coverage.take())
 }
 
 fn compiled(
     scenario: &Scenario,
     toolpath: &str,
     choices: Choices,
-    evidence: &mut Witness,
+    coverage: &mut RuleCoverage,
 ) -> Result<(Program, Vec<Processed>), (BlockLocation, StepError)> {
     let of = |file: &'static str| move |(line, error)| (BlockLocation::new(file, line), error);
     let toolpath = toolpath::read(toolpath, &choices).map_err(of(TOOLPATH))?;
     let main = &scenario.program.main;
-    let program = syntax::read(main, toolpath.variables, choices, evidence);
+    let program = syntax::read(main, toolpath.variables, choices, coverage);
     Ok((program.map_err(of(Files::MAIN))?, toolpath.blocks))
 }
 
-fn ended(error: StepError, at: BlockLocation, evidence: &mut Witness) -> End {
+fn ended(error: StepError, at: BlockLocation, coverage: &mut RuleCoverage) -> End {
     match error {
         StepError::Refused(Refusal { rule, kind, message }) => {
             if let Some(rule) = rule {
-                evidence.refused(rule);
+                coverage.refused(rule);
             }
             End::Fault(Fault { kind: Some(kind), block: Some(at), span: None, message })
         }

@@ -24,7 +24,7 @@ impl Run<'_> {
         let is_first = self.variables.cells[cell].value.is_none();
         let is_changed = self.set_value(variable, cell, value)?;
         if is_first {
-            self.evidence.accepted("gpp.first-assignment");
+            self.coverage.accepted("gpp.first-assignment");
         }
         let again = match self.choices.assigned_again {
             AssignedAgain::IfChanged => is_changed,
@@ -49,12 +49,12 @@ impl Run<'_> {
         let is_changed = self.set_value(variable, cell, value)?;
         match class {
             Some(Class::Presence) => {
-                self.evidence.accepted("gpp.presence");
+                self.coverage.accepted("gpp.presence");
                 self.turn(variable, cell, true);
             }
             Some(Class::Change) | None => {
                 if !is_first {
-                    self.evidence.accepted("gpp.changed");
+                    self.coverage.accepted("gpp.changed");
                 }
                 if is_first || is_changed {
                     self.turn(variable, cell, true);
@@ -87,13 +87,13 @@ impl Run<'_> {
             self.variables.text(*place, &value, tie).map_err(|_| too_long())?;
         }
         if sharing.len() > 1 {
-            self.evidence.accepted("gpp.identical");
+            self.coverage.accepted("gpp.identical");
         }
         let text = |value: &Value| self.variables.text(variable, value, tie).ok();
         let (before, now) = (self.variables.cells[cell].value.as_ref(), &value);
         let is_changed = before.and_then(text) != text(now);
         if before.is_some_and(|before| before != now) && matches!(value, Value::Number(_)) {
-            self.evidence.accepted("gpp.changed-by-format");
+            self.coverage.accepted("gpp.changed-by-format");
         }
         self.variables.cells[cell].value = Some(value);
         self.record.touch(cell);
@@ -113,9 +113,9 @@ impl Run<'_> {
             Target::All => (0..self.variables.all.len()).flat_map(|v| self.members(v)).collect(),
         };
         for (variable, cell) in cells {
-            self.evidence.accepted(if on { "gpp.set-on" } else { "gpp.set-off" });
+            self.coverage.accepted(if on { "gpp.set-on" } else { "gpp.set-off" });
             if !on && !self.variables.all[variable].modal {
-                self.evidence.accepted("gpp.non-modal-off");
+                self.coverage.accepted("gpp.non-modal-off");
             }
             self.turn(variable, cell, on);
         }
@@ -133,12 +133,12 @@ impl Run<'_> {
     /// each member of an array its own; identical variables have one together.
     pub(super) fn turn(&mut self, variable: usize, cell: usize, on: bool) {
         let is_member = self.variables.all[variable].size.is_some();
-        self.evidence.accepted(if is_member { "gpp.member-flag" } else { "gpp.set-flag" });
+        self.coverage.accepted(if is_member { "gpp.member-flag" } else { "gpp.set-flag" });
         if self.variables.is_shared(cell) {
-            self.evidence.accepted(if on { "gpp.identical-on" } else { "gpp.identical-off" });
+            self.coverage.accepted(if on { "gpp.identical-on" } else { "gpp.identical-off" });
         }
         // Nothing here asks for the modality: OUTPUT and PRINT alone do.
-        self.evidence.accepted("gpp.only-printing");
+        self.coverage.accepted("gpp.only-printing");
         self.variables.cells[cell].on = on;
         self.record.touch(cell);
     }

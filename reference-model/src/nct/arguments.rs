@@ -89,7 +89,7 @@ impl Run<'_> {
                         return Err(refuse(rule, FaultKind::TooManyArguments, message));
                     }
                     if set > 1 {
-                        self.evidence.accepted("nct.argument-sets");
+                        self.coverage.accepted("nct.argument-sets");
                     }
                     3 * set + place + 1
                 }
@@ -99,7 +99,7 @@ impl Run<'_> {
                 },
             };
             locals[number - 1] = Some(*value);
-            self.evidence.accepted("nct.arguments");
+            self.coverage.accepted("nct.arguments");
         }
         Ok(locals)
     }

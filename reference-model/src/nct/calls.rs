@@ -112,7 +112,7 @@ impl Run<'_> {
                 _ => Reach::Open,
             };
             self.enter(program, repeats, arguments, reach)?;
-            self.evidence.accepted("nct.call");
+            self.coverage.accepted("nct.call");
         } else {
             let by_block = code == BY_BLOCK;
             self.begin_modal(ModalCall { program, repeats, arguments, by_block })?;
@@ -127,7 +127,7 @@ impl Run<'_> {
             return Err(open("G66 and G66.1 in force together"));
         }
         let rule = if call.by_block { "nct.block-last-first" } else { "nct.modal-call" };
-        self.evidence.accepted(rule);
+        self.coverage.accepted(rule);
         self.modal_calls.push(call);
         Ok(())
     }
@@ -146,7 +146,7 @@ impl Run<'_> {
             }
             None => "nct.cancel-nothing",
         };
-        self.evidence.accepted(rule);
+        self.coverage.accepted(rule);
         Ok(())
     }
 
@@ -179,7 +179,7 @@ impl Run<'_> {
         let number = number.filter(|number| (1..=MOST_REPEATS).contains(number));
         let message = format!("L{repeats} is not from 1 to {MOST_REPEATS}");
         let number = number.ok_or_else(|| refuse(rule, FaultKind::WordOutOfRange, message))?;
-        self.evidence.accepted(rule);
+        self.coverage.accepted(rule);
         Ok(number)
     }
 
@@ -214,13 +214,13 @@ impl Run<'_> {
             0 => &["nct.level-rises", "nct.stored-on-call"],
             _ => &["nct.level-rises", "nct.stored-on-call", "nct.stored-at-each-level"],
         };
-        rules.iter().for_each(|rule| self.evidence.accepted(rule));
+        rules.iter().for_each(|rule| self.coverage.accepted(rule));
         if level + 1 == most {
-            self.evidence.accepted("nct.level-limit");
-            self.evidence.accepted("nct.five-sets");
+            self.coverage.accepted("nct.level-limit");
+            self.coverage.accepted("nct.five-sets");
         }
         if self.variables.common.iter().any(Option::is_some) {
-            self.evidence.accepted("nct.common");
+            self.coverage.accepted("nct.common");
         }
         Ok(())
     }
@@ -249,7 +249,7 @@ impl Run<'_> {
         let repeats = self.repeats(words)?;
         let reach = self.frame().reach;
         self.begin_program(program, repeats, Kind::Sub, reach)?;
-        self.evidence.accepted("nct.sub-call");
+        self.coverage.accepted("nct.sub-call");
         Ok(())
     }
 
@@ -295,8 +295,8 @@ impl Run<'_> {
             (None, false) => "nct.modal-call",
             (None, true) => "nct.modal-order",
         };
-        self.evidence.accepted(rule);
-        self.evidence.accepted("nct.modal-levels");
+        self.coverage.accepted(rule);
+        self.coverage.accepted("nct.modal-levels");
         Ok(())
     }
 
@@ -328,8 +328,8 @@ impl Run<'_> {
             Kind::Sub => {}
             Kind::Macro(_) => {
                 self.variables.levels.pop();
-                self.evidence.accepted("nct.restored");
-                self.evidence.accepted("nct.any-body");
+                self.coverage.accepted("nct.restored");
+                self.coverage.accepted("nct.any-body");
             }
         }
         self.frames.pop();
@@ -351,7 +351,7 @@ impl Run<'_> {
         if self.choices.main_return_refused {
             return Err(refuse(rule, FaultKind::OutsideSub, "M99 in the main program"));
         }
-        self.evidence.accepted(rule);
+        self.coverage.accepted(rule);
         match to {
             Some(to) => self.jump(to, rule).map(|()| Flow::On),
             None => Ok(Flow::Endless),
@@ -364,7 +364,7 @@ impl Run<'_> {
         // The block that jumps, or that called, stands before the next one.
         let from = frame.next.saturating_sub(1);
         frame.next = self.programs.all[frame.program].find(to, from, rule)?;
-        self.evidence.accepted(rule);
+        self.coverage.accepted(rule);
         Ok(())
     }
 

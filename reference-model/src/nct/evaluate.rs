@@ -20,7 +20,7 @@ impl Run<'_> {
             Expression::Variable(number) => {
                 let number = self.variable_number(number)?;
                 let held = self.variables.get(number)?;
-                self.evidence.accepted("nct.variable-numbers");
+                self.coverage.accepted("nct.variable-numbers");
                 held
             }
             Expression::Affirmed(operand) => Some(self.number(operand)?),
@@ -35,8 +35,8 @@ impl Run<'_> {
                     let operand = self.number(operand)?;
                     result = self.applied(*operator, result, operand)?;
                 }
-                self.evidence.accepted("nct.precedence");
-                self.evidence.accepted("nct.brackets");
+                self.coverage.accepted("nct.precedence");
+                self.coverage.accepted("nct.brackets");
                 Some(result)
             }
         })
@@ -45,7 +45,7 @@ impl Run<'_> {
     fn number(&mut self, expression: &Expression) -> Result<f64, StepError> {
         let held = self.value(expression)?;
         if held.is_none() {
-            self.evidence.accepted("nct.vacant");
+            self.coverage.accepted("nct.vacant");
         }
         Ok(held.unwrap_or(0.0))
     }
@@ -55,7 +55,7 @@ impl Run<'_> {
     /// Rule nct.indirect. It may be computed.
     pub(super) fn variable_number(&mut self, expression: &Expression) -> Result<i64, StepError> {
         if !matches!(expression, Expression::Number(_)) {
-            self.evidence.accepted("nct.indirect");
+            self.coverage.accepted("nct.indirect");
         }
         let Some(number) = self.value(expression)? else {
             return Err(open("a vacant variable as the number of a variable"));
@@ -68,7 +68,7 @@ impl Run<'_> {
         if function == Function::Not {
             return self.bits(operand, 0.0, |operand, _| !operand);
         }
-        self.evidence.accepted("nct.functions");
+        self.coverage.accepted("nct.functions");
         let radians = if self.choices.radians { operand } else { operand.to_radians() };
         let angle =
             |degrees: f64| if self.choices.radians { degrees.to_radians() } else { degrees };
@@ -137,7 +137,7 @@ impl Run<'_> {
         let (Some(left), Some(right)) = (bits(left), bits(right)) else {
             return Err(refuse("nct.bits", FaultKind::OutOfDomain, message));
         };
-        self.evidence.accepted("nct.bits");
+        self.coverage.accepted("nct.bits");
         let result = operation(left, right);
         Ok(if unsigned { f64::from(result) } else { f64::from(result.cast_signed()) })
     }
@@ -148,7 +148,7 @@ impl Run<'_> {
         let (Some(left), Some(right)) = (left, right) else {
             return self.vacant_condition(condition.comparison, left, right);
         };
-        self.evidence.accepted("nct.conditions");
+        self.coverage.accepted("nct.conditions");
         let order = left.partial_cmp(&right).expect("evaluate: numbers are finite");
         Ok(match condition.comparison {
             Comparison::Equal => order.is_eq(),
@@ -184,7 +184,7 @@ impl Run<'_> {
                 return Err(open("LT or LE with a vacant variable"));
             }
         };
-        self.evidence.accepted("nct.vacant-comparison");
+        self.coverage.accepted("nct.vacant-comparison");
         Ok(holds)
     }
 }

@@ -17,13 +17,13 @@ use super::refusal::{Refusal, StepError, open, refuse, refuse_form};
 use super::syntax::{Content, Expression, Word};
 use super::variables::Variables;
 use super::words::{self, Words, word};
-use crate::{Evidence, Witness};
+use crate::{Evidence, RuleCoverage};
 
 /// A program that runs.
 pub(super) struct Run<'a> {
     pub(super) programs: &'a Programs,
     pub(super) choices: Choices,
-    pub(super) evidence: &'a mut Witness,
+    pub(super) coverage: &'a mut RuleCoverage,
     pub(super) variables: Variables,
     /// The modal calls in force, the one that was commanded last at the end.
     pub(super) modal_calls: Vec<ModalCall>,
@@ -49,7 +49,7 @@ pub(super) enum Flow {
 
 /// What the documents say about a scenario in this language, and the rules that were reached.
 pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
-    let mut evidence = Witness::default();
+    let mut coverage = RuleCoverage::default();
     let choices = Choices::new(&scenario.options);
     let block_delete = scenario.program.block_delete;
     let programs = Programs::read(&scenario.program.main, block_delete, &choices);
@@ -66,7 +66,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
     let mut run = Run {
         programs: &programs,
         choices,
-        evidence: &mut evidence,
+        coverage: &mut coverage,
         variables: Variables::new(),
         modal_calls: Vec::new(),
         frames: vec![main],
@@ -89,7 +89,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
         pins: Vec::new(),
         samples: Vec::new(),
     };
-    (outcome, evidence.take())
+    (outcome, coverage.take())
 }
 
 impl Run<'_> {
@@ -98,7 +98,7 @@ impl Run<'_> {
         match error {
             StepError::Refused(Refusal { rule, kind, message }) => {
                 if let Some(rule) = rule {
-                    self.evidence.refused(rule);
+                    self.coverage.refused(rule);
                 }
                 End::Fault(Fault { kind: Some(kind), block: Some(block), span: None, message })
             }
@@ -121,7 +121,7 @@ impl Run<'_> {
             };
             frame.next += 1;
             if block_delete && block.is_optional {
-                self.evidence.accepted("nct.block-delete");
+                self.coverage.accepted("nct.block-delete");
                 continue;
             }
             self.begin(block.line)?;
@@ -151,9 +151,9 @@ impl Run<'_> {
                 let number = self.variable_number(number)?;
                 let value = self.value(value)?;
                 self.variables.set(number, value)?;
-                self.evidence.accepted("nct.statement-form");
+                self.coverage.accepted("nct.statement-form");
                 if value.is_none() {
-                    self.evidence.accepted("nct.vacant");
+                    self.coverage.accepted("nct.vacant");
                 }
             }
             Content::Goto(to) => self.go_to(to)?,
@@ -163,9 +163,9 @@ impl Run<'_> {
                 }
             }
             Content::While(condition, _) => {
-                self.evidence.accepted("nct.loops");
-                self.evidence.accepted("nct.loop-number");
-                self.evidence.accepted("nct.loop-pairs");
+                self.coverage.accepted("nct.loops");
+                self.coverage.accepted("nct.loop-number");
+                self.coverage.accepted("nct.loop-pairs");
                 if !self.condition(condition)? {
                     self.go_beyond(place);
                 }
@@ -231,7 +231,7 @@ impl Run<'_> {
     fn executed(&mut self, words: &Words, codes: &words::Codes) -> Result<Flow, StepError> {
         let block = self.modes.set(codes)?;
         if !codes.g.is_empty() {
-            self.evidence.accepted("nct.modes");
+            self.coverage.accepted("nct.modes");
         }
         let moves = self.moves(words, block);
         self.used(words, block, moves)?;
@@ -252,7 +252,7 @@ impl Run<'_> {
             }
             let effect = motion::perform(&mut self.modes, words, &self.machine.axes)?;
             let is_arc = matches!(effect, Effect::ArcFeed { .. });
-            self.evidence.accepted(if is_arc { "nct.arc" } else { "nct.motion" });
+            self.coverage.accepted(if is_arc { "nct.arc" } else { "nct.motion" });
             self.record.effect(&self.modes, effect);
         }
         self.ended(words, block, reached)
@@ -266,7 +266,7 @@ impl Run<'_> {
         } else if block.back {
             flow = self.go_back(words)?;
         } else if block.end {
-            self.evidence.accepted("nct.text-end");
+            self.coverage.accepted("nct.text-end");
             self.record.effect(&self.modes, Effect::ProgramEnd {});
             flow = Flow::Ended;
         }
@@ -350,7 +350,7 @@ impl Run<'_> {
         }
         let seconds = if self.choices.milliseconds { time / 1000.0 } else { time };
         self.record.effect(&self.modes, Effect::Dwell { seconds });
-        self.evidence.accepted(rule);
+        self.coverage.accepted(rule);
         Ok(())
     }
 }

@@ -33,7 +33,7 @@ impl Run<'_> {
         for word in words {
             match self.value(&word.value)? {
                 Some(value) => valued.push((word.letter, value + 0.0)),
-                None => self.evidence.accepted("nct.vacant-word"),
+                None => self.coverage.accepted("nct.vacant-word"),
             }
         }
         Ok(valued)
@@ -63,9 +63,9 @@ impl Run<'_> {
         let message = format!("{letter} has no {value}");
         let rule = "nct.word-range";
         let number = number.ok_or_else(|| refuse(rule, FaultKind::WordOutOfRange, message))?;
-        self.evidence.accepted(rule);
+        self.coverage.accepted(rule);
         if value.round().to_bits() != value.to_bits() {
-            self.evidence.accepted("nct.word-rounding");
+            self.coverage.accepted("nct.word-rounding");
         }
         Ok(number)
     }

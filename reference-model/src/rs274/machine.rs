@@ -6,14 +6,14 @@ use gaugeblock_vocabulary::{Machine, Plane, Position, Rs274State, Settings, Shar
 
 use super::choices::Choices;
 use super::control::Frame;
+use super::environment::EnvironmentState;
 use super::modes::Modes;
-use super::outside::Outside;
 use super::parameters::Parameters;
 use super::step::cycles::Series;
 use super::step::splines::Curve;
 use super::syntax::Room;
 use super::task::Shown;
-use crate::Witness;
+use crate::RuleCoverage;
 
 /// The whole state of a controller.
 #[derive(Clone, Debug)]
@@ -62,14 +62,14 @@ pub struct State {
     pub probe_log_open: bool,
     /// What the operator has set at the panel.
     pub panel: Panel,
-    /// The outside of the controller: its clock, its pins, and how an environment answers.
-    pub outside: Outside,
+    /// The environment of the controller: its clock, its pins, and how what is connected to it answers.
+    pub environment: EnvironmentState,
     /// What the pins were brought up to date for; none where they have to be looked at.
     pub shown: Option<Shown>,
     /// Room for what the parser makes of a line; nothing of it counts from one line to the next.
     pub room: Room,
     /// The rules reached so far.
-    pub evidence: Witness,
+    pub coverage: RuleCoverage,
 }
 
 /// Switches and overrides that the operator sets, in every mode of the controller.
@@ -196,14 +196,14 @@ impl State {
             series: None,
             curve: Curve::default(),
             panel: Panel::new(&Machine::default()),
-            outside: Outside::new(
+            environment: EnvironmentState::new(
                 &gaugeblock_vocabulary::scenario::Environment::default(),
                 1,
                 &choices,
             ),
             shown: None,
             room: Room::default(),
-            evidence: Witness::default(),
+            coverage: RuleCoverage::default(),
             choices: choices.into(),
         }
     }

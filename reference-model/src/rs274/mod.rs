@@ -8,22 +8,21 @@
 //! | [`modes`] | the table of codes and modal groups; the modes in force |
 //! | [`parameters`] | numbered and named parameters, scopes, the predefined ones |
 //! | [`machine`] | the whole state, a sentence per field |
-//! | [`outside`] | clock, pins, and how an environment answers |
 //! | [`check`] | what is refused before anything of the block is done |
 //! | [`order`] | the fixed order of execution inside a block |
 //! | [`step`] | what each phase does |
 //! | [`control`] | O-words, calls, M98 and M99: which block comes next |
-//! | [`outside`] | the clock, the pins, how the environment answers |
+//! | [`environment`] | the clock, the pins, how the environment answers |
 //! | [`task`] | the run: modes of the controller, operator, start, blocks, budget, record, end |
 //! | [`quirks`] | where a real controller departs from its own document; off the main path |
 
 pub mod check;
 pub mod choices;
 pub mod control;
+pub mod environment;
 pub mod machine;
 pub mod modes;
 pub mod order;
-pub mod outside;
 pub mod parameters;
 pub mod quirks;
 pub mod read;

@@ -28,11 +28,11 @@ impl Reader<'_> {
         }
         for variable in &self.variables.all {
             if self.choices.modality_by_format {
-                self.evidence.accepted("gpp.format-modality");
+                self.coverage.accepted("gpp.format-modality");
             } else if !variable.modal {
-                self.evidence.accepted("gpp.default-non-modal");
+                self.coverage.accepted("gpp.default-non-modal");
             }
-            self.evidence.accepted("gpp.modality");
+            self.coverage.accepted("gpp.modality");
         }
         Ok(())
     }
@@ -48,7 +48,7 @@ impl Reader<'_> {
         loop {
             self.declared_name(format)?;
             if self.takes(";") {
-                self.evidence.accepted("gpp.declaration");
+                self.coverage.accepted("gpp.declaration");
                 return Ok(());
             }
         }
@@ -127,9 +127,9 @@ impl Reader<'_> {
             }
             let variable = &mut self.variables.all[place];
             (variable.modal, variable.modality_is_declared) = (modal, true);
-            self.evidence.accepted("gpp.modal-declaration");
+            self.coverage.accepted("gpp.modal-declaration");
             if self.variables.all[place].size.is_some() {
-                self.evidence.accepted("gpp.array-modality");
+                self.coverage.accepted("gpp.array-modality");
             }
             if self.takes(";") {
                 return Ok(());
@@ -145,7 +145,7 @@ impl Reader<'_> {
     /// Rule gpp.old-words. What only the old GPP understands.
     pub(super) fn old_word(&mut self, word: &str) -> Result<(), StepError> {
         if self.choices.old_words {
-            self.evidence.accepted("gpp.old-words");
+            self.coverage.accepted("gpp.old-words");
             return Ok(());
         }
         let message = format!("{word} belongs to the old GPP");

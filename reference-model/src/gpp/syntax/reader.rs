@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use gaugeblock_vocabulary::FaultKind;
 
 use super::{DEEPEST, Heading, Program, Statement, is_keyword};
-use crate::Witness;
+use crate::RuleCoverage;
 use crate::gpp::choices::Choices;
 use crate::gpp::refusal::{StepError, refuse, refuse_form};
 use crate::gpp::text::{Placed, Token, no_number, tokens};
@@ -19,7 +19,7 @@ pub fn read(
     text: &str,
     variables: Variables,
     choices: Choices,
-    evidence: &mut Witness,
+    coverage: &mut RuleCoverage,
 ) -> Result<Program, (u32, StepError)> {
     let mut reader = Reader {
         tokens: tokens(text),
@@ -33,7 +33,7 @@ pub fn read(
         alone: 0,
         variables,
         choices,
-        evidence,
+        coverage,
         warnings: Vec::new(),
     };
     let parts = reader.program();
@@ -66,7 +66,7 @@ pub(super) struct Reader<'a> {
     pub(super) alone: usize,
     pub(super) variables: Variables,
     pub(super) choices: Choices,
-    pub(super) evidence: &'a mut Witness,
+    pub(super) coverage: &'a mut RuleCoverage,
     pub(super) warnings: Vec<(u32, String)>,
 }
 

@@ -23,7 +23,7 @@ impl Reader<'_> {
             }
             let line = self.begun;
             let action = self.action()?;
-            self.evidence.accepted("gpp.statement");
+            self.coverage.accepted("gpp.statement");
             statements.push(Statement { line, action });
         }
     }

@@ -34,7 +34,7 @@ fn count(words: &Words, state: &mut State) -> Result<(), StepError> {
         let message = format!("{} M words in a block", words.m.len());
         return Err(refuse(rule, FaultKind::TooManyMCodes, message));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(())
 }
 
@@ -67,11 +67,11 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepE
         let rule = if *number > 999 {
             "modal-groups.g-code-out-of-range"
         } else {
-            state.evidence.accepted("modal-groups.g-code-out-of-range");
+            state.coverage.accepted("modal-groups.g-code-out-of-range");
             "modal-groups.unknown-g-code"
         };
         let code = g_code(*number).ok_or_else(|| unknown(rule, text))?;
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
         let group = quirks::group_of_g(*number, state).or(code.group);
         codes.push((text, Code { group, ..*code }));
     }
@@ -84,7 +84,7 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepE
             "modal-groups.unknown-m-code"
         };
         let code = m_code(*number).ok_or_else(|| unknown(rule, text))?;
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
         let group = code.group.or_else(|| quirks::group_of(*number, state));
         let group = group.or_else(|| group_by_choice(*number, &state.choices));
         codes.push((text, Code { group, ..*code }));
@@ -112,10 +112,10 @@ fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result
     }
     let in_groups = || codes.iter().filter_map(|(_, code)| code.group);
     for rule in in_groups().filter_map(ModalGroup::rule) {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     if in_groups().count() > 1 {
-        state.evidence.accepted("modal-groups.one-of-each");
+        state.coverage.accepted("modal-groups.one-of-each");
     }
     Ok(())
 }
@@ -145,7 +145,7 @@ fn conflict(
     if mist_and_flood {
         let rule = "coolant.both-in-one-block";
         if state.choices.is(rule, "accepted") {
-            state.evidence.accepted(rule);
+            state.coverage.accepted(rule);
             return Ok(());
         }
         return Err(refuse(rule, FaultKind::ModalConflict, message));
@@ -156,7 +156,7 @@ fn conflict(
         return Ok(());
     }
     if group == ModalGroup::Spindle && [texts.0, texts.1].contains(&Written::M(19)) {
-        state.evidence.refused("orient.group");
+        state.coverage.refused("orient.group");
     }
     let rule = group.rule().unwrap_or("modal-groups.one-of-each");
     Err(refuse(rule, FaultKind::ModalConflict, message))
@@ -188,7 +188,7 @@ fn axis_words_once(
         let message = format!("{motion} and {other} both use the axis words");
         return Err(refuse("modal-groups.axis-words-twice", FaultKind::AxisWords, message));
     }
-    state.evidence.accepted("modal-groups.axis-words-twice");
+    state.coverage.accepted("modal-groups.axis-words-twice");
     let quirk = state.choices.quirk("rs274.dynamic-length-with-motion");
     match user(ModalGroup::ToolLength) {
         Some((Written::G(432), _)) if !has_axis_words(words) => Ok(()),

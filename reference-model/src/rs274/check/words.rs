@@ -25,8 +25,8 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
             return Err(unused(letter, words, state));
         }
     }
-    state.evidence.accepted("modal-groups.unused-word");
-    state.evidence.accepted("modal-groups.unused-arc-word");
+    state.coverage.accepted("modal-groups.unused-word");
+    state.coverage.accepted("modal-groups.unused-arc-word");
     if words.g.contains(&640)
         && words.letters.contains_key(&'q')
         && !words.letters.contains_key(&'p')
@@ -161,7 +161,7 @@ fn unused(letter: char, words: &Words, state: &mut State) -> StepError {
         _ => "modal-groups.unused-word",
     };
     if letter == 'p' {
-        state.evidence.refused("dwell.once");
+        state.coverage.refused("dwell.once");
     }
     let message = format!("{} without a code that uses it", letter.to_uppercase());
     refuse(rule, FaultKind::UnusedWord, message)

@@ -43,7 +43,7 @@ impl Control {
             return self.at_end(label, state);
         };
         if *taken {
-            state.evidence.accepted("control.first-true-only");
+            state.coverage.accepted("control.first-true-only");
             if state.choices.quirk("rs274.later-conditions-evaluated") {
                 quirks::control::evaluate_later_condition(values, state)?;
                 return self.at_branch(label, state);
@@ -62,11 +62,11 @@ impl Control {
         match self.branch(label, Keyword::Else, state)? {
             Some(taken) if !*taken => {
                 *taken = true;
-                state.evidence.accepted("control.else");
+                state.coverage.accepted("control.else");
                 Ok(Next::Following)
             }
             Some(_) => {
-                state.evidence.accepted("control.else");
+                state.coverage.accepted("control.else");
                 self.at_end(label, state)
             }
             None => self.at_end(label, state),
@@ -183,7 +183,7 @@ impl Control {
         let Place { file, line: here } = self.place;
         let labels = self.files.labels(file);
         if labels.is_shared(label) {
-            state.evidence.accepted("control.labels-in-subs");
+            state.coverage.accepted("control.labels-in-subs");
         }
         let scope = labels.scope(state.frame().numbered_line().unwrap_or(here));
         let counts = state.choices.is("control.skipped-definition", "counts");
@@ -212,7 +212,7 @@ impl Control {
         let open = Open { label: label.to_owned(), line, structure };
         frame.open.push(open);
         if nested {
-            state.evidence.accepted("control.nesting");
+            state.coverage.accepted("control.nesting");
         }
     }
 

@@ -78,7 +78,7 @@ impl Files {
             source = source.called_by(&main.source);
         }
         let mut labels = Labels::default();
-        let before = state.evidence.set_deaf(true);
+        let before = state.coverage.set_muted(true);
         let mut index = source.first;
         loop {
             match source.line(index, self.block_delete, state) {
@@ -88,7 +88,7 @@ impl Files {
             }
             index += 1;
         }
-        state.evidence.set_deaf(before);
+        state.coverage.set_muted(before);
         labels.finish();
         self.opened.push(File { source: source.into(), labels });
         self.begin(self.opened.len() - 1)

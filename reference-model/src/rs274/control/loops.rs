@@ -59,7 +59,7 @@ impl Control {
         } else {
             self.never_entered(label, Structure::While, state);
         }
-        state.evidence.accepted("control.loop-again");
+        state.coverage.accepted("control.loop-again");
         let ends = &[Keyword::EndWhile];
         let line = self.end_of_skipped(label, ends, self.place.line, state)?;
         quirks::control::while_ends(self, label, line, state);
@@ -172,7 +172,7 @@ impl Control {
             self.leave(label, is_repeat, state)?;
             return Ok(Next::At(self.line(first)));
         }
-        state.evidence.accepted("control.repeat-recursion");
+        state.coverage.accepted("control.repeat-recursion");
         match &mut state.frame_mut().open[place].structure {
             Structure::Repeat { turns_left } if *turns_left > 0 => {
                 *turns_left -= 1;
@@ -246,7 +246,7 @@ impl Control {
         self.within(label, structure, first, state)?;
         let left = state.frame_mut().open.split_off(place);
         if left.iter().any(|open| is_repeat(open.structure)) {
-            state.evidence.accepted("control.break-in-repeat");
+            state.coverage.accepted("control.break-in-repeat");
         }
         let ends = if structure == Structure::Do { Keyword::While } else { Keyword::EndWhile };
         self.break_remembered |=
@@ -258,7 +258,7 @@ impl Control {
         let line = self.end_of_skipped(label, &[ends], first, state)?;
         self.ends_before(&left[1..], line, state)?;
         left.into_iter().for_each(|open| state.frame_mut().end(open));
-        state.evidence.accepted("control.break");
+        state.coverage.accepted("control.break");
         Ok(Next::At(self.line(line + 1)))
     }
 
@@ -310,7 +310,7 @@ impl Control {
         let (place, structure, first) = self.loop_of(label, state)?;
         self.within(label, structure, first, state)?;
         state.frame_mut().open.truncate(place + 1);
-        state.evidence.accepted("control.continue");
+        state.coverage.accepted("control.continue");
         if structure == Structure::Do {
             let line = self.end_of_skipped(label, &[Keyword::While], first, state)?;
             quirks::control::do_continues(self, label, line, state);
@@ -361,7 +361,7 @@ pub(crate) fn turns(values: &[Expression], state: &mut State) -> Result<u64, Ste
         }
         _ => count.round(),
     };
-    state.evidence.accepted("control.repeat");
+    state.coverage.accepted("control.repeat");
     Ok(saturated(whole))
 }
 

@@ -142,17 +142,17 @@ impl Control {
             return Err(refuse("control.unrelated-words", FaultKind::BadBlock, message));
         }
         if block.line_number.is_some() {
-            state.evidence.accepted("control.unrelated-words");
+            state.coverage.accepted("control.unrelated-words");
         }
         if block.comment.is_some() && word.keyword != Keyword::ProgramNumber {
             if state.choices.is("control.comment-after-o-word", "refused") {
                 let message = "a comment stands on the line of an o-word";
                 return Err(refuse("control.comment-after", FaultKind::BadBlock, message));
             }
-            state.evidence.accepted("control.comment-after");
+            state.coverage.accepted("control.comment-after");
         }
         if matches!(word.label, Label::Name(_)) && !of_subs(word.keyword) {
-            state.evidence.accepted("control.named-labels");
+            state.coverage.accepted("control.named-labels");
         }
         let label = label_of(&word.label, state)?;
         let next = self.perform(&label, word, state, record)?;
@@ -268,16 +268,16 @@ fn of_subs(keyword: Keyword) -> bool {
 pub(crate) fn label_of(label: &Label, state: &mut State) -> Result<String, StepError> {
     match label {
         Label::Name(name) => {
-            state.evidence.accepted("subroutines.named-o-words");
+            state.coverage.accepted("subroutines.named-o-words");
             Ok(name.clone())
         }
         Label::Number(Expression::Number(number)) => {
-            state.evidence.accepted("subroutines.numbered-o-words");
+            state.coverage.accepted("subroutines.numbered-o-words");
             whole(*number)
         }
         Label::Number(expression) => {
             let number = evaluated("subroutines.computed-o-words", expression, state)?;
-            state.evidence.accepted("subroutines.computed-o-words");
+            state.coverage.accepted("subroutines.computed-o-words");
             whole(number)
         }
     }
@@ -309,7 +309,7 @@ fn evaluated(
 ) -> Result<f64, StepError> {
     let value = read::evaluate(expression, state);
     if let Err(StepError::Refused(_)) = value {
-        state.evidence.refused(rule);
+        state.coverage.refused(rule);
     }
     value
 }
@@ -332,8 +332,8 @@ fn condition(
     state: &mut State,
 ) -> Result<bool, StepError> {
     let value = single(rule, values, state)?;
-    state.evidence.accepted("control.truth");
-    state.evidence.accepted(rule);
+    state.coverage.accepted("control.truth");
+    state.coverage.accepted(rule);
     Ok(value.abs() > 0.0)
 }
 

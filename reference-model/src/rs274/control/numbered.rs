@@ -23,7 +23,7 @@ impl Control {
             return Err(StepError::Unspecified(why.to_owned()));
         }
         enabled(state)?;
-        state.evidence.accepted("fanuc-subs.main-number");
+        state.coverage.accepted("fanuc-subs.main-number");
         Ok(Next::Following)
     }
 
@@ -84,7 +84,7 @@ impl Control {
             first => first?,
         };
         if none {
-            state.evidence.accepted("fanuc-subs.zero-count");
+            state.coverage.accepted("fanuc-subs.zero-count");
             return Ok(Next::Following);
         }
         deeper("fanuc-subs.level-limit", state)?;
@@ -92,12 +92,12 @@ impl Control {
         let style = Style::Numbered { first, turns_left: turns.saturating_sub(1) };
         let frame = shared_frame(Call { label: label.clone(), back, style }, state);
         if turns == 0 {
-            state.evidence.accepted("fanuc-subs.zero-count");
+            state.coverage.accepted("fanuc-subs.zero-count");
             return Ok(quirks::control::level_left_behind(self, frame, state));
         }
         let nested = state.call_level() > 0;
-        state.evidence.accepted(if nested { "fanuc-subs.nested" } else { "fanuc-subs.call" });
-        state.evidence.accepted("fanuc-subs.repeat-count");
+        state.coverage.accepted(if nested { "fanuc-subs.nested" } else { "fanuc-subs.call" });
+        state.coverage.accepted("fanuc-subs.repeat-count");
         self.called.insert(first);
         self.numbers_called.insert(label, first);
         self.has_called = true;
@@ -109,7 +109,7 @@ impl Control {
     ///
     /// Choice fanuc-subs.value-after-call: whether it clears the value of an earlier call.
     fn value_after_call(&self, state: &mut State) {
-        state.evidence.accepted("fanuc-subs.no-return-value");
+        state.coverage.accepted("fanuc-subs.no-return-value");
         let at_return = state.choices.quirk("rs274.value-cleared-at-return");
         if state.choices.is("fanuc-subs.value-after-call", "cleared") && !at_return {
             clear_value(state);
@@ -158,7 +158,7 @@ impl Control {
         }
         let later = begins.partition_point(|line| *line <= self.place.line);
         if let Some(line) = begins.get(later) {
-            state.evidence.accepted("fanuc-subs.sub-follows");
+            state.coverage.accepted("fanuc-subs.sub-follows");
             return Ok(self.line(line + 1));
         }
         if let Some(line) = begins.last() {
@@ -182,7 +182,7 @@ impl Control {
     /// Rule fanuc-subs.mixed-m99. It cannot end a sub that begins with sub.
     fn end_numbered(&mut self, state: &mut State, record: &mut Record) -> Result<Next, StepError> {
         let Some(call) = state.frame().call.clone() else {
-            state.evidence.accepted("fanuc-subs.endless");
+            state.coverage.accepted("fanuc-subs.endless");
             return Ok(Next::End(End::Endless));
         };
         let Style::Numbered { first, turns_left } = call.style else {
@@ -222,15 +222,15 @@ pub(crate) fn enabled(state: &mut State) -> Result<(), StepError> {
         let message = "numbered programs are disabled";
         return Err(refuse("fanuc-subs.disabled", FaultKind::FanucDisabled, message));
     }
-    state.evidence.accepted("fanuc-subs.disabled");
+    state.coverage.accepted("fanuc-subs.disabled");
     Ok(())
 }
 
 /// Rule fanuc-subs.shared-parameters. A subprogram works on its caller's #1 to #30.
 /// Rule fanuc-subs.named-locals. Whether it sees the caller's local named parameters is a choice.
 fn shared_frame(call: Call, state: &mut State) -> Frame {
-    state.evidence.accepted("fanuc-subs.shared-parameters");
-    state.evidence.accepted("fanuc-subs.named-locals");
+    state.coverage.accepted("fanuc-subs.shared-parameters");
+    state.coverage.accepted("fanuc-subs.named-locals");
     let shared = state.choices.is("fanuc-subs.named-locals", "shared");
     let caller = state.frame();
     let locals = if shared { caller.locals.clone() } else { Default::default() };

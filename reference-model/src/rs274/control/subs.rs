@@ -45,8 +45,8 @@ impl Control {
         if state.choices.quirk("rs274.value-at-definition") {
             quirks::control::value_at_definition(self, end, state)?;
         }
-        state.evidence.accepted("subroutines.body-skipped");
-        state.evidence.accepted("subroutines.unique-name");
+        state.coverage.accepted("subroutines.body-skipped");
+        state.coverage.accepted("subroutines.unique-name");
         Ok(Next::At(Place { line: end + 1, ..self.place }))
     }
 
@@ -121,11 +121,11 @@ impl Control {
             return Err(refuse("subroutines.return-label", FaultKind::UnknownLabel, message));
         }
         if own != label {
-            state.evidence.accepted("subroutines.return-label");
+            state.coverage.accepted("subroutines.return-label");
         }
-        state.evidence.accepted("subroutines.return");
+        state.coverage.accepted("subroutines.return");
         if !state.frame().open.is_empty() {
-            state.evidence.accepted("subroutines.return-in-control");
+            state.coverage.accepted("subroutines.return-in-control");
         }
         leave_sub(values, state, record)
     }
@@ -142,16 +142,16 @@ impl Control {
         deeper("subroutines.level-limit", state)?;
         if !state.choices.quirk("rs274.value-cleared-at-return") {
             clear_value(state);
-            state.evidence.accepted("subroutines.value-cleared");
+            state.coverage.accepted("subroutines.value-cleared");
         }
         if state.call_level() > 0 {
             let recursive = state.frames.iter().any(|frame| frame.is_called(label));
             let rule =
                 if recursive { "subroutines.recursion" } else { "subroutines.calls-other-subs" };
-            state.evidence.accepted(rule);
+            state.coverage.accepted(rule);
         }
-        state.evidence.accepted("subroutines.call");
-        state.evidence.accepted("subroutines.call-level");
+        state.coverage.accepted("subroutines.call");
+        state.coverage.accepted("subroutines.call-level");
         if state.call_level() == 0 {
             self.at_last_call = state.frame().arguments;
         }
@@ -184,8 +184,8 @@ impl Control {
                 let why = format!("{} of a program that has ended, called by hand", o_word(label));
                 return Err(StepError::Unspecified(why));
             }
-            state.evidence.accepted("subroutines.defined-before-call");
-            state.evidence.accepted("subroutines.unknown-sub");
+            state.coverage.accepted("subroutines.defined-before-call");
+            state.coverage.accepted("subroutines.unknown-sub");
             return Ok(*sub);
         }
         let labels = self.files.labels(self.place.file);
@@ -214,13 +214,13 @@ impl Control {
             let rule = "subroutines.defined-before-call";
             return Err(refuse(rule, FaultKind::UnknownSub, message));
         }
-        state.evidence.refused(if label.starts_with(|first: char| first.is_ascii_digit()) {
+        state.coverage.refused(if label.starts_with(|first: char| first.is_ascii_digit()) {
             "subroutines.file-numbered"
         } else {
             "subroutines.file-call"
         });
         if self.files.has_elsewhere(&format!("{label}.ngc")) {
-            state.evidence.refused("subroutines.file-folder");
+            state.coverage.refused("subroutines.file-folder");
         }
         let message = format!("neither the program nor a file defines {}", o_word(label));
         Err(refuse("subroutines.unknown-sub", FaultKind::UnknownSub, message))
@@ -257,10 +257,10 @@ impl Control {
         self.subs.insert(label.to_owned(), sub);
         let numbered = label.starts_with(|first: char| first.is_ascii_digit());
         let rule = if numbered { "subroutines.file-numbered" } else { "subroutines.file-call" };
-        state.evidence.accepted(rule);
-        state.evidence.accepted("subroutines.file-name-case");
+        state.coverage.accepted(rule);
+        state.coverage.accepted("subroutines.file-name-case");
         if self.files.has_elsewhere(&name) {
-            state.evidence.accepted("subroutines.file-folder");
+            state.coverage.accepted("subroutines.file-folder");
         }
         Ok(Some(sub))
     }
@@ -295,14 +295,14 @@ fn arguments(values: &[Expression], state: &mut State) -> Result<Vec<f64>, StepE
     }
     let evaluate = |value| evaluated("subroutines.arguments", value, state);
     let found: Vec<f64> = values.iter().map(evaluate).collect::<Result<_, _>>()?;
-    state.evidence.accepted("subroutines.arguments");
-    state.evidence.accepted("subroutines.argument-limit");
+    state.coverage.accepted("subroutines.arguments");
+    state.coverage.accepted("subroutines.argument-limit");
     Ok(found)
 }
 
 /// Rule subroutines.unpassed-arguments. From the first one not passed, #1 to #30 have the caller's values.
 pub(crate) fn passed(arguments: &[f64], state: &mut State) -> [f64; 30] {
-    state.evidence.accepted("subroutines.unpassed-arguments");
+    state.coverage.accepted("subroutines.unpassed-arguments");
     let mut all = if state.choices.quirk("rs274.unpassed-arguments-zero") {
         [0.0; 30]
     } else {
@@ -323,7 +323,7 @@ pub(super) fn deeper(rule: &'static str, state: &mut State) -> Result<(), StepEr
         let message = format!("calls can be nested {levels} levels deep");
         return Err(refuse(rule, FaultKind::TooManyLevels, message));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(())
 }
 
@@ -332,14 +332,14 @@ pub(super) fn deeper(rule: &'static str, state: &mut State) -> Result<(), StepEr
 /// Rules subroutines.stray-endsub, subroutines.stray-return. Outside of any there is nothing to leave.
 ///
 /// Rule fanuc-subs.mixed-endsub. A numbered subprogram ends with M99.
-fn called_label(outside: &'static str, state: &State) -> Result<String, StepError> {
+fn called_label(rule: &'static str, state: &State) -> Result<String, StepError> {
     match &state.frame().call {
         Some(Call { label, style: Style::OWord, .. }) => Ok(label.clone()),
         Some(Call { label, style: Style::Numbered { .. }, .. }) => {
             let message = format!("the numbered subprogram {label} ends with M99");
             Err(refuse("fanuc-subs.mixed-endsub", FaultKind::MixedStyles, message))
         }
-        None => Err(refuse(outside, FaultKind::OutsideSub, "no sub is being executed")),
+        None => Err(refuse(rule, FaultKind::OutsideSub, "no sub is being executed")),
     }
 }
 
@@ -354,8 +354,8 @@ fn leave_sub(
 ) -> Result<Next, StepError> {
     keep_value(values, state)?;
     saved_state::restore_at_return(state, record)?;
-    state.evidence.accepted("subroutines.parameters-restored");
-    state.evidence.accepted("subroutines.parameters-local");
+    state.coverage.accepted("subroutines.parameters-restored");
+    state.coverage.accepted("subroutines.parameters-local");
     let left = state.frames.pop().and_then(|frame| frame.call);
     Ok(Next::At(left.expect("control: only a called frame is left").back))
 }
@@ -366,13 +366,13 @@ fn keep_value(values: &[Expression], state: &mut State) -> Result<(), StepError>
     match values {
         [] => {
             clear_value(state);
-            state.evidence.accepted("subroutines.no-return-value");
+            state.coverage.accepted("subroutines.no-return-value");
         }
         [value] => {
             state.parameters.returned = evaluated("subroutines.return-value", value, state)?;
             state.parameters.has_returned = true;
-            state.evidence.accepted("subroutines.return-value");
-            state.evidence.accepted("subroutines.value-kept");
+            state.coverage.accepted("subroutines.return-value");
+            state.coverage.accepted("subroutines.value-kept");
         }
         [_, _, ..] => {
             let message = format!("a sub has one value, not {}", values.len());

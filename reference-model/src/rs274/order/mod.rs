@@ -57,13 +57,13 @@ pub fn execute(
 /// Rule order.words-in-any-order. Words act phase by phase, in whichever order they stand.
 pub fn completed(words: &Words, phases: Phases, state: &mut State) {
     if phases.count() > 0 {
-        state.evidence.accepted("order.words-in-any-order");
+        state.coverage.accepted("order.words-in-any-order");
     }
     if phases.count() < 2 {
         return;
     }
     for rule in ORDER_RULES.iter().filter(|rule| rule.concerns(words, phases)) {
-        state.evidence.accepted(rule.id);
+        state.coverage.accepted(rule.id);
     }
 }
 
@@ -138,6 +138,6 @@ fn refused_at(phase: Phase, words: &Words, state: &mut State) {
     let phases = Phases::of(words);
     let by_order = ORDER_RULES.iter().filter(|rule| rule.refuses && rule.later.contains(phase));
     for rule in by_order.filter(|rule| rule.concerns(words, phases)) {
-        state.evidence.refused(rule.id);
+        state.coverage.refused(rule.id);
     }
 }

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::State;
-use crate::rs274::outside::Item;
+use crate::rs274::environment::Item;
 use crate::rs274::refusal::{StepError, refuse};
 
 /// Whether a name has the form of a HAL item: `_hal[item]`.
@@ -25,8 +25,8 @@ pub(super) fn entry(name: &str, state: &State) -> Option<f64> {
     }
     if let Some(item) = hal_item(name) {
         // No HAL answers the stand-alone interpreter.
-        let machine = Some(&state.machine).filter(|_| !state.outside.is_stand_alone())?;
-        return Item::of(item, machine).map(|item| state.outside.item(item));
+        let machine = Some(&state.machine).filter(|_| !state.environment.is_stand_alone())?;
+        return Item::of(item, machine).map(|item| state.environment.item(item));
     }
     ini_value(ini_key(name)?, state)
 }

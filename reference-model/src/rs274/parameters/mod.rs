@@ -161,7 +161,7 @@ pub fn value(name: &Name, state: &State) -> Result<f64, StepError> {
 /// It is read-only.
 pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), StepError> {
     writable(name, state)?;
-    rules_of(name, state).into_iter().for_each(|rule| state.evidence.accepted(rule));
+    rules_of(name, state).into_iter().for_each(|rule| state.coverage.accepted(rule));
     state.parameters.written.insert(name.clone());
     match name {
         Name::Numbered(number) => numbered::assign(*number, value, state),

@@ -84,7 +84,7 @@ const PREDEFINED: &[Predefined] = &[
     Predefined("_value_returned", "parameters.returned-value", |state| {
         flag(state.parameters.has_returned)
     }),
-    Predefined("_task", "parameters.task", |state| flag(!state.outside.is_stand_alone())),
+    Predefined("_task", "parameters.task", |state| flag(!state.environment.is_stand_alone())),
     Predefined("_call_level", "parameters.call-level", |state| f64::from(state.call_level())),
     Predefined("_remap_level", "parameters.remap-level", |_| 0.0),
 ];

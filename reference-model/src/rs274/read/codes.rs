@@ -13,7 +13,7 @@ use crate::rs274::syntax::{Expression, Word};
 pub(super) fn g_code(word: &Word, value: f64, state: &mut State) -> Result<u32, StepError> {
     let number = code(word, value * 10.0, "modal-groups.g-code-out-of-range", state)?;
     if is_computed(word) && modes::g_code(number).is_none() {
-        state.evidence.refused("modal-groups.code-from-expression");
+        state.coverage.refused("modal-groups.code-from-expression");
     }
     Ok(number)
 }
@@ -36,7 +36,7 @@ fn code(word: &Word, value: f64, range: &'static str, state: &mut State) -> Resu
         close.flatten()
     });
     let Some(number) = near else {
-        state.evidence.refused("modal-groups.code-close-to-integer");
+        state.coverage.refused("modal-groups.code-close-to-integer");
         let message = format!("no integer is close enough to the number behind {letter}");
         return Err(refuse_at(
             "numbers.not-near-integer",
@@ -49,10 +49,10 @@ fn code(word: &Word, value: f64, range: &'static str, state: &mut State) -> Resu
         let message = format!("the number behind {letter} is below zero");
         return Err(refuse_at(range, FaultKind::UnknownCode, word.span, message));
     }
-    state.evidence.accepted("numbers.near-integer");
-    state.evidence.accepted("modal-groups.code-close-to-integer");
+    state.coverage.accepted("numbers.near-integer");
+    state.coverage.accepted("modal-groups.code-close-to-integer");
     if is_computed(word) {
-        state.evidence.accepted("modal-groups.code-from-expression");
+        state.coverage.accepted("modal-groups.code-from-expression");
     }
     Ok(u32::try_from(number).unwrap_or(u32::MAX))
 }

@@ -52,9 +52,9 @@ pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, Ste
     let indirect = !matches!(**number, Expression::Number(_));
     let value = evaluate(number, state)?;
     let Some(number) = math::near_integer(value) else {
-        state.evidence.refused("numbers.not-near-integer");
+        state.coverage.refused("numbers.not-near-integer");
         if indirect {
-            state.evidence.refused("parameters.indirect");
+            state.coverage.refused("parameters.indirect");
         }
         let message = format!("the number of a parameter is an integer, not {value}");
         return Err(refuse("parameters.index-integer", FaultKind::ParameterNotInteger, message));
@@ -62,9 +62,9 @@ pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, Ste
     let last = parameters::last(&state.choices);
     match u32::try_from(number) {
         Ok(number) if (1..=last).contains(&number) => {
-            state.evidence.accepted("parameters.range");
-            state.evidence.accepted("parameters.index-integer");
-            state.evidence.accepted("numbers.near-integer");
+            state.coverage.accepted("parameters.range");
+            state.coverage.accepted("parameters.index-integer");
+            state.coverage.accepted("numbers.near-integer");
             Ok(Name::Numbered(number))
         }
         _ => {
@@ -80,10 +80,10 @@ fn parameter_value(name: &Name, state: &mut State) -> Result<f64, StepError> {
     match &value {
         Ok(_) => parameters::rules_of(name, state)
             .into_iter()
-            .for_each(|rule| state.evidence.accepted(rule)),
+            .for_each(|rule| state.coverage.accepted(rule)),
         Err(_) => parameters::refused_too(name, state)
             .into_iter()
-            .for_each(|rule| state.evidence.refused(rule)),
+            .for_each(|rule| state.coverage.refused(rule)),
     }
     value
 }
@@ -92,10 +92,10 @@ fn parameter_value(name: &Name, state: &mut State) -> Result<f64, StepError> {
 fn exists(parameter: &Parameter, state: &mut State) -> Result<f64, StepError> {
     let name = name(parameter, state)?;
     let exists = parameters::exists(&name, state);
-    state.evidence.accepted("expressions.exists");
+    state.coverage.accepted("expressions.exists");
     parameters::rules_of_existence(&name, state)
         .into_iter()
-        .for_each(|rule| state.evidence.accepted(rule));
+        .for_each(|rule| state.coverage.accepted(rule));
     Ok(f64::from(u8::from(exists)))
 }
 
@@ -103,8 +103,8 @@ fn exists(parameter: &Parameter, state: &mut State) -> Result<f64, StepError> {
 /// Choice expressions.arctangent-range: above -180 up to 180 degrees, or from 0 to below 360.
 /// Choice expressions.negative-zero: whether a zero has a sign, which tells a quadrant.
 fn arc_tangent(opposite: f64, adjacent: f64, state: &mut State) -> f64 {
-    state.evidence.accepted("expressions.arctangent");
-    state.evidence.accepted("expressions.angles");
+    state.coverage.accepted("expressions.arctangent");
+    state.coverage.accepted("expressions.angles");
     let angle = if state.choices.is("expressions.negative-zero", "kept") {
         math::degrees_of_signed(opposite, adjacent)
     } else {

@@ -62,7 +62,7 @@ pub fn read(block: &Block, state: &mut State) -> Result<Words, StepError> {
 fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), StepError> {
     let value = evaluate(&word.value, state)?;
     if !matches!(word.value, Expression::Number(_)) {
-        state.evidence.accepted("expressions.read-before-execution");
+        state.coverage.accepted("expressions.read-before-execution");
     }
     match word.letter {
         'g' => words.g.push(codes::g_code(word, value, state)?),
@@ -90,7 +90,7 @@ fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), Ste
     }
     let value = evaluate(&setting.value, state)?;
     if !matches!(setting.value, Expression::Number(_)) {
-        state.evidence.accepted("expressions.read-before-execution");
+        state.coverage.accepted("expressions.read-before-execution");
     }
     Ok((name, value))
 }
@@ -116,13 +116,13 @@ fn axis_letters(words: &Words, state: &mut State) {
         letters.filter_map(|letter| Axis::ALL.iter().find(|axis| axis.word().starts_with(*letter)));
     for axis in axes {
         if state.machine.axes.contains(axis) {
-            state.evidence.accepted("text.absent-axis");
+            state.coverage.accepted("text.absent-axis");
         } else {
-            state.evidence.refused("text.absent-axis");
+            state.coverage.refused("text.absent-axis");
         }
     }
     if !words.letters.is_empty() {
-        state.evidence.accepted("modal-groups.repeated-letter");
+        state.coverage.accepted("modal-groups.repeated-letter");
     }
 }
 
@@ -131,6 +131,6 @@ fn reach_settings(words: &Words, state: &mut State) {
     let mut names: Vec<&Name> = words.settings.iter().map(|(name, _)| name).collect();
     names.sort_unstable();
     if names.windows(2).any(|pair| pair[0] == pair[1]) {
-        state.evidence.accepted("parameters.repeated-setting");
+        state.coverage.accepted("parameters.repeated-setting");
     }
 }

@@ -52,9 +52,9 @@ pub(super) fn operate(
         let message = format!("the result of an operation on {left} and {right} is too great");
         return Err(refuse("expressions.domain", FaultKind::OutOfDomain, message));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     if rule == "expressions.tolerance" {
-        state.evidence.accepted("expressions.relational");
+        state.coverage.accepted("expressions.relational");
     }
     Ok(value)
 }
@@ -142,7 +142,7 @@ pub(super) fn function(
         let message = format!("{argument} lies outside of the domain of its function");
         return Err(refuse("expressions.domain", FaultKind::OutOfDomain, message));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(value)
 }
 

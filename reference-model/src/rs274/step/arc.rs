@@ -98,10 +98,10 @@ fn turns(words: &Words, state: &mut State) -> Result<i32, StepError> {
         if state.choices.is(rule, "refused") {
             return Err(refuse(rule, FaultKind::WordOutOfRange, message()));
         }
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
         return Ok(1);
     }
-    state.evidence.accepted("arcs.turns");
+    state.coverage.accepted("arcs.turns");
     Ok(turns)
 }
 
@@ -149,7 +149,7 @@ fn centre_of_offsets(
         let offset = word(words, offset_letter(axis))?;
         let diameter = axis == Axis::X && state.modes.lathe == Lathe::Diameter;
         if diameter {
-            state.evidence.accepted("arcs.diameter-centre");
+            state.coverage.accepted("arcs.diameter-centre");
         }
         let halved = diameter && state.choices.is("arcs.diameter-centre", "diameter");
         Some(if halved { offset / 2.0 } else { offset })
@@ -166,10 +166,10 @@ fn centre_of_offsets(
             let rule = "arcs.absolute-needs-both";
             return Err(refuse(rule, FaultKind::MissingWord, message));
         };
-        state.evidence.accepted("arcs.centre-absolute");
+        state.coverage.accepted("arcs.centre-absolute");
         (first, second)
     } else {
-        state.evidence.accepted("arcs.centre");
+        state.coverage.accepted("arcs.centre");
         (start.0 + offsets.0.unwrap_or(0.0), start.1 + offsets.1.unwrap_or(0.0))
     };
     same_radius(start, centre, axes.in_plane(end), state)?;
@@ -221,7 +221,7 @@ fn same_radius(
         let message = format!("the radius is {to_start} at the start and {to_end} at the end");
         return Err(refuse("arcs.unequal-radii", FaultKind::BadArc, message));
     }
-    state.evidence.accepted("arcs.unequal-radii");
+    state.coverage.accepted("arcs.unequal-radii");
     if to_start.min(to_end) < quirks::least_radius(state) {
         let message = "an arc whose centre is at its start or its end";
         return Err(refuse("rs274.arc-least-radius", FaultKind::BadArc, message));
@@ -231,7 +231,7 @@ fn same_radius(
         if state.choices.is(rule, "refused") {
             return Err(refuse(rule, FaultKind::BadArc, "an arc without a radius"));
         }
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     Ok(())
 }
@@ -277,20 +277,20 @@ fn centre_of_radius(
         let none = radius == 0.0 && !quirks::arcs_without_radius(state);
         if !accepted || none || short > tolerance {
             if !none && short <= tolerance {
-                state.evidence.refused("arcs.radius-just-too-small");
+                state.coverage.refused("arcs.radius-just-too-small");
             }
             let message = format!("a radius of {radius} for points {} apart", 2.0 * half);
             return Err(refuse("arcs.radius-too-small", FaultKind::BadArc, message));
         }
-        state.evidence.accepted("arcs.radius-just-too-small");
+        state.coverage.accepted("arcs.radius-just-too-small");
         if radius == 0.0 {
             return Ok((f64::NAN, f64::NAN));
         }
     }
     let centre = centre_beside_chord(start, chord, radius, clockwise);
     has_numbers(centre, radius)?;
-    state.evidence.accepted("arcs.radius");
-    state.evidence.accepted("arcs.radius-sign");
+    state.coverage.accepted("arcs.radius");
+    state.coverage.accepted("arcs.radius-sign");
     Ok(centre)
 }
 
@@ -339,5 +339,5 @@ fn accepted(axes: Axes, start: Position, end: Position, state: &mut State) {
     if state.modes.lathe == Lathe::Diameter {
         rules.push("arcs.diameter");
     }
-    rules.into_iter().for_each(|rule| state.evidence.accepted(rule));
+    rules.into_iter().for_each(|rule| state.coverage.accepted(rule));
 }

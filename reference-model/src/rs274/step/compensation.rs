@@ -27,9 +27,9 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     });
     let Some(compensation) = compensation else {
         if state.modes.compensation == Compensation::Off {
-            state.evidence.accepted("tool.compensation-off-repeated");
+            state.coverage.accepted("tool.compensation-off-repeated");
         }
-        state.evidence.accepted("tool.compensation");
+        state.coverage.accepted("tool.compensation");
         state.modes.compensation = Compensation::Off;
         state.modes.compensation_radius = 0.0;
         return Ok(());
@@ -55,7 +55,7 @@ fn possible(state: &mut State) -> Result<(), StepError> {
         let message = "cutter compensation in another plane than XY and ZX";
         return Err(refuse("tool.compensation-plane", FaultKind::ModalConflict, message));
     }
-    state.evidence.accepted("tool.compensation-plane");
+    state.coverage.accepted("tool.compensation-plane");
     Ok(())
 }
 
@@ -76,8 +76,8 @@ fn by_tool(words: &Words, state: &mut State) -> Result<f64, StepError> {
     };
     let diameter = tool.map_or(0.0, |tool| tool.diameter);
     let unit = unit_size(state.machine.length_unit) / unit_size(state.modes.units);
-    state.evidence.accepted(rule);
-    state.evidence.accepted("tool.compensation");
+    state.coverage.accepted(rule);
+    state.coverage.accepted("tool.compensation");
     Ok(diameter * unit)
 }
 
@@ -104,8 +104,8 @@ fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
         if state.modes.plane != Plane::Zx {
             return Err(refuse(rule, FaultKind::UnusedWord, "L is used in the ZX plane only"));
         }
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
-    state.evidence.accepted("tool.dynamic-compensation");
+    state.coverage.accepted("tool.dynamic-compensation");
     Ok(diameter)
 }

@@ -11,19 +11,19 @@ use crate::rs274::read::Words;
 /// Rule coolant.off. M9 turns both off.
 /// Rules coolant.both and coolant.repeated. Any state is allowed before any code.
 pub fn perform(words: &Words, state: &mut State) {
-    state.evidence.accepted("coolant.repeated");
+    state.coverage.accepted("coolant.repeated");
     for code in &words.m {
         match code {
             7 => {
-                state.evidence.accepted("coolant.mist");
+                state.coverage.accepted("coolant.mist");
                 state.modes.mist = Switch::On;
             }
             8 => {
-                state.evidence.accepted("coolant.flood");
+                state.coverage.accepted("coolant.flood");
                 state.modes.flood = Switch::On;
             }
             9 => {
-                state.evidence.accepted("coolant.off");
+                state.coverage.accepted("coolant.off");
                 state.modes.mist = Switch::Off;
                 state.modes.flood = Switch::Off;
             }
@@ -31,6 +31,6 @@ pub fn perform(words: &Words, state: &mut State) {
         }
     }
     if state.modes.mist == Switch::On && state.modes.flood == Switch::On {
-        state.evidence.accepted("coolant.both");
+        state.coverage.accepted("coolant.both");
     }
 }

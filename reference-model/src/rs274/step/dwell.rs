@@ -26,10 +26,10 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         return Err(refuse("dwell.negative-time", FaultKind::WordOutOfRange, message));
     }
     for rule in ["dwell.seconds", "dwell.changes-nothing", "dwell.once"] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     if seconds == 0.0 {
-        state.evidence.accepted("dwell.zero-time");
+        state.coverage.accepted("dwell.zero-time");
     }
     record.effect(state, Effect::Dwell { seconds });
     pass(seconds, state);

@@ -29,10 +29,10 @@ pub fn select_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
         && let Some(spindle) = word(words, '$')
     {
         number(spindle, state, "feed.per-revolution-spindle")?;
-        state.evidence.accepted("feed.per-revolution-spindle");
+        state.coverage.accepted("feed.per-revolution-spindle");
     }
     quirks::choose_by_feed_mode(words, state)?;
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     change_mode(mode, state);
     Ok(())
 }
@@ -68,12 +68,12 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
         probes || is_spline(motion) || is_feed(motion)
     });
     if state.modes.feed_mode == FeedMode::InverseTime && !feeds {
-        state.evidence.accepted("feed.inverse-time-stray-rate");
+        state.coverage.accepted("feed.inverse-time-stray-rate");
         return Ok(());
     }
-    state.evidence.accepted("feed.rate");
+    state.coverage.accepted("feed.rate");
     if motion.is_none() {
-        state.evidence.accepted("feed.rate-moves-nothing");
+        state.coverage.accepted("feed.rate-moves-nothing");
     }
     state.modes.feed_rate = rate;
     let of_move = state.modes.feed_mode == FeedMode::InverseTime
@@ -91,8 +91,8 @@ pub(crate) fn may_be_held(state: &State) -> bool {
     panel.feed_hold
         || panel.feed_override <= 0.0
         || panel.rapid_override <= 0.0
-        || state.outside.adaptive_feed() <= 0.0
-        || state.outside.feed_stop()
+        || state.environment.adaptive_feed() <= 0.0
+        || state.environment.feed_stop()
 }
 
 /// By what the speed of a move goes.
@@ -118,7 +118,7 @@ pub(crate) enum Speed {
 pub(crate) fn is_held(speed: Speed, state: &mut State) -> bool {
     let panel = &state.panel;
     let feed_override = speed == Speed::Feed && panel.feed_override <= 0.0;
-    let (adaptive, stop) = (state.outside.adaptive_feed(), state.outside.feed_stop());
+    let (adaptive, stop) = (state.environment.adaptive_feed(), state.environment.feed_stop());
     let controls = [
         (
             state.modes.feed_override,
@@ -140,12 +140,12 @@ pub(crate) fn is_held(speed: Speed, state: &mut State) -> bool {
     for (control, asks, [counts, does_not_count]) in controls {
         let enabled = control == Switch::On;
         if asks {
-            state.evidence.accepted(if enabled { counts } else { does_not_count });
+            state.coverage.accepted(if enabled { counts } else { does_not_count });
         }
         held |= enabled && asks;
     }
     if held && state.modes.feed_override == Switch::Off {
-        state.evidence.accepted("overrides.adaptive-feed-alone");
+        state.coverage.accepted("overrides.adaptive-feed-alone");
     }
     held
 }

@@ -3,8 +3,8 @@
 use gaugeblock_vocabulary::{Effect, FaultKind, WaitMode};
 
 use super::{whole, word};
+use crate::rs274::environment::{Awaited, Input, stub};
 use crate::rs274::machine::State;
-use crate::rs274::outside::{Awaited, Input, stub};
 use crate::rs274::quirks::outputs as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
@@ -36,17 +36,17 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     let timeout = timeout(mode, words, state)?;
     let (seconds, read) = match quirks::waits_for_nothing(words, state) {
         Some(seconds) => (seconds, None),
-        None if state.outside.is_stand_alone() => {
+        None if state.environment.is_stand_alone() => {
             (0.0, Some(stub::answer(input, state.parameters.stored(RESULT))))
         }
-        None => match state.outside.awaited(input, mode, timeout) {
+        None => match state.environment.awaited(input, mode, timeout) {
             Awaited::Comes { after, value } => (after, Some(value)),
             Awaited::TimesOut { after } => (after, None),
             Awaited::Never => return Err(StepError::WaitsForEver),
         },
     };
     if read.is_none() {
-        state.evidence.accepted("inputs.timeout");
+        state.coverage.accepted("inputs.timeout");
     }
     let read = read.unwrap_or(TIMED_OUT);
     accepted(input, mode, state);
@@ -59,7 +59,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         record.wait(state, seconds);
     }
     state.parameters.store(RESULT, read);
-    state.outside.synchronise();
+    state.environment.synchronise();
     Ok(())
 }
 
@@ -71,15 +71,15 @@ fn accepted(input: Input, mode: WaitMode, state: &mut State) {
         WaitMode::High => "inputs.high",
         WaitMode::Low => "inputs.low",
     };
-    state.evidence.accepted(rule);
-    state.evidence.accepted("inputs.result");
+    state.coverage.accepted(rule);
+    state.coverage.accepted("inputs.result");
     if mode != WaitMode::Immediate {
-        state.evidence.accepted("inputs.waits");
+        state.coverage.accepted("inputs.waits");
     }
-    if state.outside.is_connected(input) {
-        state.evidence.accepted("inputs.connected");
+    if state.environment.is_connected(input) {
+        state.coverage.accepted("inputs.connected");
     } else {
-        state.evidence.accepted("inputs.unconnected");
+        state.coverage.accepted("inputs.unconnected");
     }
 }
 
@@ -98,7 +98,7 @@ fn input(words: &Words, state: &mut State) -> Result<Input, StepError> {
         (Some(value), None) => Input::Digital(number(value, 'P', state.machine.digital_io, state)?),
         (None, Some(value)) => Input::Analog(number(value, 'E', state.machine.analog_io, state)?),
     };
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(input)
 }
 
@@ -106,15 +106,15 @@ fn input(words: &Words, state: &mut State) -> Result<Input, StepError> {
 /// four (inputs.count). Quirk rs274.io-number-rounded: a fraction is rounded. Quirk linuxcnc.input-number: any number
 /// is accepted, and where there is no such input zero is read.
 fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Result<u32, StepError> {
-    let any = state.outside.is_stand_alone() || state.choices.quirk("linuxcnc.input-number");
+    let any = state.environment.is_stand_alone() || state.choices.quirk("linuxcnc.input-number");
     let number = quirks::number(value, state).and_then(|number| u32::try_from(number).ok());
     let number = number.filter(|number| any || *number < of_machine.into()).ok_or_else(|| {
         let message = format!("{letter}{value} names no input of {of_machine}");
         refuse("inputs.number-range", FaultKind::NoSuchInputOrOutput, message)
     })?;
-    state.evidence.accepted("inputs.number-range");
+    state.coverage.accepted("inputs.number-range");
     if of_machine != 4 {
-        state.evidence.accepted("inputs.count");
+        state.coverage.accepted("inputs.count");
     }
     Ok(number)
 }
@@ -123,7 +123,7 @@ fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Resul
 /// Quirks rs274.wait-mode-any and linuxcnc.wait-mode-times-out: a greater number is accepted.
 fn mode(words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
     let Some(value) = word(words, 'l') else {
-        state.evidence.accepted("inputs.mode-optional");
+        state.coverage.accepted("inputs.mode-optional");
         return Ok(WaitMode::Immediate);
     };
     let ids = ["rs274.wait-mode-any", "linuxcnc.wait-mode-times-out"];
@@ -140,7 +140,7 @@ fn mode(words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
             return Err(refuse("inputs.mode-range", FaultKind::WordOutOfRange, message));
         }
     };
-    state.evidence.accepted("inputs.mode-range");
+    state.coverage.accepted("inputs.mode-range");
     Ok(mode)
 }
 
@@ -151,7 +151,7 @@ fn analog_mode(mode: WaitMode, state: &mut State) -> Result<(), StepError> {
         let message = "M66 waits for digital inputs only";
         return Err(refuse(rule, FaultKind::WordOutOfRange, message));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(())
 }
 
@@ -162,7 +162,7 @@ fn timeout(mode: WaitMode, words: &Words, state: &mut State) -> Result<Option<f6
     let timeout = word(words, 'q');
     if mode == WaitMode::Immediate {
         if timeout.is_some() {
-            state.evidence.accepted("inputs.ignored-timeout");
+            state.coverage.accepted("inputs.ignored-timeout");
         }
         return Ok(None);
     }
@@ -173,7 +173,7 @@ fn timeout(mode: WaitMode, words: &Words, state: &mut State) -> Result<Option<f6
                 let message = "M66 that waits needs Q, the longest wait in seconds";
                 return Err(refuse(rule, FaultKind::MissingWord, message));
             }
-            state.evidence.accepted(rule);
+            state.coverage.accepted(rule);
         }
         Some(0.0) => {
             let message = "a longest wait of zero seconds";

@@ -49,7 +49,7 @@ fn shift(words: &Words, state: &mut State) -> Result<(), StepError> {
         "offsets.local-omitted-axes",
         "offsets.local-parameters",
     ] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     let mut offset = state.modes.g92_offset;
     for (axis, value) in offset_words(words, state) {
@@ -78,7 +78,7 @@ fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
         "offsets.position-omitted-axes",
         "offsets.position-parameters",
     ] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     let before = state.modes.g92_offset;
     let in_system = each(state.position, before, |point, offset| point + offset);
@@ -95,7 +95,7 @@ fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
 
 /// Rule offsets.local-cleared. G92.1 takes the offset away, and its parameters are zero.
 fn clear(state: &mut State) {
-    state.evidence.accepted("offsets.local-cleared");
+    state.coverage.accepted("offsets.local-cleared");
     suspend_offset(state);
     for axis in Axis::ALL.iter().copied() {
         store_length(APPLIES + 1, axis, 0.0, state);
@@ -104,7 +104,7 @@ fn clear(state: &mut State) {
 
 /// Rule offsets.local-suspended. G92.2 takes the offset away, and its parameters stay.
 fn suspend(state: &mut State) {
-    state.evidence.accepted("offsets.local-suspended");
+    state.coverage.accepted("offsets.local-suspended");
     suspend_offset(state);
 }
 
@@ -116,7 +116,7 @@ fn suspend_offset(state: &mut State) {
 
 /// Rule offsets.local-resumed. G92.3 applies what the parameters hold.
 fn resume(state: &mut State) {
-    state.evidence.accepted("offsets.local-resumed");
+    state.coverage.accepted("offsets.local-resumed");
     state.parameters.store(APPLIES, 1.0);
     let machine = state.modes.machine_point(state.position);
     let parameters = &state.parameters;

@@ -43,7 +43,7 @@ use super::refusal::{StepError, refuse};
 
 /// Lets time go by; what ends outside meanwhile has ended.
 pub(crate) fn pass(seconds: f64, state: &mut State) {
-    state.outside.advance(seconds);
+    state.environment.advance(seconds);
     orient::settle(state);
 }
 
@@ -59,6 +59,6 @@ pub(crate) fn not_under_compensation(
         let message = "this code while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(())
 }

@@ -71,10 +71,10 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     }
     let Some(motion) = motion_of(words, state) else { return Ok(()) };
     let programmed = words.g.iter().any(|code| motion_mode(*code).is_some());
-    state.evidence.accepted(if programmed { "motion.mode-change" } else { "motion.mode-holds" });
+    state.coverage.accepted(if programmed { "motion.mode-change" } else { "motion.mode-holds" });
     if !programmed && is_arc(motion) {
         let alone = by_offsets_alone(words, state) && !moves_by_axis_words(words);
-        state.evidence.accepted(if alone { "arcs.offsets-alone" } else { "arcs.mode-holds" });
+        state.coverage.accepted(if alone { "arcs.offsets-alone" } else { "arcs.mode-holds" });
     }
     if words.g.contains(&530) {
         machine_coordinates_possible(motion, words, state)?;
@@ -87,7 +87,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         return cycles::perform(motion, words, state, record);
     }
     if state.series.take().is_some() {
-        state.evidence.accepted("cycles.cancelled-by-motion");
+        state.coverage.accepted("cycles.cancelled-by-motion");
     }
     if motion == Motion::Nurbs {
         return splines::nurbs(words, state, record);
@@ -121,11 +121,11 @@ fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), Step
         if programmed {
             return Err(refuse("motion.cancel-with-axis-words", FaultKind::AxisWords, message));
         }
-        state.evidence.refused("motion.axis-words-after-cancel");
+        state.coverage.refused("motion.axis-words-after-cancel");
         let rule = "modal-groups.axis-words-without-mode";
         return Err(refuse(rule, FaultKind::AxisWords, message));
     }
-    state.evidence.accepted("motion.cancel");
+    state.coverage.accepted("motion.cancel");
     state.modes.motion = Motion::None;
     Ok(())
 }
@@ -143,7 +143,7 @@ fn without_axis_words(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    state.evidence.accepted("motion.without-axis-words");
+    state.coverage.accepted("motion.without-axis-words");
     if state.choices.is("motion.without-axis-words", "move-in-place") {
         return move_to(motion, words, state, record);
     }
@@ -211,12 +211,12 @@ fn machine_coordinates_possible(
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
     quirks::machine_incremental(state)?;
-    state.evidence.accepted("offsets.machine-incremental");
+    state.coverage.accepted("offsets.machine-incremental");
     if !words.g.iter().any(|code| [0, 10].contains(code)) {
-        state.evidence.accepted("offsets.machine-motion");
+        state.coverage.accepted("offsets.machine-motion");
     }
-    state.evidence.accepted("offsets.machine-coordinates");
-    state.evidence.accepted("offsets.machine-once");
+    state.coverage.accepted("offsets.machine-coordinates");
+    state.coverage.accepted("offsets.machine-once");
     Ok(())
 }
 
@@ -229,33 +229,33 @@ fn machine_coordinates_possible(
 pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), StepError> {
     if state.modes.feed_mode == FeedMode::InverseTime {
         if word(words, 'f').is_none() {
-            state.evidence.refused("feed.inverse-time-stray-rate");
+            state.coverage.refused("feed.inverse-time-stray-rate");
             let message = "under inverse time a feed move needs F in its block";
             return Err(refuse("feed.inverse-time-needs-rate", FaultKind::MissingWord, message));
         }
-        state.evidence.accepted("feed.inverse-time-needs-rate");
+        state.coverage.accepted("feed.inverse-time-needs-rate");
     }
     let needs_none =
         motion_quirks::takes_no_time(state) || spline_quirks::needs_no_feed(words, state);
     if state.modes.feed_rate == 0.0 && !needs_none {
         if state.modes.feed_awaited {
-            state.evidence.refused("feed.rate-after-mode-change");
+            state.coverage.refused("feed.rate-after-mode-change");
         }
         if motion_of(words, state).is_some_and(is_arc) {
-            state.evidence.refused("arcs.needs-feed-rate");
+            state.coverage.refused("arcs.needs-feed-rate");
         }
         let message = "a feed move, and no feed rate";
         return Err(refuse("feed.move-without-rate", FaultKind::ZeroFeed, message));
     }
-    state.evidence.accepted("feed.move-without-rate");
-    state.evidence.accepted("feed.rate-after-mode-change");
-    state.evidence.accepted("feed.applies-to-feed-moves");
+    state.coverage.accepted("feed.move-without-rate");
+    state.coverage.accepted("feed.rate-after-mode-change");
+    state.coverage.accepted("feed.applies-to-feed-moves");
     if surface_speed_stands(state) {
         let rule = "spindle.surface-speed-while-stopped";
         let message = "a feed move under constant surface speed while the spindle stands";
         return Err(refuse(rule, FaultKind::ZeroSpeed, message));
     }
-    state.evidence.accepted("spindle.surface-speed-while-stopped");
+    state.coverage.accepted("spindle.surface-speed-while-stopped");
     per_revolution(words, state)
 }
 
@@ -281,23 +281,23 @@ fn accepted(motion: Motion, end: Position, words: &Words, state: &mut State) {
         "offsets.select-holds",
         "feed.mode-holds",
     ] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     if motion == Motion::Feed {
-        state.evidence.accepted("motion.feed");
+        state.coverage.accepted("motion.feed");
     } else {
-        state.evidence.accepted("motion.traverse");
+        state.coverage.accepted("motion.traverse");
         if state.modes.feed_mode == FeedMode::InverseTime {
-            state.evidence.accepted("feed.inverse-time-rapid");
+            state.coverage.accepted("feed.inverse-time-rapid");
         }
         if state.modes.feed_rate == 0.0 {
-            state.evidence.accepted("feed.traverse-needs-none");
+            state.coverage.accepted("feed.traverse-needs-none");
         }
     }
     if [end.a, end.b, end.c].iter().any(|angle| *angle != 0.0) {
-        state.evidence.accepted("motion.rotary-axes");
+        state.coverage.accepted("motion.rotary-axes");
     }
     if words.letters.keys().any(|letter| matches!(letter, 'x' | 'y' | 'z')) {
-        state.evidence.accepted("motion.no-such-axis");
+        state.coverage.accepted("motion.no-such-axis");
     }
 }

@@ -31,7 +31,7 @@ pub fn select(words: &Words, state: &mut State) -> Result<(), StepError> {
         let rule = "offsets.select-under-compensation";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
-    state.evidence.accepted("offsets.select");
+    state.coverage.accepted("offsets.select");
     if quirks::keeps_system(system, state) {
         return Ok(());
     }
@@ -50,7 +50,7 @@ pub(crate) fn use_system(system: u32, state: &mut State) {
         "offsets.select-number",
         "offsets.local-stays",
     ] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     state.modes.work_offset = system;
     state.parameters.store(5220, f64::from(system));
@@ -73,7 +73,7 @@ fn reload(state: &mut State) {
 /// Those of G10, G28, G30, G52 and G92.
 pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     if has_axis_words(words) && state.modes.motion != Motion::None {
-        state.evidence.accepted("modal-groups.motion-suspended");
+        state.coverage.accepted("modal-groups.motion-suspended");
     }
     if words.g.iter().any(|code| [280, 281, 300, 301].contains(code)) {
         positions::perform(words, state, record)?;
@@ -106,7 +106,7 @@ pub(super) fn in_force_changes(state: &mut State) -> Result<(), StepError> {
         let message = "an offset in force is changed while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(())
 }
 
@@ -136,22 +136,22 @@ fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), 
         }
     }
     if let Some(rotation) = word(words, 'r') {
-        state.evidence.accepted("offsets.rotation");
+        state.coverage.accepted("offsets.rotation");
         state.parameters.store(first + 9, rotation);
     }
     for rule in ["offsets.set", "offsets.set-replaces", "offsets.set-omitted-axes"] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     if system == state.modes.work_offset {
-        state.evidence.accepted("offsets.set-immediate");
-        state.evidence.accepted("offsets.local-stays");
+        state.coverage.accepted("offsets.set-immediate");
+        state.coverage.accepted("offsets.local-stays");
         if calculated {
             reload(state);
         } else {
             motion_quirks::turn_system(reload, state);
         }
     } else {
-        state.evidence.accepted("offsets.set-inactive");
+        state.coverage.accepted("offsets.set-inactive");
     }
     Ok(())
 }
@@ -159,7 +159,7 @@ fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), 
 /// Rule offsets.calculate. G10 L20 sets the origin of a system so that the current point gets the axis values in it,
 /// with the local offset and the tool offset in force. Rule offsets.calculate-needs-axes. It needs an axis word.
 fn store_calculated(system: u32, named: &[(Axis, f64)], state: &mut State) {
-    state.evidence.accepted("offsets.calculate");
+    state.coverage.accepted("offsets.calculate");
     let mut modes = state.modes.clone();
     let machine = modes.machine_point(state.position);
     modes.work_offset = system;
@@ -206,7 +206,7 @@ fn system(words: &Words, state: &mut State) -> Result<u32, StepError> {
     let whole = whole(number).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     match u32::try_from(whole) {
         Ok(0) => {
-            state.evidence.accepted("offsets.set-active");
+            state.coverage.accepted("offsets.set-active");
             Ok(state.modes.work_offset)
         }
         Ok(system @ 1..=9) => Ok(system),

@@ -5,8 +5,8 @@ use gaugeblock_vocabulary::{Effect, FaultKind, OrientDirection, Pin, SpindleTurn
 
 use super::spindle::{all, number};
 use super::{pass, whole, word};
+use crate::rs274::environment::Orientation;
 use crate::rs274::machine::State;
-use crate::rs274::outside::Orientation;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
@@ -37,7 +37,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         // The machine has no more than 255 spindles.
         let Ok(spindle) = u8::try_from(*place) else { continue };
         if let Some(angle) = angle {
-            state.evidence.accepted("orient.replaces-turning");
+            state.coverage.accepted("orient.replaces-turning");
             begin(*place, angle, direction, state);
             let spindle = u32::from(spindle);
             record.effect(state, Effect::OrientSpindle { spindle, angle, direction });
@@ -58,12 +58,12 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
 fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
     let Some(value) = word(words, '$') else {
         let rule = "orient.without-dollar";
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
         return Ok(if state.choices.is(rule, "all") { all(state) } else { vec![0] });
     };
     let place = number(value, state, "orient.spindle-range")?;
-    state.evidence.accepted("orient.spindle-range");
-    state.evidence.accepted("orient.spindle");
+    state.coverage.accepted("orient.spindle-range");
+    state.coverage.accepted("orient.spindle");
     Ok(vec![place])
 }
 
@@ -83,10 +83,10 @@ fn angle(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
         let message = format!("R{angle} is not between 0 and 360 degrees");
         return Err(refuse(rule, FaultKind::WordOutOfRange, message));
     }
-    state.evidence.accepted(rule);
-    state.evidence.accepted("orient.angle");
+    state.coverage.accepted(rule);
+    state.coverage.accepted("orient.angle");
     if offset != 0.0 {
-        state.evidence.accepted("orient.offset");
+        state.coverage.accepted("orient.offset");
     }
     Ok(Some(angle + offset))
 }
@@ -104,8 +104,8 @@ fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, StepEr
             return Err(refuse(rule, FaultKind::WordOutOfRange, message));
         }
     };
-    state.evidence.accepted("orient.direction-range");
-    state.evidence.accepted("orient.direction");
+    state.coverage.accepted("orient.direction-range");
+    state.coverage.accepted("orient.direction");
     Ok(direction)
 }
 
@@ -125,7 +125,7 @@ fn timeout(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
         return Err(refuse(rule, FaultKind::WordOutOfRange, message));
     }
     if seconds == 0.0 {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     Ok(Some(seconds))
 }
@@ -139,17 +139,17 @@ fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State
         OrientDirection::Clockwise => 1.0,
         OrientDirection::Counterclockwise => 2.0,
     };
-    state.outside.set(Pin::SpindleOrientAngle(spindle), angle);
-    state.outside.set(Pin::SpindleOrientMode(spindle), direction);
-    state.evidence.accepted("orient.pins");
-    let locked = state.outside.level(Pin::SpindleLocked(spindle)) != 0.0;
+    state.environment.set(Pin::SpindleOrientAngle(spindle), angle);
+    state.environment.set(Pin::SpindleOrientMode(spindle), direction);
+    state.coverage.accepted("orient.pins");
+    let locked = state.environment.level(Pin::SpindleLocked(spindle)) != 0.0;
     if locked && state.choices.quirk("linuxcnc.orient-while-locked") {
         return;
     }
     // On its way it is neither locked nor braked, however short the way is.
-    state.outside.set(Pin::SpindleLocked(spindle), 0.0);
-    state.outside.set(Pin::SpindleOrient(spindle), 1.0);
-    state.outside.begin_orientation(place);
+    state.environment.set(Pin::SpindleLocked(spindle), 0.0);
+    state.environment.set(Pin::SpindleOrient(spindle), 1.0);
+    state.environment.begin_orientation(place);
     brake(place, state);
 }
 
@@ -161,18 +161,18 @@ fn wait(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    let Some(orientation) = state.outside.orientation(place) else { return Ok(()) };
+    let Some(orientation) = state.environment.orientation(place) else { return Ok(()) };
     if let Some(fault) = orientation.fault() {
         let message = format!("spindle {place} reports the fault {fault} on its way to its angle");
         return Err(refuse("orient.fault", FaultKind::Orient, message));
     }
-    state.evidence.accepted("orient.fault");
-    let now = state.outside.time();
+    state.coverage.accepted("orient.fault");
+    let now = state.environment.time();
     match orientation.done().filter(|done| *done <= now + timeout) {
         Some(done) => {
             record.wait(state, (done - now).max(0.0));
-            state.evidence.accepted("orient.wait");
-            state.evidence.accepted("orient.timeout");
+            state.coverage.accepted("orient.wait");
+            state.coverage.accepted("orient.timeout");
             Ok(())
         }
         None => {
@@ -191,13 +191,13 @@ pub(crate) fn settle(state: &mut State) {
     if are_shown(state) {
         return;
     }
-    for (place, time) in state.outside.oriented() {
-        state.outside.end_orientation(place);
+    for (place, time) in state.environment.oriented() {
+        state.environment.end_orientation(place);
         let Some(spindle) = index(place) else { continue };
-        state.outside.set_at(time, Pin::SpindleOrient(spindle), 0.0);
-        state.outside.set_at(time, Pin::SpindleLocked(spindle), 1.0);
+        state.environment.set_at(time, Pin::SpindleOrient(spindle), 0.0);
+        state.environment.set_at(time, Pin::SpindleLocked(spindle), 1.0);
         brake_at(time, place, state);
-        state.evidence.accepted("orient.complete");
+        state.coverage.accepted("orient.complete");
     }
     for place in all(state) {
         if turns(place, state) {
@@ -215,33 +215,33 @@ fn turns(place: usize, state: &State) -> bool {
 
 /// Rule orient.brake-otherwise. Whether the brake is applied to any other spindle that stands is a choice.
 fn brake(place: usize, state: &mut State) {
-    brake_at(state.outside.time(), place, state);
+    brake_at(state.environment.time(), place, state);
 }
 
 fn brake_at(time: f64, place: usize, state: &mut State) {
     let Some(spindle) = index(place) else { return };
-    let stands = !turns(place, state) && state.outside.orientation(place).is_none();
-    let locked = state.outside.level(Pin::SpindleLocked(spindle)) != 0.0;
+    let stands = !turns(place, state) && state.environment.orientation(place).is_none();
+    let locked = state.environment.level(Pin::SpindleLocked(spindle)) != 0.0;
     let standing = state.choices.is("orient.brake-otherwise", "while-standing");
     let released = state.modes.spindles[place].brake_released;
     let applied = locked || stands && standing && !released;
     if locked {
-        state.evidence.accepted("orient.brake-otherwise");
+        state.coverage.accepted("orient.brake-otherwise");
     }
-    state.outside.set_at(time, Pin::SpindleBrake(spindle), if applied { 1.0 } else { 0.0 });
+    state.environment.set_at(time, Pin::SpindleBrake(spindle), if applied { 1.0 } else { 0.0 });
 }
 
 /// Rule orient.cleared. M3, M4 and M5 take back the request and unlock the spindle.
 pub(crate) fn clear(place: usize, state: &mut State) {
     let Some(spindle) = index(place) else { return };
-    state.outside.end_orientation(place);
+    state.environment.end_orientation(place);
     let pins = [Pin::SpindleOrient(spindle), Pin::SpindleLocked(spindle)];
     for pin in pins {
-        if state.outside.level(pin) == 0.0 {
+        if state.environment.level(pin) == 0.0 {
             continue;
         }
-        state.evidence.accepted("orient.cleared");
-        state.outside.set(pin, 0.0);
+        state.coverage.accepted("orient.cleared");
+        state.environment.set(pin, 0.0);
     }
 }
 

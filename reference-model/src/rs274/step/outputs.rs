@@ -33,7 +33,7 @@ pub fn digital(
     let on = [62, 64].contains(&code);
     let pin = pin(output, of_machine).map(Pin::DigitalOut);
     switch(pin, if on { 1.0 } else { 0.0 }, timing, state);
-    state.evidence.accepted(match code {
+    state.coverage.accepted(match code {
         62 => "outputs.on-with-motion",
         63 => "outputs.off-with-motion",
         64 => "outputs.on-at-once",
@@ -75,7 +75,7 @@ pub fn analog(
     };
     switch(pin(output, of_machine).map(Pin::AnalogOut), to, timing, state);
     let rule = if code == 67 { "outputs.analog-with-motion" } else { "outputs.analog-at-once" };
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     record.effect(state, Effect::SetAnalogOutput { output, to, timing });
     Ok(())
 }
@@ -101,15 +101,15 @@ fn number(
         OutputTiming::WithMotion => "linuxcnc.output-number-with-motion",
         OutputTiming::AtOnce => "linuxcnc.output-number-at-once",
     });
-    let unchecked = (any || state.outside.is_stand_alone()) && (letter == 'P' || value >= 0.0);
+    let unchecked = (any || state.environment.is_stand_alone()) && (letter == 'P' || value >= 0.0);
     let fits = |number: &i32| unchecked || (0..i32::from(of_machine)).contains(number);
     let number = whole.filter(fits).ok_or_else(|| {
         let message = format!("{letter}{value} names no output of {of_machine}");
         refuse(rule, FaultKind::NoSuchInputOrOutput, message)
     })?;
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     if of_machine != 4 {
-        state.evidence.accepted("outputs.count");
+        state.coverage.accepted("outputs.count");
     }
     Ok(number)
 }
@@ -125,34 +125,34 @@ fn pin(output: i32, of_machine: u16) -> Option<u16> {
 fn switch(pin: Option<Pin>, value: f64, timing: OutputTiming, state: &mut State) {
     let Some(pin) = pin else { return };
     if timing == OutputTiming::WithMotion {
-        let others = state.outside.awaits_motion();
-        if state.outside.set_with_motion(pin, value) {
-            state.evidence.accepted("outputs.latest-counts");
+        let others = state.environment.awaits_motion();
+        if state.environment.set_with_motion(pin, value) {
+            state.coverage.accepted("outputs.latest-counts");
         } else if others {
-            state.evidence.accepted("outputs.several");
+            state.coverage.accepted("outputs.several");
         }
         return;
     }
-    if state.outside.awaits_motion_with(pin) {
+    if state.environment.awaits_motion_with(pin) {
         let rule = "outputs.at-once-over-waiting";
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
         if state.choices.is(rule, "replaces") {
-            state.outside.forget_with_motion(pin);
+            state.environment.forget_with_motion(pin);
         }
     }
-    state.outside.set(pin, value);
+    state.environment.set(pin, value);
 }
 
 /// Rule outputs.at-next-motion. What waits for a motion switches when the next one begins.
 pub(crate) fn motion_begins(state: &mut State) {
-    if state.outside.motion_begins() {
-        state.evidence.accepted("outputs.at-next-motion");
+    if state.environment.motion_begins() {
+        state.coverage.accepted("outputs.at-next-motion");
     }
 }
 
 /// Rule outputs.without-motion. When no motion follows, what waits for one never switches.
 pub(crate) fn program_ends(state: &mut State) {
-    if state.outside.awaits_motion() {
-        state.evidence.accepted("outputs.without-motion");
+    if state.environment.awaits_motion() {
+        state.coverage.accepted("outputs.without-motion");
     }
 }

@@ -21,7 +21,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
         let message = "overrides are switched while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     for code in [48, 49, 50, 51, 52, 53] {
         if words.m.contains(&code) {
             match code {
@@ -40,16 +40,16 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// is a choice (overrides.selected-feed).
 fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), StepError> {
     let spindles = speed_overrides(words, state)?;
-    state.evidence.accepted(match switch {
+    state.coverage.accepted(match switch {
         Switch::On => "overrides.enable-both",
         Switch::Off => "overrides.disable-both",
     });
     let selected = word(words, '$').is_some() && !quirks::is_of_others(words, state);
     if selected {
-        state.evidence.accepted("overrides.both-selected");
+        state.coverage.accepted("overrides.both-selected");
     }
     if state.modes.feed_override == switch {
-        state.evidence.accepted("overrides.repeated");
+        state.coverage.accepted("overrides.repeated");
     }
     if !selected || state.choices.is("overrides.selected-feed", "switched") {
         state.modes.feed_override = switch;
@@ -84,8 +84,8 @@ fn single(code: u32, words: &Words, state: &mut State) -> Result<(), StepError> 
             "overrides.feed-stop"
         }
     };
-    state.evidence.accepted(rule);
-    state.evidence.accepted("overrides.one-by-one");
+    state.coverage.accepted(rule);
+    state.coverage.accepted("overrides.one-by-one");
     Ok(())
 }
 
@@ -112,13 +112,13 @@ fn switch(words: &Words, state: &State) -> Result<Switch, StepError> {
 fn speed_overrides(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
     let dollar = word(words, '$').filter(|_| !quirks::is_of_others(words, state));
     let Some(value) = dollar else {
-        state.evidence.accepted("overrides.without-dollar");
+        state.coverage.accepted("overrides.without-dollar");
         let every = state.choices.is("overrides.without-dollar", "all");
         return Ok(if every { all(state) } else { vec![0] });
     };
     quirks::override_dollar(value, state)?;
     let place = number(value, state, "overrides.out-of-range")?;
-    state.evidence.accepted("overrides.out-of-range");
-    state.evidence.accepted("overrides.speed-selected");
+    state.coverage.accepted("overrides.out-of-range");
+    state.coverage.accepted("overrides.speed-selected");
     Ok(vec![place])
 }

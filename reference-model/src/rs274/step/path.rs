@@ -25,9 +25,9 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     } else {
         (Path::Continuous, "path-control.continuous")
     };
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     if path == before {
-        state.evidence.accepted("path-control.repeated");
+        state.coverage.accepted("path-control.repeated");
     }
     state.modes.path = path;
     if path == Path::Continuous {
@@ -44,12 +44,12 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// (path-control.naive-cam-default).
 fn tolerances(words: &Words, state: &mut State) -> Result<(), StepError> {
     let (blend, naive_cam) = (tolerance('p', words, state)?, tolerance('q', words, state)?);
-    state.evidence.accepted(match blend {
+    state.coverage.accepted(match blend {
         Some(_) => "path-control.tolerance",
         None => "path-control.without-tolerance",
     });
     if blend.is_some() {
-        state.evidence.accepted(match naive_cam {
+        state.coverage.accepted(match naive_cam {
             Some(_) => "path-control.naive-cam",
             None => "path-control.naive-cam-default",
         });
@@ -69,7 +69,7 @@ fn tolerance(letter: char, words: &Words, state: &mut State) -> Result<Option<f6
                 let message = format!("a tolerance of {value}");
                 return Err(refuse(rule, FaultKind::WordOutOfRange, message));
             }
-            state.evidence.accepted(rule);
+            state.coverage.accepted(rule);
             Ok(None)
         }
         value => Ok(value),

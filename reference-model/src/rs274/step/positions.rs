@@ -43,7 +43,7 @@ pub(super) fn perform(
     let second = words.g.iter().any(|code| [300, 301].contains(code));
     let first = if second { G30_POSITION } else { G28_POSITION };
     if second {
-        state.evidence.accepted("positions.second");
+        state.coverage.accepted("positions.second");
     }
     let turns = [Axis::X, Axis::Y].iter().all(|axis| state.machine.axes.contains(axis));
     if state.modes.rotation != 0.0 && !turns {
@@ -70,7 +70,7 @@ fn store(first: u32, state: &mut State) {
     for (number, axis) in (first..).zip(Axis::ALL) {
         state.parameters.store(number, machine.get(*axis));
     }
-    state.evidence.accepted("positions.store");
+    state.coverage.accepted("positions.store");
 }
 
 /// A stored position on the machine, active length unit; an axis that nothing was stored for is at zero.
@@ -88,9 +88,9 @@ fn stored(first: u32, state: &State) -> Position {
 /// for does not move, wherever the rotation of a coordinate system has led it. Rule positions.not-stored. That is the
 /// machine's zero where nothing was stored. Quirk rs274.position-move-in-place. A move of no length goes before.
 fn straight(first: u32, state: &mut State, record: &mut Record) {
-    state.evidence.accepted("positions.go");
+    state.coverage.accepted("positions.go");
     if (first..first + 9).all(|number| state.parameters.stored(number) == 0.0) {
-        state.evidence.accepted("positions.not-stored");
+        state.coverage.accepted("positions.not-stored");
     }
     if state.choices.quirk("rs274.position-move-in-place") {
         traverse(state.modes.machine_point(state.position), state, record);
@@ -121,8 +121,8 @@ fn by_way_of(
     record: &mut Record,
 ) -> Result<(), StepError> {
     let between = end_point(words, state)?;
-    state.evidence.accepted("positions.by-way-of");
-    state.evidence.accepted("positions.named-axes");
+    state.coverage.accepted("positions.by-way-of");
+    state.coverage.accepted("positions.named-axes");
     traverse(state.modes.machine_point(between), state, record);
     let of_machine = state.choices.is("positions.rotated-axes", "machine");
     let to = |point: Position, state: &State| {
@@ -134,7 +134,7 @@ fn by_way_of(
         *end.get_mut(axis) = there.get(axis);
     }
     if state.modes.rotation != 0.0 {
-        state.evidence.accepted("positions.rotated-axes");
+        state.coverage.accepted("positions.rotated-axes");
     }
     traverse(if of_machine { end } else { state.modes.machine_point(end) }, state, record);
     Ok(())

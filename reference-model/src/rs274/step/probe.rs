@@ -7,10 +7,10 @@ use gaugeblock_vocabulary::{
 use super::feed::Speed;
 use super::target::end_point;
 use crate::math;
+use crate::rs274::environment::{Wanted, stub};
 use crate::rs274::machine::State;
 use crate::rs274::modes::converted;
 use crate::rs274::order::has_axis_words;
-use crate::rs274::outside::{Wanted, stub};
 use crate::rs274::quirks::probe as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
@@ -66,28 +66,28 @@ pub(super) fn perform(
         return Ok(());
     }
     let rule = "probe.already-there";
-    if state.outside.probe_is(wanted, from) {
+    if state.environment.probe_is(wanted, from) {
         let message = "the probe is as the move wants it before it moves";
         return Err(refuse(rule, FaultKind::Probe, message));
     }
-    state.evidence.accepted(rule);
-    let changed = state.outside.probe(from, to);
+    state.coverage.accepted(rule);
+    let changed = state.environment.probe(from, to);
     let contact = changed.map(|point| {
         let point = converted(point, state.machine.length_unit, state.modes.units);
         if changed == Some(to) { end } else { state.modes.program_point(point) }
     });
     state.modes.motion = motion;
     record.effect(state, Effect::StraightProbe { end, contact });
-    state.outside.has_probed(wanted, to, changed);
+    state.environment.has_probed(wanted, to, changed);
     let stops_at = contact.unwrap_or(end);
     for (number, value) in (POINT..).zip(stops_at.to_array()) {
         state.parameters.store(number, value);
     }
-    let stand_alone = state.outside.is_stand_alone();
+    let stand_alone = state.environment.is_stand_alone();
     let succeeded = contact.is_some() && !stand_alone;
     state.parameters.store(SUCCEEDED, if succeeded { 1.0 } else { 0.0 });
     state.position = if stand_alone { backed_off(end, state)? } else { stops_at };
-    state.outside.synchronise();
+    state.environment.synchronise();
     tell(motion, contact.is_some(), state)
 }
 
@@ -105,7 +105,7 @@ fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), StepErro
         ["probe.without-failure", "probe.point-without-contact", "probe.at-feed"]
     };
     for rule in rules {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     Ok(())
 }
@@ -149,10 +149,10 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
         "probe.zero-feed",
         "probe.same-point",
     ] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     if inverse {
-        state.evidence.accepted("probe.inverse-time");
+        state.coverage.accepted("probe.inverse-time");
     }
     Ok(end)
 }

@@ -19,15 +19,15 @@ use crate::rs274::task::Record;
 /// Quirk linuxcnc.auto-after-program-end. It stays in auto mode.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) {
     if state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
-        state.evidence.accepted("saved-state.autorestore-program-end");
+        state.coverage.accepted("saved-state.autorestore-program-end");
     }
     reset(state);
     outputs::program_ends(state);
-    state.evidence.accepted("program-end.pallet");
+    state.coverage.accepted("program-end.pallet");
     if !words.m.contains(&2) {
         record.effect(state, Effect::PalletShuttle {});
     }
-    state.evidence.accepted("program-end.mode");
+    state.coverage.accepted("program-end.mode");
     let changes = state.modes.controller_mode != ControllerMode::Mdi;
     if changes && !state.choices.quirk("linuxcnc.auto-after-program-end") {
         state.modes.controller_mode = ControllerMode::Mdi;
@@ -57,10 +57,10 @@ fn reset(state: &mut State) {
         "program-end.feed-kept",
         "program-end.parameters-kept",
     ] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     if state.modes.local_applies {
-        state.evidence.accepted("offsets.local-persists");
+        state.coverage.accepted("offsets.local-persists");
     }
     motion_quirks::turn_system(|state| use_system(1, state), state);
     let every = state.choices.is("program-end.spindles", "all");

@@ -23,7 +23,7 @@ use crate::rs274::refusal::StepError;
 pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), StepError> {
     let changed: Vec<_> = ITEMS.iter().filter(|(_, same)| !same(&state.modes, saved)).collect();
     for (rule, _) in changed {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     use_units(saved.units, state);
     let disabled = quirks::disabled_by_path(saved, &state.modes, state);
@@ -47,8 +47,8 @@ pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), StepError>
         quirks::disable(control, state);
     }
     motion(saved, state);
-    state.evidence.accepted("saved-state.all-restored");
-    state.evidence.accepted("saved-state.not-listed");
+    state.coverage.accepted("saved-state.all-restored");
+    state.coverage.accepted("saved-state.not-listed");
     Ok(())
 }
 
@@ -174,7 +174,7 @@ fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError> {
         let was_oriented = spindle.turn == SpindleTurn::Oriented;
         *spindle = Spindle { speed_override: spindle.speed_override, turn, ..*saved };
         if saved.turn == SpindleTurn::Oriented {
-            state.evidence.accepted("saved-state.orientation-not-saved");
+            state.coverage.accepted("saved-state.orientation-not-saved");
         }
         if was_oriented && turn != SpindleTurn::Oriented {
             orient::clear(place, state);
@@ -220,7 +220,7 @@ fn overrides(saved: &Modes, state: &mut State) {
 /// Rule saved-state.motion-mode. Only the draft lists the motion mode; there it comes back, and whether a mode comes
 /// back that its list leaves out is a choice.
 fn motion(saved: &Modes, state: &mut State) {
-    state.evidence.accepted("saved-state.motion-mode");
+    state.coverage.accepted("saved-state.motion-mode");
     let restored = state.choices.is("saved-state.motion-mode", "restored");
     let every = state.choices.is("saved-state.listed-motion", "every");
     if restored && (every || LISTED_MOTION.contains(&saved.motion)) {

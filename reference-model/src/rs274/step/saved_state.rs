@@ -33,7 +33,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<Rest, StepError> {
             save(state);
             state.frame_mut().restore_at_return = state.frame().saved.clone();
             if state.call_level() == 0 {
-                state.evidence.accepted("saved-state.autorestore-main");
+                state.coverage.accepted("saved-state.autorestore-main");
             }
         }
     }
@@ -49,10 +49,10 @@ fn save(state: &mut State) {
     let earlier = state.frame_mut().saved.replace(saved);
     if let Some(earlier) = earlier {
         let again = "saved-state.saved-again";
-        state.evidence.accepted(if earlier.valid { "saved-state.latest-save" } else { again });
+        state.coverage.accepted(if earlier.valid { "saved-state.latest-save" } else { again });
     }
     for rule in levels(state) {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
 }
 
@@ -105,9 +105,9 @@ fn invalidate(state: &mut State) -> Result<(), StepError> {
     if apart {
         frame.restore_at_return = None;
     }
-    state.evidence.accepted("saved-state.invalidated-level");
+    state.coverage.accepted("saved-state.invalidated-level");
     if promised {
-        state.evidence.accepted("saved-state.autorestore-cancelled");
+        state.coverage.accepted("saved-state.autorestore-cancelled");
     }
     Ok(())
 }
@@ -122,24 +122,24 @@ fn restore_explicitly(state: &mut State) -> Result<Rest, StepError> {
     let saved = restorable(state);
     let Some(saved) = saved.as_ref().filter(|saved| saved.valid) else {
         let rule = if saved.is_some() {
-            state.evidence.refused("saved-state.invalidated-level");
+            state.coverage.refused("saved-state.invalidated-level");
             "saved-state.invalidated"
         } else {
             "saved-state.nothing-saved"
         };
         for level in levels(state).into_iter().filter(|level| *level != "saved-state.main-level") {
-            state.evidence.refused(level);
+            state.coverage.refused(level);
         }
         let message = "nothing is saved at this call level";
         return Err(refuse(rule, FaultKind::NothingSaved, message));
     };
-    state.evidence.accepted("saved-state.save-restore");
-    state.evidence.accepted("saved-state.repeated-restore");
+    state.coverage.accepted("saved-state.save-restore");
+    state.coverage.accepted("saved-state.repeated-restore");
     for level in levels(state) {
-        state.evidence.accepted(level);
+        state.coverage.accepted(level);
     }
     if state.frame().restore_at_return.is_some() {
-        state.evidence.accepted("saved-state.autorestore-explicit");
+        state.coverage.accepted("saved-state.autorestore-explicit");
     }
     let mut before = state.modes.clone();
     restore(&saved.modes, state)?;
@@ -184,26 +184,26 @@ pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), 
     let has_saved = frame.saved.as_ref().is_some_and(|saved| saved.valid);
     let saved_since = frame.saved != frame.restore_at_return;
     let Some(promised) = promised else {
-        state.evidence.accepted("saved-state.unprotected");
-        state.evidence.accepted("saved-state.selective");
+        state.coverage.accepted("saved-state.unprotected");
+        state.coverage.accepted("saved-state.selective");
         if has_saved {
-            state.evidence.accepted("saved-state.save-alone");
-            state.evidence.accepted("saved-state.cancelled-then-saved");
+            state.coverage.accepted("saved-state.save-alone");
+            state.coverage.accepted("saved-state.cancelled-then-saved");
         }
         return Ok(());
     };
     let style = state.frame().call.as_ref().map(|call| call.style.clone());
     if matches!(style, Some(Style::Numbered { .. })) {
-        state.evidence.accepted("saved-state.autorestore-m99");
+        state.coverage.accepted("saved-state.autorestore-m99");
     } else {
-        state.evidence.accepted("saved-state.autorestore-endsub");
-        state.evidence.accepted("saved-state.autorestore-return");
+        state.coverage.accepted("saved-state.autorestore-endsub");
+        state.coverage.accepted("saved-state.autorestore-return");
     }
     if state.call_level() > 1 {
-        state.evidence.accepted("saved-state.autorestore-nested");
+        state.coverage.accepted("saved-state.autorestore-nested");
     }
     if saved_since {
-        state.evidence.accepted("saved-state.autorestore-then-save");
+        state.coverage.accepted("saved-state.autorestore-then-save");
     }
     restore(&promised.modes, state)
 }
@@ -217,6 +217,6 @@ fn latest_if_promised(frame: &Frame) -> Option<SavedState> {
 /// Rule saved-state.autorestore-fault. A run that is broken off in a sub with M73 does not restore.
 pub fn broken_off(state: &mut State) {
     if state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
-        state.evidence.refused("saved-state.autorestore-fault");
+        state.coverage.refused("saved-state.autorestore-fault");
     }
 }

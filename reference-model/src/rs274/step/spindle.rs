@@ -59,10 +59,10 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
     }
     if let Some(speed) = speed {
         for rule in ["spindle.speed", "spindle.speed-selected", "spindle.speed-starts-nothing"] {
-            state.evidence.accepted(rule);
+            state.coverage.accepted(rule);
         }
         if speed == 0.0 {
-            state.evidence.accepted("spindle.speed-zero");
+            state.coverage.accepted("spindle.speed-zero");
         }
     }
     Ok(())
@@ -74,8 +74,8 @@ fn rpm_mode(speed: Option<f64>, state: &mut State) -> Result<(), StepError> {
     if speed.is_none() && state.choices.is(rule, "required") {
         return Err(refuse(rule, FaultKind::MissingWord, "G97 needs S"));
     }
-    state.evidence.accepted(rule);
-    state.evidence.accepted("spindle.rpm-mode");
+    state.coverage.accepted(rule);
+    state.coverage.accepted("spindle.rpm-mode");
     Ok(())
 }
 
@@ -87,16 +87,16 @@ fn surface_speed(words: &Words, speed: Option<f64>, state: &mut State) -> Result
         let rule = "spindle.surface-speed-needs-speed";
         return Err(refuse(rule, FaultKind::MissingWord, "G96 needs S"));
     }
-    state.evidence.accepted("spindle.surface-speed-needs-speed");
-    state.evidence.accepted("spindle.surface-speed");
+    state.coverage.accepted("spindle.surface-speed-needs-speed");
+    state.coverage.accepted("spindle.surface-speed");
     if state.modes.lathe == Lathe::Diameter {
-        state.evidence.accepted("spindle.surface-speed-lathe");
+        state.coverage.accepted("spindle.surface-speed-lathe");
     }
     if word(words, 'd').is_some() {
-        state.evidence.accepted("spindle.surface-speed-limit");
+        state.coverage.accepted("spindle.surface-speed-limit");
     }
     if word(words, '$').is_some() {
-        state.evidence.accepted("spindle.surface-speed-selected");
+        state.coverage.accepted("spindle.surface-speed-selected");
     }
     Ok(())
 }
@@ -120,17 +120,17 @@ pub fn turn(words: &Words, state: &mut State) -> Result<(), StepError> {
         Some(number) => chosen(number, state)?,
         None => without_dollar(state),
     };
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     for place in spindles {
         let spindle = state.modes.spindles[place];
         let repeated = (spindle.turn == SpindleTurn::Stopped) == (turn == SpindleTurn::Stopped);
         set_turn(turn, place, state);
         let at_zero = turn != SpindleTurn::Stopped && spindle.speed == 0.0;
         if repeated {
-            state.evidence.accepted("spindle.repeated");
+            state.coverage.accepted("spindle.repeated");
         }
         if at_zero {
-            state.evidence.accepted("spindle.start-at-zero");
+            state.coverage.accepted("spindle.start-at-zero");
         }
     }
     Ok(())
@@ -146,7 +146,7 @@ pub(crate) fn set_turn(turn: SpindleTurn, place: usize, state: &mut State) {
 
 /// Rule spindle.without-dollar. Which spindles M3, M4 and M5 without $ act on is a choice.
 fn without_dollar(state: &mut State) -> Vec<usize> {
-    state.evidence.accepted("spindle.without-dollar");
+    state.coverage.accepted("spindle.without-dollar");
     if state.choices.is("spindle.without-dollar", "all") { all(state) } else { vec![0] }
 }
 
@@ -162,7 +162,7 @@ fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, StepError> {
     if whole(number) == Some(-1) {
         let rule = "spindle.minus-one";
         if state.choices.is("spindle.minus-one", "all") {
-            state.evidence.accepted(rule);
+            state.coverage.accepted(rule);
             return Ok(all(state));
         }
         return Err(refuse(rule, FaultKind::SpindleOutOfRange, "$-1 names no spindle"));
@@ -174,8 +174,8 @@ fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, StepError> {
 /// Quirk rs274.speed-of-all-spindles: S without a mode sets the speed of all of them by -1.
 fn one(number: f64, state: &mut State) -> Result<usize, StepError> {
     let place = self::number(number, state, "spindle.out-of-range")?;
-    state.evidence.accepted("spindle.out-of-range");
-    state.evidence.accepted("spindle.selected");
+    state.coverage.accepted("spindle.out-of-range");
+    state.coverage.accepted("spindle.selected");
     Ok(place)
 }
 

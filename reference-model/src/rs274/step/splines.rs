@@ -93,8 +93,8 @@ fn in_xy(words: &Words, state: &mut State) -> Result<(), StepError> {
         let message = format!("a spline with {}", other.to_ascii_uppercase());
         return Err(refuse("splines.xy-only", FaultKind::AxisWords, message));
     }
-    state.evidence.accepted("splines.plane");
-    state.evidence.accepted("splines.xy-only");
+    state.coverage.accepted("splines.plane");
+    state.coverage.accepted("splines.xy-only");
     Ok(())
 }
 
@@ -114,9 +114,9 @@ fn cubic(words: &Words, state: &mut State) -> Result<(), StepError> {
         let message = "the first G5 needs I and J";
         return Err(refuse("splines.cubic-first-direction", FaultKind::MissingWord, message));
     }
-    state.evidence.accepted("splines.cubic");
+    state.coverage.accepted("splines.cubic");
     if !has('i') {
-        state.evidence.accepted("splines.cubic-continued");
+        state.coverage.accepted("splines.cubic-continued");
     }
     Ok(())
 }
@@ -130,10 +130,10 @@ fn quadratic(words: &Words, state: &mut State) -> Result<(), StepError> {
         let message = "G5.1 without an offset to its control point";
         return Err(refuse("splines.quadratic-offset", FaultKind::MissingWord, message));
     }
-    state.evidence.accepted("splines.quadratic");
-    state.evidence.accepted("splines.quadratic-offset");
+    state.coverage.accepted("splines.quadratic");
+    state.coverage.accepted("splines.quadratic-offset");
     if word(words, 'i').is_none() || word(words, 'j').is_none() {
-        state.evidence.accepted("splines.quadratic-one-offset");
+        state.coverage.accepted("splines.quadratic-one-offset");
     }
     Ok(())
 }
@@ -192,10 +192,10 @@ pub(super) fn nurbs(
         }
         nurbs.points.push(end_point(words, state)?);
     } else {
-        state.evidence.accepted("splines.nurbs-first-weight");
+        state.coverage.accepted("splines.nurbs-first-weight");
     }
     if word(words, 'p').is_none() {
-        state.evidence.accepted("splines.nurbs-default-weight");
+        state.coverage.accepted("splines.nurbs-default-weight");
     }
     state.modes.motion = Motion::Nurbs;
     state.curve.open = Some(nurbs);
@@ -213,9 +213,9 @@ fn close(nurbs: &Nurbs, state: &mut State, record: &mut Record) -> Result<(), St
     state.modes.motion = Motion::None;
     state.position = end;
     record.effect(state, Effect::NurbsFeed { points, end });
-    state.evidence.accepted("splines.nurbs");
+    state.coverage.accepted("splines.nurbs");
     if nurbs.order == DEFAULT_ORDER {
-        state.evidence.accepted("splines.nurbs-default-order");
+        state.coverage.accepted("splines.nurbs-default-order");
     }
     Ok(())
 }

@@ -26,13 +26,13 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Rest {
     }
     let optional = words.m.contains(&1);
     if words.m.contains(&pauses) {
-        state.evidence.accepted("pause.pallet");
+        state.coverage.accepted("pause.pallet");
         record.effect(state, Effect::PalletShuttle {});
     } else {
-        state.evidence.accepted(if optional { "pause.optional" } else { "pause.always" });
+        state.coverage.accepted(if optional { "pause.optional" } else { "pause.always" });
     }
-    state.evidence.accepted("pause.last-in-block");
+    state.coverage.accepted("pause.last-in-block");
     record.effect(state, Effect::Stop { optional });
     let switched_off = optional && !state.panel.optional_stop;
-    if switched_off || state.outside.is_stand_alone() { Rest::Execute } else { Rest::Pause }
+    if switched_off || state.environment.is_stand_alone() { Rest::Execute } else { Rest::Pause }
 }

@@ -23,7 +23,7 @@ fn axis_words(words: &Words) -> Vec<(Axis, f64)> {
 pub(crate) fn offset_words(words: &Words, state: &mut State) -> Vec<(Axis, f64)> {
     let rule = "units-planes.diameter-offsets";
     if state.modes.lathe == Lathe::Diameter {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
         if state.choices.is(rule, "every-word") {
             return moved(words, state);
         }
@@ -72,15 +72,15 @@ pub(super) fn moved(words: &Words, state: &State) -> Vec<(Axis, f64)> {
 pub(crate) fn end_point(words: &Words, state: &mut State) -> Result<Position, StepError> {
     let mut end = polar(words, state)?.unwrap_or(state.position);
     let incremental = state.modes.distance == Distance::Incremental;
-    state.evidence.accepted(if incremental {
+    state.coverage.accepted(if incremental {
         "units-planes.incremental"
     } else {
         "units-planes.absolute"
     });
-    state.evidence.accepted("motion.omitted-axes");
+    state.coverage.accepted("motion.omitted-axes");
     let lathe = state.modes.lathe;
     if lathe == Lathe::Diameter {
-        state.evidence.accepted("units-planes.diameter-x-only");
+        state.coverage.accepted("units-planes.diameter-x-only");
     }
     for (axis, value) in moved(words, state) {
         let place = end.get_mut(axis);
@@ -148,12 +148,12 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
         quirks::polar_end(distance, state)?;
     }
     let angle = angle.map_or(current_angle, |value| from * current_angle + value);
-    state.evidence.accepted("motion.polar");
+    state.coverage.accepted("motion.polar");
     if incremental {
-        state.evidence.accepted("motion.polar-incremental");
+        state.coverage.accepted("motion.polar-incremental");
     }
     if word(words, '@').is_none() || word(words, '^').is_none() {
-        state.evidence.accepted("motion.polar-partial");
+        state.coverage.accepted("motion.polar-partial");
     }
     let (distance, angle) = state.modes.rounding.of_polar(distance, angle);
     let (sine, cosine) = math::sine_and_cosine_of_degrees(angle);

@@ -27,10 +27,10 @@ pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(
     }
     let tool = selected(number, state)?;
     if state.selected_for_change {
-        state.evidence.accepted("tool.select-latest");
+        state.coverage.accepted("tool.select-latest");
     }
     for rule in ["tool.select", "tool.select-integer", "tool.select-changes-nothing"] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     state.prepared_tool = tool.unwrap_or(-1);
     state.selected_tool = tool.unwrap_or(0);
@@ -46,7 +46,7 @@ pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(
 fn selected(number: i32, state: &mut State) -> Result<Option<i32>, StepError> {
     let random = state.machine.random_tool_changer;
     if number == 0 && !random {
-        state.evidence.accepted("tool.select-zero");
+        state.coverage.accepted("tool.select-zero");
         return Ok(None);
     }
     let by_slot = state.choices.is("tool.selected-by", "slot");
@@ -55,25 +55,25 @@ fn selected(number: i32, state: &mut State) -> Result<Option<i32>, StepError> {
         return Err(StepError::Unspecified(why.to_owned()));
     }
     let found = if by_slot { in_slot(number, state) } else { entry(number, state).map(|_| number) };
-    state.evidence.accepted("tool.selected-by");
+    state.coverage.accepted("tool.selected-by");
     let rule = if number == 0 { "tool.select-zero-random" } else { "tool.empty-slot" };
     match found {
         Some(tool) => {
-            state.evidence.accepted("tool.select-unknown");
+            state.coverage.accepted("tool.select-unknown");
             if number == 0 {
-                state.evidence.accepted(rule);
+                state.coverage.accepted(rule);
             }
             Ok(Some(tool))
         }
         None if state.choices.is("tool.empty-slot", "accepted") => {
-            state.evidence.accepted(rule);
+            state.coverage.accepted(rule);
             Ok(None)
         }
         None => {
             if number == 0 {
-                state.evidence.refused(rule);
+                state.coverage.refused(rule);
             } else {
-                state.evidence.refused("tool.empty-slot");
+                state.coverage.refused("tool.empty-slot");
             }
             let message = format!("T{number}, and the tool table holds no such tool");
             Err(refuse("tool.select-unknown", FaultKind::ToolNotFound, message))

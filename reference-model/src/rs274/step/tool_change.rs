@@ -24,34 +24,34 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let tool = tool_to_load(state)?;
     before_moving(state);
     moves(state, record);
-    if state.outside.tools_are_changed_by_hand() {
-        state.evidence.accepted("tool.change-by-hand");
+    if state.environment.tools_are_changed_by_hand() {
+        state.coverage.accepted("tool.change-by-hand");
         record.effect(state, Effect::PromptTool { tool });
     }
-    pass(state.outside.tool_change_time(), state);
+    pass(state.environment.tool_change_time(), state);
     swap(tool, state);
     state.selected_for_change = false;
     state.prepared_tool = -1;
-    state.evidence.accepted("tool.change");
-    state.evidence.accepted("tool.change-keeps");
-    state.evidence.accepted("tool.change-keeps-length");
-    state.outside.machine_is_asked();
+    state.coverage.accepted("tool.change");
+    state.coverage.accepted("tool.change-keeps");
+    state.coverage.accepted("tool.change-keeps-length");
+    state.environment.machine_is_asked();
     record.effect(state, Effect::ChangeTool { tool });
     Ok(())
 }
 
 /// Rule tool.change-without-selection. Whether a change needs a T since the change before is a choice.
 fn tool_to_load(state: &mut State) -> Result<i32, StepError> {
-    if !state.selected_for_change && !state.outside.is_stand_alone() {
+    if !state.selected_for_change && !state.environment.is_stand_alone() {
         let rule = "tool.change-without-selection";
         if state.choices.is(rule, "refused") {
             return Err(refuse(rule, FaultKind::MissingWord, "M6, and no tool is selected"));
         }
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     let selected = if state.selected_for_change {
         state.prepared_tool
-    } else if state.outside.is_stand_alone() {
+    } else if state.environment.is_stand_alone() {
         // Its stub changes to the tool of the last T again.
         state.selected_tool
     } else {
@@ -64,13 +64,13 @@ fn tool_to_load(state: &mut State) -> Result<i32, StepError> {
 /// changed.
 pub fn before_moving(state: &mut State) {
     if state.machine.tool_change.with_spindle_on {
-        state.evidence.accepted("tool.change-spindle-on");
+        state.coverage.accepted("tool.change-spindle-on");
         return;
     }
     for place in spindle::all(state) {
         spindle::set_turn(SpindleTurn::Stopped, place, state);
     }
-    state.evidence.accepted("tool.change-stops-spindle");
+    state.coverage.accepted("tool.change-stops-spindle");
 }
 
 /// Rule tool.change-quill-up. If the machine is set so, Z goes to machine zero first.
@@ -79,11 +79,11 @@ fn moves(state: &mut State, record: &mut Record) {
     if state.machine.tool_change.quill_up {
         let here = state.modes.machine_point(state.position);
         traverse(Position { z: beside_machine_point(state).z, ..here }, state, record);
-        state.evidence.accepted("tool.change-quill-up");
+        state.coverage.accepted("tool.change-quill-up");
     }
     if state.machine.tool_change.at_g30 {
         traverse(positions::destination(positions::G30_POSITION, state), state, record);
-        state.evidence.accepted("tool.change-at-g30");
+        state.coverage.accepted("tool.change-at-g30");
     }
 }
 
@@ -99,12 +99,12 @@ pub(super) fn traverse(machine: Position, state: &mut State, record: &mut Record
 /// the new one.
 fn swap(tool: i32, state: &mut State) {
     let old = std::mem::replace(&mut state.tool, tool);
-    if tool > 0 || !state.outside.is_stand_alone() {
+    if tool > 0 || !state.environment.is_stand_alone() {
         state.known_tool = tool;
     }
-    state.evidence.accepted(if tool == old { "tool.change-same" } else { "tool.change-back" });
+    state.coverage.accepted(if tool == old { "tool.change-same" } else { "tool.change-back" });
     if tool == 0 && !state.machine.random_tool_changer {
-        state.evidence.accepted("tool.change-zero");
+        state.coverage.accepted("tool.change-zero");
     }
     let exchanged = state.machine.random_tool_changer
         && state.choices.is("tool.old-tool-place", "slot-of-the-new");
@@ -139,13 +139,13 @@ pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Resu
     }
     let zero = if tool == 0 { "tool.set-number-zero" } else { "tool.set-number" };
     for accepted in [rule, in_program, zero, "tool.set-number-keeps-length"] {
-        state.evidence.accepted(accepted);
+        state.coverage.accepted(accepted);
     }
     state.tool = tool;
-    if !state.outside.is_stand_alone() {
+    if !state.environment.is_stand_alone() {
         state.known_tool = tool;
     }
-    state.outside.machine_is_asked();
+    state.environment.machine_is_asked();
     record.effect(state, Effect::SetToolNumber { tool });
     Ok(())
 }
@@ -162,10 +162,10 @@ fn number(words: &Words, state: &mut State) -> Result<i32, StepError> {
     if value < 0.0 && number != Some(0) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, format!("M61 with Q{value}")));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     let rule = "tool.set-number-integer";
     let message = || format!("Q{value} is no number of a tool");
     let number = number.ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(number)
 }

@@ -25,7 +25,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
         quirks::tool_offset_as_programmed(state);
     }
     let offset = if words.g.contains(&490) {
-        state.evidence.accepted("tool.length-off");
+        state.coverage.accepted("tool.length-off");
         None
     } else if words.g.contains(&431) {
         Some(dynamic(words, state))
@@ -34,8 +34,8 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     } else {
         Some(of_tool(words, state)?)
     };
-    state.evidence.accepted("tool.length-moves-nothing");
-    state.evidence.accepted("tool.length-repeated");
+    state.coverage.accepted("tool.length-moves-nothing");
+    state.coverage.accepted("tool.length-repeated");
     apply(offset, state);
     Ok(())
 }
@@ -56,7 +56,7 @@ pub(crate) fn apply(offset: Option<Position>, state: &mut State) {
 fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
     let random = state.machine.random_tool_changer;
     let Some(number) = word(words, 'h') else {
-        state.evidence.accepted("tool.length-zero");
+        state.coverage.accepted("tool.length-zero");
         let offset = loaded(state).map(|tool| tool.offset).unwrap_or_default();
         return Ok(converted(offset, state.machine.length_unit, state.modes.units));
     };
@@ -76,13 +76,13 @@ fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
     let refusing =
         if rule == "tool.length-zero-random" { rule } else { "tool.length-unknown-tool" };
     let offset = table_offset(whole, refusing, state)?;
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(offset)
 }
 
 /// Rule tool.dynamic-length. G43.1 replaces the offset of the axes that it names.
 fn dynamic(words: &Words, state: &mut State) -> Position {
-    state.evidence.accepted("tool.dynamic-length");
+    state.coverage.accepted("tool.dynamic-length");
     let mut offset = state.modes.tool_offset;
     for (axis, value) in offset_words(words, state) {
         *offset.get_mut(axis) = value;
@@ -124,7 +124,7 @@ fn additional(words: &Words, state: &mut State) -> Result<Position, StepError> {
             more
         }
     };
-    state.evidence.accepted("tool.additional-length");
+    state.coverage.accepted("tool.additional-length");
     Ok(each(state.modes.tool_offset, more, |offset, more| offset + more))
 }
 

@@ -36,8 +36,8 @@ pub(super) fn reload(state: &mut State) -> Result<(), StepError> {
         let rule = "tool.reload-needs-empty-spindle";
         return Err(refuse(rule, FaultKind::ModalConflict, message));
     }
-    state.evidence.accepted("tool.reload");
-    state.outside.machine_is_asked();
+    state.coverage.accepted("tool.reload");
+    state.environment.machine_is_asked();
     Ok(())
 }
 
@@ -82,7 +82,7 @@ pub(super) fn set(
         "tool.entry-omitted-words",
         "tool.entry-keeps-offset",
     ] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     let effect = Effect::SetToolEntry {
         tool: number,
@@ -96,7 +96,7 @@ pub(super) fn set(
         *old = tool;
     }
     record.effect(state, effect);
-    if state.outside.is_stand_alone() {
+    if state.environment.is_stand_alone() {
         entry_in_spindle(number, state);
     }
     Ok(())
@@ -155,7 +155,7 @@ fn something(words: &Words, state: &mut State) -> Result<(), StepError> {
     if state.choices.is(rule, "refused") {
         return Err(refuse(rule, FaultKind::MissingWord, "a tool, and nothing to set of it"));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(())
 }
 

@@ -28,8 +28,8 @@ pub fn select_plane(words: &Words, state: &mut State) -> Result<(), StepError> {
         if rule == "units-planes.plane" && plane != state.modes.plane {
             not_under_compensation("units-planes.plane-under-compensation", state)?;
         }
-        state.evidence.accepted(rule);
-        state.evidence.accepted("units-planes.plane-moves-nothing");
+        state.coverage.accepted(rule);
+        state.coverage.accepted("units-planes.plane-moves-nothing");
         state.modes.plane = plane;
     }
     Ok(())
@@ -59,7 +59,7 @@ pub fn select_units(words: &Words, state: &mut State) {
             }
             _ => continue,
         };
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
 }
 
@@ -78,7 +78,7 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
         "units-planes.tool-offset-over-unit-change",
         "units-planes.rotary-axes",
     ] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     let modes = &mut state.modes;
     modes.units = units;
@@ -96,7 +96,7 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
 
 /// Rule units-planes.feed-over-unit-change. What becomes of the feed is a choice; under inverse time it is no length.
 fn convert_feed(before: LengthUnit, state: &mut State) {
-    state.evidence.accepted("units-planes.feed-over-unit-change");
+    state.coverage.accepted("units-planes.feed-over-unit-change");
     let rescaled = state.choices.is("units-planes.feed-over-unit-change", "rescaled");
     if rescaled && state.modes.feed_mode != FeedMode::InverseTime {
         let modes = &mut state.modes;
@@ -129,8 +129,8 @@ pub fn select_distance(words: &Words, state: &mut State) {
             }
             _ => continue,
         };
-        state.evidence.accepted(rule);
-        state.evidence.accepted("units-planes.arc-distance-apart");
+        state.coverage.accepted(rule);
+        state.coverage.accepted("units-planes.arc-distance-apart");
     }
 }
 

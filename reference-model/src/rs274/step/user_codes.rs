@@ -3,8 +3,8 @@
 use gaugeblock_vocabulary::{Effect, FaultKind};
 
 use super::{pass, word};
+use crate::rs274::environment::Missing;
 use crate::rs274::machine::State;
-use crate::rs274::outside::Missing;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::task::Record;
@@ -24,18 +24,18 @@ pub fn perform(
     record: &mut Record,
 ) -> Result<(), StepError> {
     let with_path = state.choices.is("user-codes.place", "search-path");
-    let found = state.outside.user_program(code, with_path);
+    let found = state.environment.user_program(code, with_path);
     let found = found.map(|program| (program.duration, program.exit_status, program.folder));
     let (duration, exit_status, folder) = found.map_err(|missing| unknown(code, missing))?;
     let (p, q) = (argument('p', words, state), argument('q', words, state));
     for rule in ["user-codes.run", "user-codes.waits", "user-codes.unknown"] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     if folder == gaugeblock_vocabulary::scenario::Folder::SearchPath {
-        state.evidence.accepted("user-codes.place");
+        state.coverage.accepted("user-codes.place");
     }
     if state.modes.compensation != gaugeblock_vocabulary::Compensation::Off {
-        state.evidence.accepted("user-codes.under-compensation");
+        state.coverage.accepted("user-codes.under-compensation");
     }
     record.effect(state, Effect::UserCode { code, p, q });
     pass(duration, state);
@@ -47,7 +47,7 @@ pub fn perform(
         let message = format!("the program of M{code} ended with status {exit_status}");
         return Err(refuse(rule, FaultKind::UserCode, message));
     }
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(())
 }
 
@@ -56,11 +56,11 @@ pub fn perform(
 fn argument(letter: char, words: &Words, state: &mut State) -> String {
     match word(words, letter) {
         Some(value) => {
-            state.evidence.accepted("user-codes.arguments");
+            state.coverage.accepted("user-codes.arguments");
             format!("{value:.6}")
         }
         None => {
-            state.evidence.accepted("user-codes.missing-argument");
+            state.coverage.accepted("user-codes.missing-argument");
             let minus_one = state.choices.is("user-codes.missing-argument", "minus-one");
             if minus_one { "-1.000000".to_owned() } else { String::new() }
         }

@@ -30,9 +30,9 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, StepError> {
     let parsed = parser.block(comments);
     let (room, failed) = parser.into_rules();
     if parsed.is_ok() {
-        room.reached.iter().for_each(|rule| state.evidence.accepted(rule));
+        room.reached.iter().for_each(|rule| state.coverage.accepted(rule));
     } else {
-        failed.into_iter().for_each(|rule| state.evidence.refused(rule));
+        failed.into_iter().for_each(|rule| state.coverage.refused(rule));
     }
     state.room = room;
     parsed
@@ -43,10 +43,10 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, StepError> {
 /// # Errors
 /// The line is too long, a comment is not closed, or a line number, label or keyword is none.
 pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, StepError> {
-    let before = state.evidence.set_deaf(true);
+    let before = state.coverage.set_muted(true);
     let mut room = std::mem::take(&mut state.room);
     let condensed = condense(line, &mut room.glyphs, state);
-    state.evidence.set_deaf(before);
+    state.coverage.set_muted(before);
     condensed?;
     Parser::new(room, &state.choices).passed_over()
 }
@@ -70,7 +70,7 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
     if !may_begin_with_o_word(line) {
         return None;
     }
-    let before = state.evidence.set_deaf(true);
+    let before = state.coverage.set_muted(true);
     let mut room = std::mem::take(&mut state.room);
     let mut line = line;
     let mut condensed = condense(line, &mut room.glyphs, state);
@@ -86,7 +86,7 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
         broken = true;
         condensed = condense(&line[..span.start as usize], &mut room.glyphs, state);
     }
-    state.evidence.set_deaf(before);
+    state.coverage.set_muted(before);
     condensed.ok()?;
     let mut parser = Parser::new(room, &state.choices);
     let word = parser.leading_o_word(with_arguments);

@@ -16,11 +16,11 @@ impl Run<'_> {
     ///
     /// How it ends: what was read ahead may be what the documents leave open.
     pub(super) fn aborted(&mut self) -> End {
-        self.state.evidence.accepted("abort.ends");
+        self.state.coverage.accepted("abort.ends");
         if self.state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
-            self.state.evidence.accepted("abort.autorestore");
+            self.state.coverage.accepted("abort.autorestore");
         }
-        self.state.evidence.accepted("abort.read-ahead");
+        self.state.coverage.accepted("abort.read-ahead");
         let reads_on = self.state.choices.is("abort.read-ahead", "read-on");
         let end = if reads_on && !self.by_hand && !self.waits_for_machine {
             self.read_on()
@@ -40,11 +40,11 @@ impl Run<'_> {
     /// Choice outputs.waiting-after-abort. What waits for a motion is gone with the motions that were queued, or
     /// waits for the next one.
     pub(super) fn forget_waiting(&mut self) {
-        if self.state.outside.awaits_motion() {
+        if self.state.environment.awaits_motion() {
             let choice = "outputs.waiting-after-abort";
-            self.state.evidence.accepted(choice);
+            self.state.coverage.accepted(choice);
             if self.state.choices.is(choice, "forgotten") {
-                self.state.outside.forget_all_with_motion();
+                self.state.environment.forget_all_with_motion();
             }
         }
     }
@@ -52,7 +52,7 @@ impl Run<'_> {
     /// Choice abort.spindle-and-coolant. An abort stops all spindles and switches coolant off, as M5 and M9 do
     /// (orient.cleared), or leaves them alone.
     pub(super) fn switch_off(&mut self) {
-        self.state.evidence.accepted("abort.spindle-and-coolant");
+        self.state.coverage.accepted("abort.spindle-and-coolant");
         if self.state.choices.is("abort.spindle-and-coolant", "switched-off") {
             let modes = &mut self.state.modes;
             modes.mist = Switch::Off;
@@ -75,8 +75,8 @@ impl Run<'_> {
         let Some(mut state) = self.at_block.take().map(|state| *state) else {
             return End::Aborted;
         };
-        state.evidence = crate::Witness::default();
-        state.outside.answers_at_once();
+        state.coverage = crate::RuleCoverage::default();
+        state.environment.answers_at_once();
         let control = self.control.clone();
         let mut ahead = Run {
             scenario: self.scenario,

@@ -28,8 +28,8 @@ impl Run<'_> {
     pub(super) fn idle(&mut self, end: &mut End) -> Result<Then, StepError> {
         self.pause_asked = false;
         while let Some(happening) = self.operator.next(f64::INFINITY) {
-            let now = self.state.outside.time();
-            self.state.outside.within_wait(happening.time.max(now));
+            let now = self.state.environment.time();
+            self.state.environment.within_wait(happening.time.max(now));
             match self.request(happening, Activity::Idle)? {
                 Answer::Begins => {
                     self.begin_again(*end == End::Aborted);
@@ -44,8 +44,8 @@ impl Run<'_> {
             }
         }
         // A spindle that an abort has left on its way comes to its angle all the same.
-        while let Some(time) = self.state.outside.next_orientation() {
-            self.state.outside.within_wait(time);
+        while let Some(time) = self.state.environment.next_orientation() {
+            self.state.environment.within_wait(time);
             self.show(None);
         }
         Ok(Then::Nothing)
@@ -56,10 +56,10 @@ impl Run<'_> {
     /// Rule parameters.returned-value. What the last program's subs have returned is 0 then.
     fn begin_again(&mut self, aborted: bool) {
         let rule = if aborted { "abort.restart" } else { "program-end.restart" };
-        self.state.evidence.accepted(rule);
+        self.state.coverage.accepted(rule);
         if !aborted {
-            self.state.evidence.accepted("task.modes-carry-over");
-            self.state.evidence.accepted("task.parameters-carry-over");
+            self.state.coverage.accepted("task.modes-carry-over");
+            self.state.coverage.accepted("task.parameters-carry-over");
         }
         self.change_mode_to(ControllerMode::Auto);
         self.begin_anew();
@@ -83,7 +83,7 @@ impl Run<'_> {
             self.record.leads_elsewhere();
         }
         self.leave_calls();
-        self.state.outside.synchronise();
+        self.state.environment.synchronise();
         let main = &mut self.state.frames[0];
         *main = Frame {
             call: None,

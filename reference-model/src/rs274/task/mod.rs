@@ -35,15 +35,15 @@ pub use record::Record;
 use self::operator::Operator;
 use super::choices::Choices;
 use super::control::{Control, Frame, MAIN, Place};
+use super::environment::EnvironmentState;
 use super::machine::{Panel, State, in_pocket_zero, slots};
 use super::modes::{Modes, Rounding};
-use super::outside::Outside;
 use super::parameters::{self, Name, Parameters};
 use super::quirks::settings;
 use super::refusal::{Refusal, StepError};
 use super::step;
 use super::syntax::Room;
-use crate::{Evidence, Witness};
+use crate::{Evidence, RuleCoverage};
 
 /// What a run leaves for the next one.
 #[derive(Debug, Default)]
@@ -51,7 +51,7 @@ pub struct Kept {
     /// How the documents are read under some options.
     choices: Option<(Options, Shared<Choices>)>,
     /// Who looks on.
-    witness: Witness,
+    coverage: RuleCoverage,
     /// Room for what the parser makes of a line.
     room: Room,
 }
@@ -78,11 +78,11 @@ pub fn run(kept: &mut Kept, scenario: &Scenario, rounding: Rounding) -> (Outcome
         Ok(choices) => choices,
         Err(what) => return (not_begun(what), Evidence::default()),
     };
-    let witness = std::mem::take(&mut kept.witness);
-    let mut state = start(scenario, choices, rounding, witness);
+    let coverage = std::mem::take(&mut kept.coverage);
+    let mut state = start(scenario, choices, rounding, coverage);
     state.room = std::mem::take(&mut kept.room);
-    state.evidence.accepted("modal-groups.initial-modes");
-    state.evidence.accepted("offsets.start-system");
+    state.coverage.accepted("modal-groups.initial-modes");
+    state.coverage.accepted("offsets.start-system");
     let mut record = Record::new(&state);
     record.allow(&scenario.budget);
     let mut run = Run::new(scenario, state, record);
@@ -92,10 +92,10 @@ pub fn run(kept: &mut Kept, scenario: &Scenario, rounding: Rounding) -> (Outcome
     }
     run.leave_calls();
     let parameters = run.parameters();
-    let pins = run.state.outside.changes().to_vec();
-    let evidence = run.state.evidence.take();
-    (kept.witness, kept.room) = (run.state.evidence, run.state.room);
-    (run.record.finish(end, parameters, pins), evidence)
+    let pins = run.state.environment.changes().to_vec();
+    let coverage = run.state.coverage.take();
+    (kept.coverage, kept.room) = (run.state.coverage, run.state.room);
+    (run.record.finish(end, parameters, pins), coverage)
 }
 
 /// Whether a block during which the run ends so has done nothing: one that is refused, or that asks for more effects
@@ -119,14 +119,14 @@ fn start(
     scenario: &Scenario,
     choices: Shared<Choices>,
     rounding: Rounding,
-    evidence: Witness,
+    coverage: RuleCoverage,
 ) -> State {
     let machine = scenario.machine.clone();
     let mut modes = Modes { rounding, ..Modes::new(&machine, &choices) };
     if scenario.program.start == Start::Mdi {
         modes.controller_mode = ControllerMode::Mdi;
     }
-    let outside = Outside::new(&scenario.environment, modes.spindles.len(), &choices);
+    let environment = EnvironmentState::new(&scenario.environment, modes.spindles.len(), &choices);
     let tool = in_pocket_zero(&machine);
     State {
         position: settings::start(&modes, &choices),
@@ -134,7 +134,7 @@ fn start(
         parameters: Parameters::new(&machine, &choices),
         choices,
         panel: Panel::new(&machine),
-        outside,
+        environment,
         machine: machine.into(),
         tool,
         known_tool: tool,
@@ -153,7 +153,7 @@ fn start(
         curve: step::splines::Curve::default(),
         shown: None,
         room: Room::default(),
-        evidence,
+        coverage,
     }
 }
 
@@ -271,7 +271,7 @@ impl<'a> Run<'a> {
             Some(Bound::Steps)
         } else if self.record.effects() >= budget.effects {
             Some(Bound::Effects)
-        } else if self.state.outside.time() >= budget.time {
+        } else if self.state.environment.time() >= budget.time {
             Some(Bound::Time)
         } else {
             None
@@ -284,7 +284,7 @@ impl<'a> Run<'a> {
     fn parameters(&mut self) -> Indexed<u32, f64> {
         let mut all = self.state.parameters.nonzero();
         if parameters::changed_persistent(&self.state) {
-            self.state.evidence.accepted("parameters.saved");
+            self.state.coverage.accepted("parameters.saved");
         }
         let others = (1..=30).chain(parameters::computed_numbers());
         let known = others.filter_map(|number| {
@@ -302,8 +302,8 @@ impl<'a> Run<'a> {
     fn before_block(&mut self) {
         let before = self.before_block.take().map_or_else(|| self.again(), |before| *before);
         let after = std::mem::replace(&mut self.state, before);
-        self.state.evidence = after.evidence;
-        self.state.outside = after.outside;
+        self.state.coverage = after.coverage;
+        self.state.environment = after.environment;
     }
 
     /// The state after as many blocks as have been executed, executed again.
@@ -311,7 +311,7 @@ impl<'a> Run<'a> {
         let mut scenario = self.scenario.clone();
         scenario.budget.steps = u32::try_from(self.record.steps()).unwrap_or(u32::MAX);
         let (choices, rounding) = (self.state.choices.clone(), self.state.modes.rounding);
-        let state = start(&scenario, choices, rounding, Witness::deaf());
+        let state = start(&scenario, choices, rounding, RuleCoverage::muted());
         let mut record = Record::new(&state);
         record.allow(&scenario.budget);
         let mut again = Run::new(&scenario, state, record);
@@ -345,9 +345,9 @@ impl<'a> Run<'a> {
         let block = self.control.files.block(self.control.place);
         match error {
             StepError::Refused(Refusal { rule, kind, message, span }) => {
-                self.state.evidence.refused(rule);
+                self.state.coverage.refused(rule);
                 if ![MAIN, self.entries.file].contains(&self.control.place.file) {
-                    self.state.evidence.refused("subroutines.file-fault");
+                    self.state.coverage.refused("subroutines.file-fault");
                 }
                 step::saved_state::broken_off(&mut self.state);
                 if step::probe::has_moved(rule) {

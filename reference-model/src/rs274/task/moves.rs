@@ -10,9 +10,9 @@ use gaugeblock_vocabulary::{Effect, End, Position};
 
 use super::Run;
 use super::request::{Activity, Answer, By};
+use crate::rs274::environment::EnvironmentState;
 use crate::rs274::machine::{Panel, State};
 use crate::rs274::order::{self, Phase, Rest};
-use crate::rs274::outside::Outside;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::StepError;
 use crate::rs274::step;
@@ -40,7 +40,7 @@ pub(super) struct Watch {
 /// What a wait has changed.
 #[derive(Clone, Debug)]
 struct Waited {
-    outside: Outside,
+    environment: EnvironmentState,
     panel: Panel,
     /// What the controller refused meanwhile.
     refused: Vec<Effect>,
@@ -89,7 +89,7 @@ impl Watch {
         let place = self.place;
         self.place += 1;
         if let Some(waited) = self.waited.get(&place) {
-            state.outside.clone_from(&waited.outside);
+            state.environment.clone_from(&waited.environment);
             state.panel.clone_from(&waited.panel);
             state.shown = None;
             return Begins::After(waited.refused.clone());
@@ -117,9 +117,9 @@ impl Watch {
 impl Run<'_> {
     /// Whether a move of the phase may be held, or somebody may act between its moves or its waits.
     pub(super) fn is_watched(&self, phase: Phase, words: &Words) -> bool {
-        let outside = &self.state.outside;
+        let environment = &self.state.environment;
         let may_be_held = self.pause_asked || step::feed::may_be_held(&self.state);
-        let acts_between = || self.operator.is_due() || outside.next_change_of_feed().is_some();
+        let acts_between = || self.operator.is_due() || environment.next_change_of_feed().is_some();
         let dwells = || phase == Phase::Motion && super::program::is_cycle(words, &self.state);
         let moves = matches!(phase, Phase::Motion | Phase::OffsetData | Phase::ChangeTool);
         let orients = phase == Phase::Spindle && words.m.contains(&19);
@@ -170,9 +170,9 @@ impl Run<'_> {
                 }
                 return Err(error);
             }
-            *began = self.state.outside.time();
+            *began = self.state.environment.time();
             let waited = Waited {
-                outside: self.state.outside.clone(),
+                environment: self.state.environment.clone(),
                 panel: self.state.panel.clone(),
                 refused: self.record.effects_since(&stop.record),
             };
@@ -185,8 +185,8 @@ impl Run<'_> {
                 position: before.position,
                 ..watch
             };
-            let evidence = std::mem::take(&mut self.state.evidence);
-            self.state = State { evidence, ..before.clone() };
+            let coverage = std::mem::take(&mut self.state.coverage);
+            self.state = State { coverage, ..before.clone() };
             self.record.back_to(mark.clone());
         }
     }
@@ -196,9 +196,9 @@ impl Run<'_> {
         match why {
             Why::Move(speed) => self.may_move(speed),
             Why::Dwell(seconds) | Why::Wait(seconds) => {
-                let end = self.state.outside.time() + seconds;
+                let end = self.state.environment.time() + seconds;
                 let longer = self.meanwhile(end, matches!(why, Why::Dwell(_)))?;
-                self.state.outside.within_wait(end + longer);
+                self.state.environment.within_wait(end + longer);
                 step::pass(0.0, &mut self.state);
                 Ok(())
             }
@@ -211,15 +211,15 @@ impl Run<'_> {
             self.stand_paused(Activity::Paused(By::Operator))?;
         }
         while step::feed::is_held(speed, &mut self.state) {
-            let change = self.state.outside.next_change_of_feed();
-            let now = self.state.outside.time();
+            let change = self.state.environment.next_change_of_feed();
+            let now = self.state.environment.time();
             if let Some(happening) = self.operator.next(change.unwrap_or(f64::INFINITY)) {
-                self.state.outside.within_wait(happening.time.max(now));
+                self.state.environment.within_wait(happening.time.max(now));
                 if self.request(happening, Activity::Running)? == Answer::Pauses {
                     self.stand_paused(Activity::Paused(By::Operator))?;
                 }
             } else if let Some(change) = change {
-                self.state.outside.within_wait(change);
+                self.state.environment.within_wait(change);
             } else {
                 return Err(StepError::Ended(End::Paused));
             }
@@ -232,8 +232,8 @@ impl Run<'_> {
         let after = std::mem::replace(&mut self.state, before);
         self.broken_off(phase, &after);
         self.state.position = after.position;
-        self.state.outside = after.outside;
+        self.state.environment = after.environment;
         self.state.panel = after.panel;
-        self.state.evidence = after.evidence;
+        self.state.coverage = after.coverage;
     }
 }

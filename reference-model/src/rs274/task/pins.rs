@@ -29,10 +29,10 @@ pub struct Shown {
 /// Whether the pins are up to date: since they were brought so nothing has changed that they depend on, nor they
 /// themselves.
 pub(crate) fn are_shown(state: &State) -> bool {
-    let (modes, outside) = (&state.modes, &state.outside);
-    !outside.is_orienting()
+    let (modes, environment) = (&state.modes, &state.environment);
+    !environment.is_orienting()
         && state.shown.as_ref().is_some_and(|shown| {
-            shown.changes == outside.changes().len()
+            shown.changes == environment.changes().len()
                 && (shown.mist, shown.flood) == (modes.mist, modes.flood)
                 && shown.spindles == modes.spindles
                 && shown.overrides == state.panel.spindle_overrides
@@ -50,7 +50,7 @@ pub(crate) fn show(state: &mut State, after: Option<Phase>) {
         .zip(&state.modes.spindles)
         .flat_map(|(number, spindle)| of_override(spindle, state.panel.spindle_override(number)))
     {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     step::pass(0.0, state);
     let coolants = [(Pin::CoolantMist, state.modes.mist), (Pin::CoolantFlood, state.modes.flood)];
@@ -66,19 +66,19 @@ pub(crate) fn show(state: &mut State, after: Option<Phase>) {
             show_pin(pin, value, after, state);
         }
     }
-    let (modes, outside) = (&state.modes, &state.outside);
-    state.shown = (!outside.is_orienting()).then(|| Shown {
+    let (modes, environment) = (&state.modes, &state.environment);
+    state.shown = (!environment.is_orienting()).then(|| Shown {
         spindles: modes.spindles.clone(),
         overrides: state.panel.spindle_overrides.clone(),
         mist: modes.mist,
         flood: modes.flood,
-        changes: outside.changes().len(),
+        changes: environment.changes().len(),
     });
 }
 
 fn show_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
-    if (state.outside.level(pin) - value).abs() > 0.0 {
-        state.outside.set(pin, value);
+    if (state.environment.level(pin) - value).abs() > 0.0 {
+        state.environment.set(pin, value);
         changed_pin(pin, value, after, state);
     }
 }
@@ -89,21 +89,21 @@ fn show_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
 /// Rule spindle.turns-later. A speed above zero lets a spindle turn that was started before.
 /// Rule spindle.override-turned-up. So does its override.
 fn changed_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
-    let evidence = &mut state.evidence;
+    let coverage = &mut state.coverage;
     if pin == Pin::CoolantMist {
-        evidence.accepted("coolant.mist-pin");
+        coverage.accepted("coolant.mist-pin");
     } else if pin == Pin::CoolantFlood {
-        evidence.accepted("coolant.flood-pin");
+        coverage.accepted("coolant.flood-pin");
     } else if let Pin::SpindleOn(number) = pin {
-        evidence.accepted("spindle.turns-at-speed");
+        coverage.accepted("spindle.turns-at-speed");
         if number > 0 {
-            evidence.accepted("spindle.each-turns");
+            coverage.accepted("spindle.each-turns");
         }
         let starts = value > 0.0;
         if starts && after == Some(Phase::SpindleSpeed) {
-            evidence.accepted("spindle.turns-later");
+            coverage.accepted("spindle.turns-later");
         } else if starts && after.is_none() {
-            evidence.accepted("spindle.override-turned-up");
+            coverage.accepted("spindle.override-turned-up");
         }
     }
 }

@@ -6,9 +6,9 @@ use gaugeblock_vocabulary::{End, FaultKind};
 
 use super::{Record, Run};
 use crate::rs274::control::{self, Control, MAIN, Next};
+use crate::rs274::environment::stub;
 use crate::rs274::machine::State;
 use crate::rs274::order::{Phase, Phases, Rest};
-use crate::rs274::outside::stub;
 use crate::rs274::read::{self, Words};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::Keyword;
@@ -39,7 +39,7 @@ impl Run<'_> {
             }
             Some(Line::End) => {
                 self.between()?;
-                self.state.evidence.accepted("program-end.percent");
+                self.state.coverage.accepted("program-end.percent");
                 self.over();
                 return Ok(Some(End::PercentEnd));
             }
@@ -170,7 +170,7 @@ impl Run<'_> {
             if self.waits_for_machine && self.ahead {
                 return Err(self.read_up_to(phase, words));
             }
-            let mut began = self.state.outside.time();
+            let mut began = self.state.environment.time();
             let may_break_off = may_take_time(phase) && self.operator.is_due();
             let before = may_break_off.then(|| self.without_evidence());
             let executed = if self.is_watched(phase, words) {
@@ -184,7 +184,7 @@ impl Run<'_> {
                     None
                 }
                 Err(StepError::WaitsForEver) => return Err(self.waits_before(phase, phases, words)),
-                Err(refused @ StepError::Refused(_)) if self.state.outside.time() > began => {
+                Err(refused @ StepError::Refused(_)) if self.state.environment.time() > began => {
                     Some(refused)
                 }
                 Err(error) => return Err(error),
@@ -204,17 +204,18 @@ impl Run<'_> {
                 }
                 break;
             }
-            let counted = self.state.outside.changes().len();
+            let counted = self.state.environment.changes().len();
             if let Err(error) = self.took_time_since(began, phase) {
-                let evidence = std::mem::take(&mut self.state.evidence);
+                let coverage = std::mem::take(&mut self.state.coverage);
                 if let Some(before) = before {
                     let after = std::mem::replace(&mut self.state, before);
                     self.broken_off(phase, &after);
-                    let outside = std::mem::replace(&mut self.state.outside, after.outside);
-                    self.state.outside.drop_what_was_to_come(&outside, counted);
+                    let environment =
+                        std::mem::replace(&mut self.state.environment, after.environment);
+                    self.state.environment.drop_what_was_to_come(&environment, counted);
                     self.state.panel = after.panel;
                 }
-                self.state.evidence = evidence;
+                self.state.coverage = coverage;
                 return Err(error);
             }
             if let Some(refused) = refused {
@@ -276,9 +277,9 @@ impl Run<'_> {
 
     /// The state as an abort brings it back: what was reached stays reached.
     pub(super) fn without_evidence(&mut self) -> State {
-        let evidence = std::mem::take(&mut self.state.evidence);
+        let coverage = std::mem::take(&mut self.state.coverage);
         let state = self.state.clone();
-        self.state.evidence = evidence;
+        self.state.coverage = coverage;
         state
     }
 
@@ -312,17 +313,17 @@ impl Run<'_> {
         self.control.files.source(MAIN).program_ends(&mut self.state)?;
         let inside_control = !self.state.frame().open.is_empty();
         let inside_sub = self.state.call_level() > 0;
-        let evidence = &mut self.state.evidence;
-        evidence.accepted("program-end.ends");
-        evidence.accepted("program-end.lines-after");
+        let coverage = &mut self.state.coverage;
+        coverage.accepted("program-end.ends");
+        coverage.accepted("program-end.lines-after");
         if deletable {
-            evidence.accepted("fanuc-subs.block-deleted-end");
+            coverage.accepted("fanuc-subs.block-deleted-end");
         }
         if inside_control {
-            evidence.accepted("program-end.inside-control");
+            coverage.accepted("program-end.inside-control");
         }
         if inside_sub {
-            evidence.accepted("subroutines.program-end-in-sub");
+            coverage.accepted("subroutines.program-end-in-sub");
             self.record.leads_elsewhere();
         }
         self.leave_calls();
@@ -336,7 +337,7 @@ impl Run<'_> {
         step::saved_state::run_is_over(&mut self.state);
         // What is only read ahead has not ended.
         if !self.ahead && self.state.choices.is("outputs.waiting-after-end", "forgotten") {
-            self.state.outside.forget_all_with_motion();
+            self.state.environment.forget_all_with_motion();
         }
     }
 }

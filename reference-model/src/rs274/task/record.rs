@@ -9,9 +9,9 @@ use gaugeblock_vocabulary::{
 };
 
 use super::moves::{Begins, Watch, Why};
+use crate::rs274::environment::stub::Told;
 use crate::rs274::machine::State;
 use crate::rs274::modes::Modes;
-use crate::rs274::outside::stub::Told;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::step::feed::Speed;

@@ -55,9 +55,9 @@ impl Run<'_> {
         happening: Happening<'_>,
         activity: Activity,
     ) -> Result<Answer, StepError> {
-        self.state.outside.is_asked(true);
+        self.state.environment.is_asked(true);
         let answer = self.answer(happening, activity);
-        self.state.outside.is_asked(false);
+        self.state.environment.is_asked(false);
         answer
     }
 
@@ -111,7 +111,7 @@ impl Run<'_> {
         if !matches!(activity, Activity::Paused(_)) {
             return Ok(Answer::Nothing);
         }
-        self.state.evidence.accepted("pause.resume");
+        self.state.coverage.accepted("pause.resume");
         Ok(Answer::GoesOn)
     }
 
@@ -128,17 +128,17 @@ impl Run<'_> {
             Activity::Idle => return Ok(Answer::Begins),
             Activity::Paused(By::Pallets) => {
                 if !self.state.choices.quirk("linuxcnc.cycle-start-while-paused") {
-                    self.state.evidence.accepted("pause.pallet-restart");
+                    self.state.coverage.accepted("pause.pallet-restart");
                     return Ok(Answer::GoesOn);
                 }
             }
             Activity::Paused(By::Stop) => {
                 let rule = "pause.cycle-start";
                 if self.state.choices.is(rule, "goes-on") {
-                    self.state.evidence.accepted(rule);
+                    self.state.coverage.accepted(rule);
                     return Ok(Answer::GoesOn);
                 }
-                self.state.evidence.refused(rule);
+                self.state.coverage.refused(rule);
             }
         }
         Ok(self.refuse(Request::CycleStart))
@@ -154,12 +154,12 @@ impl Run<'_> {
             return if drops { Err(StepError::Ended(End::Aborted)) } else { Ok(()) };
         }
         if activity == Activity::Idle {
-            self.state.evidence.accepted("task.mode-kept");
+            self.state.coverage.accepted("task.mode-kept");
             self.change_mode_to(mode);
             return Ok(());
         }
         let paused = matches!(activity, Activity::Paused(_));
-        self.state.evidence.refused(if paused { "pause.mode-kept" } else { "task.mode-kept" });
+        self.state.coverage.refused(if paused { "pause.mode-kept" } else { "task.mode-kept" });
         self.refuse(Request::Mode);
         Ok(())
     }
@@ -189,14 +189,14 @@ impl Run<'_> {
         let allowed = mode == ControllerMode::Mdi
             || mode == ControllerMode::Manual && self.state.choices.is(in_manual, "executed");
         if allowed {
-            self.state.evidence.accepted(rule);
-            self.state.evidence.accepted("program-end.mdi-follows");
+            self.state.coverage.accepted(rule);
+            self.state.coverage.accepted("program-end.mdi-follows");
             self.change_mode_to(ControllerMode::Mdi);
             return Ok(Answer::Executes(place));
         }
-        self.state.evidence.refused(rule);
+        self.state.coverage.refused(rule);
         if matches!(activity, Activity::Paused(_)) {
-            self.state.evidence.refused("pause.mdi-refused");
+            self.state.coverage.refused("pause.mdi-refused");
         }
         Ok(self.refuse(Request::Mdi))
     }

@@ -17,7 +17,7 @@ impl Run<'_> {
         self.is_within_block = false;
         self.before_block = None;
         if !self.operator.is_done() || self.pause_asked || self.ahead {
-            let now = self.state.outside.time();
+            let now = self.state.environment.time();
             let (events, pauses) = (self.operator.events_left(), self.pause_asked);
             self.operator.begins(block, now);
             self.between()?;
@@ -37,7 +37,7 @@ impl Run<'_> {
             self.at_block = Some(Box::new(self.without_evidence()));
         }
         loop {
-            self.meanwhile(self.state.outside.time(), false)?;
+            self.meanwhile(self.state.environment.time(), false)?;
             if !self.pause_asked {
                 return Ok(());
             }
@@ -50,13 +50,13 @@ impl Run<'_> {
     /// Choice pause.during-dwell. A dwell stands still with its program, or goes on. What something outside takes
     /// goes on.
     pub(super) fn took_time_since(&mut self, began: f64, phase: Phase) -> Result<(), StepError> {
-        let end = self.state.outside.time();
+        let end = self.state.environment.time();
         if end <= began || self.operator.is_done() {
             return Ok(());
         }
-        self.state.outside.within_wait(began);
+        self.state.environment.within_wait(began);
         let longer = self.meanwhile(end, phase == Phase::Dwell)?;
-        self.state.outside.within_wait(end + longer);
+        self.state.environment.within_wait(end + longer);
         Ok(())
     }
 
@@ -65,8 +65,8 @@ impl Run<'_> {
     pub(super) fn meanwhile(&mut self, until: f64, dwells: bool) -> Result<f64, StepError> {
         let mut longer = 0.0;
         while let Some(happening) = self.operator.next(until + longer) {
-            let now = self.state.outside.time();
-            self.state.outside.within_wait(happening.time.max(now));
+            let now = self.state.environment.time();
+            self.state.environment.within_wait(happening.time.max(now));
             if self.request(happening, Activity::Running)? == Answer::Pauses {
                 self.pause_asked = true;
                 if dwells {
@@ -84,7 +84,7 @@ impl Run<'_> {
         if !self.pause_asked {
             return Ok(0.0);
         }
-        self.state.evidence.accepted(rule);
+        self.state.coverage.accepted(rule);
         if self.state.choices.is(rule, "goes-on") {
             return Ok(0.0);
         }
@@ -100,7 +100,7 @@ impl Run<'_> {
             return Ok(());
         }
         if self.by_hand && self.state.call_level() == 0 {
-            self.state.evidence.accepted("pause.by-hand");
+            self.state.coverage.accepted("pause.by-hand");
             return Ok(());
         }
         if self.by_hand {
@@ -117,12 +117,12 @@ impl Run<'_> {
     /// Where the operator does nothing more the run ends here.
     pub(super) fn stand_paused(&mut self, activity: Activity) -> Result<f64, StepError> {
         self.pause_asked = false;
-        let began = self.state.outside.time();
+        let began = self.state.environment.time();
         while let Some(happening) = self.operator.next(f64::INFINITY) {
-            let now = self.state.outside.time();
-            self.state.outside.within_wait(happening.time.max(now));
+            let now = self.state.environment.time();
+            self.state.environment.within_wait(happening.time.max(now));
             if self.request(happening, activity)? == Answer::GoesOn {
-                return Ok(self.state.outside.time() - began);
+                return Ok(self.state.environment.time() - began);
             }
         }
         Err(StepError::Ended(End::Paused))
@@ -131,8 +131,8 @@ impl Run<'_> {
     /// A block waits for something that never comes: the operator alone can end that.
     pub(super) fn waits_for_ever(&mut self) -> StepError {
         while let Some(happening) = self.operator.next(f64::INFINITY) {
-            let now = self.state.outside.time();
-            self.state.outside.within_wait(happening.time.max(now));
+            let now = self.state.environment.time();
+            self.state.environment.within_wait(happening.time.max(now));
             match self.request(happening, Activity::Running) {
                 Ok(answer) => self.pause_asked |= answer == Answer::Pauses,
                 Err(error) => return error,

@@ -73,14 +73,14 @@ pub fn condense(
         at += 1;
     }
     if blanks {
-        state.evidence.accepted("text.blanks");
+        state.coverage.accepted("text.blanks");
     }
     if upper_case {
-        state.evidence.accepted("text.case");
+        state.coverage.accepted("text.case");
     }
-    state.evidence.accepted("text.line-length");
+    state.coverage.accepted("text.line-length");
     if comments.len() > 1 {
-        state.evidence.accepted("text.comment-format-checked");
+        state.coverage.accepted("text.comment-format-checked");
     }
     Ok(comments)
 }
@@ -95,15 +95,15 @@ fn checked_comment(
 ) -> Result<Comment, StepError> {
     let comment = comment_at(line, at, &state.choices).inspect_err(|_| {
         if another {
-            state.evidence.refused("text.comment-format-checked");
+            state.coverage.refused("text.comment-format-checked");
         }
     })?;
-    state.evidence.accepted(if comment.semicolon {
+    state.coverage.accepted(if comment.semicolon {
         "text.comment-semicolon"
     } else {
         "text.comment-parentheses"
     });
-    state.evidence.accepted("text.comment-verbatim");
+    state.coverage.accepted("text.comment-verbatim");
     Ok(comment)
 }
 

@@ -73,20 +73,20 @@ impl Source {
     /// Rule text.percent-file. In a file that begins with a percent line, the second one ends the program.
     pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line<'_>> {
         let line = &self.text[self.lines.get(index)?.clone()];
-        state.evidence.accepted("text.line-end");
+        state.coverage.accepted("text.line-end");
         let Some(begins) = first(line) else {
-            state.evidence.accepted("text.blank-lines");
+            state.coverage.accepted("text.blank-lines");
             return Some(Line::Nothing);
         };
         if block_delete && begins == b'/' {
-            state.evidence.accepted("text.block-delete-on");
-            state.evidence.accepted("text.block-delete-place");
+            state.coverage.accepted("text.block-delete-on");
+            state.coverage.accepted("text.block-delete-place");
             return Some(Line::Nothing);
         }
         if begins == b'%' && is_percent(line) && !self.plain {
             if self.percent {
-                state.evidence.accepted("text.percent-file");
-                state.evidence.accepted("text.percent-line");
+                state.coverage.accepted("text.percent-file");
+                state.coverage.accepted("text.percent-line");
                 return Some(Line::End);
             }
             match state.choices.choice("text.percent-alone") {
@@ -120,7 +120,7 @@ impl Source {
         if self.percent && state.choices.is("text.percent-unclosed-ended", "refused") && !second() {
             return Err(self.unclosed());
         }
-        state.evidence.accepted("text.percent-optional");
+        state.coverage.accepted("text.percent-optional");
         Ok(())
     }
 }

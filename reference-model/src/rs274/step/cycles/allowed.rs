@@ -44,8 +44,8 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
         if fault {
             return Err(refuse(rule, kind, message));
         }
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
-    state.evidence.accepted("cycles.axis-words-missing");
+    state.coverage.accepted("cycles.axis-words-missing");
     Ok(())
 }

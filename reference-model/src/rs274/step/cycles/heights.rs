@@ -87,7 +87,7 @@ pub(super) fn find(
         let message = "R below the bottom of the hole";
         return Err(refuse("cycles.retract-below-bottom", FaultKind::WordOutOfRange, message));
     }
-    state.evidence.accepted("cycles.retract-below-bottom");
+    state.coverage.accepted("cycles.retract-below-bottom");
     let dwell = super::strokes::dwell(kind, words, same.and_then(|same| same.dwell), state)?;
     let peck = super::strokes::peck(kind, words, same.and_then(|same| same.peck), state)?;
     let last = Frame::of(state);
@@ -128,7 +128,7 @@ fn sticky(
         refuse(rule, FaultKind::MissingWord, message)
     })?;
     if number.is_none() {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
     Ok(found)
 }
@@ -161,6 +161,6 @@ fn spindle_of(words: &Words, state: &mut State) -> Result<usize, StepError> {
     let dollar = word(words, '$').filter(|_| !state.choices.quirk("rs274.cycle-dollar"));
     let Some(number) = dollar else { return Ok(state.chosen_spindle) };
     let place = spindle::number(number, state, rule)?;
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     Ok(place)
 }

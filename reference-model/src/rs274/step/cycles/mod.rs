@@ -160,7 +160,7 @@ pub(super) fn perform(
 fn repeats(words: &Words, state: &mut State) -> Result<u64, StepError> {
     let rule = "cycles.repeat-count";
     let Some(value) = word(words, 'l') else {
-        state.evidence.accepted("cycles.repeat-not-sticky");
+        state.coverage.accepted("cycles.repeat-not-sticky");
         return Ok(1);
     };
     let number = near_integer(value).ok_or_else(|| {
@@ -169,9 +169,9 @@ fn repeats(words: &Words, state: &mut State) -> Result<u64, StepError> {
     let count = u64::try_from(number).ok().filter(|count| *count > 0).ok_or_else(|| {
         refuse(rule, FaultKind::WordOutOfRange, format!("{number} repeats of a cycle"))
     })?;
-    state.evidence.accepted(rule);
+    state.coverage.accepted(rule);
     if count > 1 {
-        state.evidence.accepted("cycles.repeat");
+        state.coverage.accepted("cycles.repeat");
     }
     Ok(count)
 }
@@ -200,7 +200,7 @@ fn places(
         |axis: Axis| values.iter().find(|(named, _)| *named == axis).map(|(_, value)| *value);
     let start = [from.get(first), from.get(second)];
     let words = [value(first), value(second)];
-    state.evidence.accepted(if incremental { "cycles.incremental" } else { "cycles.absolute" });
+    state.coverage.accepted(if incremental { "cycles.incremental" } else { "cycles.absolute" });
     let mut place = start;
     Ok((0..repeats).map(move |_| {
         for (place, word) in place.iter_mut().zip(words) {
@@ -218,7 +218,7 @@ fn places(
 fn rise(cycle: &Cycle, state: &mut State, record: &mut Record) {
     let [_, _, normal] = cycle.axes;
     let below = state.position.get(normal) < cycle.retract;
-    state.evidence.accepted("cycles.preliminary-motion");
+    state.coverage.accepted("cycles.preliminary-motion");
     if quirks::rises(below, cycle.initial < cycle.retract, state) {
         traverse_along(normal, cycle.retract, state, record);
     } else {
@@ -237,7 +237,7 @@ fn in_between(cycle: &Cycle, place: [f64; 2], state: &mut State, record: &mut Re
     if (end.get(normal) - cycle.retract).abs() > 0.0 {
         traverse_along(normal, cycle.retract, state, record);
     }
-    state.evidence.accepted("cycles.in-between-motion");
+    state.coverage.accepted("cycles.in-between-motion");
 }
 
 fn traverse(end: Position, state: &mut State, record: &mut Record) {
@@ -258,9 +258,9 @@ fn feed_along(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
 /// The rules that an accepted cycle follows.
 fn accepted(words: &Words, rule: &'static str, state: &mut State) {
     if words.g.iter().all(|code| motion_mode(*code).is_none()) {
-        state.evidence.accepted("cycles.repeats-itself");
+        state.coverage.accepted("cycles.repeats-itself");
     }
     for rule in [rule, "cycles.plane", "cycles.return-level", "cycles.initial-level"] {
-        state.evidence.accepted(rule);
+        state.coverage.accepted(rule);
     }
 }

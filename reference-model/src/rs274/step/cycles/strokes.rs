@@ -41,12 +41,12 @@ pub(super) fn dwell(
             "this cycle needs P, the seconds of its dwell",
         ));
     };
-    state.evidence.accepted("cycles.dwell-needed");
+    state.coverage.accepted("cycles.dwell-needed");
     if seconds < 0.0 && !quirks::negative_dwell(seconds, state) {
         let message = format!("a dwell of {seconds} seconds");
         return Err(refuse("cycles.negative-dwell", FaultKind::WordOutOfRange, message));
     }
-    state.evidence.accepted("cycles.negative-dwell");
+    state.coverage.accepted("cycles.negative-dwell");
     state.cycle_dwell = seconds;
     Ok(Some(seconds))
 }
@@ -67,12 +67,12 @@ pub(super) fn peck(
         let message = "this cycle needs Q, the increment of its pecks";
         return Err(refuse("cycles.peck-needed", FaultKind::MissingWord, message));
     };
-    state.evidence.accepted("cycles.peck-needed");
+    state.coverage.accepted("cycles.peck-needed");
     if peck <= 0.0 {
         let message = format!("pecks of {peck}");
         return Err(refuse("cycles.peck-increment", FaultKind::WordOutOfRange, message));
     }
-    state.evidence.accepted("cycles.peck-increment");
+    state.coverage.accepted("cycles.peck-increment");
     Ok(Some(peck))
 }
 
@@ -90,7 +90,7 @@ pub(super) fn possible(cycle: &Cycle, state: &mut State) -> Result<(), StepError
                 let message = "G86 while the spindle does not turn";
                 return Err(refuse(rule, FaultKind::ZeroSpeed, message));
             }
-            state.evidence.accepted(rule);
+            state.coverage.accepted(rule);
             Ok(())
         }
         Kind::Drill

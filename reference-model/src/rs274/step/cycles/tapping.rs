@@ -56,7 +56,7 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     }
     state.modes.feed_override = feed_override;
     state.modes.spindles[place].speed_override = before.speed_override;
-    state.evidence.accepted("cycles.tap-overrides");
+    state.coverage.accepted("cycles.tap-overrides");
 }
 
 /// A feed move along the axis of the thread.

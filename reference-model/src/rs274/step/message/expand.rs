@@ -29,7 +29,7 @@ pub(super) fn expand(text: &str, state: &mut State) -> Result<String, StepError>
         } else {
             let loses_sign = next == '%' && wrong_format(rest, &state.choices);
             if next == '%' {
-                state.evidence.accepted("active-comments.wrong-format");
+                state.coverage.accepted("active-comments.wrong-format");
             }
             if !loses_sign {
                 expanded.push(next);
@@ -51,10 +51,10 @@ fn format_at<'a>(text: &'a str, state: &mut State) -> Option<(usize, &'a str)> {
     let format = text.strip_prefix('%')?;
     let long = format.strip_prefix("lf").filter(|_| !state.choices.quirk("rs274.long-format"));
     let (decimals, behind) = if let Some(behind) = long {
-        state.evidence.accepted("active-comments.long-format");
+        state.coverage.accepted("active-comments.long-format");
         (default_decimals(&state.choices), behind)
     } else if let Some(behind) = format.strip_prefix('d') {
-        state.evidence.accepted("active-comments.integer-format");
+        state.coverage.accepted("active-comments.integer-format");
         (0, behind)
     } else if let Some(behind) = format.strip_prefix('f') {
         let four = state.choices.is("active-comments.plain-f-format", "four-decimals");
@@ -64,9 +64,9 @@ fn format_at<'a>(text: &'a str, state: &mut State) -> Option<(usize, &'a str)> {
         let digit = format.chars().next()?.to_digit(10)?;
         (digit as usize, format[1..].strip_prefix('f')?)
     };
-    state.evidence.accepted("active-comments.decimals-format");
-    state.evidence.accepted("active-comments.format-lasts");
-    state.evidence.accepted("active-comments.format-per-line");
+    state.coverage.accepted("active-comments.decimals-format");
+    state.coverage.accepted("active-comments.format-lasts");
+    state.coverage.accepted("active-comments.format-per-line");
     Some((decimals, behind))
 }
 
@@ -92,7 +92,7 @@ fn parameter_at<'a>(text: &'a str, state: &mut State) -> Option<(Option<Name>, &
         let (name, behind) = named.split_once('>')?;
         let name: String =
             name.chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
-        state.evidence.accepted("active-comments.named");
+        state.coverage.accepted("active-comments.named");
         return Some((Some(Name::Named(name.to_ascii_lowercase())), behind));
     }
     let digits =
@@ -101,7 +101,7 @@ fn parameter_at<'a>(text: &'a str, state: &mut State) -> Option<(Option<Name>, &
     if number.is_empty() {
         return None;
     }
-    state.evidence.accepted("active-comments.numbered");
+    state.coverage.accepted("active-comments.numbered");
     let last = parameters::last(&state.choices);
     let number = number.parse().ok().filter(|number| (1..=last).contains(number));
     Some((number.map(Name::Numbered), behind))
@@ -118,7 +118,7 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
             if let Some(name) = name {
                 parameters::rules_of(name, state)
                     .into_iter()
-                    .for_each(|rule| state.evidence.accepted(rule));
+                    .for_each(|rule| state.coverage.accepted(rule));
             }
             let value = quirks::told(value, &state.choices);
             let signed = value != 0.0 || state.choices.is("expressions.negative-zero", "kept");
@@ -128,7 +128,7 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
             Ok(if text == "-0" { "0".to_owned() } else { text })
         }
         None | Some(Err(StepError::Refused(_))) => {
-            state.evidence.accepted("active-comments.absent-named");
+            state.coverage.accepted("active-comments.absent-named");
             let one = state.choices.is("active-comments.absent-name", "number-sign");
             Ok(if one { "#" } else { "######" }.to_owned())
         }

@@ -24,7 +24,7 @@ use keyword::{Active, active};
 /// Rule active-comments.abort. ABORT ends the program with its text as an error, with the values of parameters in it.
 pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let Some((active, text)) = active(&comment.text, &state.choices) else {
-        state.evidence.accepted(if keyword::has_msg_inside(&comment.text) {
+        state.coverage.accepted(if keyword::has_msg_inside(&comment.text) {
             "active-comments.msg-first"
         } else {
             "active-comments.plain"
@@ -32,8 +32,8 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
         return Ok(());
     };
     if active != Active::Abort {
-        state.evidence.accepted(active.rule());
-        state.evidence.accepted("active-comments.message-first");
+        state.coverage.accepted(active.rule());
+        state.coverage.accepted("active-comments.message-first");
     }
     match active {
         Active::Message => msg(text, state, record),
@@ -77,15 +77,15 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
 /// Rule active-comments.msg. MSG and a comma at the beginning of a comment display the rest of it.
 /// Rule active-comments.msg-verbatim. The text is displayed as it stands; parameters are not replaced.
 fn msg(text: &str, state: &mut State, record: &mut Record) {
-    state.evidence.accepted("active-comments.msg-verbatim");
-    state.evidence.accepted("active-comments.msg-spelling");
+    state.coverage.accepted("active-comments.msg-verbatim");
+    state.coverage.accepted("active-comments.msg-spelling");
     record.effect(state, Effect::Message { channel: Channel::Display, text: text.to_owned() });
 }
 
 /// Rule active-comments.debug. DEBUG displays a message with the values of parameters in it.
 /// Rule parameters.debug-switch. While 5599 is 0 the DEBUG comments say nothing.
 fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepError> {
-    state.evidence.accepted("parameters.debug-switch");
+    state.coverage.accepted("parameters.debug-switch");
     let switch = shown_value(&Name::Numbered(parameters::DEBUG_SWITCH), state)?;
     if switch.abs() > 0.0 { say(Channel::Display, text, state, record) } else { Ok(()) }
 }
@@ -94,7 +94,7 @@ fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepE
 /// Rule active-comments.log-closed. LOG writes nothing while no log file is open.
 /// Quirk rs274.log-closed: it speaks all the same.
 fn log(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepError> {
-    state.evidence.accepted("active-comments.log-closed");
+    state.coverage.accepted("active-comments.log-closed");
     if state.log_open || state.choices.quirk("rs274.log-closed") {
         return say(Channel::Log, text, state, record);
     }

@@ -77,13 +77,13 @@ pub(in crate::rs274::step) fn perform(
         pass(&thread, depth, state, record);
     }
     if thread.springs > 0 {
-        state.evidence.accepted("threading.spring-passes");
+        state.coverage.accepted("threading.spring-passes");
     }
     if let Some(end) = quirks::after_thread(words, thread.start, thread.end, state)? {
         traverse(end, state, record);
     }
-    state.evidence.accepted("threading.thread");
-    state.evidence.accepted("threading.degression");
+    state.coverage.accepted("threading.thread");
+    state.coverage.accepted("threading.degression");
     Ok(())
 }
 
@@ -192,7 +192,7 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
         return Err(refuse("threading.thread-taper", FaultKind::WordOutOfRange, message));
     }
     if diameter {
-        state.evidence.accepted("threading.thread-diameter");
+        state.coverage.accepted("threading.thread-diameter");
     }
     let degression = word(words, 'r').unwrap_or_else(|| {
         let areas = state.choices.is("threading.without-degression", "constant-area");
@@ -276,11 +276,11 @@ fn open(thread: &Thread, state: &mut State) -> Result<(), StepError> {
         return Err(StepError::Unsupported("a thread under cutter compensation".to_owned()));
     }
     if thread.slide.abs() > 0.0 {
-        state.evidence.accepted("threading.thread-slide");
+        state.coverage.accepted("threading.thread-slide");
     }
     if tapers {
-        state.evidence.accepted("threading.thread-tapers");
-        state.evidence.accepted("threading.thread-taper");
+        state.coverage.accepted("threading.thread-tapers");
+        state.coverage.accepted("threading.thread-taper");
     }
     Ok(())
 }

@@ -59,13 +59,13 @@ pub(super) fn perform(
     if motion == Motion::SpindleSynchronised {
         state.position = end;
         record.effect(state, Effect::StraightFeed { end });
-        state.evidence.accepted("threading.synchronised");
+        state.coverage.accepted("threading.synchronised");
     } else {
         record.effect(state, Effect::RigidTap { end });
-        state.evidence.accepted("threading.rigid-tap");
+        state.coverage.accepted("threading.rigid-tap");
     }
     record.effect(state, Effect::StopSpindleSynchronisation {});
-    state.evidence.accepted("threading.axis-words-missing");
+    state.coverage.accepted("threading.axis-words-missing");
     Ok(())
 }
 
@@ -76,7 +76,7 @@ fn selected_spindle(words: &Words, state: &mut State) -> Result<usize, StepError
     let Some(number) = word(words, '$') else { return Ok(state.chosen_spindle) };
     let place = spindle::number(number, state, "threading.spindle")?;
     settings::choose(place, state);
-    state.evidence.accepted("threading.spindle");
+    state.coverage.accepted("threading.spindle");
     Ok(place)
 }
 
@@ -90,7 +90,7 @@ fn turning_spindle(words: &Words, state: &mut State) -> Result<usize, StepError>
         let message = "a synchronised move while the spindle does not turn";
         return Err(refuse("threading.needs-spindle", FaultKind::ZeroSpeed, message));
     }
-    state.evidence.accepted("threading.needs-spindle");
+    state.coverage.accepted("threading.needs-spindle");
     Ok(place)
 }
 
@@ -128,7 +128,7 @@ fn within_velocities(
         let message = "a move in step with the spindle that is too fast for an axis";
         return Err(refuse("threading.velocity", FaultKind::BeyondLimit, message));
     }
-    state.evidence.accepted("threading.velocity");
+    state.coverage.accepted("threading.velocity");
     Ok(())
 }
 

@@ -6,7 +6,7 @@
 
 use gaugeblock_vocabulary::{LengthUnit, Position};
 
-use super::{Input, Outside};
+use super::{EnvironmentState, Input};
 use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, each};
 use crate::rs274::refusal::StepError;
@@ -43,7 +43,7 @@ impl Default for Stub {
     }
 }
 
-impl Outside {
+impl EnvironmentState {
     /// The block that is executed asks the machine where it stands once it is through.
     pub(crate) fn machine_is_asked(&mut self) {
         self.stub.asked = true;
@@ -76,8 +76,8 @@ pub(crate) enum Told {
 /// # Errors
 /// The stub is asked for a point that has no numbers.
 pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), StepError> {
-    let asked = std::mem::take(&mut state.outside.stub.asked);
-    if !state.outside.is_stand_alone() {
+    let asked = std::mem::take(&mut state.environment.stub.asked);
+    if !state.environment.is_stand_alone() {
         return Ok(());
     }
     let here = coordinates(state);
@@ -89,7 +89,7 @@ pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), StepError
         }
         Told::Nowhere => (here, true),
         Told::Nothing => {
-            if asked && state.outside.stub.lost {
+            if asked && state.environment.stub.lost {
                 let why = "where the stub of a machine stands behind a spline of three points";
                 return Err(StepError::Unspecified(why.to_owned()));
             }
@@ -99,9 +99,9 @@ pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), StepError
             return Ok(());
         }
     };
-    state.outside.stub.stands = stands_at(point, state);
-    state.outside.stub.lost = lost;
-    state.outside.stub.led = told == Told::Spline;
+    state.environment.stub.stands = stands_at(point, state);
+    state.environment.stub.lost = lost;
+    state.environment.stub.led = told == Told::Spline;
     Ok(())
 }
 
@@ -111,17 +111,17 @@ fn stands_at(point: Position, state: &State) -> Stands {
 
 /// Where the stub stands, active length unit, unless that has no numbers.
 pub(crate) fn position(state: &State) -> Option<Position> {
-    (!state.outside.stub.lost).then(|| coordinates(state))
+    (!state.environment.stub.lost).then(|| coordinates(state))
 }
 
 /// Whether that is X0 Y0 but for numbers that nobody knows.
 pub(crate) fn is_led_by_spline(state: &State) -> bool {
-    state.outside.stub.led
+    state.environment.stub.led
 }
 
 /// The same; X and Y are as they were before they were lost.
 fn coordinates(state: &State) -> Position {
-    let Stands { point, offset: told, units } = state.outside.stub.stands;
+    let Stands { point, offset: told, units } = state.environment.stub.stands;
     let offset = offset(state);
     if units == state.modes.units && told == offset {
         return point;

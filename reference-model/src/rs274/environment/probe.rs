@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::scenario::ProbeContact;
 use gaugeblock_vocabulary::{Axis, Position};
 
-use super::Outside;
+use super::EnvironmentState;
 
 /// How far apart two points may be that are the same one, machine unit.
 const SAME: f64 = 1e-6;
@@ -24,7 +24,7 @@ pub(super) struct Probed {
     touching: bool,
 }
 
-impl Outside {
+impl EnvironmentState {
     /// Whether the probe is as a probing move wants it, the controlled point being at this machine position.
     pub(crate) fn probe_is(&self, wanted: Wanted, at: Position) -> bool {
         if self.is_stand_alone() {
@@ -34,7 +34,7 @@ impl Outside {
         let touching = match self.probed.filter(here) {
             Some(probed) => probed.touching,
             None => {
-                matches!(self.environment.probe, Some(ProbeContact::At(point)) if apart(point, at) < SAME)
+                matches!(self.scenario.probe, Some(ProbeContact::At(point)) if apart(point, at) < SAME)
             }
         };
         touching == (wanted == Wanted::Touching)
@@ -45,7 +45,7 @@ impl Outside {
         if self.is_stand_alone() {
             return Some(to);
         }
-        match self.environment.probe {
+        match self.scenario.probe {
             Some(ProbeContact::AtTarget) => Some(to),
             Some(ProbeContact::At(point)) => on_the_way(point, from, to),
             Some(ProbeContact::Never) | None => None,

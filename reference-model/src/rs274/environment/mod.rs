@@ -1,4 +1,4 @@
-//! The outside of the controller: its clock, its pins, and how an environment answers.
+//! The environment of the controller: its clock, its pins, and how what is connected to it answers.
 //!
 //! Time is virtual, in seconds since the start. Only dwells and waits move it, so that a run is the same on every day.
 
@@ -27,11 +27,11 @@ pub(crate) use programs::Missing;
 /// The named environment that answers as the stand-alone interpreter's stubs do.
 const STAND_ALONE: &str = "stand-alone rs274";
 
-/// What is outside of the controller, and what it shows there.
+/// The state of everything outside of the controller, and what the controller has put out there.
 #[derive(Clone, Debug)]
-pub struct Outside {
+pub struct EnvironmentState {
     /// How inputs, encoders, the tool changer and user-defined programs answer.
-    environment: Shared<Environment>,
+    scenario: Shared<Environment>,
     /// Seconds since the start.
     time: f64,
     /// The value of each pin that is not zero, or was not.
@@ -54,16 +54,16 @@ pub struct Outside {
     stub: stub::Stub,
 }
 
-impl Outside {
-    /// The outside before the first block: all outputs are off.
+impl EnvironmentState {
+    /// The environment before the first block: all outputs are off.
     ///
     /// Choice orient.brake-otherwise: whether the brake of a spindle that stands is applied.
     pub fn new(environment: &Environment, spindles: usize, choices: &Choices) -> Self {
         let braked = choices.is("orient.brake-otherwise", "while-standing");
         let brakes = (0..if braked { spindles } else { 0 })
             .filter_map(|spindle| Some((Pin::SpindleBrake(u16::try_from(spindle).ok()?), 1.0)));
-        let mut outside = Self {
-            environment: environment.clone().into(),
+        let mut state = Self {
+            scenario: environment.clone().into(),
             time: 0.0,
             levels: brakes.collect(),
             changes: Shared::default(),
@@ -75,13 +75,13 @@ impl Outside {
             synchronised: Synchronised::default(),
             stub: stub::Stub::default(),
         };
-        outside.synchronise();
-        outside
+        state.synchronise();
+        state
     }
 
     /// Whether everything outside answers as the stand-alone interpreter's stubs do.
     pub fn is_stand_alone(&self) -> bool {
-        self.environment.name.as_deref() == Some(STAND_ALONE)
+        self.scenario.name.as_deref() == Some(STAND_ALONE)
     }
 
     /// Seconds since the start.
@@ -91,12 +91,12 @@ impl Outside {
 
     /// Seconds that the tool changer takes.
     pub fn tool_change_time(&self) -> f64 {
-        self.environment.tool_change_time.max(0.0)
+        self.scenario.tool_change_time.max(0.0)
     }
 
     /// Whether a person changes the tools, asked by a prompt.
     pub fn tools_are_changed_by_hand(&self) -> bool {
-        self.environment.manual_tool_change
+        self.scenario.manual_tool_change
     }
 
     /// Lets time go by.

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Pin, WaitMode};
 
-use super::Outside;
+use super::EnvironmentState;
 
 /// An input of the machine, by number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ pub(crate) enum Awaited {
     Never,
 }
 
-impl Outside {
+impl EnvironmentState {
     /// The value of an input now. One to which nothing is connected is zero.
     pub(crate) fn input(&self, input: Input) -> f64 {
         if self.is_stand_alone() {
@@ -83,7 +83,7 @@ impl Outside {
         }
         let to_high = matches!(mode, WaitMode::High | WaitMode::Rise);
         let name = input.name();
-        let changes = self.environment.inputs.iter().filter(|change| change.input == name);
+        let changes = self.scenario.inputs.iter().filter(|change| change.input == name);
         let mut changes = changes.filter(|change| change.time > self.time).peekable();
         while let Some(change) = changes.next() {
             // What lasts for no time is not seen.
@@ -102,21 +102,20 @@ impl Outside {
     /// Whether anything is connected to an input.
     pub(crate) fn is_connected(&self, input: Input) -> bool {
         let name = input.name();
-        self.wire(input).is_some()
-            || self.environment.inputs.iter().any(|change| change.input == name)
+        self.wire(input).is_some() || self.scenario.inputs.iter().any(|change| change.input == name)
     }
 
     /// The output that is wired to a digital input.
     pub(super) fn wire(&self, input: Input) -> Option<Pin> {
         let Input::Digital(number) = input else { return None };
         let (output, _) =
-            self.environment.wires.iter().find(|(_, wired)| u32::from(**wired) == number)?;
+            self.scenario.wires.iter().find(|(_, wired)| u32::from(**wired) == number)?;
         output.parse().ok().map(Pin::DigitalOut)
     }
 
     pub(super) fn input_at(&self, input: Input, time: f64) -> f64 {
         let name = input.name();
-        let changes = self.environment.inputs.iter();
+        let changes = self.scenario.inputs.iter();
         let past = changes.filter(|change| change.input == name && change.time <= time);
         past.map(|change| change.value).next_back().unwrap_or(0.0)
     }
@@ -129,7 +128,7 @@ mod tests {
     use super::*;
     use crate::rs274::choices::Choices;
 
-    fn outside(changes: &[(f64, f64)]) -> Outside {
+    fn with_input(changes: &[(f64, f64)]) -> EnvironmentState {
         let input = || "digital_in[0]".to_owned();
         let inputs = changes.iter().map(|(time, value)| InputChange {
             time: *time,
@@ -137,13 +136,13 @@ mod tests {
             value: *value,
         });
         let environment = Environment { inputs: inputs.collect(), ..Environment::default() };
-        Outside::new(&environment, 1, &Choices::default())
+        EnvironmentState::new(&environment, 1, &Choices::default())
     }
 
     #[test]
     fn an_edge_is_a_change_and_a_level_is_none() {
-        let outside = outside(&[(0.0, 1.0), (1.0, 0.0), (2.0, 1.0)]);
-        let wait = |mode, timeout| outside.awaited(Input::Digital(0), mode, Some(timeout));
+        let environment = with_input(&[(0.0, 1.0), (1.0, 0.0), (2.0, 1.0)]);
+        let wait = |mode, timeout| environment.awaited(Input::Digital(0), mode, Some(timeout));
         assert_eq!(wait(WaitMode::High, 5.0), Awaited::Comes { after: 0.0, value: 1.0 });
         assert_eq!(wait(WaitMode::Low, 5.0), Awaited::Comes { after: 1.0, value: 0.0 });
         assert_eq!(wait(WaitMode::Fall, 5.0), Awaited::Comes { after: 1.0, value: 0.0 });
@@ -153,7 +152,7 @@ mod tests {
 
     #[test]
     fn a_wait_without_end_never_ends() {
-        let awaited = outside(&[]).awaited(Input::Digital(0), WaitMode::High, None);
+        let awaited = with_input(&[]).awaited(Input::Digital(0), WaitMode::High, None);
         assert_eq!(awaited, Awaited::Never);
     }
 }

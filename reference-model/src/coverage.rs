@@ -1,4 +1,4 @@
-//! Who looks on while a run goes, and puts down which rules it reaches.
+//! Records which rules a run reaches.
 //!
 //! Rules are reached some fifty times in a block, and nearly always they have been reached before. So each has a
 //! slot, and whether it was put down there already is seen by the number that the compiler makes of its id.
@@ -25,24 +25,24 @@ const SHARED: u32 = 2;
 
 /// The rules that a run has reached so far.
 #[derive(Clone, Debug, Default)]
-pub struct Witness {
+pub struct RuleCoverage {
     /// What has been put down, by slot; empty before anything is.
     slots: Vec<u8>,
     /// The slots where something stands.
     filled: Vec<u16>,
     /// Whether nothing is put down: what is only looked at reaches no rule.
-    deaf: bool,
+    muted: bool,
 }
 
-impl Witness {
+impl RuleCoverage {
     /// One of what is only looked at: nothing that is reached counts.
-    pub(crate) fn deaf() -> Self {
-        Self { deaf: true, ..Self::default() }
+    pub(crate) fn muted() -> Self {
+        Self { muted: true, ..Self::default() }
     }
 
     /// Puts nothing down from now on, or puts down again; what it did before.
-    pub(crate) fn set_deaf(&mut self, deaf: bool) -> bool {
-        std::mem::replace(&mut self.deaf, deaf)
+    pub(crate) fn set_muted(&mut self, muted: bool) -> bool {
+        std::mem::replace(&mut self.muted, muted)
     }
 
     /// The rule decided what an accepted block does.
@@ -68,7 +68,7 @@ impl Witness {
 
     #[inline(never)]
     fn put_down(&mut self, rule: &str, hash: usize, outcome: u8) {
-        if self.deaf {
+        if self.muted {
             return;
         }
         let Some(slot) = REGISTER.rules.slot(rule, hash) else {
@@ -146,22 +146,22 @@ mod tests {
     #[test]
     fn each_rule_is_put_down_as_itself() {
         for (place, rule) in (0..).zip(REGISTER.rules.names()) {
-            let mut witness = Witness::default();
-            witness.refused(rule);
-            witness.refused(rule);
+            let mut coverage = RuleCoverage::default();
+            coverage.refused(rule);
+            coverage.refused(rule);
             let refused = [Reached { rule: place, accepted: false, refused: true }];
-            assert_eq!(witness.take(), Evidence::new(refused.to_vec()), "{rule}");
-            assert_eq!(witness.take(), Evidence::default());
+            assert_eq!(coverage.take(), Evidence::new(refused.to_vec()), "{rule}");
+            assert_eq!(coverage.take(), Evidence::default());
         }
     }
 
     #[test]
     fn of_all_rules_none_hides_another() {
-        let mut witness = Witness::default();
+        let mut coverage = RuleCoverage::default();
         for _ in 0..2 {
-            REGISTER.rules.names().for_each(|rule| witness.accepted(rule));
+            REGISTER.rules.names().for_each(|rule| coverage.accepted(rule));
         }
-        let all: Vec<_> = witness.take().iter().collect();
+        let all: Vec<_> = coverage.take().iter().collect();
         let expected = REGISTER.rules.names().map(|rule| (rule, RuleOutcome::Accepted));
         let expected: Vec<_> = expected.collect();
         assert_eq!(all, expected);
@@ -176,11 +176,11 @@ mod tests {
 
     #[test]
     fn nothing_is_put_down_while_it_is_deaf() {
-        let mut witness = Witness::deaf();
-        witness.accepted("text.blanks");
-        assert_eq!(witness.take(), Evidence::default());
-        assert!(witness.set_deaf(false));
-        witness.accepted("text.blanks");
-        assert_eq!(witness.take().iter().count(), 1);
+        let mut coverage = RuleCoverage::muted();
+        coverage.accepted("text.blanks");
+        assert_eq!(coverage.take(), Evidence::default());
+        assert!(coverage.set_muted(false));
+        coverage.accepted("text.blanks");
+        assert_eq!(coverage.take().iter().count(), 1);
     }
 }

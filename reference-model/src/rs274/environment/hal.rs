@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Machine, Pin, Shared, Sorted};
 
-use super::{Input, Outside};
+use super::{EnvironmentState, Input};
 
 /// What a program can read of HAL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,7 +76,7 @@ fn index(text: &str, digits: usize, of_machine: u16) -> Option<u16> {
     (format!("{number:0digits$}") == text).then_some(number)
 }
 
-impl Outside {
+impl EnvironmentState {
     /// A program begins, or has waited for the machine: from now on it sees what is there now.
     pub(crate) fn synchronise(&mut self) {
         self.synchronised = Synchronised { time: self.time, levels: self.levels.clone() };

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::scenario::{Folder, UserProgram};
 
-use super::Outside;
+use super::EnvironmentState;
 
 /// Why there is no program for a user-defined M code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub(crate) enum Missing {
     OtherForm,
 }
 
-impl Outside {
+impl EnvironmentState {
     /// The program of a user-defined M code: the first executable one, in the folder of programs before the search
     /// path.
     ///
@@ -34,7 +34,7 @@ impl Outside {
         code: u32,
         with_search_path: bool,
     ) -> Result<&UserProgram, Missing> {
-        let files = &self.environment.user_programs;
+        let files = &self.scenario.user_programs;
         let folders: &[Folder] = if with_search_path {
             &[Folder::ProgramPrefix, Folder::SearchPath]
         } else {

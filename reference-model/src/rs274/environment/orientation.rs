@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::scenario::OrientAnswer;
 
-use super::Outside;
+use super::EnvironmentState;
 
 /// An orientation that has begun and not ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,11 +23,11 @@ impl Orientation {
     }
 }
 
-impl Outside {
+impl EnvironmentState {
     /// A spindle begins to turn to an angle. An encoder of which nothing is said answers at once.
     pub(crate) fn begin_orientation(&mut self, spindle: usize) {
         let at_once = OrientAnswer::After(0.0);
-        let answer = self.environment.orient.get(spindle).copied();
+        let answer = self.scenario.orient.get(spindle).copied();
         let answer = answer.filter(|_| !self.is_stand_alone()).unwrap_or(at_once);
         let orientation = Orientation { begun: self.time, answer };
         self.orienting.insert(spindle, orientation);
@@ -36,8 +36,8 @@ impl Outside {
 
     /// What is only read ahead waits for no encoder, and executes no program that could fail.
     pub(crate) fn answers_at_once(&mut self) {
-        self.environment.orient.clear();
-        for program in &mut self.environment.user_programs {
+        self.scenario.orient.clear();
+        for program in &mut self.scenario.user_programs {
             program.exit_status = 0;
         }
     }
