@@ -3,7 +3,7 @@
 use gaugeblock_fuzz::generate::pairs::pair;
 use gaugeblock_fuzz::generate::{Dice, Recipe, from_seed};
 use gaugeblock_fuzz::oracle;
-use gaugeblock_reference::{Kept, run, run_with};
+use gaugeblock_reference::{RunCache, run, run_with};
 use gaugeblock_vocabulary::{Effect, End, Event, Options, Outcome, Scenario};
 
 fn reference(scenario: &Scenario) -> Option<Outcome> {
@@ -75,7 +75,7 @@ fn a_cut_line_end_is_no_line_after_m99() {
 /// What a run of the model keeps for the next one shows in nothing that it says, whatever was run before.
 #[test]
 fn what_the_model_keeps_does_not_show() {
-    let mut kept = Kept::default();
+    let mut cache = RunCache::default();
     let other: Options =
         Options([("units-planes.initial-unit".to_owned(), "machine".to_owned())].into());
     for number in 0..400 {
@@ -83,9 +83,9 @@ fn what_the_model_keeps_does_not_show() {
         if number % 3 == 0 {
             scenario.options = other.clone();
         }
-        assert_eq!(run_with(&mut kept, &scenario), run(&scenario), "program {number}");
+        assert_eq!(run_with(&mut cache, &scenario), run(&scenario), "program {number}");
     }
     let none = Options([("no.such-choice".to_owned(), "each".to_owned())].into());
     let refused = Scenario { options: none, ..Scenario::of("m2\n") };
-    assert_eq!(run_with(&mut kept, &refused), run(&refused));
+    assert_eq!(run_with(&mut cache, &refused), run(&refused));
 }

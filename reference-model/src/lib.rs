@@ -21,7 +21,7 @@ pub mod rs274;
 pub use coverage::{RULES, RuleCoverage};
 pub use evidence::{Evidence, RuleOutcome, Tally};
 
-pub use rs274::Kept;
+pub use rs274::RunCache;
 pub use rs274::modes::Rounding;
 
 use gaugeblock_vocabulary::{Language, Outcome, Scenario};
@@ -30,23 +30,23 @@ use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 ///
 /// Time and memory are linear in the executed blocks, which the scenario's budget bounds.
 pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
-    run_with(&mut Kept::default(), scenario)
+    run_with(&mut RunCache::default(), scenario)
 }
 
 /// The same, faster where many runs follow one another: each keeps what the next one need not make anew. Nothing of
 /// it shows in what a run says.
-pub fn run_with(kept: &mut Kept, scenario: &Scenario) -> (Outcome, Evidence) {
-    run_as(kept, scenario, Rounding::AsComputed)
+pub fn run_with(cache: &mut RunCache, scenario: &Scenario) -> (Outcome, Evidence) {
+    run_as(cache, scenario, Rounding::AsComputed)
 }
 
 /// The same, with positions rounded in another way. Where that changes the answer, the documents have none.
 pub fn run_rounded(scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
-    run_as(&mut Kept::default(), scenario, rounding)
+    run_as(&mut RunCache::default(), scenario, rounding)
 }
 
-fn run_as(kept: &mut Kept, scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
+fn run_as(cache: &mut RunCache, scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
     match scenario.program.language {
-        Language::Rs274 => rs274::run(kept, scenario, rounding),
+        Language::Rs274 => rs274::run(cache, scenario, rounding),
         Language::Gpp => gpp::run(scenario),
         Language::Nct => nct::run(scenario),
     }

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Divergence, compare, surely_same};
-use gaugeblock_reference::{Evidence, Kept};
+use gaugeblock_reference::{Evidence, RunCache};
 use gaugeblock_vocabulary::{End, Outcome, Scenario, Undetermined};
 
 use super::fragile::is_fragile;
@@ -41,7 +41,7 @@ pub enum Came {
 
 thread_local! {
     /// What the model's run before has left for the next one.
-    static MODEL: Cell<Kept> = Cell::default();
+    static MODEL: Cell<RunCache> = Cell::default();
 }
 
 /// What a side showed, and of the model its evidence too.
@@ -208,9 +208,9 @@ fn outcome(
     expected: Option<&Outcome>,
 ) -> (Result<Outcome, HarnessError>, Option<Evidence>) {
     if name(side) == "reference" {
-        let mut kept = MODEL.take();
-        let (outcome, evidence) = gaugeblock_reference::run_with(&mut kept, scenario);
-        MODEL.set(kept);
+        let mut cache = MODEL.take();
+        let (outcome, evidence) = gaugeblock_reference::run_with(&mut cache, scenario);
+        MODEL.set(cache);
         return (Ok(outcome), Some(evidence));
     }
     let outcome = match expected {

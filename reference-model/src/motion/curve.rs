@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::Shape;
 
 use super::bound::Bounds;
-use super::vector::{self, Nine, distance, from_segment, minus, plus};
+use super::vector::{self, AxisVector, distance, from_segment, minus, plus};
 use crate::math;
 
 /// Which coordinates a feed counts (manual of 2.9, section 2.5.2.5).
@@ -23,7 +23,7 @@ pub(super) enum Counted {
 }
 
 impl Counted {
-    fn of(change: &Nine, is_arc: bool) -> Self {
+    fn of(change: &AxisVector, is_arc: bool) -> Self {
         let moves = |place: usize| change[place] != 0.0;
         if is_arc || (0..3).any(moves) {
             Self::First
@@ -35,7 +35,7 @@ impl Counted {
     }
 
     /// The length of a vector in these coordinates.
-    pub(super) fn length(self, vector: &Nine) -> f64 {
+    pub(super) fn length(self, vector: &AxisVector) -> f64 {
         let first = match self {
             Self::First => 0,
             Self::Rotary => 3,
@@ -98,14 +98,14 @@ impl Turn {
 /// A moving element.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Curve {
-    start: Nine,
-    end: Nine,
+    start: AxisVector,
+    end: AxisVector,
     turn: Option<Turn>,
 }
 
 impl Curve {
     /// A straight line.
-    pub(super) fn straight(start: Nine, end: Nine) -> Self {
+    pub(super) fn straight(start: AxisVector, end: AxisVector) -> Self {
         Self { start, end, turn: None }
     }
 
@@ -130,12 +130,12 @@ impl Curve {
     }
 
     /// Where it starts.
-    pub(super) fn start(&self) -> Nine {
+    pub(super) fn start(&self) -> AxisVector {
         self.start
     }
 
     /// Where it ends.
-    pub(super) fn end(&self) -> Nine {
+    pub(super) fn end(&self) -> AxisVector {
         self.end
     }
 
@@ -150,7 +150,7 @@ impl Curve {
     }
 
     /// How far a point is off it.
-    pub(super) fn away(&self, point: &Nine) -> f64 {
+    pub(super) fn away(&self, point: &AxisVector) -> f64 {
         let step = (self.angle().abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0).recip();
         let mut from = 0.0;
         let mut least = f64::INFINITY;
@@ -173,7 +173,7 @@ impl Curve {
     }
 
     /// The point at a parameter; exactly its ends at 0 and 1.
-    pub(super) fn at(&self, part: f64) -> Nine {
+    pub(super) fn at(&self, part: f64) -> AxisVector {
         if part <= 0.0 {
             return self.start;
         }
@@ -188,7 +188,7 @@ impl Curve {
     }
 
     /// First and second derivative over the parameter.
-    pub(super) fn derivatives(&self, part: f64) -> (Nine, Nine) {
+    pub(super) fn derivatives(&self, part: f64) -> (AxisVector, AxisVector) {
         let mut first = minus(&self.end, &self.start);
         let mut second = [0.0; 9];
         if let Some(turn) = &self.turn {
@@ -204,7 +204,7 @@ impl Curve {
     }
 
     /// Third derivative over the parameter.
-    pub(super) fn third(&self, part: f64) -> Nine {
+    pub(super) fn third(&self, part: f64) -> AxisVector {
         let mut third = [0.0; 9];
         if let Some(turn) = &self.turn {
             let (spoke, square) = (turn.spoke(part), turn.angle * turn.angle);
@@ -254,7 +254,7 @@ impl Curve {
     }
 
     /// The point at a parameter, and its derivative.
-    fn passing(&self, part: f64) -> (Nine, Nine) {
+    fn passing(&self, part: f64) -> (AxisVector, AxisVector) {
         let whole = minus(&self.end, &self.start);
         let (mut point, mut rate) = (plus(&self.start, &whole, part), whole);
         if let Some(turn) = &self.turn {
@@ -267,7 +267,7 @@ impl Curve {
 
     /// The parameter from `from` to `to` that is nearest to a point: of a line exactly, of an arc of at most a
     /// quarter to the last place.
-    pub(super) fn nearest(&self, point: &Nine, from: f64, to: f64) -> f64 {
+    pub(super) fn nearest(&self, point: &AxisVector, from: f64, to: f64) -> f64 {
         if self.is_straight() {
             return vector::nearest_part(&self.start, &self.end, point).clamp(from, to);
         }
@@ -286,7 +286,7 @@ impl Curve {
     /// The parameters from `from` to `to` at which it is within a tolerance of a point, if there are any.
     pub(super) fn within(
         &self,
-        point: &Nine,
+        point: &AxisVector,
         tolerance: f64,
         from: f64,
         to: f64,
@@ -331,9 +331,15 @@ fn boundary(inside: (f64, f64), outside: (f64, f64), excess: impl Fn(f64) -> f64
     inside
 }
 
-fn turn(start: &Nine, end: &Nine, centre: [f64; 3], normal: [f64; 3], angle: f64) -> Turn {
+fn turn(
+    start: &AxisVector,
+    end: &AxisVector,
+    centre: [f64; 3],
+    normal: [f64; 3],
+    angle: f64,
+) -> Turn {
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let from = |point: &Nine| -> ([f64; 3], f64) {
+    let from = |point: &AxisVector| -> ([f64; 3], f64) {
         let away: [f64; 3] = array::from_fn(|axis| point[axis] - centre[axis]);
         let height = dot(away, normal);
         (array::from_fn(|axis| away[axis] - normal[axis] * height), height)

@@ -3,13 +3,13 @@
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::MotionLimits;
 
-use super::vector::Nine;
+use super::vector::AxisVector;
 
 /// Velocity and acceleration that each axis can have; infinite where nothing is stated.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Envelope {
-    pub(super) velocity: Nine,
-    pub(super) acceleration: Nine,
+    pub(super) velocity: AxisVector,
+    pub(super) acceleration: AxisVector,
     /// Whether some axis has a limit of its jerk too.
     pub(super) jerk: bool,
 }
@@ -39,7 +39,7 @@ impl Envelope {
     /// The lowest and highest second derivative of the parameter that the accelerations allow at a point with these
     /// derivatives, at the square `speed` of the parameter's first derivative. The first may be above the second: then
     /// there is none.
-    pub(super) fn rates(&self, first: &Nine, second: &Nine, speed: f64) -> (f64, f64) {
+    pub(super) fn rates(&self, first: &AxisVector, second: &AxisVector, speed: f64) -> (f64, f64) {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..9 {
             let (slope, bend) = (first[axis], second[axis] * speed);

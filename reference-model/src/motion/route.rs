@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::motion::{Element, Feed, PathMode, ProgrammedPath, Sha
 
 use super::curve::Curve;
 use super::laws::choices::ToleranceAtChange;
-use super::vector::{Nine, direction, dot, from_segment};
+use super::vector::{AxisVector, direction, dot, from_segment};
 
 /// A moving element.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ pub(super) struct Leg<'a> {
 
 /// How a corner may be passed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Passing {
+pub(super) enum CornerTolerance {
     /// At rest, and exactly.
     Rest,
     /// Exactly.
@@ -54,9 +54,9 @@ pub(super) enum Task {
 #[derive(Clone, Debug)]
 pub(super) struct Corner {
     /// Where it is.
-    pub(super) at: Nine,
+    pub(super) at: AxisVector,
     /// How it may be passed.
-    pub(super) passing: Passing,
+    pub(super) tolerance: CornerTolerance,
     /// What is done there.
     pub(super) tasks: Vec<Task>,
 }
@@ -86,19 +86,20 @@ impl<'a> Route<'a> {
         path: &'a ProgrammedPath,
     ) -> Result<Self, String> {
         let mut here = path.start;
-        let start = Corner { at: here.to_array(), passing: Passing::Rest, tasks: Vec::new() };
+        let start =
+            Corner { at: here.to_array(), tolerance: CornerTolerance::Rest, tasks: Vec::new() };
         let mut route = Self { legs: Vec::new(), corners: vec![start] };
         for (place, element) in path.elements.iter().enumerate() {
             here = route.add(place, element, here)?;
         }
         for corner in 1..route.legs.len() {
-            if route.corners[corner].passing != Passing::Rest {
-                route.corners[corner].passing = route.passing(change, corner);
+            if route.corners[corner].tolerance != CornerTolerance::Rest {
+                route.corners[corner].tolerance = route.corner_tolerance(change, corner);
             }
         }
-        route.last_corner().passing = Passing::Rest;
+        route.last_corner().tolerance = CornerTolerance::Rest;
         for leg in 0..route.legs.len() {
-            route.legs[leg].tolerance = route.tolerance(leg);
+            route.legs[leg].tolerance = route.leg_tolerance(leg);
         }
         Ok(route)
     }
@@ -134,18 +135,19 @@ impl<'a> Route<'a> {
                 }
                 let rests = matches!(element.shape, Shape::Probe { .. });
                 if rests || element.mode == PathMode::ExactStop && curve.is_empty() {
-                    corner.passing = Passing::Rest;
+                    corner.tolerance = CornerTolerance::Rest;
                 }
                 if !curve.is_empty() {
                     let exact = rests || element.mode == PathMode::ExactStop;
-                    let passing = if exact { Passing::Rest } else { Passing::Exact };
+                    let tolerance =
+                        if exact { CornerTolerance::Rest } else { CornerTolerance::Exact };
                     self.legs.push(Leg { place, element, curve, tolerance: 0.0 });
-                    self.corners.push(Corner { at: curve.end(), passing, tasks: Vec::new() });
+                    self.corners.push(Corner { at: curve.end(), tolerance, tasks: Vec::new() });
                 }
                 return Ok(element.end().unwrap_or(here));
             }
         }
-        corner.passing = Passing::Rest;
+        corner.tolerance = CornerTolerance::Rest;
         Ok(here)
     }
 
@@ -154,13 +156,13 @@ impl<'a> Route<'a> {
     /// A corner is exact if either leg is: exact path asks for each programmed point, and what
     /// follows must follow its own path from the start. Which of two tolerances counts is the choice
     /// trajectory.tolerance-at-change: no sentence says it.
-    fn passing(&self, change: ToleranceAtChange, corner: usize) -> Passing {
+    fn corner_tolerance(&self, change: ToleranceAtChange, corner: usize) -> CornerTolerance {
         let (before, after) = (&self.legs[corner - 1], &self.legs[corner]);
         match (before.element.mode, after.element.mode) {
             (PathMode::ExactPath | PathMode::ExactStop, _)
-            | (_, PathMode::ExactPath | PathMode::ExactStop) => Passing::Exact,
+            | (_, PathMode::ExactPath | PathMode::ExactStop) => CornerTolerance::Exact,
             (PathMode::BetweenMidpoints, _) | (_, PathMode::BetweenMidpoints) => {
-                Passing::BetweenMidpoints
+                CornerTolerance::BetweenMidpoints
             }
             (
                 PathMode::Within { tolerance: one, merge },
@@ -173,7 +175,7 @@ impl<'a> Route<'a> {
                     ToleranceAtChange::Before => one,
                     ToleranceAtChange::After => other,
                 };
-                Passing::Within(tolerance + merged)
+                CornerTolerance::Within(tolerance + merged)
             }
         }
     }
@@ -181,7 +183,7 @@ impl<'a> Route<'a> {
     /// How far a commanded point may be from a leg.
     ///
     /// Rule trajectory.deviation. By P; where the leg may be part of a merged row, which is Q away itself, by P + Q.
-    fn tolerance(&self, leg: usize) -> f64 {
+    fn leg_tolerance(&self, leg: usize) -> f64 {
         match self.legs[leg].element.mode {
             PathMode::ExactStop | PathMode::ExactPath => 0.0,
             PathMode::BetweenMidpoints => self.legs[leg].curve.length(),

@@ -6,46 +6,46 @@
 use crate::math;
 
 /// Nine coordinates or their rates.
-pub(super) type Nine = [f64; 9];
+pub(super) type AxisVector = [f64; 9];
 
 /// Axis by axis.
-pub(super) fn each(a: &Nine, b: &Nine, value: impl Fn(f64, f64) -> f64) -> Nine {
+pub(super) fn each(a: &AxisVector, b: &AxisVector, value: impl Fn(f64, f64) -> f64) -> AxisVector {
     std::array::from_fn(|place| value(a[place], b[place]))
 }
 
 /// `a - b`.
-pub(super) fn minus(a: &Nine, b: &Nine) -> Nine {
+pub(super) fn minus(a: &AxisVector, b: &AxisVector) -> AxisVector {
     each(a, b, |a, b| a - b)
 }
 
 /// `a + b * factor`.
-pub(super) fn plus(a: &Nine, b: &Nine, factor: f64) -> Nine {
+pub(super) fn plus(a: &AxisVector, b: &AxisVector, factor: f64) -> AxisVector {
     each(a, b, |a, b| a + b * factor)
 }
 
 /// The inner product.
-pub(super) fn dot(a: &Nine, b: &Nine) -> f64 {
+pub(super) fn dot(a: &AxisVector, b: &AxisVector) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// The length.
-pub(super) fn length(a: &Nine) -> f64 {
+pub(super) fn length(a: &AxisVector) -> f64 {
     math::square_root(dot(a, a))
 }
 
 /// The distance of two points.
-pub(super) fn distance(a: &Nine, b: &Nine) -> f64 {
+pub(super) fn distance(a: &AxisVector, b: &AxisVector) -> f64 {
     length(&minus(a, b))
 }
 
 /// The direction, a unit vector; `None` without a length.
-pub(super) fn direction(a: &Nine) -> Option<Nine> {
+pub(super) fn direction(a: &AxisVector) -> Option<AxisVector> {
     let length = length(a);
     (length > 0.0).then(|| a.map(|value| value / length))
 }
 
 /// Which part of a straight line from `a` to `b`, 0 to 1, is nearest to a point.
-pub(super) fn nearest_part(a: &Nine, b: &Nine, point: &Nine) -> f64 {
+pub(super) fn nearest_part(a: &AxisVector, b: &AxisVector, point: &AxisVector) -> f64 {
     let along = minus(b, a);
     let square = dot(&along, &along);
     if square == 0.0 {
@@ -55,7 +55,7 @@ pub(super) fn nearest_part(a: &Nine, b: &Nine, point: &Nine) -> f64 {
 }
 
 /// The distance of a point from the straight line between two others.
-pub(super) fn from_segment(a: &Nine, b: &Nine, point: &Nine) -> f64 {
+pub(super) fn from_segment(a: &AxisVector, b: &AxisVector, point: &AxisVector) -> f64 {
     let nearest = plus(a, &minus(b, a), nearest_part(a, b, point));
     distance(&nearest, point)
 }

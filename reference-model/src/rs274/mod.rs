@@ -36,9 +36,13 @@ use gaugeblock_vocabulary::{Outcome, Scenario};
 
 use crate::Evidence;
 
-pub use task::Kept;
+pub use task::RunCache;
 
 /// Runs a scenario as the documents say.
-pub fn run(kept: &mut Kept, scenario: &Scenario, rounding: modes::Rounding) -> (Outcome, Evidence) {
-    task::run(kept, scenario, rounding)
+pub fn run(
+    cache: &mut RunCache,
+    scenario: &Scenario,
+    rounding: modes::Rounding,
+) -> (Outcome, Evidence) {
+    task::run(cache, scenario, rounding)
 }

@@ -13,7 +13,7 @@
 use super::smooth::Smooth;
 use crate::math::square_root;
 use crate::motion::envelope::Envelope;
-use crate::motion::vector::{Nine, length};
+use crate::motion::vector::{AxisVector, length};
 
 /// What an axis demands of u and of y where the cell starts: |slope·u + bend·y| + stiff·|u| + twist·(y + w·u) ≤ limit.
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +68,7 @@ impl Cell {
             Side::Outer => (first[axis].abs() - bow(axis)).max(0.0),
             Side::Inner => first[axis].abs() + bow(axis),
         };
-        let bows: Nine = std::array::from_fn(bow);
+        let bows: AxisVector = std::array::from_fn(bow);
         let counted = curve.counted(&first);
         let counted = match side {
             Side::Outer => (counted - curve.counted(&bows)).max(0.0),

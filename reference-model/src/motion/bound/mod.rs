@@ -32,7 +32,7 @@ pub(in crate::motion) use self::stopping::{
 };
 use super::curve::{Counted, Curve};
 use super::envelope::Envelope;
-use super::route::{Leg, Passing, Route, Task};
+use super::route::{CornerTolerance, Leg, Route, Task};
 use crate::math;
 
 /// Which bound a stretch has.
@@ -120,10 +120,10 @@ pub fn least_time(
 
 /// Whether a motion that keeps its limits at every instant rests where a leg ends.
 fn rests_after(route: &Route<'_>, leg: usize) -> bool {
-    match route.corners[leg + 1].passing {
-        Passing::Rest => true,
-        Passing::Exact => route.breaks(leg + 1),
-        Passing::Within(_) | Passing::BetweenMidpoints => false,
+    match route.corners[leg + 1].tolerance {
+        CornerTolerance::Rest => true,
+        CornerTolerance::Exact => route.breaks(leg + 1),
+        CornerTolerance::Within(_) | CornerTolerance::BetweenMidpoints => false,
     }
 }
 
@@ -242,11 +242,11 @@ fn gates(route: &Route<'_>, (first, last): (usize, usize), fastest: &Fastest) ->
                 from = part;
             }
         }
-        let tolerance = match route.corners[number + 1].passing {
+        let tolerance = match route.corners[number + 1].tolerance {
             _ if number == last => 0.0,
-            Passing::Rest | Passing::Exact => 0.0,
-            Passing::Within(tolerance) => tolerance,
-            Passing::BetweenMidpoints => continue,
+            CornerTolerance::Rest | CornerTolerance::Exact => 0.0,
+            CornerTolerance::Within(tolerance) => tolerance,
+            CornerTolerance::BetweenMidpoints => continue,
         };
         gates.push((Gate { at: route.corners[number + 1].at, tolerance }, about));
     }

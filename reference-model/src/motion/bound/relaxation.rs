@@ -4,12 +4,12 @@
 //! exactly and at rest. What every such motion needs at least is bounded in two ways that forget most of the problem.
 
 use super::trapezoid::rest_to_rest;
-use crate::motion::vector::{Nine, direction, distance, dot, minus};
+use crate::motion::vector::{AxisVector, direction, distance, dot, minus};
 
 /// A point that is passed within a distance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gate {
-    pub(super) at: Nine,
+    pub(super) at: AxisVector,
     pub(super) tolerance: f64,
 }
 
@@ -48,10 +48,10 @@ pub(super) fn axis(gates: &[Gate], axis: usize, speed: f64, acceleration: f64) -
 /// a motion through points xᵢ within Pᵢ of vᵢ takes Σ uᵢ·(xᵢ₊₁ - xᵢ) at least, which is Σ uᵢ·(vᵢ₊₁ - vᵢ) - Σ Pᵢ|uᵢ₋₁
 /// - uᵢ| or more. The vectors have directions of the path, taken over more and more of it; the best of them counts.
 pub(super) fn shortest(gates: &[Gate], fastest: &[f64], counted: std::ops::Range<usize>) -> f64 {
-    let only = |vector: Nine| -> Nine {
+    let only = |vector: AxisVector| -> AxisVector {
         std::array::from_fn(|axis| if counted.contains(&axis) { vector[axis] } else { 0.0 })
     };
-    let points: Vec<Nine> = gates.iter().map(|gate| only(gate.at)).collect();
+    let points: Vec<AxisVector> = gates.iter().map(|gate| only(gate.at)).collect();
     let mut best = 0.0_f64;
     let mut reach = 0;
     while reach < gates.len() {
@@ -61,7 +61,7 @@ pub(super) fn shortest(gates: &[Gate], fastest: &[f64], counted: std::ops::Range
             let toward = direction(&minus(&points[to], &points[from])).unwrap_or([0.0; 9]);
             toward.map(|part| part / fastest[place + 1])
         };
-        let vectors: Vec<Nine> = (0..points.len() - 1).map(slowness).collect();
+        let vectors: Vec<AxisVector> = (0..points.len() - 1).map(slowness).collect();
         let mut seconds = 0.0;
         for (place, vector) in vectors.iter().enumerate() {
             seconds += dot(vector, &minus(&points[place + 1], &points[place]));

@@ -1,31 +1,31 @@
 //! What the bound needs to know of a curve.
 
 use crate::motion::curve::Curve;
-use crate::motion::vector::Nine;
+use crate::motion::vector::AxisVector;
 
 /// Bounds of the size of derivatives over a whole curve, axis by axis.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct Bounds {
-    pub(in crate::motion) third: Nine,
-    pub(in crate::motion) fourth: Nine,
+    pub(in crate::motion) third: AxisVector,
+    pub(in crate::motion) fourth: AxisVector,
 }
 
 /// A curve over a parameter from 0 to 1, with three derivatives and bounds of the third and fourth.
 pub(super) trait Smooth {
     /// First, second and third derivative.
-    fn derivatives(&self, part: f64) -> [Nine; 3];
+    fn derivatives(&self, part: f64) -> [AxisVector; 3];
     /// Bounds of the third and fourth.
     fn bounds(&self) -> Bounds;
     /// The length of a vector in the coordinates that a feed counts.
-    fn counted(&self, vector: &Nine) -> f64;
+    fn counted(&self, vector: &AxisVector) -> f64;
     /// That of the first derivative, where it is the same everywhere.
-    fn steady(&self, first: &Nine) -> Option<f64>;
+    fn steady(&self, first: &AxisVector) -> Option<f64>;
     /// Into how many cells it is to be divided if a radian is divided into so many; 1 for a straight line.
     fn cells(&self, per_radian: f64) -> f64;
 }
 
 impl Smooth for Curve {
-    fn derivatives(&self, part: f64) -> [Nine; 3] {
+    fn derivatives(&self, part: f64) -> [AxisVector; 3] {
         let (first, second) = Self::derivatives(self, part);
         [first, second, self.third(part)]
     }
@@ -34,11 +34,11 @@ impl Smooth for Curve {
         Self::bounds(self)
     }
 
-    fn counted(&self, vector: &Nine) -> f64 {
+    fn counted(&self, vector: &AxisVector) -> f64 {
         Self::counted(self).length(vector)
     }
 
-    fn steady(&self, first: &Nine) -> Option<f64> {
+    fn steady(&self, first: &AxisVector) -> Option<f64> {
         self.is_even().then(|| Smooth::counted(self, first))
     }
 

@@ -2,8 +2,8 @@
 
 use crate::motion::curve::Curve;
 use crate::motion::envelope::Envelope;
-use crate::motion::route::{Passing, Route};
-use crate::motion::vector::{Nine, direction, distance, dot, length, minus};
+use crate::motion::route::{CornerTolerance, Route};
+use crate::motion::vector::{AxisVector, direction, distance, dot, length, minus};
 
 /// Shares of the speed with which a blend is left that it may be entered with.
 const ENTERED: [f64; 9] = [0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0];
@@ -80,7 +80,7 @@ pub(in crate::motion) fn stopping_on_blend(
     route: &Route<'_>,
     envelope: &Envelope,
     (leg, part): (usize, f64),
-    velocity: &Nine,
+    velocity: &AxisVector,
 ) -> Stop {
     let way = route.legs[leg].curve.length();
     let corners = [(leg, part * way), (leg + 1, (1.0 - part) * way)];
@@ -242,7 +242,7 @@ impl Stretch {
 }
 
 /// How hard the point may brake where a curve has these derivatives, millimetres per second squared.
-fn rate(envelope: &Envelope, (first, second): (&Nine, &Nine), speed: f64) -> f64 {
+fn rate(envelope: &Envelope, (first, second): (&AxisVector, &AxisVector), speed: f64) -> f64 {
     let scale = length(first);
     let square = (speed / scale) * (speed / scale);
     let (low, high) = envelope.rates(first, second, square);
@@ -261,7 +261,7 @@ struct Blend {
     /// How hard the point may brake in either direction.
     rate: f64,
     /// The directions of the legs.
-    directions: [Nine; 2],
+    directions: [AxisVector; 2],
     /// How much of each leg a blend may take, whatever the tolerance.
     room: [f64; 2],
     /// How far from the corner it may pass; without end between midpoints.
@@ -278,10 +278,12 @@ impl Blend {
         let (before, after) = (legs.0.derivatives(1.0), legs.1.derivatives(0.0));
         let (one, other) = (direction(&before.0)?, direction(&after.0)?);
         let lengths = [legs.0.length(), legs.1.length()];
-        let (room, tolerance) = match route.corners[corner].passing {
-            Passing::Rest | Passing::Exact => return None,
-            Passing::BetweenMidpoints => (lengths.map(|length| 0.5 * length), f64::INFINITY),
-            Passing::Within(tolerance) => (lengths, tolerance),
+        let (room, tolerance) = match route.corners[corner].tolerance {
+            CornerTolerance::Rest | CornerTolerance::Exact => return None,
+            CornerTolerance::BetweenMidpoints => {
+                (lengths.map(|length| 0.5 * length), f64::INFINITY)
+            }
+            CornerTolerance::Within(tolerance) => (lengths, tolerance),
         };
         let reach = room[0].min(room[1]).min(4.0 * tolerance / distance(&one, &other));
         let used = minus(&other, &one);
@@ -320,7 +322,7 @@ impl Blend {
     }
 
     /// The shares of a velocity along the legs, if it lies between their directions.
-    fn shares(&self, velocity: &Nine) -> Option<(f64, f64)> {
+    fn shares(&self, velocity: &AxisVector) -> Option<(f64, f64)> {
         let [before, after] = &self.directions;
         let (one, other, both) = (dot(velocity, before), dot(velocity, after), dot(before, after));
         let (one, other) = (one - both * other, other - both * one);

@@ -10,7 +10,7 @@ use super::smooth::{Bounds, Smooth};
 use super::{Kind, TimeBound, least_time, reach};
 use crate::math;
 use crate::motion::envelope::Envelope;
-use crate::motion::vector::{Nine, length};
+use crate::motion::vector::{AxisVector, length};
 
 fn limits() -> MotionLimits {
     let limit =
@@ -120,7 +120,7 @@ impl Figure {
 }
 
 impl Smooth for Figure {
-    fn derivatives(&self, part: f64) -> [Nine; 3] {
+    fn derivatives(&self, part: f64) -> [AxisVector; 3] {
         let t = part * self.until;
         let mut all = [[0.0; 9]; 3];
         for (axis, (size, rate)) in Self::TERMS.iter().enumerate() {
@@ -142,11 +142,11 @@ impl Smooth for Figure {
         bounds
     }
 
-    fn counted(&self, vector: &Nine) -> f64 {
+    fn counted(&self, vector: &AxisVector) -> f64 {
         length(vector)
     }
 
-    fn steady(&self, _first: &Nine) -> Option<f64> {
+    fn steady(&self, _first: &AxisVector) -> Option<f64> {
         None
     }
 

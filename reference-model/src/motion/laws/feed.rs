@@ -8,7 +8,7 @@ use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
 use crate::motion::bound::stopping;
 use crate::motion::route::{Leg, Route};
-use crate::motion::vector::{Nine, minus};
+use crate::motion::vector::{AxisVector, minus};
 
 const RELATIVE: f64 = 1e-9;
 
@@ -67,7 +67,13 @@ fn speed(leg: &Leg<'_>, turns: impl Fn(u8) -> f64) -> f64 {
     }
 }
 
-fn rapid(record: &Record<'_>, sample: usize, chord: &Nine, factor: f64, findings: &mut Findings) {
+fn rapid(
+    record: &Record<'_>,
+    sample: usize,
+    chord: &AxisVector,
+    factor: f64,
+    findings: &mut Findings,
+) {
     for axis in Axis::ALL.iter().copied() {
         let limit = record.envelope.velocity[axis.place()] * factor;
         let measured = chord[axis.place()].abs() / record.period;

@@ -6,7 +6,7 @@ use super::matching::{Matching, Miss, Missed};
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
 use crate::motion::route::{Leg, Route};
-use crate::motion::vector::{Nine, direction, dot, from_segment, length, minus, plus};
+use crate::motion::vector::{AxisVector, direction, dot, from_segment, length, minus, plus};
 
 type Matched<'a> = (Route<'a>, Matching);
 
@@ -32,7 +32,7 @@ fn missed(
 /// How far each sample is off the legs for which it can stand; nothing where that is not known.
 pub(super) fn deviations(record: &Record<'_>) -> Vec<f64> {
     let Ok((route, matching)) = &record.matched else { return Vec::new() };
-    let off = |(point, (first, last)): (&Nine, &(usize, usize))| {
+    let off = |(point, (first, last)): (&AxisVector, &(usize, usize))| {
         let legs = route.legs.get(*first..=*last).unwrap_or_default();
         legs.iter().map(|leg| leg.curve.away(point)).reduce(f64::min).unwrap_or(0.0)
     };
@@ -161,7 +161,7 @@ pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
 
 /// The distance of a point from the triangle of a corner and the middles of its legs. The middle of an arc makes no
 /// triangle with a corner.
-fn from_corner(route: &Route<'_>, corner: usize, point: &Nine) -> f64 {
+fn from_corner(route: &Route<'_>, corner: usize, point: &AxisVector) -> f64 {
     let at = route.corners[corner].at;
     let beside = [corner.checked_sub(1), Some(corner)].into_iter().flatten();
     let mut legs = beside.filter_map(|leg| route.legs.get(leg));
@@ -174,7 +174,7 @@ fn from_corner(route: &Route<'_>, corner: usize, point: &Nine) -> f64 {
 }
 
 /// The distance of a point from a triangle, in as many dimensions as there are.
-fn from_triangle([a, b, c]: [&Nine; 3], point: &Nine) -> f64 {
+fn from_triangle([a, b, c]: [&AxisVector; 3], point: &AxisVector) -> f64 {
     let edges = [(a, b), (b, c), (c, a)];
     let edge = edges
         .iter()

@@ -12,11 +12,12 @@
 //! | `rest` | exact stops, ends, dwells |
 //! | `outputs` | when outputs switch |
 //! | `operator` | hold, abort, and what is left to stop on |
-//! | `record`, `matching`, `visits` | what is judged; which point of the path a sample stands for; when corners are passed |
+//! | `record`, `matching`, `corner_passes` | what is judged; which point of the path a sample stands for; when corners are passed |
 //! | `choices` | which reading holds where the documents leave something open |
 
 mod axes;
 pub mod choices;
+mod corner_passes;
 mod feed;
 mod following;
 mod matching;
@@ -25,7 +26,6 @@ mod outputs;
 mod record;
 mod rest;
 mod verdict;
-mod visits;
 
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 
@@ -75,7 +75,7 @@ pub fn judge_under(
         Law::Dwell => rest::dwell(&record),
         Law::Hold => operator::hold(&record),
         Law::Abort => operator::abort(&record),
-        Law::Reserve => operator::reserve(&record),
+        Law::StoppingDistance => operator::stopping_distance(&record),
     };
     Judgement(Law::ALL.iter().map(|law| (*law, verdict(law))).collect())
 }

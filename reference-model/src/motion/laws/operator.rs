@@ -8,7 +8,7 @@ use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
 use crate::motion::bound::{Shortest, Stop, shortest_stopping, stopping};
 use crate::motion::route::{Leg, Route};
-use crate::motion::vector::{Nine, direction, distance, minus};
+use crate::motion::vector::{AxisVector, direction, distance, minus};
 
 /// Within so many cycles what was asked for is in force.
 const CYCLES: usize = 2;
@@ -172,7 +172,7 @@ fn carried(
 /// The speed from one sample to the next is that of some instant between them, at which the motion is no nearer than
 /// at the first of them: from there the speed has to suffice. On the way through a blend each axis has to stop by
 /// itself at least.
-pub(super) fn reserve(record: &Record<'_>) -> Verdict {
+pub(super) fn stopping_distance(record: &Record<'_>) -> Verdict {
     let Some(queued) = record.samples.column(Column::Queued) else {
         return Verdict::NotJudged("what was queued is not recorded".to_owned());
     };
@@ -189,7 +189,7 @@ pub(super) fn reserve(record: &Record<'_>) -> Verdict {
         way += leg.curve.length();
         ends.push(way);
     }
-    let mut findings = Findings::of(Law::Reserve);
+    let mut findings = Findings::of(Law::StoppingDistance);
     for (sample, queued) in queued.iter().enumerate().skip(1) {
         let (place, behind) = (matching.places[sample - 1], matching.places[sample]);
         // Who runs back stops on what has been passed; and so does who may do so, where the path comes back along
@@ -249,7 +249,7 @@ fn each_axis(
     record: &Record<'_>,
     sample: usize,
     legs: &[Leg<'_>],
-    (at, velocity): (&Nine, &Nine),
+    (at, velocity): (&AxisVector, &AxisVector),
     findings: &mut Findings,
 ) {
     for axis in Axis::ALL.iter().copied() {

@@ -6,11 +6,11 @@ use gaugeblock_vocabulary::Pin;
 use gaugeblock_vocabulary::motion::Column;
 
 use super::choices::MotionStart;
+use super::corner_passes::{CornerPass, corner_passes, rest_after};
 use super::matching::Matching;
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
-use super::visits::{Visit, rest_after, visits};
-use crate::motion::route::{Corner, Passing, Route, Task};
+use crate::motion::route::{Corner, CornerTolerance, Route, Task};
 use crate::motion::vector::{count, distance};
 
 /// A change of an output that the path asks for.
@@ -57,12 +57,12 @@ pub(super) fn outputs(record: &Record<'_>) -> Verdict {
         Err(why) => return Verdict::NotJudged(why.clone()),
     };
     let mut expected: BTreeMap<Pin, Vec<Expected>> = BTreeMap::new();
-    let visits = visits(record, route, matching);
-    let spans = spans(record, route, &visits);
-    for (number, visit) in visits.into_iter().enumerate() {
-        let Some(visit) = visit else { break };
+    let corner_passes = corner_passes(record, route, matching);
+    let spans = spans(record, route, &corner_passes);
+    for (number, pass) in corner_passes.into_iter().enumerate() {
+        let Some(pass) = pass else { break };
         for task in &route.corners[number].tasks {
-            ask(record, (route, matching), number, (visit, spans[number]), task, &mut expected);
+            ask(record, (route, matching), number, (pass, spans[number]), task, &mut expected);
         }
     }
     let unrecorded = expected.keys().find(|pin| !record.samples.has(Column::Output(**pin)));
@@ -84,19 +84,23 @@ pub(super) fn outputs(record: &Record<'_>) -> Verdict {
 
 /// From which sample on each corner is passed, since the one before it is passed then, and by which one, since the
 /// next one is.
-fn spans(record: &Record<'_>, route: &Route<'_>, visits: &[Option<Visit>]) -> Vec<(usize, usize)> {
+fn spans(
+    record: &Record<'_>,
+    route: &Route<'_>,
+    corner_passes: &[Option<CornerPass>],
+) -> Vec<(usize, usize)> {
     let end = record.points.len() - 1;
-    let mut spans = vec![(0, end); visits.len()];
+    let mut spans = vec![(0, end); corner_passes.len()];
     let near = |number: usize, span: (usize, usize)| {
         let corner = &route.corners[number];
-        visits[number].map(|visit| visit.latest().near_within(record, corner, span))
+        corner_passes[number].map(|pass| pass.latest().near_within(record, corner, span))
     };
-    for number in 1..visits.len() {
+    for number in 1..corner_passes.len() {
         let before = spans[number - 1].0;
         let since = near(number - 1, (before, end)).map_or(before, |near| near.0);
         spans[number].0 = since.max(before);
     }
-    for number in (1..visits.len()).rev() {
+    for number in (1..corner_passes.len()).rev() {
         let after = spans[number].1;
         let until = near(number, (0, after)).map_or(after, |near| near.1);
         spans[number - 1].1 = until.min(after);
@@ -108,18 +112,18 @@ fn ask(
     record: &Record<'_>,
     (route, matching): (&Route<'_>, &Matching),
     number: usize,
-    (visit, span): (Visit, (usize, usize)),
+    (pass, span): (CornerPass, (usize, usize)),
     task: &Task,
     expected: &mut BTreeMap<Pin, Vec<Expected>>,
 ) {
     let corner = &route.corners[number];
-    let certain = visit.passed && !visit.is_aborted(record);
+    let certain = pass.passed && !pass.is_aborted(record);
     let certain =
         |last: usize| certain && record.requests.aborted.is_none_or(|aborted| last < aborted);
     match task {
         Task::Dwell(_) | Task::Wait(_) => (),
         Task::AtOnce(switching) => {
-            let when = at_once(record, corner, visit);
+            let when = at_once(record, corner, pass);
             let certain = when.last().is_some_and(|when| certain(when.1));
             let new = Expected { value: switching.value, when, certain };
             expected.entry(switching.pin).or_default().push(new);
@@ -127,7 +131,7 @@ fn ask(
         Task::WithMotion(switches) | Task::InPlace(switches) => {
             // A motion that leads nowhere may start at any time of the rest.
             let stays = matches!(task, Task::InPlace(_));
-            let when = visit.times().map(|time| {
+            let when = pass.times().map(|time| {
                 let (first, until) = start(record, (route, matching), number, (time, span));
                 let near = time.at.filter(|_| stays).map_or(first, |at| at.0.min(first));
                 (near.saturating_sub(1), until + 1)
@@ -152,16 +156,16 @@ fn start(
     record: &Record<'_>,
     (route, matching): (&Route<'_>, &Matching),
     number: usize,
-    (visit, span): (Visit, (usize, usize)),
+    (pass, span): (CornerPass, (usize, usize)),
 ) -> (usize, usize) {
     let corner = &route.corners[number];
     let end = record.points.len() - 1;
     let near = [(0, end), (span.0, end), (0, span.1)]
-        .map(|span| visit.near_within(record, corner, span))
+        .map(|span| pass.near_within(record, corner, span))
         .into_iter()
         .fold((end, 0), |all, near| (all.0.min(near.0), all.1.max(near.1)));
-    let rests = corner.passing == Passing::Rest;
-    let leg = route.legs.get(number).filter(|_| visit.at.is_none() || !rests);
+    let rests = corner.tolerance == CornerTolerance::Rest;
+    let leg = route.legs.get(number).filter(|_| pass.at.is_none() || !rests);
     let (Some(leg), MotionStart::BlendEnd) = (leg, record.choices.motion_start) else {
         return near;
     };
@@ -178,7 +182,7 @@ fn start(
         let on_path = |sample: &usize| record.is_at(*sample, &corner.at) || on_path(sample);
         (near..record.points.len()).take_while(in_time).find(on_path).unwrap_or(near)
     };
-    let first = if visit.at.is_some() { near.0 } else { blend_ends(near.0) };
+    let first = if pass.at.is_some() { near.0 } else { blend_ends(near.0) };
     (first, blend_ends(near.1))
 }
 
@@ -188,19 +192,19 @@ fn start(
 /// second of these. Where samples are farther apart than servo cycles, the rest may outlast the last sample there;
 /// and where the motion runs back from there, which no output holds up, the next sample is the first one that can
 /// show what has switched at the last.
-fn at_once(record: &Record<'_>, corner: &Corner, visit: Visit) -> Vec<(usize, usize)> {
-    if visit.at.is_some() {
+fn at_once(record: &Record<'_>, corner: &Corner, pass: CornerPass) -> Vec<(usize, usize)> {
+    if pass.at.is_some() {
         let sparse = usize::from(record.period > record.limits.period * (1.0 + 1e-9));
         let after = |last: usize| {
             let turns = record.backwards.get(last + 1).is_some_and(|backwards| *backwards);
             sparse.max(usize::from(turns))
         };
-        let stays = visit.stays(record, &corner.at);
+        let stays = pass.stays(record, &corner.at);
         return stays.map(|(first, last)| (first, last + after(last))).collect();
     }
     // Without any rest the law of stops is broken, and the pair that passes the corner counts here.
-    let near = visit.nearest(record, &corner.at);
-    let (first, last) = rest_after(record, visit, &corner.at).unwrap_or((near, near));
+    let near = pass.nearest(record, &corner.at);
+    let (first, last) = rest_after(record, pass, &corner.at).unwrap_or((near, near));
     vec![(first + 1, last + 1)]
 }
 

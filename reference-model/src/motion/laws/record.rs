@@ -9,7 +9,7 @@ use super::matching::{self, Matching, Measure};
 use crate::motion::bound::{Stop, stopping_on_blend};
 use crate::motion::envelope::Envelope;
 use crate::motion::route::Route;
-use crate::motion::vector::{Nine, distance, last_place, minus};
+use crate::motion::vector::{AxisVector, distance, last_place, minus};
 
 /// How far a position may be off for its size: what positions lose on the way through a controller's arithmetic.
 const RELATIVE: f64 = 1e-9;
@@ -23,7 +23,7 @@ pub(super) struct Record<'a> {
     pub(super) limits: &'a MotionLimits,
     pub(super) envelope: Envelope,
     /// Positions, sample by sample.
-    pub(super) points: Vec<Nine>,
+    pub(super) points: Vec<AxisVector>,
     /// Seconds between samples.
     pub(super) period: f64,
     /// What was asked for, sample by sample.
@@ -93,7 +93,8 @@ impl<'a> Record<'a> {
         script: &MotionScript,
     ) -> Self {
         let positions = samples.positions(path.start);
-        let points: Vec<Nine> = positions.iter().map(|position| position.to_array()).collect();
+        let points: Vec<AxisVector> =
+            positions.iter().map(|position| position.to_array()).collect();
         let (period, envelope) = (samples.period(), Envelope::of(limits));
         let size = points.iter().flatten().fold(1.0_f64, |size, value| size.max(value.abs()));
         let slack = 3.0 * samples.resolution() + RELATIVE * size + 2.0 * last_place(size);
@@ -155,7 +156,7 @@ impl<'a> Record<'a> {
     }
 
     /// Whether a sample is at a point.
-    pub(super) fn is_at(&self, sample: usize, point: &Nine) -> bool {
+    pub(super) fn is_at(&self, sample: usize, point: &AxisVector) -> bool {
         distance(&self.points[sample], point) <= self.slack
     }
 
@@ -174,7 +175,7 @@ impl<'a> Record<'a> {
 
 /// How far a motion under these limits can be from the chord between two samples. Where an axis moves that has no
 /// limit: as far as the chord is long.
-fn bulge(points: &[Nine], envelope: &Envelope, period: f64) -> f64 {
+fn bulge(points: &[AxisVector], envelope: &Envelope, period: f64) -> f64 {
     let moves =
         |axis: usize| points.iter().any(|point| point[axis].to_bits() != points[0][axis].to_bits());
     if envelope.unstated(moves).is_some() {
@@ -195,7 +196,12 @@ const TURNING: f64 = 1.311_028_777;
 
 /// Where the path may be followed backwards: while the adaptive feed asks for it, and as long afterwards as it takes
 /// to stop.
-fn backwards(points: &[Nine], requests: &Requests, envelope: &Envelope, period: f64) -> Vec<bool> {
+fn backwards(
+    points: &[AxisVector],
+    requests: &Requests,
+    envelope: &Envelope,
+    period: f64,
+) -> Vec<bool> {
     let mut left: f64 = 0.0;
     let mut allowed = Vec::with_capacity(points.len());
     for (sample, adaptive) in requests.adaptive.iter().enumerate() {

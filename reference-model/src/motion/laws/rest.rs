@@ -3,11 +3,11 @@
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::{Column, Feed};
 
+use super::corner_passes::{CornerPass, Rests, corner_passes, to_rest};
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
-use super::visits::{Rests, Visit, to_rest, visits};
-use crate::motion::route::{Leg, Passing, Task};
-use crate::motion::vector::{Nine, count, distance};
+use crate::motion::route::{CornerTolerance, Leg, Task};
+use crate::motion::vector::{AxisVector, count, distance};
 
 const RELATIVE: f64 = 1e-9;
 
@@ -29,15 +29,15 @@ pub(super) fn stop(record: &Record<'_>) -> Verdict {
     let mut findings = Findings::of(Law::Stop);
     let mut asked = false;
     let mut rests = Rests::of(record);
-    let inner = visits(record, route, matching).into_iter().enumerate();
-    for (number, visit) in inner.skip(1).take(route.legs.len() - 1) {
+    let inner = corner_passes(record, route, matching).into_iter().enumerate();
+    for (number, pass) in inner.skip(1).take(route.legs.len() - 1) {
         let corner = &route.corners[number];
-        if corner.passing != Passing::Rest {
+        if corner.tolerance != CornerTolerance::Rest {
             continue;
         }
         asked = true;
-        let Some(visit) = visit.filter(|visit| visit.passed) else { continue };
-        let Some((sample, needed)) = rests.next(visit, &corner.at) else { continue };
+        let Some(pass) = pass.filter(|pass| pass.passed) else { continue };
+        let Some((sample, needed)) = rests.next(pass, &corner.at) else { continue };
         let block = &route.legs[number - 1].element.block;
         let words = || {
             format!(
@@ -122,27 +122,27 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
     let mut findings = Findings::of(Law::Dwell);
     let (mut asked, mut earliest) = (false, 0);
     let last = record.points.len() - 1;
-    for (number, visit) in visits(record, route, matching).into_iter().enumerate() {
+    for (number, pass) in corner_passes(record, route, matching).into_iter().enumerate() {
         let tasks = &route.corners[number].tasks;
         let seconds: f64 = tasks
             .iter()
             .map(|task| if let Task::Dwell(seconds) = task { *seconds } else { 0.0 })
             .sum();
-        let Some(visit) = visit.filter(|visit| visit.passed && seconds > 0.0) else { continue };
+        let Some(pass) = pass.filter(|pass| pass.passed && seconds > 0.0) else { continue };
         asked = true;
-        let turned = runs_back(record, visit);
+        let turned = runs_back(record, pass);
         let alone = tasks
             .iter()
             .all(|task| matches!(task, Task::Dwell(_) | Task::WithMotion(_) | Task::InPlace(_)));
         let next = route.legs.get(number);
-        let open = !alone || number == 0 || turned || held(record, visit);
+        let open = !alone || number == 0 || turned || held(record, pass);
         let open = |rest: &Rest| {
             open || rest.at.is_none_or(|(_, end)| end == last || kept(record, next, end))
                 || starves(record, next, rest.at)
         };
         let shortest = (seconds - record.period) * (1.0 - RELATIVE);
         let longest = (seconds + record.period) * (1.0 + RELATIVE);
-        let rests = rests(record, visit, &route.corners[number].at);
+        let rests = rests(record, pass, &route.corners[number].at);
         let rest = if turned {
             // Who runs back comes again: all stays count.
             rests.into_iter().reduce(Rest::and)
@@ -158,9 +158,9 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
         let rest = rest.unwrap_or(Rest { at: None, least: 0.0, most: record.period });
         earliest = rest.at.map_or(earliest, |(first, _)| first);
         let Rest { at, least, most } = rest;
-        let after = at.map_or(visit.after(record), |(_, end)| (end + 1).min(last));
+        let after = at.map_or(pass.after(record), |(_, end)| (end + 1).min(last));
         let words = || format!("rest for less than {most} s where {seconds} s are asked for");
-        let open_ended = visit.is_aborted(record);
+        let open_ended = pass.is_aborted(record);
         if !open_ended && record.requests.aborted.is_none_or(|cycle| cycle > after) {
             findings.at_most(after, None, (shortest, most), (0.0, &words));
         }
@@ -210,9 +210,9 @@ impl Rest {
     }
 }
 
-/// All rests of a visit: those of which samples tell, then those for which there is time between two that are away
+/// All rests at a corner: those of which samples tell, then those for which there is time between two that are away
 /// from the corner.
-fn rests(record: &Record<'_>, visit: Visit, corner: &Nine) -> Vec<Rest> {
+fn rests(record: &Record<'_>, pass: CornerPass, corner: &AxisVector) -> Vec<Rest> {
     let rest = |(first, last): (usize, usize)| {
         let least = count(last - first) * record.period;
         let spare = |sample: Option<usize>| {
@@ -224,20 +224,20 @@ fn rests(record: &Record<'_>, visit: Visit, corner: &Nine) -> Vec<Rest> {
         Rest { at: Some((first, last)), least, most }
     };
     let is_away = |sample: &usize| !(*sample..=sample + 1).any(|s| record.is_at(s, corner));
-    let between = visit.pairs(record).filter(is_away).filter_map(|sample| {
+    let between = pass.pairs(record).filter(is_away).filter_map(|sample| {
         let needed = to_rest(record, sample, corner) + to_rest(record, sample + 1, corner);
         let most = record.period - needed;
         (most >= 0.0).then_some(Rest { at: Some((sample, sample + 1)), least: 0.0, most })
     });
-    visit.stays(record, corner).map(rest).chain(between).collect()
+    pass.stays(record, corner).map(rest).chain(between).collect()
 }
 
-/// Whether the motion is asked to run back during a visit.
-fn runs_back(record: &Record<'_>, visit: Visit) -> bool {
-    record.requests.adaptive[visit.first..=visit.after(record)].iter().any(|factor| *factor < 0.0)
+/// Whether the motion is asked to run back while a corner is passed.
+fn runs_back(record: &Record<'_>, pass: CornerPass) -> bool {
+    record.requests.adaptive[pass.first..=pass.after(record)].iter().any(|factor| *factor < 0.0)
 }
 
-/// Whether somebody holds the motion during a visit.
-fn held(record: &Record<'_>, visit: Visit) -> bool {
-    (visit.first.saturating_sub(1)..=visit.after(record)).any(|sample| record.holds(sample))
+/// Whether somebody holds the motion while a corner is passed.
+fn held(record: &Record<'_>, pass: CornerPass) -> bool {
+    (pass.first.saturating_sub(1)..=pass.after(record)).any(|sample| record.holds(sample))
 }

@@ -58,7 +58,7 @@ laws! {
     /// An abort stops the motion for good.
     "trajectory.abort" Abort,
     /// At each instant what is queued suffices to stop.
-    "trajectory.reserve" Reserve,
+    "trajectory.reserve" StoppingDistance,
 }
 
 impl fmt::Display for Law {

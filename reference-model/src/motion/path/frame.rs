@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Axis, LengthUnit, Plane, Position, Settings};
 
 use crate::math;
-use crate::motion::vector::{Nine, last_place};
+use crate::motion::vector::{AxisVector, last_place};
 
 /// Millimetres of the active length unit; a millimetre where no unit was recorded.
 pub(super) fn unit(settings: &Settings) -> f64 {
@@ -22,7 +22,7 @@ pub(super) fn on_machine(program: Position, settings: &Settings) -> Position {
     let local = nine(settings.g92_offset);
     let (origin, tool) = (nine(settings.g5x_offset), nine(settings.tool_offset));
     let program = program.to_array();
-    let mut point: Nine = std::array::from_fn(|axis| program[axis] + local[axis]);
+    let mut point: AxisVector = std::array::from_fn(|axis| program[axis] + local[axis]);
     let [x, y] = turned([point[0], point[1]], settings.rotation.unwrap_or(0.0));
     (point[0], point[1]) = (x, y);
     let mut machine = Position::default();

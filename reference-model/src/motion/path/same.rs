@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::motion::{Element, PathMode, ProgrammedPath, Shape};
 use crate::math;
 use crate::motion::curve::Curve;
 use crate::motion::laws::follows;
-use crate::motion::vector::{Nine, distance};
+use crate::motion::vector::{AxisVector, distance};
 
 /// Where two paths part.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,7 +115,7 @@ fn unlike(one: &Element, other: &Element, tolerance: f64) -> Option<String> {
 
 /// Whether some curves lead along others, point by point in order, within a tolerance.
 fn leads_along(curves: &[Curve], others: &[Curve], tolerance: f64) -> bool {
-    let mut points: Vec<Nine> = vec![curves[0].start()];
+    let mut points: Vec<AxisVector> = vec![curves[0].start()];
     for curve in curves {
         // Chords that are nearer to the arc than half of the tolerance.
         let radius = curve.length() / curve.angle().abs().max(f64::MIN_POSITIVE);

@@ -32,7 +32,7 @@ pub(crate) use subs::passed;
 
 use super::machine::State;
 use super::parameters::Name;
-use super::quirks::{self, skipping::Sought};
+use super::quirks::{self, skipping::SearchTarget};
 use super::read::{self, Words};
 use super::refusal::{StepError, refuse};
 use super::syntax::{Block, Expression, Keyword, Label, OWord};
@@ -232,8 +232,8 @@ impl Control {
         } else {
             self.find(label, keywords, after, state)
         };
-        let sought = Sought::Structure { label, ends: keywords };
-        quirks::skipping::pass_over(self, sought, end, state)?;
+        let target = SearchTarget::Structure { label, ends: keywords };
+        quirks::skipping::pass_over(self, target, end, state)?;
         let labels = self.files.labels(self.place.file);
         if end.is_none() && labels.ends_in_program(label, keywords, after, state) {
             let why =

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::{Call, Control, Frame, MAIN, Next, Place, Style, evaluated, o_word};
 use crate::rs274::machine::State;
 use crate::rs274::quirks;
-use crate::rs274::quirks::skipping::Sought;
+use crate::rs274::quirks::skipping::SearchTarget;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::step::saved_state;
 use crate::rs274::syntax::{Expression, Keyword, OWord};
@@ -57,7 +57,7 @@ impl Control {
     /// Rule subroutines.nested-definition. Its body cannot contain another sub.
     fn define(&mut self, label: &str, place: Place, state: &mut State) -> Result<u32, StepError> {
         let end = self.files.labels_mut(place.file).end_of_defined(label, place.line, state);
-        quirks::skipping::pass_over(self, Sought::EndSub { label }, end, state)?;
+        quirks::skipping::pass_over(self, SearchTarget::EndSub { label }, end, state)?;
         let labels = self.files.labels(place.file);
         let in_loop = state.frame().open.iter().any(|open| open.structure.head() != Keyword::If);
         let until = end.map_or(u32::MAX, |end| end + 1);

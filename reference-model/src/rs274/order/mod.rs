@@ -16,7 +16,7 @@ use super::task::Record;
 
 /// What becomes of a block after one of its phases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rest {
+pub enum AfterPhase {
     /// The later phases are executed.
     Execute,
     /// They are not: a controller with a quirk can drop them.
@@ -36,20 +36,20 @@ pub fn execute(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<Rest, StepError> {
+) -> Result<AfterPhase, StepError> {
     let frame = state.curve.open.is_some().then(|| state.modes.frame());
-    let rest = perform(phase, words, state, record);
-    if rest.is_ok()
+    let after_phase = perform(phase, words, state, record);
+    if after_phase.is_ok()
         && phase < Phase::Motion
         && frame.is_some_and(|frame| frame != state.modes.frame())
     {
         let why = "another length unit or offset within the data block of G5.2".to_owned();
         return Err(StepError::Unspecified(why));
     }
-    if matches!(rest, Err(StepError::Refused(_))) {
+    if matches!(after_phase, Err(StepError::Refused(_))) {
         refused_at(phase, words, state);
     }
-    rest
+    after_phase
 }
 
 /// A block has gone through all its phases: the rules about their order are reached.
@@ -73,7 +73,7 @@ fn perform(
     words: &Words,
     state: &mut State,
     record: &mut Record,
-) -> Result<Rest, StepError> {
+) -> Result<AfterPhase, StepError> {
     match phase {
         Phase::Comment => {
             if let Some(comment) = &words.comment {
@@ -114,7 +114,7 @@ fn perform(
         Phase::Motion => step::motion::perform(words, state, record)?,
         Phase::Stop => return Ok(step::stop::perform(words, state, record)),
     }
-    Ok(Rest::Execute)
+    Ok(AfterPhase::Execute)
 }
 
 /// M62 to M68. Where a block may hold several of them they come as the list names them, wherever they stand

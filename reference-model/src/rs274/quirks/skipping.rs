@@ -16,7 +16,7 @@ use crate::rs274::text::Line;
 
 /// What is looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sought<'a> {
+pub(crate) enum SearchTarget<'a> {
     /// The next branch or the end of a condition or loop.
     Structure {
         /// Its label.
@@ -51,7 +51,7 @@ const QUIRKS: [&str; 3] = ["rs274.skipped-is-read", "rs274.skipped-labels", "rs2
 /// A line that is refused.
 pub(crate) fn pass_over(
     control: &mut Control,
-    sought: Sought<'_>,
+    target: SearchTarget<'_>,
     end: Option<u32>,
     state: &mut State,
 ) -> Result<(), StepError> {
@@ -65,7 +65,7 @@ pub(crate) fn pass_over(
             None | Some(Line::End) => break,
             Some(Line::Nothing) => {}
             Some(Line::Block(text)) => {
-                minded(text, sought, state).inspect_err(|_| control.place = place)?;
+                minded(text, target, state).inspect_err(|_| control.place = place)?;
             }
         }
     }
@@ -86,7 +86,7 @@ pub(crate) fn to_numbered(
     }
     let ends = [Keyword::ProgramNumber, Keyword::Sub];
     let end = control.next_in_file(label, &ends);
-    pass_over(control, Sought::Numbered, end, state)
+    pass_over(control, SearchTarget::Numbered, end, state)
 }
 
 /// On the way to a sub that stands behind its call: what is evaluated there is evaluated as within the sub.
@@ -106,15 +106,15 @@ pub(crate) fn to_called(
     let call = Call { label: label.to_owned(), back: control.place, style: Style::OWord };
     let arguments = passed(arguments, state);
     state.frames.push(Frame { arguments, call: Some(call), ..Frame::default() });
-    let passed_over = pass_over(control, Sought::Called { label }, end, state);
+    let passed_over = pass_over(control, SearchTarget::Called { label }, end, state);
     state.frames.pop();
     passed_over
 }
 
 /// A line that is passed over.
-fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), StepError> {
+fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(), StepError> {
     let reads = state.choices.quirk("rs274.skipped-is-read");
-    let in_sub = matches!(sought, Sought::EndSub { .. });
+    let in_sub = matches!(target, SearchTarget::EndSub { .. });
     let read = match syntax::passed_over(text, state) {
         Ok(read) => read,
         Err(error) if reads && !is_passable(&error, text) => return Err(error),
@@ -143,41 +143,41 @@ fn minded(text: &str, sought: Sought<'_>, state: &mut State) -> Result<(), StepE
         Err(error) if reads => return Err(error),
         label => label.ok(),
     };
-    match sought {
-        Sought::Structure { label: own, ends }
+    match target {
+        SearchTarget::Structure { label: own, ends }
             if label.as_deref() == Some(own) && state.choices.quirk("rs274.skipped-labels") =>
         {
             own_label(word.keyword, ends)
         }
-        Sought::EndSub { .. }
+        SearchTarget::EndSub { .. }
             if word.keyword == Keyword::ProgramNumber
                 && state.choices.quirk("rs274.number-in-sub") =>
         {
             let message = "a number alone within a sub that is defined";
             Err(refuse("rs274.number-in-sub", FaultKind::NestedSub, message))
         }
-        Sought::EndSub { .. } if word.keyword == Keyword::Sub && reads => {
+        SearchTarget::EndSub { .. } if word.keyword == Keyword::Sub && reads => {
             let rule = "subroutines.nested-definition";
             Err(refuse(rule, FaultKind::NestedSub, "a sub within a sub that is defined"))
         }
-        Sought::EndSub { label: own }
+        SearchTarget::EndSub { label: own }
             if label.as_deref() == Some(own)
                 && word.keyword == Keyword::Return
                 && state.choices.quirk("rs274.value-at-definition") =>
         {
             returned(true, text, state)
         }
-        Sought::Called { label: own }
+        SearchTarget::Called { label: own }
             if label.as_deref() == Some(own)
                 && matches!(word.keyword, Keyword::EndSub | Keyword::Return)
                 && state.choices.quirk("rs274.value-at-definition") =>
         {
             returned(false, text, state)
         }
-        Sought::Structure { .. }
-        | Sought::EndSub { .. }
-        | Sought::Called { .. }
-        | Sought::Numbered => Ok(()),
+        SearchTarget::Structure { .. }
+        | SearchTarget::EndSub { .. }
+        | SearchTarget::Called { .. }
+        | SearchTarget::Numbered => Ok(()),
     }
 }
 

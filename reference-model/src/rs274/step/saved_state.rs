@@ -6,7 +6,7 @@ use super::restore::restore;
 use crate::rs274::control::{Frame, Style};
 use crate::rs274::machine::State;
 use crate::rs274::modes::SavedState;
-use crate::rs274::order::Rest;
+use crate::rs274::order::AfterPhase;
 use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
@@ -16,7 +16,7 @@ use crate::rs274::task::Record;
 ///
 /// # Errors
 /// Nothing to restore. Two of these codes in one block: the documents do not say which comes first.
-pub fn perform(words: &Words, state: &mut State) -> Result<Rest, StepError> {
+pub fn perform(words: &Words, state: &mut State) -> Result<AfterPhase, StepError> {
     let codes: Vec<u32> = words.m.iter().copied().filter(|code| (70..=73).contains(code)).collect();
     let [code] = codes[..] else {
         let why = "M70 to M73 are in no modal group, and nothing says which of two acts first";
@@ -37,7 +37,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<Rest, StepError> {
             }
         }
     }
-    Ok(Rest::Execute)
+    Ok(AfterPhase::Execute)
 }
 
 /// Rule saved-state.save-restore. M70 and M73 save the modal state at the current call level.
@@ -118,7 +118,7 @@ fn invalidate(state: &mut State) -> Result<(), StepError> {
 /// Rule saved-state.autorestore-explicit. It may be one that M73 saved, under choice saved-state.restorable.
 /// Rule saved-state.nothing-saved. Where nothing was saved at this level the restore is refused.
 /// Rule saved-state.invalidated. And where what was saved is invalid.
-fn restore_explicitly(state: &mut State) -> Result<Rest, StepError> {
+fn restore_explicitly(state: &mut State) -> Result<AfterPhase, StepError> {
     let saved = restorable(state);
     let Some(saved) = saved.as_ref().filter(|saved| saved.valid) else {
         let rule = if saved.is_some() {
@@ -148,7 +148,7 @@ fn restore_explicitly(state: &mut State) -> Result<Rest, StepError> {
     before.tool_length = state.modes.tool_length;
     let restores = state.modes != before || quirks::programs(&saved.modes, &before);
     let drop = restores && state.choices.quirk("rs274.rest-of-restore-block");
-    Ok(if drop { Rest::Drop } else { Rest::Execute })
+    Ok(if drop { AfterPhase::Drop } else { AfterPhase::Execute })
 }
 
 /// Choice saved-state.restorable: what was saved last, or only where M70 did; where each code has its own place that

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::Effect;
 
 use super::program_end;
 use crate::rs274::machine::State;
-use crate::rs274::order::Rest;
+use crate::rs274::order::AfterPhase;
 use crate::rs274::read::Words;
 use crate::rs274::task::Record;
 
@@ -15,14 +15,14 @@ use crate::rs274::task::Record;
 /// Rule pause.last-in-block. Everything else of the block comes before.
 /// Choice pause.pallet-codes. One document says of M30 and M60 in its table what its sections say of the other.
 /// Rule pause.pallet. M60 exchanges the pallet shuttles and then pauses it, whatever that switch is.
-pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Rest {
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> AfterPhase {
     let (ends, pauses) = match state.choices.choice("pause.pallet-codes") {
         "table" => (60, 30),
         _ => (30, 60),
     };
     if words.m.contains(&2) || words.m.contains(&ends) {
         program_end::perform(words, state, record);
-        return Rest::ProgramEnd;
+        return AfterPhase::ProgramEnd;
     }
     let optional = words.m.contains(&1);
     if words.m.contains(&pauses) {
@@ -34,5 +34,9 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Rest {
     state.coverage.accepted("pause.last-in-block");
     record.effect(state, Effect::Stop { optional });
     let switched_off = optional && !state.panel.optional_stop;
-    if switched_off || state.environment.is_stand_alone() { Rest::Execute } else { Rest::Pause }
+    if switched_off || state.environment.is_stand_alone() {
+        AfterPhase::Execute
+    } else {
+        AfterPhase::Pause
+    }
 }

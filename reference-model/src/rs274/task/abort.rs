@@ -3,13 +3,13 @@
 use gaugeblock_vocabulary::{End, SpindleTurn, Switch};
 
 use super::operator::Operator;
-use super::{Record, Run};
+use super::{ModelRun, Record};
 use crate::rs274::machine::State;
 use crate::rs274::modes::converted;
 use crate::rs274::quirks::task as quirks;
 use crate::rs274::step;
 
-impl Run<'_> {
+impl ModelRun<'_> {
     /// Rule abort.ends. The run is over, whatever block was broken off.
     ///
     /// Rule abort.autorestore. In a sub with M73 nothing is restored.
@@ -78,7 +78,7 @@ impl Run<'_> {
         state.coverage = crate::RuleCoverage::default();
         state.environment.answers_at_once();
         let control = self.control.clone();
-        let mut ahead = Run {
+        let mut ahead = ModelRun {
             scenario: self.scenario,
             record: Record::new(&state),
             state,

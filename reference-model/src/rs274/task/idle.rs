@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::scenario::Action;
 use gaugeblock_vocabulary::{ControllerMode, End};
 
 use super::request::{Activity, Answer};
-use super::{Run, open_entries};
+use super::{ModelRun, open_entries};
 use crate::rs274::control::{Control, Frame, MAIN, Place};
 use crate::rs274::quirks::task as quirks;
 use crate::rs274::refusal::StepError;
@@ -22,7 +22,7 @@ pub(super) enum Then {
     Begin,
 }
 
-impl Run<'_> {
+impl ModelRun<'_> {
     /// The controller waits for the operator. A block by hand that ends a program, or is broken off, is how the run
     /// ended.
     pub(super) fn idle(&mut self, end: &mut End) -> Result<Then, StepError> {

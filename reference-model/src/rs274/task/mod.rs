@@ -45,9 +45,9 @@ use super::step;
 use super::syntax::Room;
 use crate::{Evidence, RuleCoverage};
 
-/// What a run leaves for the next one.
+/// What a run leaves for the next one, so that it need not be made again.
 #[derive(Debug, Default)]
-pub struct Kept {
+pub struct RunCache {
     /// How the documents are read under some options.
     choices: Option<(Options, Shared<Choices>)>,
     /// Who looks on.
@@ -56,7 +56,7 @@ pub struct Kept {
     room: Room,
 }
 
-impl Kept {
+impl RunCache {
     /// How the documents are read under some options, which are most often those of the run before.
     fn choices(&mut self, options: &Options) -> Result<Shared<Choices>, String> {
         if let Some((known, choices)) = &self.choices
@@ -73,19 +73,19 @@ impl Kept {
 /// Runs a scenario as the documents say; how positions are rounded they leave open.
 ///
 /// Options that the model does not know end the run before its first block.
-pub fn run(kept: &mut Kept, scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
-    let choices = match kept.choices(&scenario.options) {
+pub fn run(cache: &mut RunCache, scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
+    let choices = match cache.choices(&scenario.options) {
         Ok(choices) => choices,
         Err(what) => return (not_begun(what), Evidence::default()),
     };
-    let coverage = std::mem::take(&mut kept.coverage);
+    let coverage = std::mem::take(&mut cache.coverage);
     let mut state = start(scenario, choices, rounding, coverage);
-    state.room = std::mem::take(&mut kept.room);
+    state.room = std::mem::take(&mut cache.room);
     state.coverage.accepted("modal-groups.initial-modes");
     state.coverage.accepted("offsets.start-system");
     let mut record = Record::new(&state);
     record.allow(&scenario.budget);
-    let mut run = Run::new(scenario, state, record);
+    let mut run = ModelRun::new(scenario, state, record);
     let end = run.whole();
     if run.is_within_block && leaves_nothing(&end) {
         run.before_block();
@@ -94,7 +94,7 @@ pub fn run(kept: &mut Kept, scenario: &Scenario, rounding: Rounding) -> (Outcome
     let parameters = run.parameters();
     let pins = run.state.environment.changes().to_vec();
     let coverage = run.state.coverage.take();
-    (kept.coverage, kept.room) = (run.state.coverage, run.state.room);
+    (cache.coverage, cache.room) = (run.state.coverage, run.state.room);
     (run.record.finish(end, parameters, pins), coverage)
 }
 
@@ -170,7 +170,7 @@ fn not_begun(what: String) -> Outcome {
     }
 }
 
-struct Run<'a> {
+struct ModelRun<'a> {
     scenario: &'a Scenario,
     state: State,
     control: Control,
@@ -198,7 +198,7 @@ struct Run<'a> {
     before_block: Option<Box<State>>,
 }
 
-impl<'a> Run<'a> {
+impl<'a> ModelRun<'a> {
     fn new(scenario: &'a Scenario, mut state: State, record: Record) -> Self {
         let mut control = Control::new(&scenario.program, &mut state);
         let entries = open_entries(scenario, &mut control, &mut state);
@@ -314,7 +314,7 @@ impl<'a> Run<'a> {
         let state = start(&scenario, choices, rounding, RuleCoverage::muted());
         let mut record = Record::new(&state);
         record.allow(&scenario.budget);
-        let mut again = Run::new(&scenario, state, record);
+        let mut again = ModelRun::new(&scenario, state, record);
         again.whole();
         again.state
     }

@@ -8,11 +8,11 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::{Effect, End, Position};
 
-use super::Run;
+use super::ModelRun;
 use super::request::{Activity, Answer, By};
 use crate::rs274::environment::EnvironmentState;
 use crate::rs274::machine::{Panel, State};
-use crate::rs274::order::{self, Phase, Rest};
+use crate::rs274::order::{self, AfterPhase, Phase};
 use crate::rs274::read::Words;
 use crate::rs274::refusal::StepError;
 use crate::rs274::step;
@@ -114,7 +114,7 @@ impl Watch {
     }
 }
 
-impl Run<'_> {
+impl ModelRun<'_> {
     /// Whether a move of the phase may be held, or somebody may act between its moves or its waits.
     pub(super) fn is_watched(&self, phase: Phase, words: &Words) -> bool {
         let environment = &self.state.environment;
@@ -144,7 +144,7 @@ impl Run<'_> {
         phase: Phase,
         words: &Words,
         began: &mut f64,
-    ) -> Result<Rest, StepError> {
+    ) -> Result<AfterPhase, StepError> {
         let before = self.without_evidence();
         let mark = self.record.mark();
         let mut watch = Watch {

@@ -2,13 +2,13 @@
 
 use gaugeblock_vocabulary::{Pin, SpindleMode, SpindleTurn, Switch};
 
-use super::Run;
+use super::ModelRun;
 use crate::rs274::machine::State;
 use crate::rs274::modes::Spindle;
 use crate::rs274::order::Phase;
 use crate::rs274::step;
 
-impl Run<'_> {
+impl ModelRun<'_> {
     /// Brings the pins up to date after a phase of a block, or after something that the operator did.
     pub(super) fn show(&mut self, after: Option<Phase>) {
         show(&mut self.state, after);

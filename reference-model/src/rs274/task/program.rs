@@ -4,18 +4,18 @@ use std::sync::Arc;
 
 use gaugeblock_vocabulary::{End, FaultKind};
 
-use super::{Record, Run};
+use super::{ModelRun, Record};
 use crate::rs274::control::{self, Control, MAIN, Next};
 use crate::rs274::environment::stub;
 use crate::rs274::machine::State;
-use crate::rs274::order::{Phase, Phases, Rest};
+use crate::rs274::order::{AfterPhase, Phase, Phases};
 use crate::rs274::read::{self, Words};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::syntax::Keyword;
 use crate::rs274::text::Line;
 use crate::rs274::{check, order, step, syntax};
 
-impl Run<'_> {
+impl ModelRun<'_> {
     /// The next line of the program.
     ///
     /// Rule program-end.percent. The second percent line ends the run and does nothing else: it is no program end.
@@ -108,9 +108,9 @@ impl Run<'_> {
         check::check(&words, &mut self.state)?;
         self.state.plane_before = self.state.modes.plane;
         self.is_within_block = true;
-        let rest = self.execute(&words)?;
+        let after_phase = self.execute(&words)?;
         stub::after_block(self.record.moves(), &mut self.state)?;
-        if rest == Rest::ProgramEnd {
+        if after_phase == AfterPhase::ProgramEnd {
             self.ended(block.block_delete)?;
             self.done()?;
             self.record.step(place, &mut self.state);
@@ -150,8 +150,8 @@ impl Run<'_> {
     /// they pause, or before them and after its comment.
     ///
     /// In a phase that takes time the operator may act. What an abort breaks off has not been done.
-    fn execute(&mut self, words: &Words) -> Result<Rest, StepError> {
-        let mut rest = Rest::Execute;
+    fn execute(&mut self, words: &Words) -> Result<AfterPhase, StepError> {
+        let mut after_phase = AfterPhase::Execute;
         let mut settings = (!words.settings.is_empty()).then_some(&words.settings);
         let before_words =
             settings.is_some() && self.state.choices.is("parameters.setting-time", "before-words");
@@ -180,7 +180,7 @@ impl Run<'_> {
             };
             let refused = match executed {
                 Ok(done) => {
-                    rest = done;
+                    after_phase = done;
                     None
                 }
                 Err(StepError::WaitsForEver) => return Err(self.waits_before(phase, phases, words)),
@@ -195,7 +195,7 @@ impl Run<'_> {
                 self.has_moved = true;
             }
             self.show(Some(phase));
-            if rest == Rest::Drop {
+            if after_phase == AfterPhase::Drop {
                 // Quirk rs274.rest-of-restore-block. A feed is not asked for; what else is asked before is not known.
                 let later = self.fault_after(phase, phases, words);
                 if later.is_some_and(|error| !is_of_feed(&error)) {
@@ -222,17 +222,17 @@ impl Run<'_> {
                 return Err(refused);
             }
         }
-        if rest != Rest::Drop {
+        if after_phase != AfterPhase::Drop {
             order::completed(words, phases, &mut self.state);
         }
         step::pass(0.0, &mut self.state);
-        if rest == Rest::Pause {
+        if after_phase == AfterPhase::Pause {
             self.paused(words)?;
         }
         if let Some(settings) = settings {
             control::assign(settings, &mut self.state)?;
         }
-        Ok(rest)
+        Ok(after_phase)
     }
 
     /// A block waits for ever for one of its phases. Where a later one has a fault, no document says whether that is

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::scenario::Action;
 use gaugeblock_vocabulary::{ControllerMode, Effect, End, Request};
 
-use super::Run;
+use super::ModelRun;
 use super::operator::Happening;
 use crate::rs274::quirks::task as quirks;
 use crate::rs274::refusal::StepError;
@@ -45,7 +45,7 @@ pub(super) enum Answer {
     Executes(usize),
 }
 
-impl Run<'_> {
+impl ModelRun<'_> {
     /// Does what the operator asks for. An encoder that answers at the same time does so afterwards.
     ///
     /// # Errors

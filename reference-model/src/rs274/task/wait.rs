@@ -2,13 +2,13 @@
 
 use gaugeblock_vocabulary::{BlockLocation, End};
 
-use super::Run;
+use super::ModelRun;
 use super::request::{Activity, Answer, By};
 use crate::rs274::order::Phase;
 use crate::rs274::read::Words;
 use crate::rs274::refusal::StepError;
 
-impl Run<'_> {
+impl ModelRun<'_> {
     /// A block begins: what the operator does at that moment comes before the block.
     pub(super) fn begins(&mut self, block: &BlockLocation) -> Result<(), StepError> {
         self.record.begin();

@@ -15,8 +15,8 @@ mod places;
 use std::collections::BTreeSet;
 
 use crate::motion::curve::Curve;
-use crate::motion::route::{Passing, Route};
-use crate::motion::vector::{Nine, distance, from_segment};
+use crate::motion::route::{CornerTolerance, Route};
+use crate::motion::vector::{AxisVector, distance, from_segment};
 use gaugeblock_vocabulary::motion::PathMode;
 
 /// How many pieces ahead and behind a lost sample is looked for.
@@ -96,7 +96,7 @@ pub(super) struct Matching {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measure<'a> {
     /// The samples' positions.
-    pub(super) points: &'a [Nine],
+    pub(super) points: &'a [AxisVector],
     /// How far a position may be off because of how it is written.
     pub(super) slack: f64,
     /// How far a motion can be from the chord between two samples.
@@ -159,7 +159,7 @@ pub(super) fn matched(route: &Route<'_>, measure: Measure<'_>) -> Matching {
 }
 
 /// Whether points lead along curves in order, within a tolerance, and pass each of their ends.
-pub(in crate::motion) fn follows(points: &[Nine], curves: &[Curve], tolerance: f64) -> bool {
+pub(in crate::motion) fn follows(points: &[AxisVector], curves: &[Curve], tolerance: f64) -> bool {
     let piece = |leg: usize| Piece { leg, from: 0.0, to: 1.0, tolerance, gate: tolerance };
     let quarters = |leg: usize, curve: &Curve| {
         let quarters = (curve.angle().abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
@@ -212,10 +212,10 @@ fn pieces(route: &Route<'_>) -> Vec<Piece> {
 }
 
 fn gate(route: &Route<'_>, corner: usize) -> f64 {
-    match route.corners[corner].passing {
-        Passing::Rest | Passing::Exact => 0.0,
-        Passing::Within(tolerance) => tolerance,
-        Passing::BetweenMidpoints => {
+    match route.corners[corner].tolerance {
+        CornerTolerance::Rest | CornerTolerance::Exact => 0.0,
+        CornerTolerance::Within(tolerance) => tolerance,
+        CornerTolerance::BetweenMidpoints => {
             let near = |leg: usize| route.legs.get(leg).map_or(0.0, |leg| leg.curve.length());
             near(corner - 1).max(near(corner))
         }
@@ -240,7 +240,7 @@ impl Matcher<'_> {
     }
 
     /// The points of a piece that are within tolerance of a point.
-    fn free(&self, piece: usize, point: &Nine) -> Option<Reach> {
+    fn free(&self, piece: usize, point: &AxisVector) -> Option<Reach> {
         let at = &self.pieces[piece];
         let tolerance = at.tolerance + self.measure.slack;
         let (low, high) = self.curves[at.leg].within(point, tolerance, at.from, at.to)?;
@@ -424,7 +424,7 @@ fn passes(
     piece: &Piece,
     curves: &[Curve],
     closest: &mut f64,
-    chord: (&Nine, &Nine),
+    chord: (&AxisVector, &AxisVector),
     measure: &Measure<'_>,
 ) -> bool {
     let end = curves[piece.leg].at(piece.to);

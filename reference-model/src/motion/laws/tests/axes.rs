@@ -2,7 +2,7 @@
 
 use super::*;
 
-fn straight() -> (ProgrammedPath, Vec<Nine>) {
+fn straight() -> (ProgrammedPath, Vec<AxisVector>) {
     let path = path(within(0.01), Feed::PerSecond(200.0), vec![line(30.0, 20.0)]);
     (path, Motion::default().line(xy(30.0, 20.0), (0.0, 200.0, 0.0), 2400.0).samples())
 }
@@ -70,7 +70,7 @@ fn jerk_limited(jerk: f64) -> MotionLimits {
 #[test]
 fn a_jerk_beyond_the_limit() {
     let path = path(within(0.01), Feed::PerSecond(200.0), vec![line(8.0, 0.0)]);
-    let judged = |points: &[Nine], jerk| {
+    let judged = |points: &[AxisVector], jerk| {
         judge(&record(points, &[]), &path, &jerk_limited(jerk), &MotionScript::default())
     };
     let stepping = Motion::default().line(xy(8.0, 0.0), (0.0, 200.0, 0.0), 1000.0).samples();
@@ -82,7 +82,7 @@ fn a_jerk_beyond_the_limit() {
         let x = from(0.0) - 2.0 * from(0.1) + 2.0 * from(0.3) - from(0.4);
         [x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     };
-    let mut smooth: Vec<Nine> =
+    let mut smooth: Vec<AxisVector> =
         (0..400_u32).map(|sample| place(f64::from(sample) * PERIOD)).collect();
     smooth.extend([xy(8.0, 0.0).to_array(); 3]);
     // The sum of four cubes loses more than a position does.

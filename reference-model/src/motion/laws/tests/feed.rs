@@ -2,7 +2,7 @@
 
 use super::*;
 
-fn along(feed: Feed, speed: f64) -> (ProgrammedPath, Vec<Nine>) {
+fn along(feed: Feed, speed: f64) -> (ProgrammedPath, Vec<AxisVector>) {
     let path = path(within(0.01), feed, vec![line(30.0, 0.0)]);
     (path, Motion::default().to(30.0, 0.0, speed).samples())
 }

@@ -4,7 +4,7 @@ use super::*;
 use crate::math;
 
 /// A right corner at (10, 0), rounded by a parabola from `reach` before it to `reach` behind it.
-fn rounded(reach: f64) -> Vec<Nine> {
+fn rounded(reach: f64) -> Vec<AxisVector> {
     let mut motion = Motion::default();
     let speed = (2.0 * reach * 1900.0_f64 / 2.0).sqrt().min(50.0);
     motion.line(xy(10.0 - reach, 0.0), (0.0, 50.0, speed), 1900.0);
@@ -21,7 +21,7 @@ fn corner(mode: PathMode) -> ProgrammedPath {
 }
 
 /// The parabola passes the corner at `reach · √2 / 4`.
-fn missing(distance: f64) -> Vec<Nine> {
+fn missing(distance: f64) -> Vec<AxisVector> {
     rounded(distance * 4.0 / std::f64::consts::SQRT_2)
 }
 
@@ -65,7 +65,7 @@ fn a_sample_beside_the_path() {
 }
 
 /// An arc of radius 5 from the origin about (5, 0), a quarter of a turn of each second.
-fn arc(radius: f64) -> (ProgrammedPath, Vec<Nine>) {
+fn arc(radius: f64) -> (ProgrammedPath, Vec<AxisVector>) {
     let shape = Shape::Arc {
         end: xy(5.0, 5.0),
         centre: [5.0, 0.0, 0.0],
@@ -75,7 +75,7 @@ fn arc(radius: f64) -> (ProgrammedPath, Vec<Nine>) {
     let path = path(PathMode::ExactPath, Feed::PerSecond(50.0), vec![shape]);
     let mut motion = Motion::default();
     motion.line(xy(90.0, 0.0), (0.0, 200.0, 0.0), 1000.0);
-    let point = |[angle, ..]: Nine| {
+    let point = |[angle, ..]: AxisVector| {
         let (sine, cosine) = (math::sine_of_degrees(angle), math::cosine_of_degrees(angle));
         [5.0 - radius * cosine, radius * sine, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     };

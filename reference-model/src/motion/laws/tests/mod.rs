@@ -17,7 +17,7 @@ use gaugeblock_vocabulary::scenario::AxisLimits;
 use gaugeblock_vocabulary::{Axis, BlockLocation, Pin, Position};
 
 use super::{Judgement, Law, Verdict, judge};
-use crate::motion::vector::{Nine, distance, minus, plus};
+use crate::motion::vector::{AxisVector, distance, minus, plus};
 
 /// The servo period of all records.
 const PERIOD: f64 = 0.001;
@@ -60,16 +60,16 @@ fn digital(value: f64) -> Switching {
 #[derive(Clone, Debug, Default)]
 struct Motion {
     /// Where it is, how fast, and how it accelerates, from which second on.
-    pieces: Vec<(f64, Nine, Nine, Nine)>,
+    pieces: Vec<(f64, AxisVector, AxisVector, AxisVector)>,
     /// Until when.
     seconds: f64,
-    at: Nine,
-    velocity: Nine,
+    at: AxisVector,
+    velocity: AxisVector,
 }
 
 impl Motion {
     /// Goes on for a time with a constant acceleration.
-    fn push(&mut self, seconds: f64, acceleration: Nine) -> &mut Self {
+    fn push(&mut self, seconds: f64, acceleration: AxisVector) -> &mut Self {
         self.pieces.push((self.seconds, self.at, self.velocity, acceleration));
         let mean = plus(&self.velocity, &acceleration, seconds / 2.0);
         self.at = plus(&self.at, &mean, seconds);
@@ -109,7 +109,7 @@ impl Motion {
         self.line(xy(x, y), (0.0, speed, 0.0), 1900.0)
     }
 
-    fn sample(&self, second: f64) -> Nine {
+    fn sample(&self, second: f64) -> AxisVector {
         if second >= self.seconds {
             return self.at;
         }
@@ -120,7 +120,7 @@ impl Motion {
     }
 
     /// Samples until it rests at its end for two cycles.
-    fn samples(&self) -> Vec<Nine> {
+    fn samples(&self) -> Vec<AxisVector> {
         let mut samples = Vec::new();
         let mut second = 0.0;
         while second < self.seconds + 2.0 * PERIOD {
@@ -132,7 +132,7 @@ impl Motion {
 }
 
 /// A record of X, Y, Z, and of further columns.
-fn record(points: &[Nine], columns: &[(Column, Vec<f64>)]) -> Samples {
+fn record(points: &[AxisVector], columns: &[(Column, Vec<f64>)]) -> Samples {
     let axes = [Axis::X, Axis::Y, Axis::Z].map(Column::Position);
     let names = axes.into_iter().chain(columns.iter().map(|(column, _)| *column)).collect();
     let mut samples = Samples::new(PERIOD, 0.0, names).unwrap();
@@ -150,7 +150,7 @@ fn script(events: &[(u32, MotionAction)]) -> MotionScript {
     MotionScript { events: events.iter().map(event).collect() }
 }
 
-fn judged(points: &[Nine], path: &ProgrammedPath) -> Judgement {
+fn judged(points: &[AxisVector], path: &ProgrammedPath) -> Judgement {
     judge(&record(points, &[]), path, &limits(), &MotionScript::default())
 }
 

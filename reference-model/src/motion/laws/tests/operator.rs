@@ -7,7 +7,7 @@ fn along() -> ProgrammedPath {
 }
 
 /// Speeds up to 100 mm/s, brakes in cycle 200 with an acceleration, rests, goes on.
-fn stopping(acceleration: f64) -> Vec<Nine> {
+fn stopping(acceleration: f64) -> Vec<AxisVector> {
     let mut motion = Motion::default();
     let up = 100.0 / 1900.0;
     let x = |value: f64| [value, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
@@ -17,7 +17,7 @@ fn stopping(acceleration: f64) -> Vec<Nine> {
     motion.samples()
 }
 
-fn held(points: &[Nine], from: u32, until: u32) -> Judgement {
+fn held(points: &[AxisVector], from: u32, until: u32) -> Judgement {
     let script = script(&[(from, MotionAction::Hold(true)), (until, MotionAction::Hold(false))]);
     judge(&record(points, &[]), &along(), &limits(), &script)
 }
@@ -47,8 +47,9 @@ fn a_feed_stop_counts_where_it_is_enabled() {
 #[test]
 fn an_abort_stops_for_good() {
     let script = |cycle| script(&[(cycle, MotionAction::Abort)]);
-    let aborted =
-        |points: &[Nine], cycle| judge(&record(points, &[]), &along(), &limits(), &script(cycle));
+    let aborted = |points: &[AxisVector], cycle| {
+        judge(&record(points, &[]), &along(), &limits(), &script(cycle))
+    };
     let points = stopping(2000.0);
     let stopped = &points[..300];
     lawful(&aborted(stopped, 200));
@@ -68,8 +69,8 @@ fn what_is_queued_suffices_to_stop() {
         judge(&record(&points, &[column]), &path, &limits(), &MotionScript::default())
     };
     lawful(&judged(5.0));
-    broken(&judged(1.0), Law::Reserve);
-    broken(&judged(-1.0), Law::Reserve);
+    broken(&judged(1.0), Law::StoppingDistance);
+    broken(&judged(-1.0), Law::StoppingDistance);
     let unknown = super::judged(&points, &path);
-    assert!(matches!(unknown.of(Law::Reserve), Some(Verdict::NotJudged(_))));
+    assert!(matches!(unknown.of(Law::StoppingDistance), Some(Verdict::NotJudged(_))));
 }

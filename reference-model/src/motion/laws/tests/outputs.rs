@@ -15,7 +15,7 @@ fn lines(at_once: bool, value: f64) -> ProgrammedPath {
     path
 }
 
-fn judged(points: &[Nine], path: &ProgrammedPath, at: Option<usize>) -> Judgement {
+fn judged(points: &[AxisVector], path: &ProgrammedPath, at: Option<usize>) -> Judgement {
     let mut values = vec![0.0; points.len()];
     if let Some(at) = at {
         values[at..].fill(1.0);
@@ -46,7 +46,7 @@ fn an_output_at_once_switches_at_rest() {
     let mut motion = Motion::default();
     motion.to(10.0, 0.0, 50.0).rest(0.005).to(20.0, 0.0, 50.0);
     let points = motion.samples();
-    let at = |point: &Nine| (point[0] - 10.0).abs() < 1e-9;
+    let at = |point: &AxisVector| (point[0] - 10.0).abs() < 1e-9;
     let first = points.iter().position(at).unwrap();
     let last = points.iter().rposition(at).unwrap();
     let path = lines(true, 1.0);

@@ -52,7 +52,7 @@ fn a_record_starts_and_ends_at_rest_where_the_path_does() {
     broken(&judged(&crawling, &path), Law::Ends);
 }
 
-fn dwelling(seconds: f64) -> Vec<Nine> {
+fn dwelling(seconds: f64) -> Vec<AxisVector> {
     let mut motion = Motion::default();
     motion.to(10.0, 0.0, 50.0).rest(seconds).to(20.0, 0.0, 50.0);
     motion.samples()

@@ -24,7 +24,7 @@ proptest! {
             }
         };
         let path = path(modes[usize::from(mode)], Feed::PerSecond(10.0), ends.into_iter().map(shape).collect());
-        let points: Vec<Nine> = points.into_iter().map(|(x, y)| xy(x, y).to_array()).collect();
+        let points: Vec<AxisVector> = points.into_iter().map(|(x, y)| xy(x, y).to_array()).collect();
         let judgement = judged(&points, &path);
         prop_assert_eq!(judgement.0.len(), Law::ALL.len());
     }
@@ -67,7 +67,7 @@ proptest! {
         tolerance in 0.001..0.5,
         between in any::<bool>(),
     ) {
-        let ends: Vec<Nine> =
+        let ends: Vec<AxisVector> =
             ends.into_iter().map(|(x, y)| xy(f64::from(x), f64::from(y)).to_array()).collect();
         let mode = if between { PathMode::BetweenMidpoints } else { within(tolerance) };
         let tolerance = if between { f64::INFINITY } else { tolerance };
@@ -105,12 +105,12 @@ fn a_long_record_is_judged() {
 }
 
 /// Lines from the origin through points, and a motion along them that rounds corners by constant acceleration.
-fn rounded(ends: &[Nine], tolerance: f64) -> (Vec<Shape>, Vec<Nine>) {
+fn rounded(ends: &[AxisVector], tolerance: f64) -> (Vec<Shape>, Vec<AxisVector>) {
     let mut corners = vec![[0.0; 9]];
     corners.extend(ends);
     let shapes = ends.iter().map(|end| line(end[0], end[1])).collect();
     corners.dedup_by(|later, earlier| distance(later, earlier) == 0.0);
-    let legs: Vec<(Nine, f64)> = corners
+    let legs: Vec<(AxisVector, f64)> = corners
         .windows(2)
         .map(|pair| {
             let way = distance(&pair[1], &pair[0]);
@@ -118,11 +118,11 @@ fn rounded(ends: &[Nine], tolerance: f64) -> (Vec<Shape>, Vec<Nine>) {
         })
         .collect();
     // How far from each corner its blend starts, and the speed at which the sharpest one uses all of the acceleration.
-    let turn = |pair: &[(Nine, f64)]| distance(&pair[1].0, &pair[0].0);
-    let reach = |pair: &[(Nine, f64)]| {
+    let turn = |pair: &[(AxisVector, f64)]| distance(&pair[1].0, &pair[0].0);
+    let reach = |pair: &[(AxisVector, f64)]| {
         (4.0 * tolerance / turn(pair)).min(pair[0].1 / 2.0).min(pair[1].1 / 2.0)
     };
-    let fastest = |pair: &[(Nine, f64)]| (2.0 * reach(pair) * 1900.0 / turn(pair)).sqrt();
+    let fastest = |pair: &[(AxisVector, f64)]| (2.0 * reach(pair) * 1900.0 / turn(pair)).sqrt();
     let speed = legs.windows(2).map(fastest).fold(40.0, f64::min);
     let mut motion = Motion::default();
     for (number, (unit, _)) in legs.iter().enumerate() {

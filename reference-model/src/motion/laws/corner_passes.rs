@@ -3,12 +3,12 @@
 use super::matching::Matching;
 use super::record::Record;
 use crate::math;
-use crate::motion::route::{Corner, Passing, Route};
-use crate::motion::vector::{Nine, distance, from_segment};
+use crate::motion::route::{Corner, CornerTolerance, Route};
+use crate::motion::vector::{AxisVector, distance, from_segment};
 
 /// How a corner is passed: the samples that can stand for points on both sides of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Visit {
+pub(super) struct CornerPass {
     /// The first sample that can stand for the corner or for a point behind it.
     pub(super) first: usize,
     /// The last sample that can stand for the corner or for a point before it; the one before `first` where none can
@@ -25,7 +25,7 @@ pub(super) struct Visit {
     perhaps: Option<(usize, Option<(usize, usize)>)>,
 }
 
-impl Visit {
+impl CornerPass {
     /// The samples between which the corner is passed, each with the one after it.
     pub(super) fn pairs(&self, record: &Record<'_>) -> impl Iterator<Item = usize> + use<> {
         let samples = record.points.len();
@@ -53,7 +53,7 @@ impl Visit {
     pub(super) fn stays<'a>(
         self,
         record: &'a Record<'_>,
-        corner: &'a Nine,
+        corner: &'a AxisVector,
     ) -> impl Iterator<Item = (usize, usize)> + 'a {
         let is_at = move |sample: &usize| record.is_at(*sample, corner);
         let mut next = self.first;
@@ -80,7 +80,7 @@ impl Visit {
     }
 
     /// The sample that is nearest to the corner; the last one at it.
-    pub(super) fn nearest(&self, record: &Record<'_>, corner: &Nine) -> usize {
+    pub(super) fn nearest(&self, record: &Record<'_>, corner: &AxisVector) -> usize {
         if let Some((_, last)) = self.at {
             return last;
         }
@@ -95,10 +95,10 @@ impl Visit {
     /// it comes near more than once, nobody knows which time is the corner's, if one is no farther away than the
     /// other and the way to the next sample, or than the corner may be missed by.
     fn near(&self, record: &Record<'_>, corner: &Corner) -> (usize, usize) {
-        let missed = match corner.passing {
-            Passing::Within(tolerance) => tolerance,
-            Passing::BetweenMidpoints => f64::INFINITY,
-            Passing::Rest | Passing::Exact => 0.0,
+        let missed = match corner.tolerance {
+            CornerTolerance::Within(tolerance) => tolerance,
+            CornerTolerance::BetweenMidpoints => f64::INFINITY,
+            CornerTolerance::Rest | CornerTolerance::Exact => 0.0,
         };
         let exact = missed <= 0.0;
         let corner = &corner.at;
@@ -139,13 +139,13 @@ impl Visit {
 /// Where a sample can stand for points on both sides of a corner, all of the documents' readings allow either. So a
 /// visit is a span of samples and no single one: what is asked for at the corner must happen within it. The work is
 /// linear in samples and corners while a sample can stand for a few legs only.
-pub(super) fn visits(
+pub(super) fn corner_passes(
     record: &Record<'_>,
     route: &Route<'_>,
     matching: &Matching,
-) -> Vec<Option<Visit>> {
+) -> Vec<Option<CornerPass>> {
     let end = record.points.len();
-    let mut visits = Vec::with_capacity(route.corners.len());
+    let mut corner_passes = Vec::with_capacity(route.corners.len());
     let mut first = 0;
     for (number, corner) in route.corners.iter().enumerate() {
         let is_at = |sample: usize| record.is_at(sample, &corner.at);
@@ -160,7 +160,7 @@ pub(super) fn visits(
             first += 1;
         }
         if first == end {
-            visits.push(None);
+            corner_passes.push(None);
             continue;
         }
         let mut after = first;
@@ -182,14 +182,14 @@ pub(super) fn visits(
         let perhaps = returns.map(|back| (back + 1, at_since(back + 1)));
         let last = after.saturating_sub(1);
         let passed = after < end || at.is_some();
-        visits.push(Some(Visit { first, last, at, passed, again, perhaps }));
+        corner_passes.push(Some(CornerPass { first, last, at, passed, again, perhaps }));
     }
-    visits
+    corner_passes
 }
 
 /// The time that passes at least from a sample to rest at a point, or from such rest to it: from rest an axis is
 /// a·t²/2 away after t.
-pub(super) fn to_rest(record: &Record<'_>, sample: usize, corner: &Nine) -> f64 {
+pub(super) fn to_rest(record: &Record<'_>, sample: usize, corner: &AxisVector) -> f64 {
     let away = |axis: usize| {
         let off = ((record.points[sample][axis] - corner[axis]).abs() - record.slack).max(0.0);
         if off > 0.0 {
@@ -202,7 +202,7 @@ pub(super) fn to_rest(record: &Record<'_>, sample: usize, corner: &Nine) -> f64 
 }
 
 /// The time from rest at a point to rest at another one, at least.
-fn between_rests(record: &Record<'_>, one: &Nine, other: &Nine) -> f64 {
+fn between_rests(record: &Record<'_>, one: &AxisVector, other: &AxisVector) -> f64 {
     let away = |axis: usize| {
         let way = (one[axis] - other[axis]).abs();
         if way > 0.0 {
@@ -221,7 +221,7 @@ fn between_rests(record: &Record<'_>, one: &Nine, other: &Nine) -> f64 {
 pub(super) struct Rests<'r, 'a> {
     record: &'r Record<'a>,
     /// The sample after which the motion rested last, the time from that sample to this rest, and where it was.
-    before: Option<(usize, f64, Nine)>,
+    before: Option<(usize, f64, AxisVector)>,
 }
 
 impl<'r, 'a> Rests<'r, 'a> {
@@ -230,7 +230,7 @@ impl<'r, 'a> Rests<'r, 'a> {
     }
 
     /// The time that is needed at least between a sample and the next one for rest at a point in between.
-    fn needed(&self, sample: usize, corner: &Nine) -> (f64, f64) {
+    fn needed(&self, sample: usize, corner: &AxisVector) -> (f64, f64) {
         let until = match &self.before {
             Some((same, spent, place)) if *same == sample => {
                 spent + between_rests(self.record, place, corner)
@@ -242,10 +242,10 @@ impl<'r, 'a> Rests<'r, 'a> {
 
     /// The first pair of samples of a visit between which there can be rest, or the one that comes nearest to that;
     /// and the time that it needs between its samples.
-    pub(super) fn next(&mut self, visit: Visit, corner: &Nine) -> Option<(usize, f64)> {
+    pub(super) fn next(&mut self, pass: CornerPass, corner: &AxisVector) -> Option<(usize, f64)> {
         let earliest = self.before.map_or(0, |(sample, ..)| sample);
         let mut best: Option<(usize, f64, f64)> = None;
-        for sample in visit.pairs(self.record).filter(|sample| *sample >= earliest) {
+        for sample in pass.pairs(self.record).filter(|sample| *sample >= earliest) {
             let (until, needed) = self.needed(sample, corner);
             if best.is_none_or(|(_, _, least)| needed < least) {
                 best = Some((sample, until, needed));
@@ -268,12 +268,12 @@ impl<'r, 'a> Rests<'r, 'a> {
 /// First and last sample after which there can be rest at a corner.
 pub(super) fn rest_after(
     record: &Record<'_>,
-    visit: Visit,
-    corner: &Nine,
+    pass: CornerPass,
+    corner: &AxisVector,
 ) -> Option<(usize, usize)> {
     let rests = Rests::of(record);
     let mut fitting =
-        visit.pairs(record).filter(|sample| rests.fits(rests.needed(*sample, corner).1));
+        pass.pairs(record).filter(|sample| rests.fits(rests.needed(*sample, corner).1));
     let first = fitting.next()?;
     Some((first, fitting.last().unwrap_or(first)))
 }
