@@ -77,7 +77,7 @@ pub(super) fn exit_status(summary: &Summary) -> u8 {
     let mut laws = summary.judgement.0.iter();
     if !summary.holds() {
         1
-    } else if laws.any(|(_, verdict)| matches!(verdict, Verdict::Held { .. })) {
+    } else if laws.any(|(_, verdict)| matches!(verdict, Verdict::Satisfied { .. })) {
         0
     } else {
         3
@@ -113,8 +113,8 @@ mod tests {
 
     #[test]
     fn a_law_that_is_not_judged_neither_fails_nor_passes() {
-        let held = Verdict::Held { share: None };
-        let broken = Verdict::Broken(vec![Violation {
+        let held = Verdict::Satisfied { share: None };
+        let broken = Verdict::Violated(vec![Violation {
             law: Law::Feed,
             cycle: 0,
             cycles: 1,
@@ -127,7 +127,7 @@ mod tests {
         for (verdicts, status) in [
             (vec![held.clone(), open.clone()], 0),
             (vec![held, broken], 1),
-            (vec![open.clone(), Verdict::NothingAsked], 3),
+            (vec![open.clone(), Verdict::NotApplicable], 3),
             (vec![open], 3),
         ] {
             let judgement = Judgement(Law::ALL.iter().copied().zip(verdicts).collect());

@@ -64,7 +64,7 @@ pub fn held(
             }
             Saying::Breaks { law, at } => breaks(&judgement, &law, at, broken.remove(law.as_str())),
             Saying::NotAsked { law } => {
-                let fits = |verdict: &Verdict| *verdict == Verdict::NothingAsked;
+                let fits = |verdict: &Verdict| *verdict == Verdict::NotApplicable;
                 is(&judgement, &law, fits)
             }
             Saying::NotJudged { law } => {
@@ -105,10 +105,10 @@ fn verdict<'a>(judgement: &'a Judgement, id: &str) -> Result<&'a Verdict, String
 
 fn in_words(verdict: &Verdict) -> String {
     match verdict {
-        Verdict::Held { .. } => "it holds".to_owned(),
-        Verdict::NothingAsked => "it is not asked".to_owned(),
+        Verdict::Satisfied { .. } => "it holds".to_owned(),
+        Verdict::NotApplicable => "it is not asked".to_owned(),
         Verdict::NotJudged(why) => format!("it is not judged: {why}"),
-        Verdict::Broken(violations) => {
+        Verdict::Violated(violations) => {
             violations.first().map_or_else(|| "it is broken".to_owned(), ToString::to_string)
         }
     }
@@ -124,7 +124,7 @@ fn of_page(judgement: &Judgement, rule: &str) -> Result<(), String> {
     if law(rule).is_none() {
         return Ok(());
     }
-    is(judgement, rule, |verdict| matches!(verdict, Verdict::Held { .. }))
+    is(judgement, rule, |verdict| matches!(verdict, Verdict::Satisfied { .. }))
 }
 
 fn breaks(

@@ -72,13 +72,13 @@ pub fn judged(of: (u64, u64), (ride, changes): (&Ride, &[Change]), runs: Runs<'_
             let path = programmed(&outcome, ride.position());
             for (law, verdict) in judge(&planned.samples, &path, &ride.limits, &ride.script).0 {
                 match verdict {
-                    Verdict::Broken(violations) => {
+                    Verdict::Violated(violations) => {
                         let first = violations.first().map_or(String::new(), ToString::to_string);
                         let words = format!("{} times; {first}", violations.len());
                         came.broken.push(Breach { what: law.id().to_owned(), words });
                     }
                     Verdict::NotJudged(why) => came.not_judged.push((law, why)),
-                    Verdict::Held { .. } | Verdict::NothingAsked => {}
+                    Verdict::Satisfied { .. } | Verdict::NotApplicable => {}
                 }
             }
         }

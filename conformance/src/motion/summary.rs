@@ -80,13 +80,13 @@ impl fmt::Display for Summary {
         writeln!(f, "{}", self.headline())?;
         for (law, verdict) in &self.judgement.0 {
             match verdict {
-                Verdict::Held { share: Some(share) } => {
+                Verdict::Satisfied { share: Some(share) } => {
                     writeln!(f, "  holds       {law} (at most {:.2} % of it)", share * 100.0)?;
                 }
-                Verdict::Held { share: None } => writeln!(f, "  holds       {law}")?,
-                Verdict::NothingAsked => writeln!(f, "  not asked   {law}")?,
+                Verdict::Satisfied { share: None } => writeln!(f, "  holds       {law}")?,
+                Verdict::NotApplicable => writeln!(f, "  not asked   {law}")?,
                 Verdict::NotJudged(why) => writeln!(f, "  not judged  {law}: {why}")?,
-                Verdict::Broken(violations) => {
+                Verdict::Violated(violations) => {
                     let times = if violations.len() == 1 { "time" } else { "times" };
                     writeln!(f, "  broken      {law}, {} {times}", violations.len())?;
                 }

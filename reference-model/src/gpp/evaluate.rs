@@ -34,7 +34,7 @@ impl Run<'_> {
     ///
     /// # Errors
     /// Nothing, where that counts for nothing, or it is no member of its array.
-    fn held(&mut self, reference: &Reference) -> Result<Value, StepError> {
+    fn value_of(&mut self, reference: &Reference) -> Result<Value, StepError> {
         let cell = self.cell(reference)?;
         if let Some(value) = &self.variables.cells[cell].value {
             return Ok(value.clone());
@@ -54,7 +54,7 @@ impl Run<'_> {
     pub(super) fn value(&mut self, side: &Side) -> Result<Value, StepError> {
         match side {
             Side::Text(text) => Ok(Value::Text(text.clone())),
-            Side::Variable(reference) => self.held(reference),
+            Side::Variable(reference) => self.value_of(reference),
             Side::Expression(expression) => self.number(expression).map(Value::Number),
         }
     }
@@ -63,7 +63,7 @@ impl Run<'_> {
     fn number(&mut self, expression: &Expression) -> Result<f64, StepError> {
         let number = match expression {
             Expression::Number(number) => *number,
-            Expression::Variable(reference) => match self.held(reference)? {
+            Expression::Variable(reference) => match self.value_of(reference)? {
                 Value::Number(number) => number,
                 Value::Text(_) => unreachable!("syntax: texts stand in no expression"),
             },

@@ -96,11 +96,11 @@ impl Record {
         let mut state = GppState::default();
         let (mut texts, mut flags) = (BTreeMap::new(), BTreeMap::new());
         for cell in std::mem::take(&mut self.touched) {
-            let held = &variables.cells[cell];
+            let content = &variables.cells[cell];
             let sharing = variables.of_cell(cell);
             self.cost = self.cost.saturating_add(sharing.len());
             for variable in sharing {
-                let text = held.value.as_ref().map(|value| variables.text(variable, value, tie));
+                let text = content.value.as_ref().map(|value| variables.text(variable, value, tie));
                 let text = text.and_then(Result::ok).unwrap_or_default();
                 let name = variables.shown_name(variable, cell);
                 let (shown_text, shown_flag) = self.shown.entry(name.clone()).or_default();
@@ -108,9 +108,9 @@ impl Record {
                     texts.insert(name.clone(), text.clone());
                     *shown_text = text;
                 }
-                if *shown_flag != held.on {
-                    flags.insert(name, if held.on { Switch::On } else { Switch::Off });
-                    *shown_flag = held.on;
+                if *shown_flag != content.on {
+                    flags.insert(name, if content.on { Switch::On } else { Switch::Off });
+                    *shown_flag = content.on;
                 }
             }
         }

@@ -7,21 +7,21 @@ use gaugeblock_vocabulary::FaultKind;
 use super::refusal::{StepError, open, refuse, refuse_form};
 use super::run::Run;
 use super::syntax::{Comparison, Condition, Expression, Function, Operator};
-use super::variables::Held;
+use super::variables::VariableValue;
 use crate::math;
 
 impl Run<'_> {
     /// What an expression comes to: a number, or nothing where it is a vacant variable alone.
     ///
     /// Rule nct.vacant. In arithmetic, behind a sign too, a vacant variable counts as zero.
-    pub(super) fn value(&mut self, expression: &Expression) -> Result<Held, StepError> {
+    pub(super) fn value(&mut self, expression: &Expression) -> Result<VariableValue, StepError> {
         Ok(match expression {
             Expression::Number(number) => Some(*number),
             Expression::Variable(number) => {
                 let number = self.variable_number(number)?;
-                let held = self.variables.get(number)?;
+                let value = self.variables.get(number)?;
                 self.coverage.accepted("nct.variable-numbers");
-                held
+                value
             }
             Expression::Affirmed(operand) => Some(self.number(operand)?),
             Expression::Negated(operand) => Some(0.0 - self.number(operand)?),
@@ -43,11 +43,11 @@ impl Run<'_> {
     }
 
     fn number(&mut self, expression: &Expression) -> Result<f64, StepError> {
-        let held = self.value(expression)?;
-        if held.is_none() {
+        let value = self.value(expression)?;
+        if value.is_none() {
             self.coverage.accepted("nct.vacant");
         }
-        Ok(held.unwrap_or(0.0))
+        Ok(value.unwrap_or(0.0))
     }
 
     /// The number of a variable.
@@ -164,8 +164,8 @@ impl Run<'_> {
     fn vacant_condition(
         &mut self,
         comparison: Comparison,
-        left: Held,
-        right: Held,
+        left: VariableValue,
+        right: VariableValue,
     ) -> Result<bool, StepError> {
         if [left, right].iter().flatten().any(|number| !is_zero(*number)) {
             return Err(open("a vacant variable compared with a number that is not zero"));

@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::{
 use super::calls::ModalCall;
 use super::modes::Modes;
 use super::refusal::StepError;
-use super::variables::{COMMON_COUNT, Held, Locals, Variables};
+use super::variables::{COMMON_COUNT, Locals, VariableValue, Variables};
 
 /// What a run has done so far.
 #[derive(Clone, Debug)]
@@ -25,7 +25,7 @@ pub struct Record {
     /// What was last recorded.
     settings: Settings,
     levels: Vec<Locals>,
-    common: [Held; COMMON_COUNT],
+    common: [VariableValue; COMMON_COUNT],
     modal_calls: Vec<u32>,
     motion: Option<Motion>,
     position: Option<Position>,
@@ -150,10 +150,10 @@ impl Record {
     }
 }
 
-fn same(one: Held, other: Held) -> bool {
+fn same(one: VariableValue, other: VariableValue) -> bool {
     one.map(f64::to_bits) == other.map(f64::to_bits)
 }
 
-fn value(held: Held) -> MacroValue {
-    held.map_or(MacroValue::Vacant(Vacancy::Vacant), MacroValue::Number)
+fn value(value: VariableValue) -> MacroValue {
+    value.map_or(MacroValue::Vacant(Vacancy::Vacant), MacroValue::Number)
 }

@@ -5,9 +5,9 @@ use gaugeblock_vocabulary::FaultKind;
 use super::refusal::{StepError, refuse};
 
 /// A value, or none: vacant.
-pub type Held = Option<f64>;
+pub type VariableValue = Option<f64>;
 /// Local variables of a level: #1 first.
-pub type Locals = [Held; 33];
+pub type Locals = [VariableValue; 33];
 
 /// The first numbers of the two ranges of common variables, and how many each has.
 const COMMON: [(u32, u32); 2] = [(100, 100), (500, 100)];
@@ -20,7 +20,7 @@ pub struct Variables {
     /// The local variables of each level in progress, that of the main program first.
     pub levels: Vec<Locals>,
     /// The common variables, in the order of their numbers.
-    pub common: [Held; COMMON_COUNT],
+    pub common: [VariableValue; COMMON_COUNT],
 }
 
 /// Where a variable is.
@@ -53,7 +53,7 @@ impl Variables {
     ///
     /// # Errors
     /// There is no variable of this number.
-    pub(super) fn get(&mut self, number: i64) -> Result<Held, StepError> {
+    pub(super) fn get(&mut self, number: i64) -> Result<VariableValue, StepError> {
         Ok(match place(number)? {
             Place::Vacant => None,
             Place::Local(place) => self.locals()[place],
@@ -67,7 +67,7 @@ impl Variables {
     ///
     /// # Errors
     /// There is no variable of this number, or it is #0.
-    pub(super) fn set(&mut self, number: i64, value: Held) -> Result<(), StepError> {
+    pub(super) fn set(&mut self, number: i64, value: VariableValue) -> Result<(), StepError> {
         let value = value.map(|value| value + 0.0);
         match place(number)? {
             Place::Vacant => {

@@ -4,13 +4,13 @@
 //! | --- | --- |
 //! | [`text`] | files, lines, percent signs, block delete, comments split off |
 //! | [`syntax`] | what a block may look like: words, settings, O-words, expressions |
-//! | [`read`] | a block's expressions evaluated: numbers for words |
+//! | [`evaluate`] | a block's expressions evaluated: numbers for words |
 //! | [`modes`] | the table of codes and modal groups; the modes in force |
 //! | [`parameters`] | numbered and named parameters, scopes, the predefined ones |
-//! | [`machine`] | the whole state, a sentence per field |
+//! | [`state`] | the whole state, a sentence per field |
 //! | [`check`] | what is refused before anything of the block is done |
 //! | [`order`] | the fixed order of execution inside a block |
-//! | [`step`] | what each phase does |
+//! | [`execute`] | what each phase does |
 //! | [`control`] | O-words, calls, M98 and M99: which block comes next |
 //! | [`environment`] | the clock, the pins, how the environment answers |
 //! | [`task`] | the run: modes of the controller, operator, start, blocks, budget, record, end |
@@ -20,14 +20,14 @@ pub mod check;
 pub mod choices;
 pub mod control;
 pub mod environment;
-pub mod machine;
+pub mod evaluate;
+pub mod execute;
 pub mod modes;
 pub mod order;
 pub mod parameters;
 pub mod quirks;
-pub mod read;
 pub mod refusal;
-pub mod step;
+pub mod state;
 pub mod syntax;
 pub mod task;
 pub mod text;

@@ -46,7 +46,7 @@ pub(super) fn acceleration(record: &Record<'_>) -> Verdict {
 pub(super) fn jerk(record: &Record<'_>) -> Verdict {
     let limit = |limits: &AxisLimits| limits.jerk;
     if record.limits.axes.values().all(|limits| limits.jerk.is_none()) {
-        return Verdict::NothingAsked;
+        return Verdict::NotApplicable;
     }
     let weights = &[1.0, -3.0, 3.0, -1.0];
     differences(record, &Order { law: Law::Jerk, weights, places: 4.0, limit, unit: "/s³" })

@@ -35,14 +35,14 @@ pub(super) fn feed(record: &Record<'_>) -> Verdict {
         let legs: Vec<&Leg<'_>> = route.legs[legs].iter().collect();
         let is_rapid = |leg: &&Leg<'_>| leg.element.feed == Feed::Rapid;
         let spindle = |number| spindles.turns(number, sample);
-        let held = legs.iter().filter(|leg| !is_rapid(leg)).map(|leg| {
+        let allowed_speeds = legs.iter().filter(|leg| !is_rapid(leg)).map(|leg| {
             let measured = leg.curve.counted().length(&chord) / record.period;
             (measured, settled.factor(leg, sample) * speed(leg, spindle), leg)
         });
         // It is enough if one leg allows it: between two of them the chord is neither's.
         let excess = |(measured, limit, _): &(f64, f64, &&Leg<'_>)| measured - limit;
         let off = 4.0 * (record.samples.resolution() + RELATIVE * 1e-3) / record.period;
-        let least = held.min_by(|a, b| excess(a).total_cmp(&excess(b)));
+        let least = allowed_speeds.min_by(|a, b| excess(a).total_cmp(&excess(b)));
         let allows =
             least.is_some_and(|(measured, limit, _)| measured <= limit * (1.0 + RELATIVE) + off);
         if !allows && legs.iter().any(is_rapid) {

@@ -131,7 +131,7 @@ pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
         Err(verdict) => return verdict,
     };
     if !route.legs.iter().any(|leg| leg.element.mode == PathMode::BetweenMidpoints) {
-        return Verdict::NothingAsked;
+        return Verdict::NotApplicable;
     }
     let mut findings = Findings::of(Law::Midpoints);
     for miss in &matching.missed {

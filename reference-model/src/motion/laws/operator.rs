@@ -61,12 +61,12 @@ pub(super) fn hold(record: &Record<'_>) -> Verdict {
         }
         stops(record, (route, matching), (from, sample), &mut findings);
     }
-    if asked { findings.verdict() } else { Verdict::NothingAsked }
+    if asked { findings.verdict() } else { Verdict::NotApplicable }
 }
 
 /// Rule trajectory.abort. An abort stops the motion like a hold, and it never goes on.
 pub(super) fn abort(record: &Record<'_>) -> Verdict {
-    let Some(from) = record.requests.aborted else { return Verdict::NothingAsked };
+    let Some(from) = record.requests.aborted else { return Verdict::NotApplicable };
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
         Err(why) => return Verdict::NotJudged(why.clone()),

@@ -79,7 +79,7 @@ pub(super) fn outputs(record: &Record<'_>) -> Verdict {
             compare(*pin, &values, &asked, &mut findings);
         }
     }
-    if recorded { findings.verdict() } else { Verdict::NothingAsked }
+    if recorded { findings.verdict() } else { Verdict::NotApplicable }
 }
 
 /// From which sample on each corner is passed, since the one before it is passed then, and by which one, since the

@@ -47,7 +47,7 @@ pub(super) fn stop(record: &Record<'_>) -> Verdict {
         let limit = record.period;
         findings.at_most(sample + 1, None, (needed, limit * (1.0 + RELATIVE)), (limit, &words));
     }
-    if asked { findings.verdict() } else { Verdict::NothingAsked }
+    if asked { findings.verdict() } else { Verdict::NotApplicable }
 }
 
 fn unstated(record: &Record<'_>) -> Option<String> {
@@ -76,7 +76,7 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
         findings.at_most(last, None, (away, record.slack), (0.0, &words));
     }
     if let Some(why) = unstated(record) {
-        return if findings.clone().verdict() == (Verdict::Held { share: None }) {
+        return if findings.clone().verdict() == (Verdict::Satisfied { share: None }) {
             Verdict::NotJudged(why)
         } else {
             findings.verdict()
@@ -135,7 +135,7 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
             .iter()
             .all(|task| matches!(task, Task::Dwell(_) | Task::WithMotion(_) | Task::InPlace(_)));
         let next = route.legs.get(number);
-        let open = !alone || number == 0 || turned || held(record, pass);
+        let open = !alone || number == 0 || turned || is_held(record, pass);
         let open = |rest: &Rest| {
             open || rest.at.is_none_or(|(_, end)| end == last || kept(record, next, end))
                 || starves(record, next, rest.at)
@@ -169,7 +169,7 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
             findings.at_most(after, None, (least, longest), (0.0, &words));
         }
     }
-    if asked { findings.verdict() } else { Verdict::NothingAsked }
+    if asked { findings.verdict() } else { Verdict::NotApplicable }
 }
 
 /// Whether a planner was still without the leg that comes next when it rested.
@@ -238,6 +238,6 @@ fn runs_back(record: &Record<'_>, pass: CornerPass) -> bool {
 }
 
 /// Whether somebody holds the motion while a corner is passed.
-fn held(record: &Record<'_>, pass: CornerPass) -> bool {
+fn is_held(record: &Record<'_>, pass: CornerPass) -> bool {
     (pass.first.saturating_sub(1)..=pass.after(record)).any(|sample| record.holds(sample))
 }

@@ -100,14 +100,14 @@ impl fmt::Display for Violation {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// It holds; how much of what it allows was used at most, 1 for all of it, where that can be said.
-    Held {
+    Satisfied {
         /// The largest share.
         share: Option<f64>,
     },
     /// The program asks for nothing that it could be held to.
-    NothingAsked,
+    NotApplicable,
     /// It does not hold.
-    Broken(Vec<Violation>),
+    Violated(Vec<Violation>),
     /// It cannot be judged: why.
     NotJudged(String),
 }
@@ -125,8 +125,8 @@ impl Judgement {
     /// Everything that is broken.
     pub fn violations(&self) -> impl Iterator<Item = &Violation> {
         self.0.iter().flat_map(|(_, verdict)| match verdict {
-            Verdict::Broken(violations) => violations.as_slice(),
-            Verdict::Held { .. } | Verdict::NothingAsked | Verdict::NotJudged(_) => &[],
+            Verdict::Violated(violations) => violations.as_slice(),
+            Verdict::Satisfied { .. } | Verdict::NotApplicable | Verdict::NotJudged(_) => &[],
         })
     }
 }
@@ -183,9 +183,9 @@ impl Findings {
 
     pub(super) fn verdict(self) -> Verdict {
         if self.broken.is_empty() {
-            Verdict::Held { share: self.share }
+            Verdict::Satisfied { share: self.share }
         } else {
-            Verdict::Broken(self.broken)
+            Verdict::Violated(self.broken)
         }
     }
 }

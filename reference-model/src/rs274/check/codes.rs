@@ -5,12 +5,12 @@ use std::fmt;
 use gaugeblock_vocabulary::FaultKind;
 
 use crate::rs274::choices::Choices;
-use crate::rs274::machine::State;
+use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{Code, ModalGroup, g_code, g_text, m_code};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::settings as quirks;
-use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
 
 /// Most M words of a block.
 const MOST_M_WORDS: usize = 4;

@@ -1,14 +1,14 @@
 //! What is refused before anything of the block is done: what its words alone show.
 //!
-//! What depends on the modes in force is refused by the phase that meets it (`step`).
+//! What depends on the modes in force is refused by the phase that meets it (`execute`).
 
 mod codes;
 mod needed;
 mod words;
 
-use super::machine::State;
-use super::read::Words;
+use super::evaluate::Words;
 use super::refusal::StepError;
+use super::state::State;
 
 /// Refuses a block that cannot be executed, before anything of it is done.
 ///

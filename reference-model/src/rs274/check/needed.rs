@@ -5,11 +5,11 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::rs274::machine::State;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::word;
 use crate::rs274::order::has_axis_words;
-use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::step::word;
+use crate::rs274::state::State;
 
 /// Refuses a code without a word that it needs.
 pub(super) fn check(words: &Words, state: &State) -> Result<(), StepError> {

@@ -2,14 +2,14 @@
 
 use gaugeblock_vocabulary::{Axis, FaultKind};
 
-use crate::rs274::machine::State;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::motion::{is_arc, motion_of};
+use crate::rs274::execute::{letter, whole};
 use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code, motion_code};
 use crate::rs274::order::{has_axis_words, is_of_axis, moves_by_axis_words};
 use crate::rs274::quirks::{cycles, settings as quirks};
-use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::step::motion::{is_arc, motion_of};
-use crate::rs274::step::{letter, whole};
+use crate::rs274::state::State;
 
 /// Refuses words without a use. F, S, T and axis words need no code of their own, but for axis words beside G10 L0.
 pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {

@@ -3,9 +3,9 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::{Control, Next, Open, Place, Structure, condition, o_word};
-use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
 use crate::rs274::syntax::{Expression, Keyword};
 
 const BRANCHES: &[Keyword] = &[Keyword::ElseIf, Keyword::Else, Keyword::EndIf];

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use gaugeblock_vocabulary::{BlockLocation, Program};
 
 use super::labels::Labels;
-use crate::rs274::machine::State;
+use crate::rs274::state::State;
 use crate::rs274::text::{Line, Source};
 
 /// Where a block stands.

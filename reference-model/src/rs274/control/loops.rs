@@ -6,9 +6,9 @@ use super::conditions::duplicate;
 use super::labels::Definition;
 use super::{Control, Next, Open, Structure, condition, o_word, single};
 use crate::math;
-use crate::rs274::machine::State;
 use crate::rs274::quirks;
 use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
 use crate::rs274::syntax::{Expression, Keyword};
 
 fn is_while(structure: Structure) -> bool {

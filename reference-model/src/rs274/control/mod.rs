@@ -30,11 +30,11 @@ pub(crate) use loops::turns;
 pub(crate) use numbered::enabled;
 pub(crate) use subs::passed;
 
-use super::machine::State;
+use super::evaluate::{self, Words};
 use super::parameters::Name;
 use super::quirks::{self, skipping::SearchTarget};
-use super::read::{self, Words};
 use super::refusal::{StepError, refuse};
+use super::state::State;
 use super::syntax::{Block, Expression, Keyword, Label, OWord};
 use super::task::Record;
 use crate::math;
@@ -307,7 +307,7 @@ fn evaluated(
     expression: &Expression,
     state: &mut State,
 ) -> Result<f64, StepError> {
-    let value = read::evaluate(expression, state);
+    let value = evaluate::value_of(expression, state);
     if let Err(StepError::Refused(_)) = value {
         state.coverage.refused(rule);
     }

@@ -5,11 +5,11 @@ use gaugeblock_vocabulary::{End, FaultKind};
 use super::loops::saturated;
 use super::subs::{clear_value, deeper};
 use super::{Call, Control, Frame, MAIN, Next, Place, Style, o_word};
-use crate::rs274::machine::State;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::saved_state;
 use crate::rs274::quirks;
-use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::step::saved_state;
+use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
 impl Control {

@@ -3,11 +3,11 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::{Call, Control, Frame, MAIN, Next, Place, Style, evaluated, o_word};
-use crate::rs274::machine::State;
+use crate::rs274::execute::saved_state;
 use crate::rs274::quirks;
 use crate::rs274::quirks::skipping::SearchTarget;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::step::saved_state;
+use crate::rs274::state::State;
 use crate::rs274::syntax::{Expression, Keyword, OWord};
 use crate::rs274::task::Record;
 

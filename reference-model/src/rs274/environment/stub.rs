@@ -7,9 +7,9 @@
 use gaugeblock_vocabulary::{LengthUnit, Position};
 
 use super::{EnvironmentState, Input};
-use crate::rs274::machine::State;
 use crate::rs274::modes::{converted, each};
 use crate::rs274::refusal::StepError;
+use crate::rs274::state::State;
 
 /// The stub of a machine.
 #[derive(Clone, Copy, Debug)]
@@ -58,37 +58,37 @@ pub(crate) fn answer(input: Input, read: f64) -> f64 {
     }
 }
 
-/// What the stub is told of a block's moves.
+/// How a block has moved the stub of a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Told {
+pub(crate) enum BlockMotion {
     /// There was none.
-    Nothing,
+    None,
     /// It follows them.
     Moves,
     /// A spline leads it to X0 Y0 of the program, wherever that ends.
     Spline,
     /// A spline of three control points leads it where X and Y have no numbers.
-    Nowhere,
+    NoPoint,
 }
 
 /// A block is through: where it moved the stub has followed, and where it asked the stub has answered.
 ///
 /// # Errors
 /// The stub is asked for a point that has no numbers.
-pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), StepError> {
+pub(crate) fn after_block(motion: BlockMotion, state: &mut State) -> Result<(), StepError> {
     let asked = std::mem::take(&mut state.environment.stub.asked);
     if !state.environment.is_stand_alone() {
         return Ok(());
     }
     let here = coordinates(state);
-    let (point, lost) = match told {
-        Told::Moves => (state.position, false),
-        Told::Spline => {
+    let (point, lost) = match motion {
+        BlockMotion::Moves => (state.position, false),
+        BlockMotion::Spline => {
             let unknown = state.modes.rounding.of_nothing();
             (Position { x: unknown, y: unknown, ..here }, false)
         }
-        Told::Nowhere => (here, true),
-        Told::Nothing => {
+        BlockMotion::NoPoint => (here, true),
+        BlockMotion::None => {
             if asked && state.environment.stub.lost {
                 let why = "where the stub of a machine stands behind a spline of three points";
                 return Err(StepError::Unspecified(why.to_owned()));
@@ -101,7 +101,7 @@ pub(crate) fn after_block(told: Told, state: &mut State) -> Result<(), StepError
     };
     state.environment.stub.stands = stands_at(point, state);
     state.environment.stub.lost = lost;
-    state.environment.stub.led = told == Told::Spline;
+    state.environment.stub.led = motion == BlockMotion::Spline;
     Ok(())
 }
 
@@ -121,12 +121,12 @@ pub(crate) fn is_led_by_spline(state: &State) -> bool {
 
 /// The same; X and Y are as they were before they were lost.
 fn coordinates(state: &State) -> Position {
-    let Stands { point, offset: told, units } = state.environment.stub.stands;
+    let Stands { point, offset: known, units } = state.environment.stub.stands;
     let offset = offset(state);
-    if units == state.modes.units && told == offset {
+    if units == state.modes.units && known == offset {
         return point;
     }
-    let point = each(point, told, |point, offset| point + offset);
+    let point = each(point, known, |point, offset| point + offset);
     let point = converted(point, units, LengthUnit::Millimetre);
     let point = converted(point, LengthUnit::Millimetre, state.modes.units);
     each(point, offset, |point, offset| point - offset)

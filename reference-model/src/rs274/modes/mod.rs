@@ -25,7 +25,7 @@ use crate::math::near_integer;
 
 /// The mode in force of each modal group, with all values that stay in force until they are set again.
 ///
-/// Lengths are in the active length unit: a change of unit converts them all (`step::units`).
+/// Lengths are in the active length unit: a change of unit converts them all (`execute::units`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modes {
     /// Motion mode: what axis words alone mean.

@@ -8,10 +8,10 @@ pub use phase::{
 };
 pub use rules::{ORDER_RULES, OrderRule};
 
-use super::machine::State;
-use super::read::Words;
+use super::evaluate::Words;
+use super::execute;
 use super::refusal::StepError;
-use super::step;
+use super::state::State;
 use super::task::Record;
 
 /// What becomes of a block after one of its phases.
@@ -31,14 +31,14 @@ pub enum AfterPhase {
 ///
 /// # Errors
 /// A rule that depends on the modes in force when the phase comes.
-pub fn execute(
+pub fn execute_phase(
     phase: Phase,
     words: &Words,
     state: &mut State,
     record: &mut Record,
 ) -> Result<AfterPhase, StepError> {
     let frame = state.curve.open.is_some().then(|| state.modes.frame());
-    let after_phase = perform(phase, words, state, record);
+    let after_phase = perform_phase(phase, words, state, record);
     if after_phase.is_ok()
         && phase < Phase::Motion
         && frame.is_some_and(|frame| frame != state.modes.frame())
@@ -68,7 +68,7 @@ pub fn completed(words: &Words, phases: Phases, state: &mut State) {
 }
 
 /// Does what a block asks for in one phase.
-fn perform(
+fn perform_phase(
     phase: Phase,
     words: &Words,
     state: &mut State,
@@ -77,42 +77,42 @@ fn perform(
     match phase {
         Phase::Comment => {
             if let Some(comment) = &words.comment {
-                step::message::perform(comment, state, record)?;
+                execute::message::perform(comment, state, record)?;
             }
         }
-        Phase::FeedMode => step::feed::select_mode(words, state)?,
-        Phase::FeedRate => step::feed::set_rate(words, state)?,
-        Phase::SpindleSpeed => step::spindle::set_speed(words, state)?,
-        Phase::SelectTool => step::tool::select(words, state, record)?,
+        Phase::FeedMode => execute::feed::select_mode(words, state)?,
+        Phase::FeedRate => execute::feed::set_rate(words, state)?,
+        Phase::SpindleSpeed => execute::spindle::set_speed(words, state)?,
+        Phase::SelectTool => execute::tool::select(words, state, record)?,
         Phase::InputsOutputs => inputs_outputs(words, state, record)?,
         Phase::ChangeTool if words.m.contains(&61) => {
-            step::tool_change::set_number(words, state, record)?;
+            execute::tool_change::set_number(words, state, record)?;
         }
-        Phase::ChangeTool => step::tool_change::change(state, record)?,
+        Phase::ChangeTool => execute::tool_change::change(state, record)?,
         Phase::Spindle if words.m.contains(&19) => {
-            step::orient::perform(words, state, record)?;
+            execute::orient::perform(words, state, record)?;
         }
-        Phase::Spindle => step::spindle::turn(words, state)?,
-        Phase::SavedState => return step::saved_state::perform(words, state),
-        Phase::Coolant => step::coolant::perform(words, state),
-        Phase::Overrides => step::overrides::perform(words, state)?,
+        Phase::Spindle => execute::spindle::turn(words, state)?,
+        Phase::SavedState => return execute::saved_state::perform(words, state),
+        Phase::Coolant => execute::coolant::perform(words, state),
+        Phase::Overrides => execute::overrides::perform(words, state)?,
         Phase::UserCode => {
             for code in words.m.iter().copied().filter(|code| (100..=199).contains(code)) {
-                step::user_codes::perform(code, words, state, record)?;
+                execute::user_codes::perform(code, words, state, record)?;
             }
         }
-        Phase::Dwell => step::dwell::perform(words, state, record)?,
-        Phase::Plane => step::units_planes::select_plane(words, state)?,
-        Phase::Units => step::units_planes::select_units(words, state),
-        Phase::Compensation => step::compensation::perform(words, state)?,
-        Phase::ToolLength => step::tool_length::perform(words, state)?,
-        Phase::WorkOffset => step::offsets::select(words, state)?,
-        Phase::Path => step::path::perform(words, state)?,
-        Phase::Distance => step::units_planes::select_distance(words, state),
-        Phase::Retract => step::units_planes::select_retract(words, state)?,
-        Phase::OffsetData => step::offsets::change(words, state, record)?,
-        Phase::Motion => step::motion::perform(words, state, record)?,
-        Phase::Stop => return Ok(step::stop::perform(words, state, record)),
+        Phase::Dwell => execute::dwell::perform(words, state, record)?,
+        Phase::Plane => execute::units_planes::select_plane(words, state)?,
+        Phase::Units => execute::units_planes::select_units(words, state),
+        Phase::Compensation => execute::compensation::perform(words, state)?,
+        Phase::ToolLength => execute::tool_length::perform(words, state)?,
+        Phase::WorkOffset => execute::offsets::select(words, state)?,
+        Phase::Path => execute::path::perform(words, state)?,
+        Phase::Distance => execute::units_planes::select_distance(words, state),
+        Phase::Retract => execute::units_planes::select_retract(words, state)?,
+        Phase::OffsetData => execute::offsets::change(words, state, record)?,
+        Phase::Motion => execute::motion::perform(words, state, record)?,
+        Phase::Stop => return Ok(execute::stop::perform(words, state, record)),
     }
     Ok(AfterPhase::Execute)
 }
@@ -125,9 +125,9 @@ fn inputs_outputs(words: &Words, state: &mut State, record: &mut Record) -> Resu
     codes.sort_unstable();
     for code in codes {
         match code {
-            62..=65 => step::outputs::digital(code, words, state, record)?,
-            66 => step::inputs::perform(words, state, record)?,
-            _ => step::outputs::analog(code, words, state, record)?,
+            62..=65 => execute::outputs::digital(code, words, state, record)?,
+            66 => execute::inputs::perform(words, state, record)?,
+            _ => execute::outputs::analog(code, words, state, record)?,
         }
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! The phases of a block and which of them a block has.
 
+use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{ModalGroup, g_code, m_code};
-use crate::rs274::read::Words;
 
 /// A phase of a block. The order of the list is the order of execution.
 ///

@@ -5,7 +5,7 @@
 use super::phase::Phase;
 use super::phase::Phase as P;
 use super::phase::Phases;
-use crate::rs274::read::Words;
+use crate::rs274::evaluate::Words;
 
 /// A rule about two phases of one block.
 #[derive(Clone, Copy, Debug)]

@@ -13,8 +13,8 @@ use std::fmt;
 use gaugeblock_vocabulary::{FaultKind, Indexed, Machine, Shared};
 
 use super::choices::Choices;
-use super::machine::State;
 use super::refusal::{StepError, refuse};
+use super::state::State;
 pub use numbered::{DEBUG_SWITCH, changed_persistent, computed_numbers, last};
 pub use rules::{refused_too, rules_of, rules_of_existence};
 

@@ -7,10 +7,10 @@ use gaugeblock_vocabulary::{Axis, Machine};
 
 use super::State;
 use crate::rs274::choices::Choices;
+use crate::rs274::execute::tool::loaded;
 use crate::rs274::modes::start_system;
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::StepError;
-use crate::rs274::step::tool::loaded;
 
 /// The greatest number of a parameter.
 const LAST: u32 = 5602;

@@ -3,10 +3,10 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use crate::rs274::control::{Control, Frame, Next, Place, Structure, turns};
-use crate::rs274::machine::State;
+use crate::rs274::evaluate;
 use crate::rs274::parameters::{self, Name};
-use crate::rs274::read;
 use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
 use crate::rs274::syntax::{self, Expression, Keyword, Parameter};
 use crate::rs274::text::Line;
 
@@ -15,7 +15,7 @@ use crate::rs274::text::Line;
 /// # Errors
 /// The condition has no value.
 pub fn evaluate_later_condition(values: &[Expression], state: &mut State) -> Result<(), StepError> {
-    values.iter().try_for_each(|value| read::evaluate(value, state).map(|_| ()))
+    values.iter().try_for_each(|value| evaluate::value_of(value, state).map(|_| ()))
 }
 
 /// Quirk rs274.repeat-counter-shared. All invocations of a sub share the counter of a repeat.
@@ -162,7 +162,7 @@ pub(super) fn value_behind(text: &str, state: &mut State) -> Result<Option<Expre
 /// # Errors
 /// It has no value.
 pub(super) fn leave(value: Option<&Expression>, state: &mut State) -> Result<(), StepError> {
-    let value = value.map(|value| read::evaluate(value, state)).transpose()?;
+    let value = value.map(|value| evaluate::value_of(value, state)).transpose()?;
     state.parameters.returned = value.unwrap_or(0.0);
     state.parameters.has_returned = value.is_some();
     Ok(())

@@ -2,9 +2,9 @@
 
 use gaugeblock_vocabulary::{Axis, Plane, Position};
 
-use crate::rs274::machine::State;
-use crate::rs274::read::Words;
-use crate::rs274::step::whole;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::whole;
+use crate::rs274::state::State;
 
 /// Quirk rs274.cycle-rise. Whether there is a rise before the first move in the plane goes by the level at which the
 /// row of cycles began, not by the current one.

@@ -3,12 +3,12 @@
 use gaugeblock_vocabulary::{Distance, FaultKind, FeedMode, LengthUnit, Motion, Plane, Position};
 
 use crate::math;
-use crate::rs274::machine::State;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::motion::{is_arc, motion_of};
+use crate::rs274::execute::word;
 use crate::rs274::modes::each;
-use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::step::motion::{is_arc, motion_of};
-use crate::rs274::step::word;
+use crate::rs274::state::State;
 
 /// Quirk rs274.arc-radius-tolerance. How far the radii at start and end of an arc may be apart: about five times as
 /// far as documented. The larger holds always, the smaller for arcs of which it is more than a thousandth.

@@ -2,9 +2,9 @@
 
 use gaugeblock_vocabulary::WaitMode;
 
-use crate::rs274::machine::State;
-use crate::rs274::read::Words;
-use crate::rs274::step::{whole, word};
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::{whole, word};
+use crate::rs274::state::State;
 
 /// Quirk rs274.output-value-optional. The value of M67 and M68 without Q.
 pub(crate) const ABSENT_VALUE: f64 = -1.0;

@@ -2,8 +2,8 @@
 
 use gaugeblock_vocabulary::{FaultKind, FeedMode, Motion};
 
-use crate::rs274::machine::State;
 use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
 
 /// Quirk rs274.probe-per-revolution. Under feed per revolution probing is refused.
 pub(crate) fn feed_mode(state: &State) -> Result<(), StepError> {

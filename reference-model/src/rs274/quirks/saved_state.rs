@@ -7,12 +7,12 @@ use gaugeblock_vocabulary::{
     SpindleTurn, Switch,
 };
 
-use crate::rs274::machine::State;
+use crate::rs274::execute::restore::{restored_turn, same};
+use crate::rs274::execute::tool_length::{apply, table_offset};
 use crate::rs274::modes::{Modes, Spindle, unit_size};
 use crate::rs274::quirks::settings::choose;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::step::restore::{restored_turn, same};
-use crate::rs274::step::tool_length::{apply, table_offset};
+use crate::rs274::state::State;
 
 /// Quirk rs274.tool-offset-restore. G43 is programmed again when the offset is off, with the tool in the spindle; an
 /// offset that is on stays as it is. One of zero counts as off.

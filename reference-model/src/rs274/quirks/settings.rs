@@ -7,13 +7,13 @@ use gaugeblock_vocabulary::{
 };
 
 use crate::rs274::choices::Choices;
-use crate::rs274::machine::State;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::motion::motion_of;
+use crate::rs274::execute::{spindle, whole};
 use crate::rs274::modes::{ModalGroup, Modes, Spindle, converted, each, is_rotary};
 use crate::rs274::order::has_axis_words;
-use crate::rs274::read::Words;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::step::motion::motion_of;
-use crate::rs274::step::{spindle, whole};
+use crate::rs274::state::State;
 
 /// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch. In
 /// millimetres.
@@ -23,7 +23,7 @@ pub(crate) fn initial_tolerance(choices: &Choices) -> f64 {
 
 /// Quirk rs274.surface-limit-zero. Surface speed that is limited to zero is told as revolutions per minute. Returns
 /// what is told.
-pub(crate) fn modes_as_told(state: &State) -> Cow<'_, Modes> {
+pub(crate) fn reported_modes(state: &State) -> Cow<'_, Modes> {
     let limited = |spindle: &Spindle| spindle.limit == SpindleLimit::Rpm(0.0);
     let any = state.modes.spindles.iter().any(limited);
     if !any || !state.choices.quirk("rs274.surface-limit-zero") {

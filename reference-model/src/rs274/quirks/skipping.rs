@@ -5,12 +5,12 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::math;
 use crate::rs274::control::{Call, Control, Frame, Place, Style, enabled, label_of, passed};
-use crate::rs274::machine::State;
+use crate::rs274::evaluate;
 use crate::rs274::quirks::control::{
     count_too_large, known_number, leave, value_behind, with_zeros,
 };
-use crate::rs274::read;
 use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
 use crate::rs274::syntax::{self, Keyword, Label, PassedOver};
 use crate::rs274::text::Line;
 
@@ -219,7 +219,7 @@ fn behind_parenthesis<'a>(error: &StepError, text: &'a str) -> Option<&'a str> {
 /// The P and L of an M98 are read, and must be numbers of programs and of turns.
 fn numbered_call(text: &str, state: &mut State) -> Result<(), StepError> {
     let block = syntax::parse(text, state)?;
-    let words = match read::read(&block, state) {
+    let words = match evaluate::words(&block, state) {
         // Whether an E has its code is not asked here.
         Err(StepError::Refused(refusal)) if refusal.rule == "text.word-letters" => return Ok(()),
         read => read?,

@@ -2,10 +2,10 @@
 
 use gaugeblock_vocabulary::{FaultKind, FeedMode};
 
-use crate::rs274::machine::State;
-use crate::rs274::read::Words;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::motion::{is_spline, motion_of};
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::step::motion::{is_spline, motion_of};
+use crate::rs274::state::State;
 
 /// Quirk rs274.spline-per-revolution. Under G95 splines need no feed rate.
 pub(crate) fn needs_no_feed(words: &Words, state: &State) -> bool {

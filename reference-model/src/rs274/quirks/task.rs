@@ -3,8 +3,8 @@
 use gaugeblock_vocabulary::ControllerMode;
 
 use super::settings::speed_while_standing;
-use crate::rs274::machine::State;
 use crate::rs274::modes::{Modes, converted};
+use crate::rs274::state::State;
 
 /// Quirk linuxcnc.modes-of-last-motion. An abort brings back the modes that were in force at the last motion, or at
 /// the beginning where nothing has moved, then without the speeds; but not the motion mode itself, and none where

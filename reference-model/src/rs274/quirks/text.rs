@@ -1,16 +1,16 @@
 //! Quirks of reading text, words, parameters and comments.
 //!
 //! Some have nothing of their own and stand where they are decided: rs274.lone-return (`text`), rs274.repeated-signs
-//! and rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`step::message`),
+//! and rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`execute::message`),
 //! rs274.percent-in-file (`text`).
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
 
 use crate::math;
 use crate::rs274::choices::Choices;
-use crate::rs274::machine::State;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
 use crate::rs274::syntax::Comment;
 
 /// Quirk rs274.shorter-lines: a line has at most so many characters without its line end.
@@ -119,7 +119,7 @@ pub(crate) fn selected_tool(state: &State) -> i32 {
 }
 
 /// Quirk rs274.message-small-value. A message shows what is nearer to zero than a ten-thousandth as zero.
-pub(crate) fn told(value: f64, choices: &Choices) -> f64 {
+pub(crate) fn reported_value(value: f64, choices: &Choices) -> f64 {
     let small = value.abs() < 1e-4 && choices.quirk("rs274.message-small-value");
     if small { 0.0 } else { value }
 }

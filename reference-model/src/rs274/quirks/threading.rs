@@ -2,10 +2,10 @@
 
 use gaugeblock_vocabulary::{FaultKind, Position, Switch};
 
-use crate::rs274::machine::State;
-use crate::rs274::read::Words;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::end_point;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::step::end_point;
+use crate::rs274::state::State;
 
 /// Quirk rs274.synchronised-feed-word. G33 and G33.1 do not stand in a block with F.
 pub(crate) fn feed_word(words: &Words, state: &State) -> Result<(), StepError> {
@@ -18,7 +18,7 @@ pub(crate) fn feed_word(words: &Words, state: &State) -> Result<(), StepError> {
 
 /// Quirk rs274.chosen-spindle. The spindle that an effect tells: spindle 0 where $ is left out, since nothing that
 /// the controller shows tells which one it was.
-pub(crate) fn told(place: usize, words: &Words, state: &State) -> usize {
+pub(crate) fn reported_spindle(place: usize, words: &Words, state: &State) -> usize {
     let chosen = !words.letters.contains_key(&'$') && state.choices.quirk("rs274.chosen-spindle");
     if chosen { 0 } else { place }
 }

@@ -12,7 +12,7 @@ use crate::rs274::text::Glyph;
 
 /// Rule text.word-letters. The letters of the table begin words; no other letter does.
 ///
-/// E belongs to M66 to M68 (see `read`); `$` is a spindle, `@` and `^` are polar coordinates.
+/// E belongs to M66 to M68 (see `evaluate`); `$` is a spindle, `@` and `^` are polar coordinates.
 fn begins_word(letter: char) -> bool {
     matches!(letter, 'a'..='m' | 'p'..='z' | '$' | '@' | '^')
 }

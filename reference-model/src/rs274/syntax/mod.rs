@@ -13,8 +13,8 @@ mod value;
 
 pub use block::*;
 
-use super::machine::State;
 use super::refusal::{Refusal, StepError};
+use super::state::State;
 use super::text::condense;
 use parser::Parser;
 pub use parser::Room;

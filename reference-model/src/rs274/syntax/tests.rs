@@ -200,7 +200,7 @@ proptest::proptest! {
         let mut state = State::under(&[("rs274.repeated-signs", "observed"), ("rs274.exists-numbered", "observed")]);
         drop(o_word_of(&line, &mut state));
         if let Ok(block) = parse(&line, &mut state) {
-            drop(crate::rs274::read::read(&block, &mut state));
+            drop(crate::rs274::evaluate::words(&block, &mut state));
         }
     }
 
@@ -208,7 +208,7 @@ proptest::proptest! {
     fn no_expression_panics(line in "x\\[([-+*/\\[\\]#.0-9]|mod|eq|and|sin\\[|atan\\[|fix\\[|ln\\[|\\*\\*){0,20}\\]") {
         let mut state = State::under(&[]);
         if let Ok(block) = parse(&line, &mut state) {
-            drop(crate::rs274::read::read(&block, &mut state));
+            drop(crate::rs274::evaluate::words(&block, &mut state));
         }
     }
 }

@@ -4,10 +4,10 @@ use gaugeblock_vocabulary::{End, SpindleTurn, Switch};
 
 use super::operator::Operator;
 use super::{ModelRun, Record};
-use crate::rs274::machine::State;
+use crate::rs274::execute;
 use crate::rs274::modes::converted;
 use crate::rs274::quirks::task as quirks;
-use crate::rs274::step;
+use crate::rs274::state::State;
 
 impl ModelRun<'_> {
     /// Rule abort.ends. The run is over, whatever block was broken off.
@@ -27,7 +27,7 @@ impl ModelRun<'_> {
         } else {
             End::Aborted
         };
-        step::saved_state::run_is_over(&mut self.state);
+        execute::saved_state::run_is_over(&mut self.state);
         self.forget_waiting();
         self.switch_off();
         if let Some(modes) = &self.at_last_motion {
@@ -57,11 +57,11 @@ impl ModelRun<'_> {
             let modes = &mut self.state.modes;
             modes.mist = Switch::Off;
             modes.flood = Switch::Off;
-            for place in step::spindle::all(&self.state) {
-                step::spindle::set_turn(SpindleTurn::Stopped, place, &mut self.state);
+            for place in execute::spindle::all(&self.state) {
+                execute::spindle::set_turn(SpindleTurn::Stopped, place, &mut self.state);
             }
         }
-        self.show(None);
+        self.update_pins(None);
         self.record.settle(&self.state);
     }
 

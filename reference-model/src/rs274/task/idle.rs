@@ -8,9 +8,9 @@ use gaugeblock_vocabulary::{ControllerMode, End};
 use super::request::{Activity, Answer};
 use super::{ModelRun, open_entries};
 use crate::rs274::control::{Control, Frame, MAIN, Place};
+use crate::rs274::execute;
 use crate::rs274::quirks::task as quirks;
 use crate::rs274::refusal::StepError;
-use crate::rs274::step;
 use crate::rs274::text::Line;
 
 /// What comes after the controller was idle.
@@ -46,7 +46,7 @@ impl ModelRun<'_> {
         // A spindle that an abort has left on its way comes to its angle all the same.
         while let Some(time) = self.state.environment.next_orientation() {
             self.state.environment.within_wait(time);
-            self.show(None);
+            self.update_pins(None);
         }
         Ok(Then::Nothing)
     }
@@ -63,7 +63,7 @@ impl ModelRun<'_> {
         }
         self.change_mode_to(ControllerMode::Auto);
         self.begin_anew();
-        step::saved_state::run_is_over(&mut self.state);
+        execute::saved_state::run_is_over(&mut self.state);
         if !quirks::keeps_value(&self.state) {
             self.state.parameters.returned = 0.0;
         }

@@ -28,20 +28,20 @@ use gaugeblock_vocabulary::{
     Program, Scenario, Settings, Shared,
 };
 
-pub use pins::Shown;
-pub(crate) use pins::{are_shown, show};
+pub use pins::PinSnapshot;
+pub(crate) use pins::{pins_are_current, update_pins};
 pub use record::Record;
 
 use self::operator::Operator;
 use super::choices::Choices;
 use super::control::{Control, Frame, MAIN, Place};
 use super::environment::EnvironmentState;
-use super::machine::{Panel, State, in_pocket_zero, slots};
+use super::execute;
 use super::modes::{Modes, Rounding};
 use super::parameters::{self, Name, Parameters};
 use super::quirks::settings;
 use super::refusal::{Refusal, StepError};
-use super::step;
+use super::state::{Panel, State, in_pocket_zero, slots};
 use super::syntax::Room;
 use crate::{Evidence, RuleCoverage};
 
@@ -150,8 +150,8 @@ fn start(
         log_open: false,
         probe_log_open: false,
         series: None,
-        curve: step::splines::Curve::default(),
-        shown: None,
+        curve: execute::splines::Curve::default(),
+        pin_snapshot: None,
         room: Room::default(),
         coverage,
     }
@@ -349,8 +349,8 @@ impl<'a> ModelRun<'a> {
                 if ![MAIN, self.entries.file].contains(&self.control.place.file) {
                     self.state.coverage.refused("subroutines.file-fault");
                 }
-                step::saved_state::broken_off(&mut self.state);
-                if step::probe::has_moved(rule) {
+                execute::saved_state::broken_off(&mut self.state);
+                if execute::probe::has_moved(rule) {
                     self.is_within_block = false;
                 }
                 let message = format!("{message} ({rule})");

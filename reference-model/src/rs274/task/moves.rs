@@ -11,12 +11,12 @@ use gaugeblock_vocabulary::{Effect, End, Position};
 use super::ModelRun;
 use super::request::{Activity, Answer, By};
 use crate::rs274::environment::EnvironmentState;
-use crate::rs274::machine::{Panel, State};
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute;
+use crate::rs274::execute::feed::Speed;
 use crate::rs274::order::{self, AfterPhase, Phase};
-use crate::rs274::read::Words;
 use crate::rs274::refusal::StepError;
-use crate::rs274::step;
-use crate::rs274::step::feed::Speed;
+use crate::rs274::state::{Panel, State};
 
 /// The moves and dwells of a phase, looked at one by one.
 #[derive(Clone, Debug)]
@@ -91,12 +91,12 @@ impl Watch {
         if let Some(waited) = self.waited.get(&place) {
             state.environment.clone_from(&waited.environment);
             state.panel.clone_from(&waited.panel);
-            state.shown = None;
+            state.pin_snapshot = None;
             return Begins::After(waited.refused.clone());
         }
         let waits = place >= self.from
             && match why {
-                Why::Move(speed) => self.pause_asked || step::feed::is_held(speed, state),
+                Why::Move(speed) => self.pause_asked || execute::feed::is_held(speed, state),
                 Why::Dwell(_) | Why::Wait(_) => self.operator_is_due,
             };
         if waits { Begins::Later } else { Begins::AtOnce }
@@ -118,7 +118,7 @@ impl ModelRun<'_> {
     /// Whether a move of the phase may be held, or somebody may act between its moves or its waits.
     pub(super) fn is_watched(&self, phase: Phase, words: &Words) -> bool {
         let environment = &self.state.environment;
-        let may_be_held = self.pause_asked || step::feed::may_be_held(&self.state);
+        let may_be_held = self.pause_asked || execute::feed::may_be_held(&self.state);
         let acts_between = || self.operator.is_due() || environment.next_change_of_feed().is_some();
         let dwells = || phase == Phase::Motion && super::program::is_cycle(words, &self.state);
         let moves = matches!(phase, Phase::Motion | Phase::OffsetData | Phase::ChangeTool);
@@ -158,12 +158,12 @@ impl ModelRun<'_> {
         };
         loop {
             self.record.watch = Some(watch);
-            let done = order::execute(phase, words, &mut self.state, &mut self.record);
+            let done = order::execute_phase(phase, words, &mut self.state, &mut self.record);
             watch = self.record.watch.take().expect("moves: it was set for the phase");
             let Some(stop) = watch.stop.take() else { return done };
             self.state = *stop.state;
             self.record.back_to(stop.record.clone());
-            self.show(None);
+            self.update_pins(None);
             if let Err(error) = self.waits_for(stop.why) {
                 if error == StepError::Ended(End::Aborted) {
                     self.breaks_off(phase, before);
@@ -199,7 +199,7 @@ impl ModelRun<'_> {
                 let end = self.state.environment.time() + seconds;
                 let longer = self.meanwhile(end, matches!(why, Why::Dwell(_)))?;
                 self.state.environment.within_wait(end + longer);
-                step::pass(0.0, &mut self.state);
+                execute::pass(0.0, &mut self.state);
                 Ok(())
             }
         }
@@ -210,7 +210,7 @@ impl ModelRun<'_> {
         if self.pause_asked {
             self.stand_paused(Activity::Paused(By::Operator))?;
         }
-        while step::feed::is_held(speed, &mut self.state) {
+        while execute::feed::is_held(speed, &mut self.state) {
             let change = self.state.environment.next_change_of_feed();
             let now = self.state.environment.time();
             if let Some(happening) = self.operator.next(change.unwrap_or(f64::INFINITY)) {

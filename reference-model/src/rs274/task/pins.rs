@@ -3,21 +3,21 @@
 use gaugeblock_vocabulary::{Pin, SpindleMode, SpindleTurn, Switch};
 
 use super::ModelRun;
-use crate::rs274::machine::State;
+use crate::rs274::execute;
 use crate::rs274::modes::Spindle;
 use crate::rs274::order::Phase;
-use crate::rs274::step;
+use crate::rs274::state::State;
 
 impl ModelRun<'_> {
     /// Brings the pins up to date after a phase of a block, or after something that the operator did.
-    pub(super) fn show(&mut self, after: Option<Phase>) {
-        show(&mut self.state, after);
+    pub(super) fn update_pins(&mut self, after: Option<Phase>) {
+        update_pins(&mut self.state, after);
     }
 }
 
 /// What the pins were brought up to date for, while no spindle was turning to an angle.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
+pub struct PinSnapshot {
     spindles: Vec<Spindle>,
     overrides: Vec<f64>,
     mist: Switch,
@@ -28,22 +28,22 @@ pub struct Shown {
 
 /// Whether the pins are up to date: since they were brought so nothing has changed that they depend on, nor they
 /// themselves.
-pub(crate) fn are_shown(state: &State) -> bool {
+pub(crate) fn pins_are_current(state: &State) -> bool {
     let (modes, environment) = (&state.modes, &state.environment);
     !environment.is_orienting()
-        && state.shown.as_ref().is_some_and(|shown| {
-            shown.changes == environment.changes().len()
-                && (shown.mist, shown.flood) == (modes.mist, modes.flood)
-                && shown.spindles == modes.spindles
-                && shown.overrides == state.panel.spindle_overrides
+        && state.pin_snapshot.as_ref().is_some_and(|snapshot| {
+            snapshot.changes == environment.changes().len()
+                && (snapshot.mist, snapshot.flood) == (modes.mist, modes.flood)
+                && snapshot.spindles == modes.spindles
+                && snapshot.overrides == state.panel.spindle_overrides
         })
 }
 
 /// Brings the pins up to date, also within a phase that goes on.
 ///
 /// Rules coolant.mist-pin and coolant.flood-pin. Each coolant has a pin.
-pub(crate) fn show(state: &mut State, after: Option<Phase>) {
-    if are_shown(state) {
+pub(crate) fn update_pins(state: &mut State, after: Option<Phase>) {
+    if pins_are_current(state) {
         return;
     }
     for rule in (0..)
@@ -52,10 +52,10 @@ pub(crate) fn show(state: &mut State, after: Option<Phase>) {
     {
         state.coverage.accepted(rule);
     }
-    step::pass(0.0, state);
+    execute::pass(0.0, state);
     let coolants = [(Pin::CoolantMist, state.modes.mist), (Pin::CoolantFlood, state.modes.flood)];
     for (pin, switch) in coolants {
-        show_pin(pin, digital(switch == Switch::On), after, state);
+        set_pin(pin, digital(switch == Switch::On), after, state);
     }
     for place in 0..state.modes.spindles.len() {
         let (Ok(number), spindle) = (u16::try_from(place), state.modes.spindles[place]) else {
@@ -63,11 +63,11 @@ pub(crate) fn show(state: &mut State, after: Option<Phase>) {
         };
         let pins = of_spindle(number, &spindle, state.panel.spindle_override(number));
         for (pin, value) in pins.into_iter().flatten() {
-            show_pin(pin, value, after, state);
+            set_pin(pin, value, after, state);
         }
     }
     let (modes, environment) = (&state.modes, &state.environment);
-    state.shown = (!environment.is_orienting()).then(|| Shown {
+    state.pin_snapshot = (!environment.is_orienting()).then(|| PinSnapshot {
         spindles: modes.spindles.clone(),
         overrides: state.panel.spindle_overrides.clone(),
         mist: modes.mist,
@@ -76,7 +76,7 @@ pub(crate) fn show(state: &mut State, after: Option<Phase>) {
     });
 }
 
-fn show_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
+fn set_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
     if (state.environment.level(pin) - value).abs() > 0.0 {
         state.environment.set(pin, value);
         changed_pin(pin, value, after, state);

@@ -7,13 +7,13 @@ use gaugeblock_vocabulary::{End, FaultKind};
 use super::{ModelRun, Record};
 use crate::rs274::control::{self, Control, MAIN, Next};
 use crate::rs274::environment::stub;
-use crate::rs274::machine::State;
+use crate::rs274::evaluate::{self, Words};
 use crate::rs274::order::{AfterPhase, Phase, Phases};
-use crate::rs274::read::{self, Words};
 use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
 use crate::rs274::syntax::Keyword;
 use crate::rs274::text::Line;
-use crate::rs274::{check, order, step, syntax};
+use crate::rs274::{check, execute, order, syntax};
 
 impl ModelRun<'_> {
     /// The next line of the program.
@@ -86,21 +86,21 @@ impl ModelRun<'_> {
             self.is_within_block = true;
             let next = self.control.o_word(&block, word, &mut self.state, &mut self.record)?;
             self.done()?;
-            self.show(Some(Phase::SavedState));
+            self.update_pins(Some(Phase::SavedState));
             if matches!(word.keyword, Keyword::Call | Keyword::EndSub | Keyword::Return) {
                 self.record.leads_elsewhere();
             }
             self.record.step_without_state(place, &self.state);
             return Ok(next);
         }
-        let words = read::read(&block, &mut self.state)?;
+        let words = evaluate::words(&block, &mut self.state)?;
         self.control.begin(&words);
         if Control::asks(&words) {
             self.by_hand_only(false, "M98 or M99")?;
             self.is_within_block = true;
             let next = self.numbered(&words)?;
             self.done()?;
-            self.show(Some(Phase::SavedState));
+            self.update_pins(Some(Phase::SavedState));
             self.record.leads_elsewhere();
             self.record.step_without_state(place, &self.state);
             return Ok(next);
@@ -176,7 +176,7 @@ impl ModelRun<'_> {
             let executed = if self.is_watched(phase, words) {
                 self.watched(phase, words, &mut began)
             } else {
-                order::execute(phase, words, &mut self.state, &mut self.record)
+                order::execute_phase(phase, words, &mut self.state, &mut self.record)
             };
             let refused = match executed {
                 Ok(done) => {
@@ -194,7 +194,7 @@ impl ModelRun<'_> {
                 self.at_last_motion = in_main.then(|| self.state.modes.clone());
                 self.has_moved = true;
             }
-            self.show(Some(phase));
+            self.update_pins(Some(phase));
             if after_phase == AfterPhase::Drop {
                 // Quirk rs274.rest-of-restore-block. A feed is not asked for; what else is asked before is not known.
                 let later = self.fault_after(phase, phases, words);
@@ -225,7 +225,7 @@ impl ModelRun<'_> {
         if after_phase != AfterPhase::Drop {
             order::completed(words, phases, &mut self.state);
         }
-        step::pass(0.0, &mut self.state);
+        execute::pass(0.0, &mut self.state);
         if after_phase == AfterPhase::Pause {
             self.paused(words)?;
         }
@@ -251,7 +251,7 @@ impl ModelRun<'_> {
         let mut record = Record::new(&state);
         let mut later = phases.iter().skip_while(|before| *before != phase).skip(1);
         later.find_map(|phase| {
-            let executed = order::execute(phase, words, &mut state, &mut record);
+            let executed = order::execute_phase(phase, words, &mut state, &mut record);
             executed.err().filter(|error| !matches!(error, StepError::WaitsForEver))
         })
     }
@@ -261,16 +261,16 @@ impl ModelRun<'_> {
     fn read_up_to(&mut self, phase: Phase, words: &Words) -> StepError {
         let mut state = self.state.clone();
         let mut record = Record::new(&state);
-        match order::execute(phase, words, &mut state, &mut record) {
+        match order::execute_phase(phase, words, &mut state, &mut record) {
             Err(StepError::Refused(refused))
-                if !step::probe::is_found_out_by_machine(refused.rule) =>
+                if !execute::probe::is_found_out_by_machine(refused.rule) =>
             {
                 return StepError::Refused(refused);
             }
             Ok(_) | Err(_) => {}
         }
         if phase == Phase::ChangeTool {
-            step::tool_change::before_moving(&mut self.state);
+            execute::tool_change::before_moving(&mut self.state);
         }
         StepError::Ended(End::Paused)
     }
@@ -290,15 +290,15 @@ impl ModelRun<'_> {
             return;
         }
         self.state.position = after.position;
-        for (spindle, told) in self.state.modes.spindles.iter_mut().zip(&after.modes.spindles) {
-            spindle.turn = told.turn;
+        for (spindle, turned) in self.state.modes.spindles.iter_mut().zip(&after.modes.spindles) {
+            spindle.turn = turned.turn;
         }
     }
 
     /// A block with M98 or M99: its comment and settings, then the call or return.
     fn numbered(&mut self, words: &Words) -> Result<Next, StepError> {
         if let Some(comment) = &words.comment {
-            step::message::perform(comment, &mut self.state, &mut self.record)?;
+            execute::message::perform(comment, &mut self.state, &mut self.record)?;
         }
         control::assign(&words.settings, &mut self.state)?;
         self.control.numbered(words, &mut self.state, &mut self.record)
@@ -334,7 +334,7 @@ impl ModelRun<'_> {
     /// Choices outputs.waiting-after-end, saved-state.after-run. What waits for a motion waits for one of the next
     /// program, or is gone; so it is with what is saved.
     fn over(&mut self) {
-        step::saved_state::run_is_over(&mut self.state);
+        execute::saved_state::run_is_over(&mut self.state);
         // What is only read ahead has not ended.
         if !self.ahead && self.state.choices.is("outputs.waiting-after-end", "forgotten") {
             self.state.environment.forget_all_with_motion();
@@ -362,14 +362,14 @@ fn may_take_time(phase: Phase) -> bool {
 
 /// Whether the motion of a block is a canned cycle.
 pub(super) fn is_cycle(words: &Words, state: &State) -> bool {
-    step::motion::motion_of(words, state).is_some_and(step::cycles::is_cycle)
+    execute::motion::motion_of(words, state).is_some_and(execute::cycles::is_cycle)
 }
 
 /// Whether a phase waits for what the machine answers, so that nothing behind it can be read before: M66, M6, a probe.
 fn waits_for_machine(phase: Phase, words: &Words, state: &State) -> bool {
     let reads_input = phase == Phase::InputsOutputs && words.m.contains(&66);
     let probes = phase == Phase::Motion
-        && step::motion::motion_of(words, state).is_some_and(step::probe::is_probing);
+        && execute::motion::motion_of(words, state).is_some_and(execute::probe::is_probing);
     let changes_tool = phase == Phase::ChangeTool && words.m.contains(&6);
     reads_input || probes || changes_tool
 }

@@ -9,13 +9,13 @@ use gaugeblock_vocabulary::{
 };
 
 use super::moves::{Begins, Watch, Why};
-use crate::rs274::environment::stub::Told;
-use crate::rs274::machine::State;
+use crate::rs274::environment::stub::BlockMotion;
+use crate::rs274::execute::feed::Speed;
+use crate::rs274::execute::{outputs, pass};
 use crate::rs274::modes::Modes;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::quirks::settings as quirks;
-use crate::rs274::step::feed::Speed;
-use crate::rs274::step::{outputs, pass};
+use crate::rs274::state::State;
 
 /// As many steps as most programs of cases and campaigns have.
 const MANY_STEPS: usize = 64;
@@ -268,9 +268,9 @@ impl Record {
         if state.modes == self.modes {
             return;
         }
-        let told = quirks::modes_as_told(state);
-        let changed = told.settings_since(&self.modes);
-        self.modes.clone_from(&told);
+        let reported = quirks::reported_modes(state);
+        let changed = reported.settings_since(&self.modes);
+        self.modes.clone_from(&reported);
         if changed != Settings::default() {
             self.push(Event::Set(changed.into()));
         }
@@ -288,20 +288,20 @@ impl Record {
     pub fn is_idle(&self, state: &State) -> bool {
         self.events.is_empty()
             && (state.modes == self.modes
-                || quirks::modes_as_told(state).settings_since(&self.modes) == Settings::default())
+                || quirks::reported_modes(state).settings_since(&self.modes) == Settings::default())
     }
 
     /// What the stub of a machine is told of the moves of the block that is being executed.
-    pub(crate) fn moves(&self) -> Told {
+    pub(crate) fn moves(&self) -> BlockMotion {
         let mut moves = self.events.iter().filter_map(|event| match event {
             Event::Do(effect) if is_move(effect) => Some(effect),
             Event::Set(_) | Event::Do(_) => None,
         });
         match moves.next() {
-            None => Told::Nothing,
-            Some(Effect::NurbsFeed { points: ..=3, .. }) => Told::Nowhere,
-            Some(Effect::NurbsFeed { .. }) => Told::Spline,
-            Some(_) => Told::Moves,
+            None => BlockMotion::None,
+            Some(Effect::NurbsFeed { points: ..=3, .. }) => BlockMotion::NoPoint,
+            Some(Effect::NurbsFeed { .. }) => BlockMotion::Spline,
+            Some(_) => BlockMotion::Moves,
         }
     }
 

@@ -67,7 +67,7 @@ impl ModelRun<'_> {
         activity: Activity,
     ) -> Result<Answer, StepError> {
         // A spindle may have come to its angle meanwhile.
-        self.show(None);
+        self.update_pins(None);
         let panel = &mut self.state.panel;
         match happening.action {
             Action::OptionalStop(on) => panel.optional_stop = *on,
@@ -77,7 +77,7 @@ impl ModelRun<'_> {
                 if let Some(now) = panel.spindle_overrides.get_mut(usize::from(*spindle)) {
                     *now = *factor;
                 }
-                self.show(None);
+                self.update_pins(None);
             }
             Action::FeedHold(pressed) => panel.feed_hold = *pressed,
             Action::Abort if activity == Activity::Idle => {

@@ -4,8 +4,8 @@ use gaugeblock_vocabulary::{BlockLocation, End};
 
 use super::ModelRun;
 use super::request::{Activity, Answer, By};
+use crate::rs274::evaluate::Words;
 use crate::rs274::order::Phase;
-use crate::rs274::read::Words;
 use crate::rs274::refusal::StepError;
 
 impl ModelRun<'_> {

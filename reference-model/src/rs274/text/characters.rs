@@ -4,9 +4,9 @@ use gaugeblock_vocabulary::{FaultKind, Span};
 
 use super::comments::comment_at;
 use crate::rs274::choices::Choices;
-use crate::rs274::machine::State;
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
 use crate::rs274::syntax::Comment;
 
 /// A character that counts.

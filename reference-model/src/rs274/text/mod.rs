@@ -10,8 +10,8 @@ pub use characters::{Glyph, condense};
 use std::ops::Range;
 
 use super::choices::Choices;
-use super::machine::State;
 use super::refusal::{StepError, refuse};
+use super::state::State;
 use gaugeblock_vocabulary::FaultKind;
 
 /// A file of program text, cut into lines.

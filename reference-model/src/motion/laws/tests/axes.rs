@@ -12,7 +12,7 @@ fn a_line_at_its_limits_is_lawful() {
     let (path, points) = straight();
     let judgement = judged(&points, &path);
     lawful(&judgement);
-    let Some(Verdict::Held { share: Some(share) }) = judgement.of(Law::Acceleration) else {
+    let Some(Verdict::Satisfied { share: Some(share) }) = judgement.of(Law::Acceleration) else {
         panic!("the acceleration is judged");
     };
     assert!((0.99..=1.0).contains(share), "{share}");

@@ -158,7 +158,7 @@ fn judged(points: &[AxisVector], path: &ProgrammedPath) -> Judgement {
 fn lawful(judgement: &Judgement) {
     let broken: Vec<_> = judgement.violations().map(ToString::to_string).collect();
     assert!(broken.is_empty(), "{}", broken.join("\n"));
-    assert!(judgement.0.iter().any(|(_, verdict)| matches!(verdict, Verdict::Held { .. })));
+    assert!(judgement.0.iter().any(|(_, verdict)| matches!(verdict, Verdict::Satisfied { .. })));
 }
 
 /// Something is broken, and this law among it; further laws may be broken by the same fault.

@@ -17,7 +17,7 @@ fn stopping(acceleration: f64) -> Vec<AxisVector> {
     motion.samples()
 }
 
-fn held(points: &[AxisVector], from: u32, until: u32) -> Judgement {
+fn judged_hold(points: &[AxisVector], from: u32, until: u32) -> Judgement {
     let script = script(&[(from, MotionAction::Hold(true)), (until, MotionAction::Hold(false))]);
     judge(&record(points, &[]), &along(), &limits(), &script)
 }
@@ -25,12 +25,12 @@ fn held(points: &[AxisVector], from: u32, until: u32) -> Judgement {
 /// Faults 39 to 41: a hold that stops too late, brakes too softly, or does not last.
 #[test]
 fn a_hold_stops_within_what_braking_takes() {
-    lawful(&held(&stopping(2000.0), 200, 300));
-    lawful(&held(&stopping(2000.0), 198, 300));
-    broken(&held(&stopping(2000.0), 190, 300), Law::Hold);
-    let message = broken(&held(&stopping(1700.0), 200, 300), Law::Hold);
+    lawful(&judged_hold(&stopping(2000.0), 200, 300));
+    lawful(&judged_hold(&stopping(2000.0), 198, 300));
+    broken(&judged_hold(&stopping(2000.0), 190, 300), Law::Hold);
+    let message = broken(&judged_hold(&stopping(1700.0), 200, 300), Law::Hold);
     assert!(message.contains("where 2.49999"), "{message}");
-    broken(&held(&stopping(2000.0), 200, 400), Law::Hold);
+    broken(&judged_hold(&stopping(2000.0), 200, 400), Law::Hold);
 }
 
 #[test]

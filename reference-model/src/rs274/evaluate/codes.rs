@@ -1,0 +1,62 @@
+//! The numbers of G and M codes.
+
+use gaugeblock_vocabulary::FaultKind;
+
+use crate::math;
+use crate::rs274::modes;
+use crate::rs274::quirks::text as quirks;
+use crate::rs274::refusal::{StepError, refuse_at};
+use crate::rs274::state::State;
+use crate::rs274::syntax::{Expression, Word};
+
+/// Ten times the number of a G code.
+pub(super) fn g_code(word: &Word, value: f64, state: &mut State) -> Result<u32, StepError> {
+    let number = code(word, value * 10.0, "modal-groups.g-code-out-of-range", state)?;
+    if is_computed(word) && modes::g_code(number).is_none() {
+        state.coverage.refused("modal-groups.code-from-expression");
+    }
+    Ok(number)
+}
+
+/// The number of an M code.
+pub(super) fn m_code(word: &Word, value: f64, state: &mut State) -> Result<u32, StepError> {
+    code(word, value, "modal-groups.m-code-out-of-range", state)
+}
+
+/// Rules numbers.near-integer, numbers.not-near-integer and modal-groups.code-close-to-integer. An M number, and ten
+/// times a G number, must lie within 0.0001 of an integer.
+/// Rule modal-groups.code-from-expression. The number of a code may be an expression.
+///
+/// A code below zero is out of range; whether any other one exists is a matter of the table of codes.
+fn code(word: &Word, value: f64, range: &'static str, state: &mut State) -> Result<u32, StepError> {
+    let letter = word.letter.to_ascii_uppercase();
+    let g_code = range == "modal-groups.g-code-out-of-range";
+    let near = math::near_integer(value).or_else(|| {
+        let close = g_code.then(|| quirks::close_g_code(value, &state.choices));
+        close.flatten()
+    });
+    let Some(number) = near else {
+        state.coverage.refused("modal-groups.code-close-to-integer");
+        let message = format!("no integer is close enough to the number behind {letter}");
+        return Err(refuse_at(
+            "numbers.not-near-integer",
+            FaultKind::NotAnInteger,
+            word.span,
+            message,
+        ));
+    };
+    if number < 0 {
+        let message = format!("the number behind {letter} is below zero");
+        return Err(refuse_at(range, FaultKind::UnknownCode, word.span, message));
+    }
+    state.coverage.accepted("numbers.near-integer");
+    state.coverage.accepted("modal-groups.code-close-to-integer");
+    if is_computed(word) {
+        state.coverage.accepted("modal-groups.code-from-expression");
+    }
+    Ok(u32::try_from(number).unwrap_or(u32::MAX))
+}
+
+fn is_computed(word: &Word) -> bool {
+    !matches!(word.value, Expression::Number(_))
+}

@@ -1,0 +1,136 @@
+//! A block's expressions evaluated: numbers for words.
+
+mod codes;
+mod expression;
+mod operate;
+#[cfg(test)]
+mod tests;
+
+use gaugeblock_vocabulary::{Axis, FaultKind, Sorted};
+
+use super::parameters::{self, Name};
+use super::quirks::{settings, text as quirks};
+use super::refusal::{StepError, refuse_at};
+use super::state::State;
+use super::syntax::{Block, Comment, Expression, Setting, Word};
+pub use expression::value_of;
+
+/// A block's words with their values.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Words {
+    /// G codes in tenths and in the order of the text: 10 is G1, 382 is G38.2.
+    pub g: Vec<u32>,
+    /// M codes in the order of the text.
+    pub m: Vec<u32>,
+    /// The other words by letter: lower case, `$`, `@`, `^`.
+    pub letters: Sorted<char, f64>,
+    /// Settings in the order of the text; of several for one parameter the last one counts.
+    pub settings: Vec<(Name, f64)>,
+    /// The comment that may be active.
+    pub comment: Option<Comment>,
+}
+
+/// Evaluates a block, from left to right.
+///
+/// Rule expressions.read-before-execution. The expressions of a line are evaluated when it is read, before anything on
+/// it is executed.
+/// Rule parameters.setting-last. A setting takes effect after all parameter values on its line have been found: here
+/// nothing is assigned yet.
+///
+/// # Errors
+/// An expression has no value, or a word's value is not allowed.
+pub fn words(block: &Block, state: &mut State) -> Result<Words, StepError> {
+    let mut words = Words { comment: block.comment.clone(), ..Words::default() };
+    let mut settings = block.settings.iter().peekable();
+    for word in &block.words {
+        while let Some(setting) = settings.next_if(|setting| setting.span.start < word.span.start) {
+            words.settings.push(read_setting(setting, state)?);
+        }
+        read_word(word, &mut words, state)?;
+    }
+    for setting in settings {
+        words.settings.push(read_setting(setting, state)?);
+    }
+    extra_letter(block, &words, state)?;
+    axis_letters(&words, state);
+    reach_settings(&words, state);
+    state.parameters.announce(&words.settings);
+    Ok(words)
+}
+
+/// Rule modal-groups.repeated-letter. Every letter other than G and M appears at most once in a block.
+fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), StepError> {
+    let value = value_of(&word.value, state)?;
+    if !matches!(word.value, Expression::Number(_)) {
+        state.coverage.accepted("expressions.read-before-execution");
+    }
+    match word.letter {
+        'g' => words.g.push(codes::g_code(word, value, state)?),
+        'm' => words.m.push(codes::m_code(word, value, state)?),
+        letter => {
+            let earlier = words.letters.insert(letter, value);
+            let counts = |value| !quirks::may_be_repeated(letter, value, &state.choices);
+            if earlier.is_some_and(counts) {
+                let message = format!("the letter {} stands twice", letter.to_ascii_uppercase());
+                let kind = FaultKind::RepeatedWord;
+                return Err(refuse_at("modal-groups.repeated-letter", kind, word.span, message));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Rule parameters.assignment. The equals sign stores the number on its right in the parameter on its left.
+/// Quirk rs274.named-exists-early: a named parameter that the line creates exists already for the values behind it.
+fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), StepError> {
+    let name = expression::name(&setting.target, state)?;
+    parameters::writable(&name, state)?;
+    if state.choices.quirk("rs274.named-exists-early") {
+        quirks::create_early(&name, state);
+    }
+    let value = value_of(&setting.value, state)?;
+    if !matches!(setting.value, Expression::Number(_)) {
+        state.coverage.accepted("expressions.read-before-execution");
+    }
+    Ok((name, value))
+}
+
+/// Rule text.word-letters. E is no letter of the table: only G76 and M66 to M68 have it.
+/// Quirk rs274.synchronised-e-word. G33 and G33.1 take it.
+fn extra_letter(block: &Block, words: &Words, state: &State) -> Result<(), StepError> {
+    let of_codes = words.m.iter().any(|code| (66..=68).contains(code)) || words.g.contains(&760);
+    match block.words.iter().find(|word| word.letter == 'e') {
+        Some(word) if !of_codes && !settings::takes_e(words, state) => {
+            let message = "the letter E begins no word without G76, M66, M67 or M68";
+            Err(refuse_at("text.word-letters", FaultKind::BadCharacter, word.span, message))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Rule text.absent-axis. The letter of an axis that the machine does not have is refused; `check` does that, by the
+/// rule of what the axis is for.
+fn axis_letters(words: &Words, state: &mut State) {
+    let letters = words.letters.keys();
+    let axes =
+        letters.filter_map(|letter| Axis::ALL.iter().find(|axis| axis.word().starts_with(*letter)));
+    for axis in axes {
+        if state.machine.axes.contains(axis) {
+            state.coverage.accepted("text.absent-axis");
+        } else {
+            state.coverage.refused("text.absent-axis");
+        }
+    }
+    if !words.letters.is_empty() {
+        state.coverage.accepted("modal-groups.repeated-letter");
+    }
+}
+
+/// Rule parameters.repeated-setting. When a line sets one parameter more than once, only the last setting takes effect.
+fn reach_settings(words: &Words, state: &mut State) {
+    let mut names: Vec<&Name> = words.settings.iter().map(|(name, _)| name).collect();
+    names.sort_unstable();
+    if names.windows(2).any(|pair| pair[0] == pair[1]) {
+        state.coverage.accepted("parameters.repeated-setting");
+    }
+}

@@ -1,0 +1,343 @@
+//! G2 and G3: arcs and helices.
+//!
+//! A centre and an end point, or a radius and an end point. In both formats the block says no more than a circle in the
+//! selected plane, and how often it is gone round.
+
+use gaugeblock_vocabulary::{
+    Axis, Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane, Position,
+};
+
+use super::target::{end_point, letter};
+use super::{whole, word};
+use crate::math;
+use crate::rs274::evaluate::Words;
+use crate::rs274::quirks::motion as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// A point of the selected plane: along its first axis, along its second.
+type InPlane = (f64, f64);
+
+/// The axes of an arc.
+#[derive(Clone, Copy, Debug)]
+struct Axes {
+    first: Axis,
+    second: Axis,
+    /// The one that the circle goes round, and a helix along.
+    normal: Axis,
+}
+
+impl Axes {
+    /// Where a position stands in the plane.
+    fn in_plane(self, position: Position) -> InPlane {
+        (position.get(self.first), position.get(self.second))
+    }
+}
+
+/// Moves along an arc.
+///
+/// Rule arcs.direction. G2 goes clockwise and G3 counterclockwise, seen from the positive end of the axis that stands
+/// on the plane. Rule arcs.helix. That axis goes to its own word meanwhile, and so do rotary axes (arcs.rotary-axes).
+///
+/// # Errors
+/// An arc that its words do not describe.
+pub(super) fn perform(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let axes = axes(state)?;
+    let turns = turns(words, state)?;
+    one_format(axes, words)?;
+    let start = state.position;
+    let end = end_point(words, state)?;
+    let clockwise = motion == Motion::ArcClockwise;
+    let centre = match word(words, 'r') {
+        Some(radius) => centre_of_radius(axes, radius, clockwise, end, words, state)?,
+        None => centre_of_offsets(axes, end, words, state)?,
+    };
+    accepted(axes, start, end, state);
+    state.modes.motion = motion;
+    state.position = end;
+    let turns = if clockwise { -turns } else { turns };
+    let (first_centre, second_centre) = centre;
+    record.effect(state, Effect::ArcFeed { end, first_centre, second_centre, turns });
+    Ok(())
+}
+
+/// Rule arcs.plane. An arc lies in the selected plane: XY, ZX or YZ.
+/// Rule arcs.secondary-planes. The planes of U, V and W have no arcs.
+fn axes(state: &mut State) -> Result<Axes, StepError> {
+    use Axis::{X, Y, Z};
+    let (first, second, normal) = match state.modes.plane {
+        Plane::Xy => (X, Y, Z),
+        Plane::Zx => (Z, X, Y),
+        Plane::Yz => (Y, Z, X),
+        Plane::Uv | Plane::Wu | Plane::Vw => {
+            let message = "an arc in a plane of U, V or W";
+            return Err(refuse("arcs.secondary-planes", FaultKind::ModalConflict, message));
+        }
+    };
+    Ok(Axes { first, second, normal })
+}
+
+/// How often the arc is gone round, 1 for up to a full circle.
+///
+/// Rule arcs.turns. P is the number of turns, begun ones too; without P it is 1.
+/// Rule arcs.turns-integer. It must be an integer.
+/// Rule arcs.turns-below-one. What fewer than one are is a choice.
+fn turns(words: &Words, state: &mut State) -> Result<i32, StepError> {
+    let Some(number) = word(words, 'p') else { return Ok(1) };
+    let rule = "arcs.turns-integer";
+    let message = || format!("P{number} is no number of turns");
+    let turns = whole(number).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
+    if turns < 1 {
+        let rule = "arcs.turns-below-one";
+        if state.choices.is(rule, "refused") {
+            return Err(refuse(rule, FaultKind::WordOutOfRange, message()));
+        }
+        state.coverage.accepted(rule);
+        return Ok(1);
+    }
+    state.coverage.accepted("arcs.turns");
+    Ok(turns)
+}
+
+/// The letter of a centre's offset along an axis.
+fn offset_letter(axis: Axis) -> char {
+    match axis {
+        Axis::Y => 'j',
+        Axis::Z => 'k',
+        Axis::X | Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => 'i',
+    }
+}
+
+/// Rule arcs.one-format. An arc has a centre or a radius, not both.
+/// Rule arcs.other-offset. The axis that stands on the plane has no offset.
+fn one_format(axes: Axes, words: &Words) -> Result<(), StepError> {
+    let offsets = "ijk".chars().any(|offset| word(words, offset).is_some());
+    if offsets && word(words, 'r').is_some() {
+        let message = "an arc with an offset of its centre and a radius";
+        return Err(refuse("arcs.one-format", FaultKind::BadArc, message));
+    }
+    let other = offset_letter(axes.normal);
+    if word(words, other).is_some() {
+        let message = format!("{} is no offset in the selected plane", other.to_uppercase());
+        return Err(refuse("arcs.other-offset", FaultKind::BadArc, message));
+    }
+    Ok(())
+}
+
+/// The centre in program coordinates, as its offsets give it.
+///
+/// Rule arcs.centre. An offset counts from the start of the arc; one that is left out is zero.
+/// Rule arcs.centre-absolute. In absolute arc distance mode it counts from the zero of its axis.
+/// Rule arcs.full-circle. Without axis words the arc is a full circle, as it is where it ends at its start.
+/// Rule arcs.diameter-centre. Whether I is a diameter in diameter mode is a choice.
+///
+/// # Errors
+/// Rules arcs.needs-offsets, arcs.absolute-needs-both, arcs.unequal-radii, arcs.zero-radius.
+fn centre_of_offsets(
+    axes: Axes,
+    end: Position,
+    words: &Words,
+    state: &mut State,
+) -> Result<InPlane, StepError> {
+    let mut offset = |axis: Axis| {
+        let offset = word(words, offset_letter(axis))?;
+        let diameter = axis == Axis::X && state.modes.lathe == Lathe::Diameter;
+        if diameter {
+            state.coverage.accepted("arcs.diameter-centre");
+        }
+        let halved = diameter && state.choices.is("arcs.diameter-centre", "diameter");
+        Some(if halved { offset / 2.0 } else { offset })
+    };
+    let offsets = (offset(axes.first), offset(axes.second));
+    if let (None, None) = offsets {
+        let message = "an arc without a radius or an offset of its centre";
+        return Err(refuse("arcs.needs-offsets", FaultKind::MissingWord, message));
+    }
+    let start = axes.in_plane(state.position);
+    let centre = if state.modes.arc_distance == Distance::Absolute {
+        let (Some(first), Some(second)) = offsets else {
+            let message = "in absolute arc distance mode both offsets of the centre are needed";
+            let rule = "arcs.absolute-needs-both";
+            return Err(refuse(rule, FaultKind::MissingWord, message));
+        };
+        state.coverage.accepted("arcs.centre-absolute");
+        (first, second)
+    } else {
+        state.coverage.accepted("arcs.centre");
+        (start.0 + offsets.0.unwrap_or(0.0), start.1 + offsets.1.unwrap_or(0.0))
+    };
+    same_radius(start, centre, axes.in_plane(end), state)?;
+    Ok(centre)
+}
+
+/// How far apart two points of the plane are.
+fn distance(from: InPlane, to: InPlane) -> f64 {
+    math::hypotenuse(to.0 - from.0, to.1 - from.1)
+}
+
+/// How far the radii of an arc may be apart: always, and where it is more than a thousandth of them. Active length
+/// unit.
+///
+/// Choice arcs.small-tolerance: the manual has two numbers for the smaller one.
+fn tolerances(state: &State) -> (f64, f64) {
+    let fine = state.choices.is("arcs.small-tolerance", "fine");
+    quirks::radius_tolerances(state).unwrap_or(match (state.modes.units, fine) {
+        (LengthUnit::Inch, false) => (0.05, 0.000_5),
+        (LengthUnit::Inch, true) => (0.05, 0.000_1),
+        (LengthUnit::Millimetre, false) => (0.5, 0.005),
+        (LengthUnit::Millimetre, true) => (0.5, 0.001),
+    })
+}
+
+/// Rule arcs.unequal-radii. There is a centre that has a distance from the ends of the arc; what is no finite number
+/// is none.
+fn has_numbers(centre: InPlane, radius: f64) -> Result<(), StepError> {
+    if [centre.0, centre.1, radius].into_iter().all(f64::is_finite) {
+        return Ok(());
+    }
+    let message = "an arc whose centre or radius is beyond all numbers";
+    Err(refuse("arcs.unequal-radii", FaultKind::BadArc, message))
+}
+
+/// Rule arcs.unequal-radii. The centre is as far from the end as from the start, but for a tolerance.
+/// Rule arcs.zero-radius. Whether there is an arc about the point itself is a choice.
+fn same_radius(
+    start: InPlane,
+    centre: InPlane,
+    end: InPlane,
+    state: &mut State,
+) -> Result<(), StepError> {
+    let (to_start, to_end) = (distance(centre, start), distance(centre, end));
+    has_numbers(centre, to_start.max(to_end))?;
+    let (large, small) = tolerances(state);
+    let apart = (to_start - to_end).abs();
+    if apart > large || apart > small && apart > 0.001 * to_start.max(to_end) {
+        let message = format!("the radius is {to_start} at the start and {to_end} at the end");
+        return Err(refuse("arcs.unequal-radii", FaultKind::BadArc, message));
+    }
+    state.coverage.accepted("arcs.unequal-radii");
+    if to_start.min(to_end) < quirks::least_radius(state) {
+        let message = "an arc whose centre is at its start or its end";
+        return Err(refuse("rs274.arc-least-radius", FaultKind::BadArc, message));
+    }
+    if to_start == 0.0 {
+        let rule = "arcs.zero-radius";
+        if state.choices.is(rule, "refused") {
+            return Err(refuse(rule, FaultKind::BadArc, "an arc without a radius"));
+        }
+        state.coverage.accepted(rule);
+    }
+    Ok(())
+}
+
+/// The centre of an arc with a radius, in program coordinates.
+///
+/// Rule arcs.radius. The circle has this radius and goes through both points.
+/// Rule arcs.radius-sign. A positive radius is that of the shorter arc, a negative one of the longer.
+/// Rule arcs.radius-just-too-small. A radius that is too small by what numbers lose when they are written is a choice.
+///
+/// # Errors
+/// Rules arcs.radius-needs-axis, arcs.radius-same-point, arcs.radius-too-small.
+fn centre_of_radius(
+    axes: Axes,
+    radius: f64,
+    clockwise: bool,
+    end: Position,
+    words: &Words,
+    state: &mut State,
+) -> Result<InPlane, StepError> {
+    let polar = ['@', '^'].iter().any(|polar| word(words, *polar).is_some())
+        && !quirks::polar_names_none(state);
+    let named = |axis: Axis| word(words, letter(axis)).is_some();
+    if !named(axes.first) && !named(axes.second) && !polar {
+        let message = "an arc with a radius needs a word of an axis of the selected plane";
+        return Err(refuse("arcs.radius-needs-axis", FaultKind::MissingWord, message));
+    }
+    let (start, end) = (axes.in_plane(state.position), axes.in_plane(end));
+    if start == end {
+        let message = "an arc with a radius that ends where it starts";
+        return Err(refuse("arcs.radius-same-point", FaultKind::BadArc, message));
+    }
+    let chord = half_chord(start, end);
+    let (half, _) = chord;
+    let short = half - radius.abs();
+    if short > 0.0 {
+        let tolerance = match state.modes.units {
+            LengthUnit::Inch => 0.000_05,
+            LengthUnit::Millimetre => 0.001_27,
+        };
+        let accepted = state.choices.is("arcs.radius-just-too-small", "half-circle");
+        // No circle has a radius of zero, and no number that is written is rounded to it.
+        let none = radius == 0.0 && !quirks::arcs_without_radius(state);
+        if !accepted || none || short > tolerance {
+            if !none && short <= tolerance {
+                state.coverage.refused("arcs.radius-just-too-small");
+            }
+            let message = format!("a radius of {radius} for points {} apart", 2.0 * half);
+            return Err(refuse("arcs.radius-too-small", FaultKind::BadArc, message));
+        }
+        state.coverage.accepted("arcs.radius-just-too-small");
+        if radius == 0.0 {
+            return Ok((f64::NAN, f64::NAN));
+        }
+    }
+    let centre = centre_beside_chord(start, chord, radius, clockwise);
+    has_numbers(centre, radius)?;
+    state.coverage.accepted("arcs.radius");
+    state.coverage.accepted("arcs.radius-sign");
+    Ok(centre)
+}
+
+/// Half of the way from a start to an end: how long it is, and its parts along the axes. The whole may be too long
+/// for a number.
+fn half_chord(start: InPlane, end: InPlane) -> (f64, InPlane) {
+    let half = (end.0 / 2.0 - start.0 / 2.0, end.1 / 2.0 - start.1 / 2.0);
+    (math::hypotenuse(half.0, half.1), half)
+}
+
+/// The centre lies beside the middle of the chord: at the left when the shorter arc goes counterclockwise.
+fn centre_beside_chord(
+    start: InPlane,
+    (half, (along, across)): (f64, InPlane),
+    radius: f64,
+    clockwise: bool,
+) -> InPlane {
+    let beside = math::other_leg(radius.abs(), half);
+    let left = if clockwise == (radius < 0.0) { beside } else { -beside };
+    let aside = |part: f64| math::portion(left, part, half);
+    (start.0 + along - aside(across), start.1 + across + aside(along))
+}
+
+/// The rules that an accepted arc follows.
+fn accepted(axes: Axes, start: Position, end: Position, state: &mut State) {
+    let mut rules = vec![
+        "arcs.direction",
+        "arcs.plane",
+        "arcs.needs-feed-rate",
+        "feed.mode-holds",
+        "offsets.select-holds",
+        "path-control.mode-holds",
+        "units-planes.motion-in-active-unit",
+    ];
+    if axes.in_plane(start) == axes.in_plane(end) {
+        rules.push("arcs.full-circle");
+    }
+    let other = |axis: &Axis| start.get(*axis).to_bits() != end.get(*axis).to_bits();
+    if other(&axes.normal) {
+        rules.push("arcs.helix");
+    }
+    if [Axis::A, Axis::B, Axis::C].iter().any(other) {
+        rules.push("arcs.rotary-axes");
+        rules.push("motion.rotary-axes");
+    }
+    if state.modes.lathe == Lathe::Diameter {
+        rules.push("arcs.diameter");
+    }
+    rules.into_iter().for_each(|rule| state.coverage.accepted(rule));
+}

@@ -1,0 +1,111 @@
+//! G40, G41, G42, G41.1, G42.1.
+
+use gaugeblock_vocabulary::{Compensation, FaultKind, Plane};
+
+use super::tool::{loaded, named};
+use super::{whole, word};
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::unit_size;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+
+/// Turns cutter compensation on and off.
+///
+/// Rule tool.compensation. G41 and G42 turn it on, G40 turns it off, which is allowed when it is off
+/// (tool.compensation-off-repeated).
+///
+/// # Errors
+/// Rules tool.compensation-twice, tool.compensation-plane, tool.compensation-tool,
+/// tool.dynamic-compensation-needs-diameter, tool.dynamic-compensation-orientation.
+pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let compensation = words.g.iter().find_map(|code| match code {
+        410 => Some(Compensation::Left),
+        411 => Some(Compensation::DynamicLeft),
+        420 => Some(Compensation::Right),
+        421 => Some(Compensation::DynamicRight),
+        _ => None,
+    });
+    let Some(compensation) = compensation else {
+        if state.modes.compensation == Compensation::Off {
+            state.coverage.accepted("tool.compensation-off-repeated");
+        }
+        state.coverage.accepted("tool.compensation");
+        state.modes.compensation = Compensation::Off;
+        state.modes.compensation_radius = 0.0;
+        return Ok(());
+    };
+    possible(state)?;
+    let diameter = match compensation {
+        Compensation::DynamicLeft | Compensation::DynamicRight => dynamic(words, state)?,
+        Compensation::Left | Compensation::Right | Compensation::Off => by_tool(words, state)?,
+    };
+    state.modes.compensation = compensation;
+    state.modes.compensation_radius = diameter / 2.0;
+    Ok(())
+}
+
+/// Rule tool.compensation-twice. Compensation is not turned on while it is on.
+/// Rule tool.compensation-plane. Nor is it turned on in the YZ plane, or any other but XY and ZX.
+fn possible(state: &mut State) -> Result<(), StepError> {
+    if state.modes.compensation != Compensation::Off {
+        let message = "cutter compensation is on already";
+        return Err(refuse("tool.compensation-twice", FaultKind::CompensationActive, message));
+    }
+    if !matches!(state.modes.plane, Plane::Xy | Plane::Zx) {
+        let message = "cutter compensation in another plane than XY and ZX";
+        return Err(refuse("tool.compensation-plane", FaultKind::ModalConflict, message));
+    }
+    state.coverage.accepted("tool.compensation-plane");
+    Ok(())
+}
+
+/// The diameter, active length unit.
+///
+/// Rule tool.compensation-tool. D is a tool of the tool table, or 0: the tool in the spindle, as without D, whose
+/// radius is zero when there is none.
+fn by_tool(words: &Words, state: &mut State) -> Result<f64, StepError> {
+    let rule = "tool.compensation-tool";
+    let tool = match word(words, 'd') {
+        Some(value) => {
+            let message = || format!("D{value} is no tool number");
+            let number =
+                whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
+            named(number, rule, state)?
+        }
+        None => loaded(state),
+    };
+    let diameter = tool.map_or(0.0, |tool| tool.diameter);
+    let unit = unit_size(state.machine.length_unit) / unit_size(state.modes.units);
+    state.coverage.accepted(rule);
+    state.coverage.accepted("tool.compensation");
+    Ok(diameter * unit)
+}
+
+/// The diameter, active length unit.
+///
+/// Rule tool.dynamic-compensation. D is the diameter.
+/// Rule tool.dynamic-compensation-orientation. L is 0 to 9, and only allowed in the ZX plane.
+fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
+    let Some(diameter) = word(words, 'd') else {
+        let rule = "tool.dynamic-compensation-needs-diameter";
+        return Err(refuse(
+            rule,
+            FaultKind::MissingWord,
+            "dynamic compensation needs D, the diameter",
+        ));
+    };
+    if let Some(orientation) = word(words, 'l') {
+        let rule = "tool.dynamic-compensation-orientation";
+        let most = if state.choices.quirk("rs274.orientation-too-large") { i32::MAX } else { 9 };
+        if !whole(orientation).is_some_and(|number| (0..=most).contains(&number)) {
+            let message = format!("L{orientation} is no orientation from 0 to 9");
+            return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+        }
+        if state.modes.plane != Plane::Zx {
+            return Err(refuse(rule, FaultKind::UnusedWord, "L is used in the ZX plane only"));
+        }
+        state.coverage.accepted(rule);
+    }
+    state.coverage.accepted("tool.dynamic-compensation");
+    Ok(diameter)
+}

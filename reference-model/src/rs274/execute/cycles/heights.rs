@@ -1,0 +1,166 @@
+//! The numbers of a cycle: which its block programs, which stick, and the heights that they mean.
+
+use gaugeblock_vocabulary::{
+    Axis, Distance, FaultKind, Lathe, LengthUnit, Motion, Plane, Position, Retract,
+};
+
+use super::{Cycle, Kind, axes_of};
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::target::moved;
+use crate::rs274::execute::{spindle, word};
+use crate::rs274::quirks::cycles as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+
+/// One or more cycles in a row, whatever they are: what the next one may leave out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Series {
+    /// The cycle of the last block.
+    motion: Motion,
+    /// The number of the normal axis as it was programmed.
+    depth: f64,
+    /// The number R as it was programmed.
+    retract: f64,
+    /// P as it was programmed last for this cycle.
+    dwell: Option<f64>,
+    /// Q as it was programmed last for this cycle.
+    peck: Option<f64>,
+    /// Where the normal axis was before the first of them.
+    initial: f64,
+    /// What the initial level is told in: that of the first block.
+    first: Frame,
+    /// What the other numbers are told in: that of the last block.
+    last: Frame,
+}
+
+/// What the numbers of a cycle depend on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Frame {
+    plane: Plane,
+    unit: LengthUnit,
+    /// Where the program's zero is on the machine: with another one the initial level is another number.
+    zero: Position,
+}
+
+impl Frame {
+    fn of(state: &State) -> Self {
+        let zero = state.modes.machine_point(Position::default());
+        Self { plane: state.modes.plane, unit: state.modes.units, zero }
+    }
+}
+
+/// Finds the numbers of a cycle.
+///
+/// Rules cycles.sticky-depth and cycles.sticky-retract. What the same cycle had before need not be programmed again.
+/// Rule cycles.incremental. In incremental distance mode R counts from the current position, and the depth from R; in
+/// absolute distance mode they are positions (cycles.absolute).
+///
+/// # Errors
+/// A number that is missing or of no use.
+pub(super) fn find(
+    motion: Motion,
+    kind: Kind,
+    words: &Words,
+    state: &mut State,
+) -> Result<(Series, Cycle), StepError> {
+    let axes = axes_of(state.modes.plane);
+    let [_, _, normal] = axes;
+    if state.modes.lathe == Lathe::Diameter && normal == Axis::X {
+        let what = "R along X in diameter mode";
+        return Err(StepError::Unspecified(what.to_owned()));
+    }
+    let before = state.series;
+    let same = before.filter(|before| before.motion == motion);
+    let values = moved(words, state);
+    let depth = values.iter().find(|(axis, _)| *axis == normal).map(|(_, value)| *value);
+    let retract =
+        sticky(word(words, 'r'), same.map(|same| same.retract), "cycles.sticky-retract", state)?;
+    let depth = sticky(depth, same.map(|same| same.depth), "cycles.sticky-depth", state)?;
+    unchanged(words, before, normal, state)?;
+    let position = state.position.get(normal);
+    let initial = before.map_or(position, |before| before.initial);
+    let incremental = state.modes.distance == Distance::Incremental;
+    let from = if incremental { quirks::retract_from(position, initial, state) } else { 0.0 };
+    let retract_at = from + retract;
+    let bottom = if incremental { retract_at + depth } else { depth };
+    if retract_at < bottom {
+        let message = "R below the bottom of the hole";
+        return Err(refuse("cycles.retract-below-bottom", FaultKind::WordOutOfRange, message));
+    }
+    state.coverage.accepted("cycles.retract-below-bottom");
+    let dwell = super::strokes::dwell(kind, words, same.and_then(|same| same.dwell), state)?;
+    let peck = super::strokes::peck(kind, words, same.and_then(|same| same.peck), state)?;
+    let last = Frame::of(state);
+    let first = before.map_or(last, |before| before.first);
+    let series = Series { motion, depth, retract, dwell, peck, initial, first, last };
+    let cycle = Cycle {
+        kind,
+        axes,
+        initial,
+        retract: retract_at,
+        bottom,
+        clear: clear(initial, retract_at, state),
+        dwell: dwell.unwrap_or_default(),
+        peck: peck.unwrap_or_default(),
+        spindle: spindle_of(words, state)?,
+    };
+    Ok((series, cycle))
+}
+
+/// Rule cycles.return-level. Under G98 each repeat ends at the initial level if that is above R; otherwise it ends at
+/// R. Rule cycles.initial-level. That is where the normal axis was before the first of a row of cycles.
+fn clear(initial: f64, retract: f64, state: &State) -> f64 {
+    match state.modes.retract {
+        Retract::OldZ => initial.max(retract),
+        Retract::RPlane => retract,
+    }
+}
+
+/// A number that must be programmed the first time.
+fn sticky(
+    number: Option<f64>,
+    before: Option<f64>,
+    rule: &'static str,
+    state: &mut State,
+) -> Result<f64, StepError> {
+    let found = number.or(before).ok_or_else(|| {
+        let message = "a number that the first of these cycles needs";
+        refuse(rule, FaultKind::MissingWord, message)
+    })?;
+    if number.is_none() {
+        state.coverage.accepted(rule);
+    }
+    Ok(found)
+}
+
+/// A series goes on with its numbers and its initial level as long as they mean the same; what becomes of them under
+/// another unit, plane or offset no document says.
+fn unchanged(
+    words: &Words,
+    before: Option<Series>,
+    normal: Axis,
+    state: &State,
+) -> Result<(), StepError> {
+    let Some(before) = before else { return Ok(()) };
+    let now = Frame::of(state);
+    let told_anew = before.last.plane != now.plane || before.last.unit != now.unit;
+    let has = |letter: char| word(words, letter).is_some();
+    let all_programmed = has('r') && has(crate::rs274::execute::letter(normal));
+    let to_initial = state.modes.retract == Retract::OldZ;
+    if told_anew && !all_programmed || before.first != now && to_initial {
+        let what = "a row of cycles over a change of plane, length unit or offset";
+        return Err(StepError::Unspecified(what.to_owned()));
+    }
+    Ok(())
+}
+
+/// Rule cycles.spindle. $ names the spindle of G74, G84 and G86; without it that is spindle 0, unless quirk
+/// rs274.chosen-spindle holds. Where no cycle takes $ (quirk rs274.cycle-dollar), it is another code's.
+fn spindle_of(words: &Words, state: &mut State) -> Result<usize, StepError> {
+    let rule = "cycles.spindle";
+    let dollar = word(words, '$').filter(|_| !state.choices.quirk("rs274.cycle-dollar"));
+    let Some(number) = dollar else { return Ok(state.chosen_spindle) };
+    let place = spindle::number(number, state, rule)?;
+    state.coverage.accepted(rule);
+    Ok(place)
+}

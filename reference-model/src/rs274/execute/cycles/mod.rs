@@ -1,0 +1,266 @@
+//! Canned cycles, G73, G74 and G81 to G89: each is rewritten into the traverses, feeds, dwells and settings that it
+//! stands for.
+//!
+//! A cycle works along three axes of the selected plane, its first, second and normal axis. Heights are positions on
+//! the normal axis in program coordinates, active length unit.
+
+mod allowed;
+mod heights;
+mod strokes;
+mod tapping;
+
+use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion, Path, Plane, Position};
+
+use super::target::{moved, polar};
+use super::word;
+use crate::math::near_integer;
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::motion_mode;
+use crate::rs274::quirks::cycles as quirks;
+use crate::rs274::quirks::saved_state::tolerances_as_numbers;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+pub use heights::Series;
+
+/// What a cycle is for; its number says little.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// G81.
+    Drill,
+    /// G82.
+    DrillDwell,
+    /// G73.
+    ChipBreaking,
+    /// G83.
+    Peck,
+    /// G74.
+    TapLeft,
+    /// G84.
+    TapRight,
+    /// G85.
+    Bore,
+    /// G86.
+    BoreSpindleStop,
+    /// G89.
+    BoreDwell,
+    /// G87 and G88.
+    Undefined,
+}
+
+/// Each cycle with its kind and its rule.
+const KINDS: &[(Motion, Kind, &str)] = &[
+    (Motion::Cycle73, Kind::ChipBreaking, "cycles.chip-breaking"),
+    (Motion::Cycle74, Kind::TapLeft, "cycles.tap-left"),
+    (Motion::Cycle81, Kind::Drill, "cycles.drill"),
+    (Motion::Cycle82, Kind::DrillDwell, "cycles.drill-dwell"),
+    (Motion::Cycle83, Kind::Peck, "cycles.peck"),
+    (Motion::Cycle84, Kind::TapRight, "cycles.tap-right"),
+    (Motion::Cycle85, Kind::Bore, "cycles.bore"),
+    (Motion::Cycle86, Kind::BoreSpindleStop, "cycles.bore-spindle-stop"),
+    (Motion::Cycle87, Kind::Undefined, "cycles.drill"),
+    (Motion::Cycle88, Kind::Undefined, "cycles.drill"),
+    (Motion::Cycle89, Kind::BoreDwell, "cycles.bore-dwell"),
+];
+
+/// The kind of a motion mode that is a cycle, with the cycle's rule.
+fn kind_of(motion: Motion) -> Option<(Kind, &'static str)> {
+    let found = KINDS.iter().find(|(cycle, ..)| *cycle == motion);
+    found.map(|(_, kind, rule)| (*kind, *rule))
+}
+
+/// Whether a motion mode is a canned cycle.
+pub(crate) fn is_cycle(motion: Motion) -> bool {
+    kind_of(motion).is_some()
+}
+
+/// The first, second and normal axis of a plane.
+pub(crate) fn axes_of(plane: Plane) -> [Axis; 3] {
+    match plane {
+        Plane::Xy => [Axis::X, Axis::Y, Axis::Z],
+        Plane::Zx => [Axis::Z, Axis::X, Axis::Y],
+        Plane::Yz => [Axis::Y, Axis::Z, Axis::X],
+        Plane::Uv => [Axis::U, Axis::V, Axis::W],
+        Plane::Wu => [Axis::W, Axis::U, Axis::V],
+        Plane::Vw => [Axis::V, Axis::W, Axis::U],
+    }
+}
+
+/// A cycle of one block, all its numbers found.
+#[derive(Clone, Copy, Debug)]
+struct Cycle {
+    /// What it is for.
+    kind: Kind,
+    /// First, second and normal axis.
+    axes: [Axis; 3],
+    /// Where the series of cycles that it belongs to began.
+    initial: f64,
+    /// R: where feeding begins.
+    retract: f64,
+    /// Bottom of the hole.
+    bottom: f64,
+    /// Where the last move of each repeat ends.
+    clear: f64,
+    /// P: seconds at the bottom.
+    dwell: f64,
+    /// Q: how much deeper each peck goes, length unit.
+    peck: f64,
+    /// The spindle that $ names, 0 without it.
+    spindle: usize,
+}
+
+/// Executes a cycle as often as L says, and remembers its sticky numbers.
+///
+/// Rule cycles.plane. A cycle acts along the normal axis of the selected plane.
+/// Rule cycles.repeats-itself. Axis words alone repeat the cycle that is the motion mode.
+///
+/// # Errors
+/// What a cycle is refused for: see `allowed` and `heights`.
+pub(super) fn perform(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let (kind, rule) = kind_of(motion).expect("motion: a cycle has a kind");
+    if kind == Kind::Undefined {
+        let what = "what G87 and G88 do, which the manual calls undefined";
+        return Err(StepError::Unspecified(what.to_owned()));
+    }
+    allowed::check(words, state)?;
+    let repeats = repeats(words, state)?;
+    let (series, cycle) = heights::find(motion, kind, words, state)?;
+    let places = places(words, state, &cycle, repeats)?;
+    super::motion::feed_possible(words, state)?;
+    strokes::possible(&cycle, state)?;
+    state.modes.motion = motion;
+    state.series = Some(series);
+    accepted(words, rule, state);
+    rise(&cycle, state, record);
+    let path = state.modes.path;
+    if state.choices.quirk("rs274.cycle-exact-path") {
+        state.modes.path = Path::ExactPath;
+    }
+    for place in places {
+        if record.is_full() {
+            return Err(StepError::TooManyEffects);
+        }
+        in_between(&cycle, place, state, record);
+        strokes::perform(&cycle, state, record)?;
+    }
+    if path == Path::Continuous && state.choices.quirk("rs274.cycle-exact-path") {
+        tolerances_as_numbers(state);
+    }
+    state.modes.path = path;
+    Ok(())
+}
+
+/// Rule cycles.repeat-count. L is a positive integer, however large: the budget bounds what is executed of it.
+/// Rule cycles.repeat-not-sticky. Without it the cycle is executed once.
+fn repeats(words: &Words, state: &mut State) -> Result<u64, StepError> {
+    let rule = "cycles.repeat-count";
+    let Some(value) = word(words, 'l') else {
+        state.coverage.accepted("cycles.repeat-not-sticky");
+        return Ok(1);
+    };
+    let number = near_integer(value).ok_or_else(|| {
+        refuse(rule, FaultKind::NotAnInteger, format!("L{value} is no number of repeats"))
+    })?;
+    let count = u64::try_from(number).ok().filter(|count| *count > 0).ok_or_else(|| {
+        refuse(rule, FaultKind::WordOutOfRange, format!("{number} repeats of a cycle"))
+    })?;
+    state.coverage.accepted(rule);
+    if count > 1 {
+        state.coverage.accepted("cycles.repeat");
+    }
+    Ok(count)
+}
+
+/// Where in the plane each repeat is: positions on the first and second axis.
+///
+/// Rule cycles.repeat. In incremental distance mode each repeat goes on from the one before by the same increments; in
+/// absolute distance mode all are in the same place.
+fn places(
+    words: &Words,
+    state: &mut State,
+    cycle: &Cycle,
+    repeats: u64,
+) -> Result<impl Iterator<Item = [f64; 2]> + use<>, StepError> {
+    let incremental = state.modes.distance == Distance::Incremental;
+    let [first, second, _] = cycle.axes;
+    let named = polar(words, state)?;
+    if named.is_some() && (state.modes.plane != Plane::Xy || incremental && repeats > 1) {
+        let what =
+            "polar words in a cycle of another plane, or in an incremental one that is repeated";
+        return Err(StepError::Unspecified(what.to_owned()));
+    }
+    let from = named.unwrap_or(state.position);
+    let values = moved(words, state);
+    let value =
+        |axis: Axis| values.iter().find(|(named, _)| *named == axis).map(|(_, value)| *value);
+    let start = [from.get(first), from.get(second)];
+    let words = [value(first), value(second)];
+    state.coverage.accepted(if incremental { "cycles.incremental" } else { "cycles.absolute" });
+    let mut place = start;
+    Ok((0..repeats).map(move |_| {
+        for (place, word) in place.iter_mut().zip(words) {
+            match word {
+                Some(word) if incremental => *place += word,
+                Some(word) => *place = word,
+                None => {}
+            }
+        }
+        place
+    }))
+}
+
+/// Rule cycles.preliminary-motion. Where the controlled point is below R it first rises to R, once for all repeats.
+fn rise(cycle: &Cycle, state: &mut State, record: &mut Record) {
+    let [_, _, normal] = cycle.axes;
+    let below = state.position.get(normal) < cycle.retract;
+    state.coverage.accepted("cycles.preliminary-motion");
+    if quirks::rises(below, cycle.initial < cycle.retract, state) {
+        traverse_along(normal, cycle.retract, state, record);
+    } else {
+        quirks::rise_on_the_way(normal, [cycle.retract, cycle.clear], state);
+    }
+}
+
+/// Rule cycles.in-between-motion. Each repeat begins with a traverse in the plane, and one along the normal axis to R,
+/// unless it is there already.
+fn in_between(cycle: &Cycle, place: [f64; 2], state: &mut State, record: &mut Record) {
+    let [first, second, normal] = cycle.axes;
+    let mut end = state.position;
+    *end.get_mut(first) = place[0];
+    *end.get_mut(second) = place[1];
+    traverse(end, state, record);
+    if (end.get(normal) - cycle.retract).abs() > 0.0 {
+        traverse_along(normal, cycle.retract, state, record);
+    }
+    state.coverage.accepted("cycles.in-between-motion");
+}
+
+fn traverse(end: Position, state: &mut State, record: &mut Record) {
+    state.position = end;
+    record.effect(state, Effect::StraightTraverse { end });
+}
+
+fn traverse_along(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
+    *state.position.get_mut(axis) = to;
+    record.effect(state, Effect::StraightTraverse { end: state.position });
+}
+
+fn feed_along(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
+    *state.position.get_mut(axis) = to;
+    record.effect(state, Effect::StraightFeed { end: state.position });
+}
+
+/// The rules that an accepted cycle follows.
+fn accepted(words: &Words, rule: &'static str, state: &mut State) {
+    if words.g.iter().all(|code| motion_mode(*code).is_none()) {
+        state.coverage.accepted("cycles.repeats-itself");
+    }
+    for rule in [rule, "cycles.plane", "cycles.return-level", "cycles.initial-level"] {
+        state.coverage.accepted(rule);
+    }
+}

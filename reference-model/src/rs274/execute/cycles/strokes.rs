@@ -1,0 +1,185 @@
+//! What each cycle does in its hole, from R down and back to its clear height.
+
+use gaugeblock_vocabulary::{FaultKind, LengthUnit, SpindleTurn};
+
+use super::{Cycle, Kind, feed_along, tapping, traverse_along};
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::{spindle, word};
+use crate::rs274::order::Phase;
+use crate::rs274::quirks::cycles as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::{Record, update_pins};
+
+/// A bottom that is this close is reached: what is left is rounding of the increments.
+const REACHED: f64 = 1e-9;
+
+/// P of the cycles that dwell.
+///
+/// Rule cycles.dwell-needed. G82, G86 and G89 need it; whether the one of the block before holds is a choice.
+/// Choice cycles.tap-without-dwell: whether G74 and G84 need it.
+/// Rule cycles.negative-dwell. It is not negative.
+pub(super) fn dwell(
+    kind: Kind,
+    words: &Words,
+    before: Option<f64>,
+    state: &mut State,
+) -> Result<Option<f64>, StepError> {
+    let taps = matches!(kind, Kind::TapLeft | Kind::TapRight);
+    if !taps && !matches!(kind, Kind::DrillDwell | Kind::BoreSpindleStop | Kind::BoreDwell) {
+        return Ok(None);
+    }
+    let before = before.filter(|_| state.choices.is("cycles.sticky-arguments", "sticky"));
+    let Some(seconds) = word(words, 'p').or(before) else {
+        if taps && state.choices.is("cycles.tap-without-dwell", "zero") {
+            return Ok(quirks::dwell_of_tap(state));
+        }
+        let rule = if taps { "cycles.tap-without-dwell" } else { "cycles.dwell-needed" };
+        return Err(refuse(
+            rule,
+            FaultKind::MissingWord,
+            "this cycle needs P, the seconds of its dwell",
+        ));
+    };
+    state.coverage.accepted("cycles.dwell-needed");
+    if seconds < 0.0 && !quirks::negative_dwell(seconds, state) {
+        let message = format!("a dwell of {seconds} seconds");
+        return Err(refuse("cycles.negative-dwell", FaultKind::WordOutOfRange, message));
+    }
+    state.coverage.accepted("cycles.negative-dwell");
+    state.cycle_dwell = seconds;
+    Ok(Some(seconds))
+}
+
+/// Rule cycles.peck-increment. Q of G73 and G83 is positive.
+/// Rule cycles.peck-needed. They need it; whether the one of the block before holds is a choice.
+pub(super) fn peck(
+    kind: Kind,
+    words: &Words,
+    before: Option<f64>,
+    state: &mut State,
+) -> Result<Option<f64>, StepError> {
+    if !matches!(kind, Kind::ChipBreaking | Kind::Peck) {
+        return Ok(None);
+    }
+    let before = before.filter(|_| state.choices.is("cycles.sticky-arguments", "sticky"));
+    let Some(peck) = quirks::peck(words, state).or(before) else {
+        let message = "this cycle needs Q, the increment of its pecks";
+        return Err(refuse("cycles.peck-needed", FaultKind::MissingWord, message));
+    };
+    state.coverage.accepted("cycles.peck-needed");
+    if peck <= 0.0 {
+        let message = format!("pecks of {peck}");
+        return Err(refuse("cycles.peck-increment", FaultKind::WordOutOfRange, message));
+    }
+    state.coverage.accepted("cycles.peck-increment");
+    Ok(Some(peck))
+}
+
+/// Whether the spindle is as the cycle needs it.
+///
+/// Rule cycles.bore-needs-spindle. The spindle turns before G86.
+pub(super) fn possible(cycle: &Cycle, state: &mut State) -> Result<(), StepError> {
+    match cycle.kind {
+        Kind::TapLeft => tapping::possible(cycle, SpindleTurn::Counterclockwise, state),
+        Kind::TapRight => tapping::possible(cycle, SpindleTurn::Clockwise, state),
+        Kind::BoreSpindleStop => {
+            let rule = "cycles.bore-needs-spindle";
+            let turn = state.modes.spindles[cycle.spindle].known_turn();
+            if matches!(turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
+                let message = "G86 while the spindle does not turn";
+                return Err(refuse(rule, FaultKind::ZeroSpeed, message));
+            }
+            state.coverage.accepted(rule);
+            Ok(())
+        }
+        Kind::Drill
+        | Kind::DrillDwell
+        | Kind::ChipBreaking
+        | Kind::Peck
+        | Kind::Bore
+        | Kind::BoreDwell
+        | Kind::Undefined => Ok(()),
+    }
+}
+
+/// Rule cycles.drill. G81 feeds to the bottom and traverses to the clear height.
+/// Rule cycles.drill-dwell. G82 dwells between.
+/// Rule cycles.bore. G85 feeds out to R, and traverses on to the clear height.
+/// Rule cycles.bore-dwell. G89 dwells, and feeds out to the clear height.
+/// Rule cycles.bore-spindle-stop. G86 dwells, stops the spindle, traverses out, and lets it turn again as before.
+pub(super) fn perform(
+    cycle: &Cycle,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let [_, _, normal] = cycle.axes;
+    if matches!(cycle.kind, Kind::ChipBreaking | Kind::Peck) {
+        return pecks(cycle, state, record);
+    }
+    if matches!(cycle.kind, Kind::TapLeft | Kind::TapRight) {
+        tapping::perform(cycle, state, record);
+        return Ok(());
+    }
+    feed_along(normal, cycle.bottom, state, record);
+    if matches!(cycle.kind, Kind::DrillDwell | Kind::BoreSpindleStop | Kind::BoreDwell) {
+        dwells(cycle.dwell, state, record);
+    }
+    if cycle.kind == Kind::BoreDwell {
+        feed_along(normal, cycle.clear, state, record);
+        return Ok(());
+    }
+    if cycle.kind == Kind::Bore {
+        feed_along(normal, cycle.retract, state, record);
+    }
+    let turn = state.modes.spindles[cycle.spindle].turn;
+    if cycle.kind == Kind::BoreSpindleStop {
+        turns(SpindleTurn::Stopped, cycle, state);
+    }
+    traverse_along(normal, cycle.clear, state, record);
+    if cycle.kind == Kind::BoreSpindleStop {
+        turns(turn, cycle, state);
+    }
+    Ok(())
+}
+
+/// The cycle starts or stops its spindle, which the pins show at once.
+pub(super) fn turns(turn: SpindleTurn, cycle: &Cycle, state: &mut State) {
+    spindle::set_turn(turn, cycle.spindle, state);
+    update_pins(state, Some(Phase::Motion));
+}
+
+pub(super) fn dwells(seconds: f64, state: &mut State, record: &mut Record) {
+    record.dwell(state, seconds);
+}
+
+/// Pecks: each feeds deeper by Q, or to the bottom where that is less.
+///
+/// Rule cycles.chip-breaking. Between two pecks G73 backs off by 0.254 mm or 0.01 inch. Rule cycles.peck. G83
+/// traverses out to R, whatever the return mode is, and back to that much above what it has drilled. Choice
+/// cycles.chip-break-return: whether G73 ends at R under G98 too.
+fn pecks(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    let [_, _, normal] = cycle.axes;
+    let back_off = match state.modes.units {
+        LengthUnit::Inch => 0.01,
+        LengthUnit::Millimetre => 0.254,
+    };
+    let mut drilled = cycle.retract - cycle.peck;
+    while drilled - cycle.bottom > REACHED {
+        if record.is_full() {
+            return Err(StepError::TooManyEffects);
+        }
+        feed_along(normal, drilled, state, record);
+        if cycle.kind == Kind::Peck {
+            traverse_along(normal, cycle.retract, state, record);
+        }
+        traverse_along(normal, drilled + back_off, state, record);
+        drilled -= cycle.peck;
+    }
+    feed_along(normal, cycle.bottom, state, record);
+    let ends_at_retract =
+        cycle.kind == Kind::ChipBreaking && state.choices.is("cycles.chip-break-return", "retract");
+    let end = if ends_at_retract { cycle.retract } else { cycle.clear };
+    traverse_along(normal, end, state, record);
+    Ok(())
+}

@@ -1,0 +1,66 @@
+//! G74 and G84: tapping with a floating chuck.
+
+use gaugeblock_vocabulary::{Axis, Effect, FaultKind, SpindleTurn, Switch};
+
+use super::strokes::{dwells, turns};
+use super::{Cycle, Kind};
+use crate::rs274::quirks::cycles as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// Choice cycles.tap-direction: whether the spindle must turn as the thread is cut.
+pub(super) fn possible(
+    cycle: &Cycle,
+    cutting: SpindleTurn,
+    state: &State,
+) -> Result<(), StepError> {
+    let rule = "cycles.tap-direction";
+    if state.choices.is(rule, "any") {
+        return Ok(());
+    }
+    let kind = match state.modes.spindles[cycle.spindle].known_turn() {
+        turn if turn == cutting => return Ok(()),
+        SpindleTurn::Stopped | SpindleTurn::Oriented => FaultKind::ZeroSpeed,
+        SpindleTurn::Clockwise | SpindleTurn::Counterclockwise => FaultKind::ModalConflict,
+    };
+    Err(refuse(rule, kind, "tapping, and the spindle does not turn as the thread is cut"))
+}
+
+/// Rules cycles.tap-right and cycles.tap-left. It feeds to the bottom, stops the spindle, starts it the other way,
+/// dwells, and feeds out to the clear height. Rule cycles.tap-overrides. The feed override and the spindle's speed
+/// override are disabled meanwhile. Choice cycles.tap-return: whether the spindle turns as before afterwards. One
+/// that was held at an angle stands: nothing turns it back there.
+pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
+    let [_, _, normal] = cycle.axes;
+    let place = cycle.spindle;
+    let before = state.modes.spindles[place];
+    let feed_override = state.modes.feed_override;
+    state.modes.feed_override = Switch::Off;
+    state.modes.spindles[place].speed_override = Switch::Off;
+    feed(normal, cycle.bottom, state, record);
+    let out = if cycle.kind == Kind::TapRight {
+        SpindleTurn::Counterclockwise
+    } else {
+        SpindleTurn::Clockwise
+    };
+    turns(SpindleTurn::Stopped, cycle, state);
+    turns(out, cycle, state);
+    dwells(cycle.dwell, state, record);
+    feed(normal, cycle.clear, state, record);
+    if state.choices.is("cycles.tap-return", "as-before") {
+        turns(SpindleTurn::Stopped, cycle, state);
+        if matches!(before.turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise) {
+            turns(before.turn, cycle, state);
+        }
+    }
+    state.modes.feed_override = feed_override;
+    state.modes.spindles[place].speed_override = before.speed_override;
+    state.coverage.accepted("cycles.tap-overrides");
+}
+
+/// A feed move along the axis of the thread.
+fn feed(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
+    *state.position.get_mut(axis) = to;
+    record.effect(state, Effect::StraightFeed { end: quirks::tapped(state) });
+}

@@ -1,0 +1,151 @@
+//! G93, G94, G95 and F.
+
+use gaugeblock_vocabulary::{FaultKind, FeedMode, Switch};
+
+use super::motion::{is_feed, is_spline, motion_of};
+use super::probe::is_probing;
+use super::spindle::number;
+use super::word;
+use crate::rs274::evaluate::Words;
+use crate::rs274::quirks::settings as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+
+/// Selects the feed mode.
+///
+/// Rules feed.inverse-time, feed.per-minute, feed.per-revolution.
+///
+/// # Errors
+/// Rule feed.per-revolution-spindle: $ of G95 names no spindle of the machine.
+pub fn select_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let (mode, rule) = if words.g.contains(&930) {
+        (FeedMode::InverseTime, "feed.inverse-time")
+    } else if words.g.contains(&940) {
+        (FeedMode::PerMinute, "feed.per-minute")
+    } else {
+        (FeedMode::PerRevolution, "feed.per-revolution")
+    };
+    if mode == FeedMode::PerRevolution
+        && let Some(spindle) = word(words, '$')
+    {
+        number(spindle, state, "feed.per-revolution-spindle")?;
+        state.coverage.accepted("feed.per-revolution-spindle");
+    }
+    quirks::choose_by_feed_mode(words, state)?;
+    state.coverage.accepted(rule);
+    change_mode(mode, state);
+    Ok(())
+}
+
+/// Rule feed.rate-after-mode-change. After a switch to G94 or G95 no feed rate is set until a new one is given.
+fn change_mode(mode: FeedMode, state: &mut State) {
+    let switched =
+        mode != state.modes.feed_mode || state.choices.quirk("rs274.feed-lost-at-same-mode");
+    if switched && mode != FeedMode::InverseTime {
+        state.modes.feed_rate = 0.0;
+        state.modes.feed_number = 0.0;
+        state.modes.feed_awaited = true;
+    }
+    state.modes.feed_mode = mode;
+}
+
+/// Sets the feed rate.
+///
+/// Rule feed.rate. F holds until another F, except under inverse time, where it counts for the feed move of its own
+/// block and is ignored in any other block (feed.inverse-time-stray-rate).
+///
+/// # Errors
+/// Rule feed.negative-rate.
+pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let Some(rate) = word(words, 'f') else { return Ok(()) };
+    if rate < 0.0 {
+        let message = format!("a feed rate of {rate}");
+        return Err(refuse("feed.negative-rate", FaultKind::WordOutOfRange, message));
+    }
+    let motion = motion_of(words, state);
+    let feeds = motion.is_some_and(|motion| {
+        let probes = is_probing(motion) && !state.choices.quirk("rs274.probe-inverse-time");
+        probes || is_spline(motion) || is_feed(motion)
+    });
+    if state.modes.feed_mode == FeedMode::InverseTime && !feeds {
+        state.coverage.accepted("feed.inverse-time-stray-rate");
+        return Ok(());
+    }
+    state.coverage.accepted("feed.rate");
+    if motion.is_none() {
+        state.coverage.accepted("feed.rate-moves-nothing");
+    }
+    state.modes.feed_rate = rate;
+    let of_move = state.modes.feed_mode == FeedMode::InverseTime
+        && state.choices.quirk("rs274.feed-name-inverse-time");
+    if !of_move {
+        state.modes.feed_number = rate;
+    }
+    state.modes.feed_awaited = false;
+    Ok(())
+}
+
+/// Whether anything asks for a hold, be it that no control lets it: a move that nothing asks to hold begins.
+pub(crate) fn may_be_held(state: &State) -> bool {
+    let panel = &state.panel;
+    panel.feed_hold
+        || panel.feed_override <= 0.0
+        || panel.rapid_override <= 0.0
+        || state.environment.adaptive_feed() <= 0.0
+        || state.environment.feed_stop()
+}
+
+/// By what the speed of a move goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Speed {
+    /// As fast as the axes can.
+    Rapid,
+    /// The feed.
+    Feed,
+    /// A spindle, whatever the feed is.
+    Spindle,
+}
+
+/// Whether a move is held where it begins: it goes on once nothing holds it any more.
+///
+/// Rule overrides.feed-influence. A feed override of zero holds a feed move while the control is enabled; while it is
+/// disabled it has no influence (overrides.feed-no-influence). Of rapid moves, which have an override of their own,
+/// and of those in step with a spindle these controls do not speak. Rule overrides.adaptive-feed-zero. With adaptive
+/// feed an input of zero is as good as a feed hold, whatever the feed override does (overrides.adaptive-feed-alone);
+/// without it the input has no influence (overrides.adaptive-feed-no-influence). Rule overrides.feed-stop-holds.
+/// While the feed stop is enabled its input holds every move; while it is disabled it has no effect
+/// (overrides.feed-stop-no-effect).
+pub(crate) fn is_held(speed: Speed, state: &mut State) -> bool {
+    let panel = &state.panel;
+    let feed_override = speed == Speed::Feed && panel.feed_override <= 0.0;
+    let (adaptive, stop) = (state.environment.adaptive_feed(), state.environment.feed_stop());
+    let controls = [
+        (
+            state.modes.feed_override,
+            feed_override,
+            ["overrides.feed-influence", "overrides.feed-no-influence"],
+        ),
+        (
+            state.modes.adaptive_feed,
+            adaptive <= 0.0,
+            ["overrides.adaptive-feed-zero", "overrides.adaptive-feed-no-influence"],
+        ),
+        (
+            state.modes.feed_stop,
+            stop || panel.feed_hold,
+            ["overrides.feed-stop-holds", "overrides.feed-stop-no-effect"],
+        ),
+    ];
+    let mut is_held = speed == Speed::Rapid && panel.rapid_override <= 0.0;
+    for (control, asks, [counts, does_not_count]) in controls {
+        let enabled = control == Switch::On;
+        if asks {
+            state.coverage.accepted(if enabled { counts } else { does_not_count });
+        }
+        is_held |= enabled && asks;
+    }
+    if is_held && state.modes.feed_override == Switch::Off {
+        state.coverage.accepted("overrides.adaptive-feed-alone");
+    }
+    is_held
+}

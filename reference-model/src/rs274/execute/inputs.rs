@@ -1,0 +1,188 @@
+//! M66.
+
+use gaugeblock_vocabulary::{Effect, FaultKind, WaitMode};
+
+use super::{whole, word};
+use crate::rs274::environment::{Awaited, Input, stub};
+use crate::rs274::evaluate::Words;
+use crate::rs274::quirks::outputs as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// The parameter that holds what M66 found.
+pub(crate) const RESULT: u32 = 5399;
+
+/// What the parameter holds after a time-out.
+const TIMED_OUT: f64 = -1.0;
+
+/// Reads an input, or waits for it.
+///
+/// Rule inputs.immediate. Under L0 it does not wait. Rules inputs.rise, inputs.fall, inputs.high, inputs.low. Otherwise
+/// nothing further is executed until the input does what L says (inputs.waits).
+/// Rule parameters.hal-time. What a program reads of HAL afterwards is as it is now.
+/// Rule inputs.result. #5399 holds the value of the input then, or -1 when it did not come in time (inputs.timeout).
+///
+/// # Errors
+/// Rules inputs.one-input, inputs.number-range, inputs.mode-range, inputs.analog-immediate, inputs.zero-timeout,
+/// inputs.without-timeout, inputs.under-compensation.
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    super::not_under_compensation("inputs.under-compensation", state)?;
+    let input = input(words, state)?;
+    let mode = mode(words, state)?;
+    if matches!(input, Input::Analog(_)) {
+        analog_mode(mode, state)?;
+    }
+    let timeout = timeout(mode, words, state)?;
+    let (seconds, read) = match quirks::waits_for_nothing(words, state) {
+        Some(seconds) => (seconds, None),
+        None if state.environment.is_stand_alone() => {
+            (0.0, Some(stub::answer(input, state.parameters.stored(RESULT))))
+        }
+        None => match state.environment.awaited(input, mode, timeout) {
+            Awaited::Comes { after, value } => (after, Some(value)),
+            Awaited::TimesOut { after } => (after, None),
+            Awaited::Never => return Err(StepError::WaitsForEver),
+        },
+    };
+    if read.is_none() {
+        state.coverage.accepted("inputs.timeout");
+    }
+    let read = read.unwrap_or(TIMED_OUT);
+    accepted(input, mode, state);
+    let (digital, analog) = match input {
+        Input::Digital(number) => (i32::try_from(number).ok(), None),
+        Input::Analog(number) => (None, i32::try_from(number).ok()),
+    };
+    record.effect(state, Effect::WaitInput { digital, analog, mode, timeout, read });
+    if seconds > 0.0 {
+        record.wait(state, seconds);
+    }
+    state.parameters.store(RESULT, read);
+    state.environment.synchronise();
+    Ok(())
+}
+
+fn accepted(input: Input, mode: WaitMode, state: &mut State) {
+    let rule = match mode {
+        WaitMode::Immediate => "inputs.immediate",
+        WaitMode::Rise => "inputs.rise",
+        WaitMode::Fall => "inputs.fall",
+        WaitMode::High => "inputs.high",
+        WaitMode::Low => "inputs.low",
+    };
+    state.coverage.accepted(rule);
+    state.coverage.accepted("inputs.result");
+    if mode != WaitMode::Immediate {
+        state.coverage.accepted("inputs.waits");
+    }
+    if state.environment.is_connected(input) {
+        state.coverage.accepted("inputs.connected");
+    } else {
+        state.coverage.accepted("inputs.unconnected");
+    }
+}
+
+/// Rule inputs.one-input. P names a digital input or E an analog one: one of them, and not both.
+fn input(words: &Words, state: &mut State) -> Result<Input, StepError> {
+    let rule = "inputs.one-input";
+    let input = match (word(words, 'p'), word(words, 'e')) {
+        (Some(_), Some(_)) => {
+            let message = "M66 with both a digital and an analog input";
+            return Err(refuse("inputs.both", FaultKind::ModalConflict, message));
+        }
+        (None, None) => {
+            let message = "M66 needs P or E, the number of the input";
+            return Err(refuse(rule, FaultKind::MissingWord, message));
+        }
+        (Some(value), None) => Input::Digital(number(value, 'P', state.machine.digital_io, state)?),
+        (None, Some(value)) => Input::Analog(number(value, 'E', state.machine.analog_io, state)?),
+    };
+    state.coverage.accepted(rule);
+    Ok(input)
+}
+
+/// Rule inputs.number-range. Inputs are counted from 0, as many as the machine has, which may be more or fewer than
+/// four (inputs.count). Quirk rs274.io-number-rounded: a fraction is rounded. Quirk linuxcnc.input-number: any number
+/// is accepted, and where there is no such input zero is read.
+fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Result<u32, StepError> {
+    let any = state.environment.is_stand_alone() || state.choices.quirk("linuxcnc.input-number");
+    let number = quirks::number(value, state).and_then(|number| u32::try_from(number).ok());
+    let number = number.filter(|number| any || *number < of_machine.into()).ok_or_else(|| {
+        let message = format!("{letter}{value} names no input of {of_machine}");
+        refuse("inputs.number-range", FaultKind::NoSuchInputOrOutput, message)
+    })?;
+    state.coverage.accepted("inputs.number-range");
+    if of_machine != 4 {
+        state.coverage.accepted("inputs.count");
+    }
+    Ok(number)
+}
+
+/// Rule inputs.mode-range. L is 0 to 4. Rule inputs.mode-optional. Without L there is no wait.
+/// Quirks rs274.wait-mode-any and linuxcnc.wait-mode-times-out: a greater number is accepted.
+fn mode(words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
+    let Some(value) = word(words, 'l') else {
+        state.coverage.accepted("inputs.mode-optional");
+        return Ok(WaitMode::Immediate);
+    };
+    let ids = ["rs274.wait-mode-any", "linuxcnc.wait-mode-times-out"];
+    let any = ids.iter().any(|quirk| state.choices.quirk(quirk));
+    let mode = match whole(value) {
+        Some(0) => WaitMode::Immediate,
+        Some(1) => WaitMode::Rise,
+        Some(2) => WaitMode::Fall,
+        Some(3) => WaitMode::High,
+        Some(4) => WaitMode::Low,
+        Some(5..) if any => quirks::unknown_mode(state),
+        _ => {
+            let message = format!("L{value} is no way of waiting: 0 to 4");
+            return Err(refuse("inputs.mode-range", FaultKind::WordOutOfRange, message));
+        }
+    };
+    state.coverage.accepted("inputs.mode-range");
+    Ok(mode)
+}
+
+/// Rule inputs.analog-immediate. An analog input is read at once and never awaited.
+fn analog_mode(mode: WaitMode, state: &mut State) -> Result<(), StepError> {
+    let rule = "inputs.analog-immediate";
+    if mode != WaitMode::Immediate {
+        let message = "M66 waits for digital inputs only";
+        return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+    }
+    state.coverage.accepted(rule);
+    Ok(())
+}
+
+/// Rule inputs.zero-timeout. Q is the longest wait in seconds, and not zero, except where nothing is awaited and Q is
+/// ignored (inputs.ignored-timeout).
+/// Rule inputs.without-timeout. Whether a wait needs Q is a choice.
+fn timeout(mode: WaitMode, words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
+    let timeout = word(words, 'q');
+    if mode == WaitMode::Immediate {
+        if timeout.is_some() {
+            state.coverage.accepted("inputs.ignored-timeout");
+        }
+        return Ok(None);
+    }
+    match timeout {
+        None => {
+            let rule = "inputs.without-timeout";
+            if state.choices.is(rule, "refused") {
+                let message = "M66 that waits needs Q, the longest wait in seconds";
+                return Err(refuse(rule, FaultKind::MissingWord, message));
+            }
+            state.coverage.accepted(rule);
+        }
+        Some(0.0) => {
+            let message = "a longest wait of zero seconds";
+            return Err(refuse("inputs.zero-timeout", FaultKind::WordOutOfRange, message));
+        }
+        Some(seconds) if seconds < 0.0 => {
+            return Err(StepError::Unspecified(format!("a wait of at most {seconds} seconds")));
+        }
+        Some(_) => {}
+    }
+    Ok(timeout)
+}

@@ -1,0 +1,142 @@
+//! G52 and the G92 codes: an offset of every coordinate system.
+
+use gaugeblock_vocabulary::{Axis, Position};
+
+use super::offsets::{in_force_changes, store_length};
+use super::target::offset_words;
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::each;
+use crate::rs274::refusal::StepError;
+use crate::rs274::state::State;
+
+/// The parameter that tells whether the offset applies; those of the axes follow, machine unit.
+const APPLIES: u32 = 5210;
+
+/// Changes the local offset.
+///
+/// # Errors
+/// Those of G52 and G92.
+pub(super) fn change(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let code = |wanted: &[u32]| words.g.iter().copied().find(|code| wanted.contains(code));
+    match code(&[520, 920]) {
+        Some(520) => shift(words, state)?,
+        Some(_) => name_point(words, state)?,
+        None => {}
+    }
+    match code(&[921, 922, 923]) {
+        Some(921) => clear(state),
+        Some(922) => suspend(state),
+        Some(_) => resume(state),
+        None => {}
+    }
+    Ok(())
+}
+
+/// G52.
+///
+/// Rule offsets.local. It shifts the coordinate system by its axis values, after the rotation, and moves nothing.
+/// Rule offsets.local-replaces. The values count from the coordinate system, not from an earlier G52.
+/// Rule offsets.local-omitted-axes. Axes without a word keep theirs.
+/// Rule offsets.local-parameters. #5211 to #5219 hold the offset, #5210 tells that it applies.
+///
+/// # Errors
+/// Rule offsets.change-under-compensation.
+fn shift(words: &Words, state: &mut State) -> Result<(), StepError> {
+    in_force_changes(state)?;
+    for rule in [
+        "offsets.local",
+        "offsets.local-replaces",
+        "offsets.local-omitted-axes",
+        "offsets.local-parameters",
+    ] {
+        state.coverage.accepted(rule);
+    }
+    let mut offset = state.modes.g92_offset;
+    for (axis, value) in offset_words(words, state) {
+        *offset.get_mut(axis) = value;
+    }
+    apply(offset, state);
+    remember(state);
+    Ok(())
+}
+
+/// G92.
+///
+/// Rule offsets.position. The point where the machine is gets the coordinates of the axis words, and nothing moves.
+/// Rule offsets.position-replaces. The offset that does this takes the place of an earlier one, whatever the distance
+/// mode. Rule offsets.position-omitted-axes. Axes without a word have none. Rule offsets.position-parameters. #5211
+/// to #5219 hold the offset.
+///
+/// # Errors
+/// Rule offsets.change-under-compensation.
+fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
+    in_force_changes(state)?;
+    for rule in [
+        "offsets.position",
+        "offsets.position-replaces",
+        "offsets.position-all-systems",
+        "offsets.position-omitted-axes",
+        "offsets.position-parameters",
+    ] {
+        state.coverage.accepted(rule);
+    }
+    let before = state.modes.g92_offset;
+    let in_system = each(state.position, before, |point, offset| point + offset);
+    // Quirk rs274.position-omitted-axes. Axes without a word keep theirs.
+    let kept = state.choices.quirk("rs274.position-omitted-axes");
+    let mut offset = if kept { before } else { Position::default() };
+    for (axis, value) in offset_words(words, state) {
+        *offset.get_mut(axis) = in_system.get(axis) - value;
+    }
+    apply(offset, state);
+    remember(state);
+    Ok(())
+}
+
+/// Rule offsets.local-cleared. G92.1 takes the offset away, and its parameters are zero.
+fn clear(state: &mut State) {
+    state.coverage.accepted("offsets.local-cleared");
+    suspend_offset(state);
+    for axis in Axis::ALL.iter().copied() {
+        store_length(APPLIES + 1, axis, 0.0, state);
+    }
+}
+
+/// Rule offsets.local-suspended. G92.2 takes the offset away, and its parameters stay.
+fn suspend(state: &mut State) {
+    state.coverage.accepted("offsets.local-suspended");
+    suspend_offset(state);
+}
+
+fn suspend_offset(state: &mut State) {
+    apply(Position::default(), state);
+    state.modes.local_applies = false;
+    state.parameters.store(APPLIES, 0.0);
+}
+
+/// Rule offsets.local-resumed. G92.3 applies what the parameters hold.
+fn resume(state: &mut State) {
+    state.coverage.accepted("offsets.local-resumed");
+    state.parameters.store(APPLIES, 1.0);
+    let machine = state.modes.machine_point(state.position);
+    let parameters = &state.parameters;
+    state.modes.load_local_offset(|number| parameters.stored(number), state.machine.length_unit);
+    state.position = state.modes.program_point(machine);
+}
+
+/// Another offset applies; the machine stays where it is.
+fn apply(offset: Position, state: &mut State) {
+    let machine = state.modes.machine_point(state.position);
+    state.modes.g92_offset = offset;
+    state.modes.local_applies = true;
+    state.position = state.modes.program_point(machine);
+}
+
+/// Stores the offset that applies.
+fn remember(state: &mut State) {
+    let offset = state.modes.g92_offset;
+    for axis in Axis::ALL.iter().copied() {
+        store_length(APPLIES + 1, axis, offset.get(axis), state);
+    }
+    state.parameters.store(APPLIES, 1.0);
+}

@@ -1,0 +1,133 @@
+//! Active comments.
+
+mod expand;
+mod keyword;
+#[cfg(test)]
+mod tests;
+
+use gaugeblock_vocabulary::{Channel, Effect, FaultKind};
+
+use crate::rs274::parameters::{self, Name};
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::syntax::Comment;
+use crate::rs274::task::Record;
+use expand::expand;
+use keyword::{Active, active};
+
+/// Says what an active comment says, before anything of its block is done.
+///
+/// Rule active-comments.plain. A comment that is none of the active ones does nothing.
+/// Rule active-comments.message-first. The message of a line comes before what its words do.
+///
+/// # Errors
+/// Rule active-comments.abort. ABORT ends the program with its text as an error, with the values of parameters in it.
+pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    let Some((active, text)) = active(&comment.text, &state.choices) else {
+        state.coverage.accepted(if keyword::has_msg_inside(&comment.text) {
+            "active-comments.msg-first"
+        } else {
+            "active-comments.plain"
+        });
+        return Ok(());
+    };
+    if active != Active::Abort {
+        state.coverage.accepted(active.rule());
+        state.coverage.accepted("active-comments.message-first");
+    }
+    match active {
+        Active::Message => msg(text, state, record),
+        Active::Debug => debug(text, state, record)?,
+        Active::Print => say(Channel::Print, text, state, record)?,
+        Active::Log => log(text, state, record)?,
+        Active::LogOpen | Active::LogAppend => {
+            state.log_open = true;
+            let append = active == Active::LogAppend;
+            // Choice active-comments.file-name-blanks.
+            let whole = state.choices.is("active-comments.file-name-blanks", "part-of-it");
+            let name = if whole { text } else { text.trim_matches(keyword::is_blank) };
+            record.effect(state, Effect::LogOpen { file: name.to_owned(), append });
+        }
+        Active::LogClose => {
+            let open = std::mem::replace(&mut state.log_open, false);
+            if open || state.choices.quirk("rs274.log-closed") {
+                record.effect(state, Effect::LogClose {});
+            }
+        }
+        Active::ProbeOpen => {
+            state.probe_log_open = true;
+            record.effect(
+                state,
+                Effect::ProbeLogOpen { file: text.trim_matches(keyword::is_blank).to_owned() },
+            );
+        }
+        Active::ProbeClose => {
+            if std::mem::replace(&mut state.probe_log_open, false) {
+                record.effect(state, Effect::ProbeLogClose {});
+            }
+        }
+        Active::Abort => {
+            let message = expand(text, state)?;
+            return Err(refuse("active-comments.abort", FaultKind::AbortedByProgram, message));
+        }
+    }
+    Ok(())
+}
+
+/// Rule active-comments.msg. MSG and a comma at the beginning of a comment display the rest of it.
+/// Rule active-comments.msg-verbatim. The text is displayed as it stands; parameters are not replaced.
+fn msg(text: &str, state: &mut State, record: &mut Record) {
+    state.coverage.accepted("active-comments.msg-verbatim");
+    state.coverage.accepted("active-comments.msg-spelling");
+    record.effect(state, Effect::Message { channel: Channel::Display, text: text.to_owned() });
+}
+
+/// Rule active-comments.debug. DEBUG displays a message with the values of parameters in it.
+/// Rule parameters.debug-switch. While 5599 is 0 the DEBUG comments say nothing.
+fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    state.coverage.accepted("parameters.debug-switch");
+    let switch = shown_value(&Name::Numbered(parameters::DEBUG_SWITCH), state)?;
+    if switch.abs() > 0.0 { say(Channel::Display, text, state, record) } else { Ok(()) }
+}
+
+/// Rule active-comments.log. LOG writes what follows its comma to the open log file.
+/// Rule active-comments.log-closed. LOG writes nothing while no log file is open.
+/// Quirk rs274.log-closed: it speaks all the same.
+fn log(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    state.coverage.accepted("active-comments.log-closed");
+    if state.log_open || state.choices.quirk("rs274.log-closed") {
+        return say(Channel::Log, text, state, record);
+    }
+    Ok(())
+}
+
+/// Rule active-comments.print. PRINT writes a message with the values of parameters in it.
+fn say(
+    channel: Channel,
+    text: &str,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let text = expand(text, state)?;
+    record.effect(state, Effect::Message { channel, text });
+    Ok(())
+}
+
+/// The value that a message shows of a parameter.
+///
+/// Rule active-comments.absent-named. What does not exist has none, also where it would be zero in an expression.
+/// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value
+/// or its old one.
+fn shown_value(name: &Name, state: &State) -> Result<f64, StepError> {
+    let new =
+        state.choices.is("active-comments.same-block-setting", "new") && !parameters::is_told(name);
+    match state.parameters.announced(name) {
+        Some(value) if new => Ok(value),
+        _ if matches!(name, Name::Named(_)) && !parameters::exists(name, state) => {
+            let message = "a message shows that the parameter does not exist";
+            let rule = "active-comments.absent-named";
+            Err(refuse(rule, FaultKind::NoSuchParameter, message))
+        }
+        _ => parameters::value(name, state),
+    }
+}

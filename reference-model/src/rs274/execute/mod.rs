@@ -1,0 +1,64 @@
+//! What each phase of a block does.
+
+mod arc;
+pub mod compensation;
+pub mod coolant;
+pub mod cycles;
+pub mod dwell;
+pub mod feed;
+pub mod inputs;
+mod local_offset;
+pub mod message;
+pub mod motion;
+pub mod offsets;
+pub mod orient;
+pub mod outputs;
+pub mod overrides;
+pub mod path;
+pub(crate) mod positions;
+pub mod probe;
+pub mod program_end;
+pub(crate) mod restore;
+pub mod saved_state;
+pub mod spindle;
+pub mod splines;
+pub mod stop;
+mod target;
+mod threading;
+pub mod tool;
+pub mod tool_change;
+pub mod tool_length;
+mod tool_table;
+pub mod units_planes;
+pub mod user_codes;
+mod word;
+
+pub(crate) use target::{end_point, letter};
+pub(crate) use word::{whole, word};
+
+use gaugeblock_vocabulary::{Compensation, FaultKind};
+
+use super::refusal::{StepError, refuse};
+use super::state::State;
+
+/// Lets time go by; what ends outside meanwhile has ended.
+pub(crate) fn pass(seconds: f64, state: &mut State) {
+    state.environment.advance(seconds);
+    orient::settle(state);
+}
+
+/// A code of which it is a choice whether it is allowed while cutter compensation is on; the choice has the rule's id.
+pub(crate) fn not_under_compensation(
+    rule: &'static str,
+    state: &mut State,
+) -> Result<(), StepError> {
+    if state.modes.compensation == Compensation::Off {
+        return Ok(());
+    }
+    if state.choices.is(rule, "refused") {
+        let message = "this code while cutter compensation is on";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    state.coverage.accepted(rule);
+    Ok(())
+}

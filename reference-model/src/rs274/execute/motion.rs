@@ -1,0 +1,303 @@
+//! G0, G1, G2, G3, G80, and axis words alone.
+
+use gaugeblock_vocabulary::{
+    Compensation, Effect, FaultKind, FeedMode, Motion, Position, SpindleMode, SpindleTurn,
+};
+
+use super::arc;
+use super::target::{end_point, machine_end_point};
+use super::{cycles, probe, splines, threading, word};
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
+use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
+use crate::rs274::quirks::motion::per_revolution;
+use crate::rs274::quirks::{motion as motion_quirks, settings as quirks, splines as spline_quirks};
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// What a block asks the machine to do.
+///
+/// Rule motion.mode-change. A motion code replaces the motion mode.
+/// Rule motion.mode-holds. Axis words alone repeat the motion mode, unless a code of the block uses them.
+pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
+    let programmed =
+        words.g.iter().filter(|code| **code != 800).find_map(|code| motion_mode(*code));
+    if words.g.contains(&53) {
+        return Some(Motion::Nurbs);
+    }
+    let cancelled = words.g.contains(&800);
+    programmed.or(cancelled.then_some(Motion::None)).or_else(|| {
+        let implied =
+            moves_by_axis_words(words) || by_offsets_alone(words, state) || words.g.contains(&530);
+        implied.then_some(state.modes.motion)
+    })
+}
+
+/// Whether offsets of a centre alone repeat the arc that is in force.
+///
+/// Rule arcs.offsets-alone. The motion in force is executed again where there are axis words; a full circle has none,
+/// so that this is a choice.
+fn by_offsets_alone(words: &Words, state: &State) -> bool {
+    is_arc(state.modes.motion)
+        && moves_without_code(words)
+        && state.choices.is("arcs.offsets-alone", "arc")
+}
+
+/// Whether a motion is an arc.
+pub(crate) fn is_arc(motion: Motion) -> bool {
+    matches!(motion, Motion::ArcClockwise | Motion::ArcCounterclockwise)
+}
+
+/// Whether a motion is a spline.
+pub(crate) fn is_spline(motion: Motion) -> bool {
+    matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline | Motion::Nurbs)
+}
+
+/// Whether a motion is executed at the feed rate.
+pub(super) fn is_feed(motion: Motion) -> bool {
+    motion == Motion::Feed || is_arc(motion)
+}
+
+/// Moves, or sets the motion mode.
+///
+/// Rule cycles.cancelled-by-motion. Any other motion ends a row of canned cycles.
+///
+/// # Errors
+/// A move that the modes in force do not allow.
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    if !cycles::is_cycle(state.modes.motion) {
+        state.series = None;
+    }
+    let Some(motion) = motion_of(words, state) else { return Ok(()) };
+    let programmed = words.g.iter().any(|code| motion_mode(*code).is_some());
+    state.coverage.accepted(if programmed { "motion.mode-change" } else { "motion.mode-holds" });
+    if !programmed && is_arc(motion) {
+        let alone = by_offsets_alone(words, state) && !moves_by_axis_words(words);
+        state.coverage.accepted(if alone { "arcs.offsets-alone" } else { "arcs.mode-holds" });
+    }
+    if words.g.contains(&530) {
+        machine_coordinates_possible(motion, words, state)?;
+    }
+    if state.curve.open.is_some() && !is_spline(motion) {
+        return Err(StepError::Unspecified("another motion in an open data block".to_owned()));
+    }
+    if cycles::is_cycle(motion) {
+        state.curve = splines::Curve::default();
+        return cycles::perform(motion, words, state, record);
+    }
+    if state.series.take().is_some() {
+        state.coverage.accepted("cycles.cancelled-by-motion");
+    }
+    if motion == Motion::Nurbs {
+        return splines::nurbs(words, state, record);
+    }
+    let in_data_block = state.curve.open.take().is_some();
+    let continues = std::mem::take(&mut state.curve.continues);
+    if motion == Motion::None {
+        cancel(words, programmed, state)
+    } else if matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline) {
+        state.curve.continues = continues;
+        splines::perform(motion, in_data_block, words, state, record)
+    } else if matches!(motion, Motion::SpindleSynchronised | Motion::RigidTap) {
+        threading::perform(motion, words, state, record)
+    } else if motion == Motion::Thread76 {
+        threading::thread(words, state, record)
+    } else if probe::is_probing(motion) {
+        probe::perform(motion, words, state, record)
+    } else if has_axis_words(words) || is_arc(motion) {
+        move_to(motion, words, state, record)
+    } else {
+        without_axis_words(motion, words, state, record)
+    }
+}
+
+/// Rule motion.cancel. G80 cancels the motion mode. Rule motion.cancel-with-axis-words. Axis words have no place in
+/// its block. Rule modal-groups.axis-words-without-mode and rule motion.axis-words-after-cancel. Nor have they in a
+/// block that does not use them while no motion mode is active.
+fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), StepError> {
+    if has_axis_words(words) && moves_by(words) {
+        let message = "axis words, and no motion mode";
+        if programmed {
+            return Err(refuse("motion.cancel-with-axis-words", FaultKind::AxisWords, message));
+        }
+        state.coverage.refused("motion.axis-words-after-cancel");
+        let rule = "modal-groups.axis-words-without-mode";
+        return Err(refuse(rule, FaultKind::AxisWords, message));
+    }
+    state.coverage.accepted("motion.cancel");
+    state.modes.motion = Motion::None;
+    Ok(())
+}
+
+/// Whether the axis words of a block are the motion's.
+fn moves_by(words: &Words) -> bool {
+    let others = words.g.iter().filter_map(|code| g_code(*code));
+    !others.filter(|code| code.group != Some(ModalGroup::Motion)).any(|code| code.axis_words)
+}
+
+/// Rule motion.without-axis-words. Whether a motion code alone makes a move of no length is a choice.
+fn without_axis_words(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    state.coverage.accepted("motion.without-axis-words");
+    if state.choices.is("motion.without-axis-words", "move-in-place") {
+        return move_to(motion, words, state, record);
+    }
+    state.modes.motion = motion;
+    Ok(())
+}
+
+/// Rule motion.traverse. G0 moves at rapid speed to the point that the axis words name.
+/// Rule motion.feed. G1 moves there at the feed rate that is current (feed.applies-to-feed-moves).
+fn move_to(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    if state.modes.compensation != Compensation::Off && !quirks::moves_as_without_radius(state) {
+        return Err(StepError::Unsupported("a move under cutter compensation".to_owned()));
+    }
+    if is_feed(motion) {
+        feed_possible(words, state)?;
+    }
+    if is_arc(motion) {
+        return arc::perform(motion, words, state, record);
+    }
+    let end = if words.g.contains(&530) {
+        machine_end_point(words, state)
+    } else {
+        end_point(words, state)?
+    };
+    state.modes.motion = motion;
+    motion_quirks::feed_of_move(motion, end, state);
+    state.position = end;
+    accepted(motion, end, words, state);
+    let effect = if motion == Motion::Feed {
+        Effect::StraightFeed { end }
+    } else {
+        Effect::StraightTraverse { end }
+    };
+    record.effect(state, effect);
+    Ok(())
+}
+
+/// Rule offsets.machine-needs-motion. G53 needs G0 or G1 to be active, in its block or before (offsets.machine-motion).
+/// Rule offsets.machine-under-compensation. It is refused while cutter compensation is on.
+/// Rule offsets.machine-incremental. In incremental distance mode too it goes to the absolute point.
+fn machine_coordinates_possible(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+) -> Result<(), StepError> {
+    if spline_quirks::takes_machine_coordinates(words, state) {
+        return Ok(());
+    }
+    if !matches!(motion, Motion::Traverse | Motion::Feed) {
+        let rule = "offsets.machine-needs-motion";
+        return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
+    }
+    if !has_axis_words(words) && !motion_quirks::machine_without_axes(words, state) {
+        let rule = "offsets.machine-needs-axes";
+        return Err(refuse(rule, FaultKind::MissingWord, "G53 needs an axis word"));
+    }
+    if state.modes.compensation != Compensation::Off && !quirks::moves_as_without_radius(state) {
+        let rule = "offsets.machine-under-compensation";
+        let message = "G53 while cutter compensation is on";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    quirks::machine_incremental(state)?;
+    state.coverage.accepted("offsets.machine-incremental");
+    if !words.g.iter().any(|code| [0, 10].contains(code)) {
+        state.coverage.accepted("offsets.machine-motion");
+    }
+    state.coverage.accepted("offsets.machine-coordinates");
+    state.coverage.accepted("offsets.machine-once");
+    Ok(())
+}
+
+/// Rule feed.inverse-time-needs-rate. Under inverse time a feed move needs F in its own block; one that stood elsewhere
+/// was ignored (feed.inverse-time-stray-rate).
+/// Rule feed.move-without-rate. Otherwise a feed rate must have been set, and again after a switch of the feed mode
+/// (feed.rate-after-mode-change).
+/// Rule spindle.surface-speed-while-stopped. Under constant surface speed the spindle must turn.
+/// Rule arcs.needs-feed-rate. All this holds for arcs too.
+pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), StepError> {
+    if state.modes.feed_mode == FeedMode::InverseTime {
+        if word(words, 'f').is_none() {
+            state.coverage.refused("feed.inverse-time-stray-rate");
+            let message = "under inverse time a feed move needs F in its block";
+            return Err(refuse("feed.inverse-time-needs-rate", FaultKind::MissingWord, message));
+        }
+        state.coverage.accepted("feed.inverse-time-needs-rate");
+    }
+    let needs_none =
+        motion_quirks::takes_no_time(state) || spline_quirks::needs_no_feed(words, state);
+    if state.modes.feed_rate == 0.0 && !needs_none {
+        if state.modes.feed_awaited {
+            state.coverage.refused("feed.rate-after-mode-change");
+        }
+        if motion_of(words, state).is_some_and(is_arc) {
+            state.coverage.refused("arcs.needs-feed-rate");
+        }
+        let message = "a feed move, and no feed rate";
+        return Err(refuse("feed.move-without-rate", FaultKind::ZeroFeed, message));
+    }
+    state.coverage.accepted("feed.move-without-rate");
+    state.coverage.accepted("feed.rate-after-mode-change");
+    state.coverage.accepted("feed.applies-to-feed-moves");
+    if surface_speed_stands(state) {
+        let rule = "spindle.surface-speed-while-stopped";
+        let message = "a feed move under constant surface speed while the spindle stands";
+        return Err(refuse(rule, FaultKind::ZeroSpeed, message));
+    }
+    state.coverage.accepted("spindle.surface-speed-while-stopped");
+    per_revolution(words, state)
+}
+
+/// Whether a spindle under constant surface speed does not turn.
+///
+/// Quirk rs274.surface-speed-while-stopped: nothing asks.
+pub(super) fn surface_speed_stands(state: &State) -> bool {
+    let surface = |mode| mode == SpindleMode::SurfaceSpeed;
+    let mut spindles = state.modes.spindles.iter().filter(|spindle| surface(spindle.mode));
+    let standing = spindles
+        .any(|spindle| matches!(spindle.turn, SpindleTurn::Stopped | SpindleTurn::Oriented));
+    standing && !state.choices.quirk("rs274.surface-speed-while-stopped")
+}
+
+/// The rules that an accepted move follows, those on modes that held until it among them.
+fn accepted(motion: Motion, end: Position, words: &Words, state: &mut State) {
+    for rule in [
+        "modal-groups.one-in-force",
+        "modal-groups.non-modal-once",
+        "modal-groups.axis-words-without-mode",
+        "units-planes.motion-in-active-unit",
+        "path-control.mode-holds",
+        "offsets.select-holds",
+        "feed.mode-holds",
+    ] {
+        state.coverage.accepted(rule);
+    }
+    if motion == Motion::Feed {
+        state.coverage.accepted("motion.feed");
+    } else {
+        state.coverage.accepted("motion.traverse");
+        if state.modes.feed_mode == FeedMode::InverseTime {
+            state.coverage.accepted("feed.inverse-time-rapid");
+        }
+        if state.modes.feed_rate == 0.0 {
+            state.coverage.accepted("feed.traverse-needs-none");
+        }
+    }
+    if [end.a, end.b, end.c].iter().any(|angle| *angle != 0.0) {
+        state.coverage.accepted("motion.rotary-axes");
+    }
+    if words.letters.keys().any(|letter| matches!(letter, 'x' | 'y' | 'z')) {
+        state.coverage.accepted("motion.no-such-axis");
+    }
+}

@@ -1,0 +1,224 @@
+//! G54 to G59.3, G10 L2 and L20; the other data of offsets have rooms of their own.
+
+use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Motion, Position};
+
+use super::target::offset_words;
+use super::tool_table::{self, Values};
+use super::{local_offset, positions, whole, word};
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::{converted, each, first_parameter};
+use crate::rs274::order::has_axis_words;
+use crate::rs274::quirks::{motion as motion_quirks, settings as quirks};
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// Selects a coordinate system.
+///
+/// Rule offsets.select. G54 to G59.3 are systems 1 to 9.
+///
+/// # Errors
+/// Rule offsets.select-under-compensation.
+pub fn select(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let system = words.g.iter().find_map(|code| match code {
+        540 | 550 | 560 | 570 | 580 | 590 => Some((code - 530) / 10),
+        591..=593 => Some(code - 584),
+        _ => None,
+    });
+    let Some(system) = system else { return Ok(()) };
+    if state.modes.compensation != Compensation::Off {
+        let message = "a coordinate system is selected while cutter compensation is on";
+        let rule = "offsets.select-under-compensation";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    state.coverage.accepted("offsets.select");
+    if quirks::keeps_system(system, state) {
+        return Ok(());
+    }
+    use_system(system, state);
+    Ok(())
+}
+
+/// Rule offsets.select-moves-nothing. The machine stays where it is; the same point gets the coordinates of the system.
+/// Rule offsets.stored. Its origin comes from the parameters.
+/// Rule offsets.select-number. #5220 holds its number.
+/// Rule offsets.local-stays. A local offset continues.
+pub(crate) fn use_system(system: u32, state: &mut State) {
+    for rule in [
+        "offsets.select-moves-nothing",
+        "offsets.stored",
+        "offsets.select-number",
+        "offsets.local-stays",
+    ] {
+        state.coverage.accepted(rule);
+    }
+    state.modes.work_offset = system;
+    state.parameters.store(5220, f64::from(system));
+    reload(state);
+}
+
+/// Reads the origin of the selected system again; the machine stays where it is.
+fn reload(state: &mut State) {
+    let machine = state.modes.machine_point(state.position);
+    let parameters = &state.parameters;
+    state.modes.load_work_offset(|number| parameters.stored(number), state.machine.length_unit);
+    state.position = state.modes.program_point(machine);
+}
+
+/// Changes the data of offsets.
+///
+/// Rule modal-groups.motion-suspended. The axis words are not the motion mode's, which holds again in the next block.
+///
+/// # Errors
+/// Those of G10, G28, G30, G52 and G92.
+pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    if has_axis_words(words) && state.modes.motion != Motion::None {
+        state.coverage.accepted("modal-groups.motion-suspended");
+    }
+    if words.g.iter().any(|code| [280, 281, 300, 301].contains(code)) {
+        positions::perform(words, state, record)?;
+    } else if words.g.contains(&100) {
+        set(words, state, record)?;
+    }
+    local_offset::change(words, state)
+}
+
+/// G10.
+fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    match kind(words)? {
+        0 => tool_table::reload(state),
+        1 => tool_table::set(Values::Offsets, words, state, record),
+        10 => tool_table::set(Values::Coordinates, words, state, record),
+        11 => tool_table::set(Values::FixtureCoordinates, words, state, record),
+        20 => set_origin(true, words, state),
+        _ => set_origin(false, words, state),
+    }
+}
+
+/// Rule offsets.change-under-compensation. Whether an offset that is in force can be changed while the cutter is
+/// compensated is a choice.
+pub(super) fn in_force_changes(state: &mut State) -> Result<(), StepError> {
+    let rule = "offsets.change-under-compensation";
+    if state.modes.compensation == Compensation::Off {
+        return Ok(());
+    }
+    if state.choices.is(rule, "refused") {
+        let message = "an offset in force is changed while cutter compensation is on";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    state.coverage.accepted(rule);
+    Ok(())
+}
+
+/// G10 L2 and L20.
+///
+/// Rule offsets.set. It sets the origin of system P to the axis values; P0 is the active one (offsets.set-active).
+/// Rule offsets.set-replaces. They replace the old ones, whatever the distance mode.
+/// Rule offsets.set-omitted-axes. Axes without a word keep theirs.
+/// Rule offsets.rotation. R of G10 L2 is the angle by which the system is turned about Z; without R it stays.
+fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), StepError> {
+    if calculated && !has_axis_words(words) && !state.choices.quirk("rs274.calculate-without-axes")
+    {
+        let message = "G10 L20 needs an axis word";
+        return Err(refuse("offsets.calculate-needs-axes", FaultKind::MissingWord, message));
+    }
+    let system = system(words, state)?;
+    if system == state.modes.work_offset {
+        in_force_changes(state)?;
+    }
+    let first = first_parameter(system);
+    let named = offset_words(words, state);
+    if calculated {
+        store_calculated(system, &named, state);
+    } else {
+        for (axis, value) in named {
+            store_length(first, axis, value, state);
+        }
+    }
+    if let Some(rotation) = word(words, 'r') {
+        state.coverage.accepted("offsets.rotation");
+        state.parameters.store(first + 9, rotation);
+    }
+    for rule in ["offsets.set", "offsets.set-replaces", "offsets.set-omitted-axes"] {
+        state.coverage.accepted(rule);
+    }
+    if system == state.modes.work_offset {
+        state.coverage.accepted("offsets.set-immediate");
+        state.coverage.accepted("offsets.local-stays");
+        if calculated {
+            reload(state);
+        } else {
+            motion_quirks::turn_system(reload, state);
+        }
+    } else {
+        state.coverage.accepted("offsets.set-inactive");
+    }
+    Ok(())
+}
+
+/// Rule offsets.calculate. G10 L20 sets the origin of a system so that the current point gets the axis values in it,
+/// with the local offset and the tool offset in force. Rule offsets.calculate-needs-axes. It needs an axis word.
+fn store_calculated(system: u32, named: &[(Axis, f64)], state: &mut State) {
+    state.coverage.accepted("offsets.calculate");
+    let mut modes = state.modes.clone();
+    let machine = modes.machine_point(state.position);
+    modes.work_offset = system;
+    let parameters = &state.parameters;
+    modes.load_work_offset(|number| parameters.stored(number), state.machine.length_unit);
+    let mut wanted = modes.program_point(machine);
+    for (axis, value) in named {
+        *wanted.get_mut(*axis) = *value;
+    }
+    modes.g5x_offset = Position::default();
+    let from_origin = modes.machine_point(wanted);
+    let origin = each(machine, from_origin, |machine, point| machine - point);
+    let rotated = modes.rotation != 0.0;
+    let is_named = |axis: Axis| named.iter().any(|(named, _)| *named == axis);
+    let in_plane = is_named(Axis::X) || is_named(Axis::Y);
+    for axis in Axis::ALL.iter().copied() {
+        let turns_too = rotated && in_plane && [Axis::X, Axis::Y].contains(&axis);
+        if is_named(axis) || turns_too {
+            store_length(first_parameter(system), axis, origin.get(axis), state);
+        }
+    }
+}
+
+/// Rule offsets.set-needs-kind. L says what G10 sets.
+fn kind(words: &Words) -> Result<i32, StepError> {
+    let rule = "offsets.set-needs-kind";
+    let Some(kind) = word(words, 'l') else {
+        return Err(refuse(rule, FaultKind::MissingWord, "G10 needs L"));
+    };
+    match whole(kind) {
+        Some(kind @ (0 | 1 | 2 | 10 | 11 | 20)) => Ok(kind),
+        _ => Err(refuse(rule, FaultKind::WordOutOfRange, format!("there is no G10 L{kind}"))),
+    }
+}
+
+/// Rule offsets.set-number. P is an integer from 0 to 9; 0 is the active system.
+fn system(words: &Words, state: &mut State) -> Result<u32, StepError> {
+    let Some(number) = word(words, 'p').map(|number| quirks::origin_number(number, state)) else {
+        let message = "G10 L2 and L20 need P, the coordinate system";
+        return Err(refuse("offsets.set-needs-number", FaultKind::MissingWord, message));
+    };
+    let message = || format!("P{number} is no coordinate system from 0 to 9");
+    let rule = "offsets.set-number";
+    let whole = whole(number).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
+    match u32::try_from(whole) {
+        Ok(0) => {
+            state.coverage.accepted("offsets.set-active");
+            Ok(state.modes.work_offset)
+        }
+        Ok(system @ 1..=9) => Ok(system),
+        _ => Err(refuse(rule, FaultKind::WordOutOfRange, message())),
+    }
+}
+
+/// Stores a coordinate in the machine's length unit, as one of nine parameters from a first one.
+pub(super) fn store_length(first: u32, axis: Axis, value: f64, state: &mut State) {
+    let mut position = Position::default();
+    *position.get_mut(axis) = value;
+    let stored = converted(position, state.modes.units, state.machine.length_unit).get(axis);
+    let place = (first..).zip(Axis::ALL).find(|(_, known)| **known == axis).map(|(place, _)| place);
+    state.parameters.store(place.expect("offsets: an axis is one of nine"), stored);
+}

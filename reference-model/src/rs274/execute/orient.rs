@@ -1,0 +1,261 @@
+//! M19.
+
+use gaugeblock_vocabulary::scenario::OrientAnswer;
+use gaugeblock_vocabulary::{Effect, FaultKind, OrientDirection, Pin, SpindleTurn};
+
+use super::spindle::{all, number};
+use super::{pass, whole, word};
+use crate::rs274::environment::Orientation;
+use crate::rs274::evaluate::Words;
+use crate::rs274::quirks::settings as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::{Record, pins_are_current};
+
+/// Turns a spindle to an angle.
+///
+/// Rule orient.angle. R is the angle in degrees; the machine's offset is added to it (orient.offset).
+/// Rule orient.direction. P says which way: 0 the shortest, 1 clockwise, 2 counterclockwise; 0 when it is not given.
+/// Rule orient.wait. Q is how long the run waits for the spindle, in seconds.
+/// Rule orient.replaces-turning. M19 belongs to the group of M3, M4 and M5: it takes the place of the one in force.
+///
+/// # Errors
+/// Rules orient.needs-angle, orient.angle-range, orient.direction-range, orient.needs-timeout, orient.zero-timeout,
+/// orient.spindle-range, orient.timeout, orient.fault.
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    let spindles = spindles(words, state)?;
+    let angle = angle(words, state)?;
+    let direction = direction(words, state)?;
+    let timeout = timeout(words, state)?;
+    quirks::forget_turning(state);
+    if angle.is_some() {
+        for place in &spindles {
+            state.modes.spindles[*place].turn = SpindleTurn::Oriented;
+        }
+    }
+    for place in &spindles {
+        // The machine has no more than 255 spindles.
+        let Ok(spindle) = u8::try_from(*place) else { continue };
+        if let Some(angle) = angle {
+            state.coverage.accepted("orient.replaces-turning");
+            begin(*place, angle, direction, state);
+            let spindle = u32::from(spindle);
+            record.effect(state, Effect::OrientSpindle { spindle, angle, direction });
+        }
+    }
+    pass(0.0, state);
+    let Some(timeout) = timeout else { return Ok(()) };
+    for place in spindles {
+        let Ok(spindle) = u32::try_from(place) else { continue };
+        record.effect(state, Effect::WaitOrient { spindle, timeout });
+        wait(place, timeout, state, record)?;
+    }
+    Ok(())
+}
+
+/// Rule orient.spindle. $ says whose pins carry the orientation.
+/// Choice orient.without-dollar: without $ it is the first spindle or every one.
+fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
+    let Some(value) = word(words, '$') else {
+        let rule = "orient.without-dollar";
+        state.coverage.accepted(rule);
+        return Ok(if state.choices.is(rule, "all") { all(state) } else { vec![0] });
+    };
+    let place = number(value, state, "orient.spindle-range")?;
+    state.coverage.accepted("orient.spindle-range");
+    state.coverage.accepted("orient.spindle");
+    Ok(vec![place])
+}
+
+/// Rule orient.needs-angle. R is needed. Rule orient.angle-range. It is 0 to 360 degrees.
+/// Quirk rs274.orient-without-angle: without R the angle is zero if P is there, and else the spindle turns nowhere.
+fn angle(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
+    let offset = state.machine.orient_offset;
+    let Some(angle) = word(words, 'r') else {
+        if state.choices.quirk("rs274.orient-without-angle") {
+            return Ok(word(words, 'p').map(|_| offset));
+        }
+        let rule = "orient.needs-angle";
+        return Err(refuse(rule, FaultKind::MissingWord, "M19 needs R, the angle"));
+    };
+    let rule = "orient.angle-range";
+    if !(0.0..=360.0).contains(&angle) {
+        let message = format!("R{angle} is not between 0 and 360 degrees");
+        return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+    }
+    state.coverage.accepted(rule);
+    state.coverage.accepted("orient.angle");
+    if offset != 0.0 {
+        state.coverage.accepted("orient.offset");
+    }
+    Ok(Some(angle + offset))
+}
+
+/// Rule orient.direction-range. P is 0, 1 or 2.
+fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, StepError> {
+    let value = word(words, 'p').unwrap_or(0.0);
+    let direction = match whole(value) {
+        Some(0) => OrientDirection::Shortest,
+        Some(1) => OrientDirection::Clockwise,
+        Some(2) => OrientDirection::Counterclockwise,
+        _ => {
+            let message = format!("P{value} is no direction: 0, 1 or 2");
+            let rule = "orient.direction-range";
+            return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+        }
+    };
+    state.coverage.accepted("orient.direction-range");
+    state.coverage.accepted("orient.direction");
+    Ok(direction)
+}
+
+/// Rule orient.needs-timeout. Q is needed. Rule orient.zero-timeout. Whether it may be zero is a choice.
+/// Quirk rs274.orient-without-timeout: without Q the run does not wait.
+fn timeout(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
+    let Some(seconds) = word(words, 'q') else {
+        if state.choices.quirk("rs274.orient-without-timeout") {
+            return Ok(None);
+        }
+        let rule = "orient.needs-timeout";
+        return Err(refuse(rule, FaultKind::MissingWord, "M19 needs Q, the longest wait"));
+    };
+    let rule = "orient.zero-timeout";
+    if seconds < 0.0 || seconds == 0.0 && state.choices.is(rule, "refused") {
+        let message = format!("M19 with a longest wait of {seconds} seconds");
+        return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+    }
+    if seconds == 0.0 {
+        state.coverage.accepted(rule);
+    }
+    Ok(Some(seconds))
+}
+
+/// Rule orient.pins. The angle and the direction stand on their pins, and the request is set.
+/// Quirk linuxcnc.orient-while-locked: a spindle that is locked is not asked again.
+fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State) {
+    let Some(spindle) = index(place) else { return };
+    let direction = match direction {
+        OrientDirection::Shortest => 0.0,
+        OrientDirection::Clockwise => 1.0,
+        OrientDirection::Counterclockwise => 2.0,
+    };
+    state.environment.set(Pin::SpindleOrientAngle(spindle), angle);
+    state.environment.set(Pin::SpindleOrientMode(spindle), direction);
+    state.coverage.accepted("orient.pins");
+    let locked = state.environment.level(Pin::SpindleLocked(spindle)) != 0.0;
+    if locked && state.choices.quirk("linuxcnc.orient-while-locked") {
+        return;
+    }
+    // On its way it is neither locked nor braked, however short the way is.
+    state.environment.set(Pin::SpindleLocked(spindle), 0.0);
+    state.environment.set(Pin::SpindleOrient(spindle), 1.0);
+    state.environment.begin_orientation(place);
+    brake(place, state);
+}
+
+/// Rule orient.timeout. A spindle that does not stand at its angle within Q seconds is an error.
+/// Rule orient.fault. So is a fault that its encoder reports.
+fn wait(
+    place: usize,
+    timeout: f64,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let Some(orientation) = state.environment.orientation(place) else { return Ok(()) };
+    if let Some(fault) = orientation.fault() {
+        let message = format!("spindle {place} reports the fault {fault} on its way to its angle");
+        return Err(refuse("orient.fault", FaultKind::Orient, message));
+    }
+    state.coverage.accepted("orient.fault");
+    let now = state.environment.time();
+    match orientation.done().filter(|done| *done <= now + timeout) {
+        Some(done) => {
+            record.wait(state, (done - now).max(0.0));
+            state.coverage.accepted("orient.wait");
+            state.coverage.accepted("orient.timeout");
+            Ok(())
+        }
+        None => {
+            record.wait(state, timeout);
+            let message = format!("spindle {place} is not at its angle after {timeout} seconds");
+            Err(refuse("orient.timeout", FaultKind::Orient, message))
+        }
+    }
+}
+
+/// What has come about outside: spindles stand at their angle, brakes are applied or released.
+///
+/// Rule orient.complete. When its encoder says that a spindle stands at its angle, the request is cleared and the
+/// spindle is locked and braked. A spindle that turns is neither.
+pub(crate) fn settle(state: &mut State) {
+    if pins_are_current(state) {
+        return;
+    }
+    for (place, time) in state.environment.oriented() {
+        state.environment.end_orientation(place);
+        let Some(spindle) = index(place) else { continue };
+        state.environment.set_at(time, Pin::SpindleOrient(spindle), 0.0);
+        state.environment.set_at(time, Pin::SpindleLocked(spindle), 1.0);
+        brake_at(time, place, state);
+        state.coverage.accepted("orient.complete");
+    }
+    for place in all(state) {
+        if turns(place, state) {
+            clear(place, state);
+        }
+        brake(place, state);
+    }
+}
+
+/// Whether a spindle was told to turn.
+fn turns(place: usize, state: &State) -> bool {
+    let turn = state.modes.spindles[place].turn;
+    matches!(turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise)
+}
+
+/// Rule orient.brake-otherwise. Whether the brake is applied to any other spindle that stands is a choice.
+fn brake(place: usize, state: &mut State) {
+    brake_at(state.environment.time(), place, state);
+}
+
+fn brake_at(time: f64, place: usize, state: &mut State) {
+    let Some(spindle) = index(place) else { return };
+    let stands = !turns(place, state) && state.environment.orientation(place).is_none();
+    let locked = state.environment.level(Pin::SpindleLocked(spindle)) != 0.0;
+    let standing = state.choices.is("orient.brake-otherwise", "while-standing");
+    let released = state.modes.spindles[place].brake_released;
+    let applied = locked || stands && standing && !released;
+    if locked {
+        state.coverage.accepted("orient.brake-otherwise");
+    }
+    state.environment.set_at(time, Pin::SpindleBrake(spindle), if applied { 1.0 } else { 0.0 });
+}
+
+/// Rule orient.cleared. M3, M4 and M5 take back the request and unlock the spindle.
+pub(crate) fn clear(place: usize, state: &mut State) {
+    let Some(spindle) = index(place) else { return };
+    state.environment.end_orientation(place);
+    let pins = [Pin::SpindleOrient(spindle), Pin::SpindleLocked(spindle)];
+    for pin in pins {
+        if state.environment.level(pin) == 0.0 {
+            continue;
+        }
+        state.coverage.accepted("orient.cleared");
+        state.environment.set(pin, 0.0);
+    }
+}
+
+/// The index of a spindle's pins.
+fn index(place: usize) -> Option<u16> {
+    u16::try_from(place).ok()
+}
+
+impl Orientation {
+    /// The fault that the encoder reports, if it does.
+    fn fault(self) -> Option<i32> {
+        match self.answer {
+            OrientAnswer::Fault(fault) => Some(fault).filter(|fault| *fault != 0),
+            OrientAnswer::After(_) | OrientAnswer::Never => None,
+        }
+    }
+}

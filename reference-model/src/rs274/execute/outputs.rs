@@ -1,0 +1,158 @@
+//! M62 to M65, M67, M68.
+
+use gaugeblock_vocabulary::{Effect, FaultKind, OutputTiming, Pin};
+
+use super::word;
+use crate::rs274::evaluate::Words;
+use crate::rs274::quirks::outputs as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// Switches an output.
+///
+/// Rules outputs.on-at-once (M64) and outputs.off-at-once (M65). The output switches when the block is executed.
+/// Rules outputs.on-with-motion (M62) and outputs.off-with-motion (M63). It switches when the next motion begins.
+///
+/// # Errors
+/// Rules outputs.needs-number, outputs.number-range, outputs.under-compensation.
+pub fn digital(
+    code: u32,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    super::not_under_compensation("outputs.under-compensation", state)?;
+    let Some(value) = word(words, 'p') else {
+        let message = format!("M{code} needs P, the number of the output");
+        return Err(refuse("outputs.needs-number", FaultKind::MissingWord, message));
+    };
+    let timing = timing(code);
+    let of_machine = state.machine.digital_io;
+    let output = number(value, 'P', of_machine, timing, "outputs.number-range", state)?;
+    let on = [62, 64].contains(&code);
+    let pin = pin(output, of_machine).map(Pin::DigitalOut);
+    switch(pin, if on { 1.0 } else { 0.0 }, timing, state);
+    state.coverage.accepted(match code {
+        62 => "outputs.on-with-motion",
+        63 => "outputs.off-with-motion",
+        64 => "outputs.on-at-once",
+        _ => "outputs.off-at-once",
+    });
+    record.effect(state, Effect::SetDigitalOutput { output, on, timing });
+    Ok(())
+}
+
+/// Sets an analog output.
+///
+/// Rule outputs.analog-at-once. M68 sets it when the block is executed.
+/// Rule outputs.analog-with-motion. M67 sets it when the next motion begins.
+///
+/// # Errors
+/// Rules outputs.analog-needs-number, outputs.analog-needs-value, outputs.analog-number-range,
+/// outputs.under-compensation.
+pub fn analog(
+    code: u32,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    super::not_under_compensation("outputs.under-compensation", state)?;
+    let Some(value) = word(words, 'e') else {
+        let message = format!("M{code} needs E, the number of the output");
+        return Err(refuse("outputs.analog-needs-number", FaultKind::MissingWord, message));
+    };
+    let timing = timing(code);
+    let of_machine = state.machine.analog_io;
+    let output = number(value, 'E', of_machine, timing, "outputs.analog-number-range", state)?;
+    let to = match word(words, 'q') {
+        Some(to) => to,
+        None if state.choices.quirk("rs274.output-value-optional") => quirks::ABSENT_VALUE,
+        None => {
+            let message = format!("M{code} needs Q, the value of the output");
+            return Err(refuse("outputs.analog-needs-value", FaultKind::MissingWord, message));
+        }
+    };
+    switch(pin(output, of_machine).map(Pin::AnalogOut), to, timing, state);
+    let rule = if code == 67 { "outputs.analog-with-motion" } else { "outputs.analog-at-once" };
+    state.coverage.accepted(rule);
+    record.effect(state, Effect::SetAnalogOutput { output, to, timing });
+    Ok(())
+}
+
+fn timing(code: u32) -> OutputTiming {
+    if [62, 63, 67].contains(&code) { OutputTiming::WithMotion } else { OutputTiming::AtOnce }
+}
+
+/// Rules outputs.number-range and outputs.analog-number-range. Outputs are counted from 0, as many as the machine has,
+/// which may be more or fewer than four (outputs.count).
+/// Quirk rs274.io-number-rounded: a fraction is rounded.
+/// Quirks linuxcnc.output-number-with-motion and linuxcnc.output-number-at-once: the number of no output is accepted.
+fn number(
+    value: f64,
+    letter: char,
+    of_machine: u16,
+    timing: OutputTiming,
+    rule: &'static str,
+    state: &mut State,
+) -> Result<i32, StepError> {
+    let whole = quirks::number(value, state);
+    let any = state.choices.quirk(match timing {
+        OutputTiming::WithMotion => "linuxcnc.output-number-with-motion",
+        OutputTiming::AtOnce => "linuxcnc.output-number-at-once",
+    });
+    let unchecked = (any || state.environment.is_stand_alone()) && (letter == 'P' || value >= 0.0);
+    let fits = |number: &i32| unchecked || (0..i32::from(of_machine)).contains(number);
+    let number = whole.filter(fits).ok_or_else(|| {
+        let message = format!("{letter}{value} names no output of {of_machine}");
+        refuse(rule, FaultKind::NoSuchInputOrOutput, message)
+    })?;
+    state.coverage.accepted(rule);
+    if of_machine != 4 {
+        state.coverage.accepted("outputs.count");
+    }
+    Ok(number)
+}
+
+/// The index of an output's pin; none for an output that the machine does not have.
+fn pin(output: i32, of_machine: u16) -> Option<u16> {
+    u16::try_from(output).ok().filter(|output| *output < of_machine)
+}
+
+/// Rule outputs.latest-counts. A later code for the same output replaces what it was to become. Rule outputs.several.
+/// Several outputs may wait for one motion. Rule outputs.at-once-over-waiting. Whether a code that switches at once
+/// takes back what the output was to become is a choice.
+fn switch(pin: Option<Pin>, value: f64, timing: OutputTiming, state: &mut State) {
+    let Some(pin) = pin else { return };
+    if timing == OutputTiming::WithMotion {
+        let others = state.environment.awaits_motion();
+        if state.environment.set_with_motion(pin, value) {
+            state.coverage.accepted("outputs.latest-counts");
+        } else if others {
+            state.coverage.accepted("outputs.several");
+        }
+        return;
+    }
+    if state.environment.awaits_motion_with(pin) {
+        let rule = "outputs.at-once-over-waiting";
+        state.coverage.accepted(rule);
+        if state.choices.is(rule, "replaces") {
+            state.environment.forget_with_motion(pin);
+        }
+    }
+    state.environment.set(pin, value);
+}
+
+/// Rule outputs.at-next-motion. What waits for a motion switches when the next one begins.
+pub(crate) fn motion_begins(state: &mut State) {
+    if state.environment.motion_begins() {
+        state.coverage.accepted("outputs.at-next-motion");
+    }
+}
+
+/// Rule outputs.without-motion. When no motion follows, what waits for one never switches.
+pub(crate) fn program_ends(state: &mut State) {
+    if state.environment.awaits_motion() {
+        state.coverage.accepted("outputs.without-motion");
+    }
+}

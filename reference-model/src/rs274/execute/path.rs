@@ -1,0 +1,77 @@
+//! G61, G61.1, G64.
+
+use gaugeblock_vocabulary::{FaultKind, Path};
+
+use super::word;
+use crate::rs274::evaluate::Words;
+use crate::rs274::quirks::saved_state as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+
+/// Selects the path control mode.
+///
+/// Rules path-control.exact-path, path-control.exact-stop, path-control.continuous. A mode may be programmed while it
+/// is active (path-control.repeated).
+///
+/// # Errors
+/// Rule path-control.negative-tolerance.
+pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
+    quirks::path_under_compensation(state)?;
+    let before = state.modes.path;
+    let (path, rule) = if words.g.contains(&610) {
+        (Path::ExactPath, "path-control.exact-path")
+    } else if words.g.contains(&611) {
+        (Path::ExactStop, "path-control.exact-stop")
+    } else {
+        (Path::Continuous, "path-control.continuous")
+    };
+    state.coverage.accepted(rule);
+    if path == before {
+        state.coverage.accepted("path-control.repeated");
+    }
+    state.modes.path = path;
+    if path == Path::Continuous {
+        tolerances(words, state)?;
+    }
+    Ok(())
+}
+
+/// The tolerances of G64, in the active length unit.
+///
+/// Rule path-control.tolerance. P is the blend tolerance; without P there is none, whatever was set before
+/// (path-control.without-tolerance).
+/// Rule path-control.naive-cam. Q is the tolerance of the naive CAM detector and zero turns it off; without Q it is P
+/// (path-control.naive-cam-default).
+fn tolerances(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let (blend, naive_cam) = (tolerance('p', words, state)?, tolerance('q', words, state)?);
+    state.coverage.accepted(match blend {
+        Some(_) => "path-control.tolerance",
+        None => "path-control.without-tolerance",
+    });
+    if blend.is_some() {
+        state.coverage.accepted(match naive_cam {
+            Some(_) => "path-control.naive-cam",
+            None => "path-control.naive-cam-default",
+        });
+    }
+    state.modes.blend_tolerance = blend.unwrap_or(0.0);
+    state.modes.tolerance_unit = state.modes.units;
+    state.modes.naive_cam_tolerance = naive_cam.or(blend).unwrap_or(0.0);
+    Ok(())
+}
+
+/// Rule path-control.negative-tolerance. Whether a tolerance below zero is refused, or as good as none, is a choice.
+fn tolerance(letter: char, words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
+    let rule = "path-control.negative-tolerance";
+    match word(words, letter) {
+        Some(value) if value < 0.0 => {
+            if state.choices.is(rule, "refused") {
+                let message = format!("a tolerance of {value}");
+                return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+            }
+            state.coverage.accepted(rule);
+            Ok(None)
+        }
+        value => Ok(value),
+    }
+}

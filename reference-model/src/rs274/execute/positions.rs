@@ -1,0 +1,141 @@
+//! G28, G28.1, G30, G30.1: positions of the machine that a program goes to by way of another point.
+
+use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Position};
+
+use super::target::{end_point, letter, shifted};
+use super::tool_change::traverse;
+use super::word;
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::{converted, each};
+use crate::rs274::order::has_axis_words;
+use crate::rs274::quirks::settings::{beside_machine_angle, beside_machine_point};
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// The parameter with X of the position of G28, machine unit; the other axes follow.
+const G28_POSITION: u32 = 5161;
+
+/// The parameter with X of the position of G30, machine unit.
+pub(super) const G30_POSITION: u32 = 5181;
+
+/// Whether a block goes to a stored position.
+pub(crate) fn moves(words: &Words) -> bool {
+    words.g.iter().any(|code| [280, 300].contains(code))
+}
+
+/// Goes to a stored position, or stores where the machine is.
+///
+/// Rule positions.second. G30 and G30.1 are a second pair of codes with parameters of their own.
+///
+/// # Errors
+/// Rule positions.under-compensation: none of the four codes is allowed while the cutter is compensated.
+pub(super) fn perform(
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    if state.modes.compensation != Compensation::Off {
+        let message = "a stored position while cutter compensation is on";
+        let rule = "positions.under-compensation";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    let second = words.g.iter().any(|code| [300, 301].contains(code));
+    let first = if second { G30_POSITION } else { G28_POSITION };
+    if second {
+        state.coverage.accepted("positions.second");
+    }
+    let turns = [Axis::X, Axis::Y].iter().all(|axis| state.machine.axes.contains(axis));
+    if state.modes.rotation != 0.0 && !turns {
+        let why = "where a stored position is in a rotated system of a machine without X or Y";
+        return Err(StepError::Unspecified(why.to_owned()));
+    }
+    if !moves(words) {
+        store(first, state);
+        Ok(())
+    } else if has_axis_words(words) {
+        by_way_of(first, words, state, record)
+    } else {
+        straight(first, state, record);
+        Ok(())
+    }
+}
+
+/// Rule positions.store. G28.1 stores the machine position, in the machine's unit: all nine parameters are named, and
+/// an axis that the machine does not have stands at zero.
+fn store(first: u32, state: &mut State) {
+    let machine = state.modes.machine_point(state.position);
+    let machine = each(machine, beside_machine_point(state), |point, beside| point - beside);
+    let machine = converted(machine, state.modes.units, state.machine.length_unit);
+    for (number, axis) in (first..).zip(Axis::ALL) {
+        state.parameters.store(number, machine.get(*axis));
+    }
+    state.coverage.accepted("positions.store");
+}
+
+/// A stored position on the machine, active length unit; an axis that nothing was stored for is at zero.
+fn stored(first: u32, state: &State) -> Position {
+    let mut there = Position::default();
+    for (number, axis) in (first..).zip(Axis::ALL) {
+        if state.machine.axes.contains(axis) {
+            *there.get_mut(*axis) = state.parameters.stored(number);
+        }
+    }
+    converted(there, state.machine.length_unit, state.modes.units)
+}
+
+/// Rule positions.go. G28 alone moves every axis to the stored position at rapid speed; what the machine has no axis
+/// for does not move, wherever the rotation of a coordinate system has led it. Rule positions.not-stored. That is the
+/// machine's zero where nothing was stored. Quirk rs274.position-move-in-place. A move of no length goes before.
+fn straight(first: u32, state: &mut State, record: &mut Record) {
+    state.coverage.accepted("positions.go");
+    if (first..first + 9).all(|number| state.parameters.stored(number) == 0.0) {
+        state.coverage.accepted("positions.not-stored");
+    }
+    if state.choices.quirk("rs274.position-move-in-place") {
+        traverse(state.modes.machine_point(state.position), state, record);
+    }
+    let (here, mut there) = (state.modes.machine_point(state.position), destination(first, state));
+    for axis in Axis::ALL.iter().filter(|axis| !state.machine.axes.contains(axis)) {
+        *there.get_mut(*axis) = here.get(*axis);
+    }
+    traverse(there, state, record);
+}
+
+/// Where G28 and G30 lead, machine position in the active length unit.
+pub(super) fn destination(first: u32, state: &State) -> Position {
+    let mut there = each(stored(first, state), beside_machine_point(state), shifted);
+    for axis in Axis::ALL.iter().copied() {
+        *there.get_mut(axis) = shifted(there.get(axis), beside_machine_angle(axis, state));
+    }
+    there
+}
+
+/// Rule positions.by-way-of. With axis words the machine first goes to the point that they name, as G0 would.
+/// Rule positions.named-axes. From there the axes that they name go to the stored position, and no other.
+/// Rule positions.rotated-axes. Whether those are axes of the machine or of a rotated coordinate system is a choice.
+fn by_way_of(
+    first: u32,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let between = end_point(words, state)?;
+    state.coverage.accepted("positions.by-way-of");
+    state.coverage.accepted("positions.named-axes");
+    traverse(state.modes.machine_point(between), state, record);
+    let of_machine = state.choices.is("positions.rotated-axes", "machine");
+    let to = |point: Position, state: &State| {
+        if of_machine { state.modes.machine_point(point) } else { point }
+    };
+    let there = to(state.modes.program_point(destination(first, state)), state);
+    let mut end = to(state.position, state);
+    for axis in Axis::ALL.iter().copied().filter(|axis| word(words, letter(*axis)).is_some()) {
+        *end.get_mut(axis) = there.get(axis);
+    }
+    if state.modes.rotation != 0.0 {
+        state.coverage.accepted("positions.rotated-axes");
+    }
+    traverse(if of_machine { end } else { state.modes.machine_point(end) }, state, record);
+    Ok(())
+}

@@ -1,0 +1,186 @@
+//! G38.2 to G38.5: straight probing.
+
+use gaugeblock_vocabulary::{
+    Axis, Compensation, Effect, FaultKind, FeedMode, LengthUnit, Motion, Position,
+};
+
+use super::feed::Speed;
+use super::target::end_point;
+use crate::math;
+use crate::rs274::environment::{Wanted, stub};
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::converted;
+use crate::rs274::order::has_axis_words;
+use crate::rs274::quirks::probe as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// The parameters that hold where the probe changed, X to W.
+const POINT: u32 = 5061;
+
+/// The parameter that tells whether it did.
+const SUCCEEDED: u32 = 5070;
+
+/// Whether a motion mode is probing.
+pub(crate) fn is_probing(motion: Motion) -> bool {
+    use Motion as M;
+    matches!(motion, M::ProbeTowardError | M::ProbeToward | M::ProbeAwayError | M::ProbeAway)
+}
+
+/// Whether a rule is one that a block breaks when its probe has moved: what it has done by then stays.
+pub(crate) fn has_moved(rule: &str) -> bool {
+    rule == "probe.failure"
+}
+
+/// Whether a rule is one of those that a block breaks as the machine comes to it. That the point is the programmed
+/// one already (probe.same-point) the words tell, and it is found out as the block is read ahead.
+pub(crate) fn is_found_out_by_machine(rule: &str) -> bool {
+    ["probe.already-there", "probe.failure"].contains(&rule)
+}
+
+/// Moves toward a point until the probe changes.
+///
+/// Rule probe.toward. G38.2 and G38.3 stop where the probe begins to touch; rule probe.away: G38.4 and G38.5 where it
+/// ceases. Rule probe.at-feed. It is a feed move. Rule probe.point. #5061 to #5069 are where the probe changed, and
+/// #5070 is 1. Rule probe.point-without-contact. Where it did not change they are the programmed point, and #5070 is
+/// 0.
+///
+/// # Errors
+/// Those of `allowed`; rule probe.already-there: when the move begins the probe is not yet as it wants it; and rule
+/// probe.failure: under G38.2 and G38.4 it must change.
+pub(super) fn perform(
+    motion: Motion,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let toward = matches!(motion, Motion::ProbeTowardError | Motion::ProbeToward);
+    let wanted = if toward { Wanted::Touching } else { Wanted::Free };
+    let end = allowed(motion, words, state)?;
+    let on_machine = |point: Position, state: &State| {
+        converted(state.modes.machine_point(point), state.modes.units, state.machine.length_unit)
+    };
+    let (from, to) = (on_machine(state.position, state), on_machine(end, state));
+    if record.waits_to_move(Speed::Feed, state) {
+        return Ok(());
+    }
+    let rule = "probe.already-there";
+    if state.environment.probe_is(wanted, from) {
+        let message = "the probe is as the move wants it before it moves";
+        return Err(refuse(rule, FaultKind::Probe, message));
+    }
+    state.coverage.accepted(rule);
+    let changed = state.environment.probe(from, to);
+    let contact = changed.map(|point| {
+        let point = converted(point, state.machine.length_unit, state.modes.units);
+        if changed == Some(to) { end } else { state.modes.program_point(point) }
+    });
+    state.modes.motion = motion;
+    record.effect(state, Effect::StraightProbe { end, contact });
+    state.environment.has_probed(wanted, to, changed);
+    let stops_at = contact.unwrap_or(end);
+    for (number, value) in (POINT..).zip(stops_at.to_array()) {
+        state.parameters.store(number, value);
+    }
+    let stand_alone = state.environment.is_stand_alone();
+    let succeeded = contact.is_some() && !stand_alone;
+    state.parameters.store(SUCCEEDED, if succeeded { 1.0 } else { 0.0 });
+    state.position = if stand_alone { backed_off(end, state)? } else { stops_at };
+    state.environment.synchronise();
+    tell(motion, contact.is_some(), state)
+}
+
+/// The rules that a probing move has followed; without a change some are refused.
+fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), StepError> {
+    let toward = matches!(motion, Motion::ProbeTowardError | Motion::ProbeToward);
+    let must_change = matches!(motion, Motion::ProbeTowardError | Motion::ProbeAwayError);
+    if !changed && must_change {
+        let message = "the probe did not change on its way";
+        return Err(refuse("probe.failure", FaultKind::Probe, message));
+    }
+    let rules = if changed {
+        [if toward { "probe.toward" } else { "probe.away" }, "probe.point", "probe.at-feed"]
+    } else {
+        ["probe.without-failure", "probe.point-without-contact", "probe.at-feed"]
+    };
+    for rule in rules {
+        state.coverage.accepted(rule);
+    }
+    Ok(())
+}
+
+/// The end point of a probing move that is allowed.
+///
+/// Rule probe.axis-words-missing. It needs an axis word. Rule probe.under-compensation. It is refused while cutter
+/// compensation is on. Rule probe.zero-feed. It needs a feed rate, under inverse time in its block.
+/// Rule probe.same-point. The programmed point is another than the current one.
+/// Choice probe.standing-spindle: whether probing is a feed move to the rule on constant surface speed.
+fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position, StepError> {
+    if !has_axis_words(words) {
+        let message = "probing without an axis word";
+        return Err(refuse("probe.axis-words-missing", FaultKind::MissingWord, message));
+    }
+    if state.modes.compensation != Compensation::Off {
+        let message = "probing while cutter compensation is on";
+        return Err(refuse("probe.under-compensation", FaultKind::CompensationActive, message));
+    }
+    quirks::feed_mode(state)?;
+    let inverse = state.modes.feed_mode == FeedMode::InverseTime;
+    let without_rate = inverse && super::word(words, 'f').is_none() && !quirks::keeps_rate(state);
+    if without_rate || state.modes.feed_rate == 0.0 {
+        let message = "probing without a feed rate";
+        return Err(refuse("probe.zero-feed", FaultKind::ZeroFeed, message));
+    }
+    let choice = "probe.standing-spindle";
+    if state.choices.is(choice, "refused") && super::motion::surface_speed_stands(state) {
+        let message = "probing under constant surface speed while the spindle stands";
+        let rule = "spindle.surface-speed-while-stopped";
+        return Err(refuse(rule, FaultKind::ZeroSpeed, message));
+    }
+    let end = end_point(words, state)?;
+    if end == state.position && !quirks::goes_nowhere(motion, state) {
+        let message = "probing to where the controlled point is";
+        return Err(refuse("probe.same-point", FaultKind::Probe, message));
+    }
+    for rule in [
+        "probe.axis-words-missing",
+        "probe.under-compensation",
+        "probe.zero-feed",
+        "probe.same-point",
+    ] {
+        state.coverage.accepted(rule);
+    }
+    if inverse {
+        state.coverage.accepted("probe.inverse-time");
+    }
+    Ok(end)
+}
+
+/// Where the stand-alone interpreter's stub stands after probing: a hundredth of an inch back on its way, as far as
+/// linear axes have moved. That way begins where the stub stands.
+///
+/// # Errors
+/// The way has no length, and a spline has led the stub where memory says that nobody has written: then the way may
+/// have one all the same.
+fn backed_off(end: Position, state: &State) -> Result<Position, StepError> {
+    let linear = [Axis::X, Axis::Y, Axis::Z];
+    let Some(from) = stub::position(state) else { return Ok(end) };
+    let back = match state.modes.units {
+        LengthUnit::Inch => 0.01,
+        LengthUnit::Millimetre => 0.254,
+    };
+    let way = linear.map(|axis| end.get(axis) - from.get(axis));
+    let length = math::hypotenuse(math::hypotenuse(way[0], way[1]), way[2]);
+    let mut stops_at = end;
+    if length == 0.0 && stub::is_led_by_spline(state) {
+        let why = "which way the stub of a machine backs off that stands where a spline has led it";
+        return Err(StepError::Unspecified(why.to_owned()));
+    }
+    if length > 0.0 {
+        for (axis, way) in linear.into_iter().zip(way) {
+            *stops_at.get_mut(axis) -= back * way / length;
+        }
+    }
+    Ok(stops_at)
+}

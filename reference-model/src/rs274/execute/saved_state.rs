@@ -1,0 +1,222 @@
+//! M70 to M73: saving and restoring the modal state.
+
+use gaugeblock_vocabulary::FaultKind;
+
+use super::restore::restore;
+use crate::rs274::control::{Frame, Style};
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::SavedState;
+use crate::rs274::order::AfterPhase;
+use crate::rs274::quirks::saved_state as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// Saves, invalidates or restores, after feed, speed and spindle words of the block and before everything else.
+///
+/// # Errors
+/// Nothing to restore. Two of these codes in one block: the documents do not say which comes first.
+pub fn perform(words: &Words, state: &mut State) -> Result<AfterPhase, StepError> {
+    let codes: Vec<u32> = words.m.iter().copied().filter(|code| (70..=73).contains(code)).collect();
+    let [code] = codes[..] else {
+        let why = "M70 to M73 are in no modal group, and nothing says which of two acts first";
+        return Err(StepError::Unspecified(why.to_owned()));
+    };
+    match code {
+        70 => {
+            save(state);
+            state.frame_mut().saved_by_m70 = state.frame().saved.clone();
+        }
+        71 => invalidate(state)?,
+        72 => return restore_explicitly(state),
+        _ => {
+            save(state);
+            state.frame_mut().restore_at_return = state.frame().saved.clone();
+            if state.call_level() == 0 {
+                state.coverage.accepted("saved-state.autorestore-main");
+            }
+        }
+    }
+    Ok(AfterPhase::Execute)
+}
+
+/// Rule saved-state.save-restore. M70 and M73 save the modal state at the current call level.
+///
+/// Rule saved-state.latest-save. A level has one place: a new save replaces the old one, and an invalid one too
+/// (saved-state.saved-again).
+fn save(state: &mut State) {
+    let saved = SavedState { modes: state.modes.clone(), valid: true };
+    let earlier = state.frame_mut().saved.replace(saved);
+    if let Some(earlier) = earlier {
+        let again = "saved-state.saved-again";
+        state.coverage.accepted(if earlier.valid { "saved-state.latest-save" } else { again });
+    }
+    for rule in levels(state) {
+        state.coverage.accepted(rule);
+    }
+}
+
+/// The rules about the current call level.
+///
+/// Rule saved-state.main-level. The main program is a level of its own. Rule saved-state.sub-level. So is each
+/// invocation of a sub; what it saved is gone when it is left. A recursive call is a new invocation
+/// (saved-state.recursion), and a subprogram called by M98 is one too (saved-state.fanuc-level).
+fn levels(state: &State) -> Vec<&'static str> {
+    let Some(call) = &state.frame().call else { return vec!["saved-state.main-level"] };
+    let mut rules = vec!["saved-state.sub-level"];
+    if matches!(call.style, Style::Numbered { .. }) {
+        rules.push("saved-state.fanuc-level");
+    }
+    let same = |label: &String| *label == call.label;
+    let calls = state.frames.iter().filter_map(|frame| frame.call.as_ref());
+    if calls.filter(|call| same(&call.label)).count() > 1 {
+        rules.push("saved-state.recursion");
+    }
+    rules
+}
+
+/// Choice saved-state.after-run. A run is over, or the next one begins: what the main program has saved holds on, or
+/// it does not.
+pub fn run_is_over(state: &mut State) {
+    if state.choices.is("saved-state.after-run", "forgotten") {
+        state.frames[0].forget_saved();
+    }
+}
+
+/// M71.
+///
+/// Rule saved-state.invalidated-level. The saved state of this level cannot be restored from any more; no other level
+/// is touched. Rule saved-state.autorestore-cancelled. Nor does the end of the sub restore. Where M70 and M73 have
+/// one place (saved-state.places) the promise stays, and waits for a valid state there.
+fn invalidate(state: &mut State) -> Result<(), StepError> {
+    let apart = state.choices.is("saved-state.places", "apart");
+    let refused = state.choices.is("saved-state.invalidate-nothing", "refused");
+    let frame = state.frame_mut();
+    let mut any = false;
+    for saved in [&mut frame.saved_by_m70, &mut frame.saved].into_iter().flatten() {
+        any |= saved.valid;
+        saved.valid = false;
+    }
+    if !any && refused {
+        let message = "M71, and no state that is saved at this call level is valid";
+        return Err(refuse("saved-state.invalidate-nothing", FaultKind::NothingSaved, message));
+    }
+    let promised = frame.restore_at_return.is_some();
+    if apart {
+        frame.restore_at_return = None;
+    }
+    state.coverage.accepted("saved-state.invalidated-level");
+    if promised {
+        state.coverage.accepted("saved-state.autorestore-cancelled");
+    }
+    Ok(())
+}
+
+/// M72.
+///
+/// Rule saved-state.repeated-restore. The saved state is not used up.
+/// Rule saved-state.autorestore-explicit. It may be one that M73 saved, under choice saved-state.restorable.
+/// Rule saved-state.nothing-saved. Where nothing was saved at this level the restore is refused.
+/// Rule saved-state.invalidated. And where what was saved is invalid.
+fn restore_explicitly(state: &mut State) -> Result<AfterPhase, StepError> {
+    let saved = restorable(state);
+    let Some(saved) = saved.as_ref().filter(|saved| saved.valid) else {
+        let rule = if saved.is_some() {
+            state.coverage.refused("saved-state.invalidated-level");
+            "saved-state.invalidated"
+        } else {
+            "saved-state.nothing-saved"
+        };
+        for level in levels(state).into_iter().filter(|level| *level != "saved-state.main-level") {
+            state.coverage.refused(level);
+        }
+        let message = "nothing is saved at this call level";
+        return Err(refuse(rule, FaultKind::NothingSaved, message));
+    };
+    state.coverage.accepted("saved-state.save-restore");
+    state.coverage.accepted("saved-state.repeated-restore");
+    for level in levels(state) {
+        state.coverage.accepted(level);
+    }
+    if state.frame().restore_at_return.is_some() {
+        state.coverage.accepted("saved-state.autorestore-explicit");
+    }
+    let mut before = state.modes.clone();
+    restore(&saved.modes, state)?;
+    // Of a tool offset its unit is nothing that changes, nor whether one of zero is on.
+    before.tool_offset_unit = state.modes.tool_offset_unit;
+    before.tool_length = state.modes.tool_length;
+    let restores = state.modes != before || quirks::programs(&saved.modes, &before);
+    let drop = restores && state.choices.quirk("rs274.rest-of-restore-block");
+    Ok(if drop { AfterPhase::Drop } else { AfterPhase::Execute })
+}
+
+/// Choice saved-state.restorable: what was saved last, or only where M70 did; where each code has its own place that
+/// one.
+fn restorable(state: &State) -> Option<SavedState> {
+    let frame = state.frame();
+    if state.choices.is("saved-state.restorable", "either") {
+        return frame.saved.clone();
+    }
+    let one_place = state.choices.is("saved-state.places", "one");
+    let of_m70 = frame.saved_by_m70.as_ref()?;
+    if one_place { frame.saved.clone() } else { Some(of_m70.clone()) }
+}
+
+/// Restores what M73 saved at this level, when the level is left by endsub, return or M99.
+///
+/// Rules saved-state.autorestore-endsub, saved-state.autorestore-return, saved-state.autorestore-m99. Whichever way
+/// it is left, the state in force at the M73 comes back. Rule saved-state.autorestore-nested. Each level restores its
+/// own caller's. Rules saved-state.autorestore-then-save, saved-state.cancelled-then-saved. Whether an M70 since
+/// changes what comes back, and revives a restore that M71 cancelled, follows from a choice (saved-state.places).
+/// Rule saved-state.unprotected. Without an M73 what the sub changed stays changed; an M70 alone restores nothing
+/// (saved-state.save-alone).
+///
+/// # Errors
+/// None where the documents are followed; a restore as `rs274` does it can fail.
+pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), StepError> {
+    let frame = state.frame();
+    let promised = if state.choices.is("saved-state.places", "one") {
+        latest_if_promised(frame)
+    } else {
+        frame.restore_at_return.clone()
+    };
+    let has_saved = frame.saved.as_ref().is_some_and(|saved| saved.valid);
+    let saved_since = frame.saved != frame.restore_at_return;
+    let Some(promised) = promised else {
+        state.coverage.accepted("saved-state.unprotected");
+        state.coverage.accepted("saved-state.selective");
+        if has_saved {
+            state.coverage.accepted("saved-state.save-alone");
+            state.coverage.accepted("saved-state.cancelled-then-saved");
+        }
+        return Ok(());
+    };
+    let style = state.frame().call.as_ref().map(|call| call.style.clone());
+    if matches!(style, Some(Style::Numbered { .. })) {
+        state.coverage.accepted("saved-state.autorestore-m99");
+    } else {
+        state.coverage.accepted("saved-state.autorestore-endsub");
+        state.coverage.accepted("saved-state.autorestore-return");
+    }
+    if state.call_level() > 1 {
+        state.coverage.accepted("saved-state.autorestore-nested");
+    }
+    if saved_since {
+        state.coverage.accepted("saved-state.autorestore-then-save");
+    }
+    restore(&promised.modes, state)
+}
+
+/// Where M70 and M73 have one place: what was saved last there, if an M73 promised a restore.
+fn latest_if_promised(frame: &Frame) -> Option<SavedState> {
+    let saved = frame.saved.as_ref().filter(|saved| saved.valid);
+    saved.filter(|_| frame.restore_at_return.is_some()).cloned()
+}
+
+/// Rule saved-state.autorestore-fault. A run that is broken off in a sub with M73 does not restore.
+pub fn broken_off(state: &mut State) {
+    if state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
+        state.coverage.refused("saved-state.autorestore-fault");
+    }
+}

@@ -1,0 +1,191 @@
+//! S, G96, G97, M3, M4, M5.
+
+use gaugeblock_vocabulary::{FaultKind, Lathe, SpindleLimit, SpindleMode, SpindleTurn};
+
+use super::{orient, whole, word};
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::Spindle;
+use crate::rs274::quirks::settings as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+
+/// Sets the spindle mode and the speed.
+///
+/// Rule spindle.speed. S holds until another S, and neither starts nor stops the spindle
+/// (spindle.speed-starts-nothing). Rule spindle.speed-selected. Without $ it is the speed of spindle 0. Rule
+/// spindle.surface-speed. G96 with S selects constant surface speed; G97 selects revolutions per minute
+/// (spindle.rpm-mode).
+///
+/// # Errors
+/// Rules spindle.speed-negative, spindle.surface-speed-needs-speed, spindle.out-of-range.
+pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let speed = word(words, 's');
+    if let Some(speed) = speed.filter(|speed| *speed < 0.0) {
+        let message = format!("a spindle speed of {speed}");
+        return Err(refuse("spindle.speed-negative", FaultKind::WordOutOfRange, message));
+    }
+    let surface = words.g.contains(&960);
+    let mode_too = surface || words.g.contains(&970);
+    let spindles = match word(words, '$') {
+        Some(-1.0) if !mode_too && state.choices.quirk("rs274.speed-of-all-spindles") => all(state),
+        Some(number) => vec![one(number, state)?],
+        None => vec![0],
+    };
+    if mode_too {
+        quirks::choose(spindles[0], state);
+    }
+    if surface {
+        surface_speed(words, speed, state)?;
+    }
+    let limit = word(words, 'd').filter(|_| surface);
+    if limit.is_some_and(|limit| limit < 0.0) {
+        return Err(StepError::Unspecified("a limit of G96 below zero".to_owned()));
+    }
+    let limit = limit.map_or(SpindleLimit::None, SpindleLimit::Rpm);
+    if words.g.contains(&970) {
+        rpm_mode(speed, state)?;
+    }
+    for place in spindles {
+        let spindle = &mut state.modes.spindles[place];
+        if surface {
+            *spindle = Spindle { mode: SpindleMode::SurfaceSpeed, limit, ..*spindle };
+        } else if words.g.contains(&970) {
+            *spindle = Spindle { mode: SpindleMode::Rpm, limit, ..*spindle };
+        }
+        if let Some(speed) = speed {
+            spindle.speed = speed;
+            quirks::speed_while_standing(place, state);
+        }
+    }
+    if let Some(speed) = speed {
+        for rule in ["spindle.speed", "spindle.speed-selected", "spindle.speed-starts-nothing"] {
+            state.coverage.accepted(rule);
+        }
+        if speed == 0.0 {
+            state.coverage.accepted("spindle.speed-zero");
+        }
+    }
+    Ok(())
+}
+
+/// Rule spindle.rpm-mode-speed. Whether G97 needs S is a choice.
+fn rpm_mode(speed: Option<f64>, state: &mut State) -> Result<(), StepError> {
+    let rule = "spindle.rpm-mode-speed";
+    if speed.is_none() && state.choices.is(rule, "required") {
+        return Err(refuse(rule, FaultKind::MissingWord, "G97 needs S"));
+    }
+    state.coverage.accepted(rule);
+    state.coverage.accepted("spindle.rpm-mode");
+    Ok(())
+}
+
+/// Rule spindle.surface-speed-needs-speed. G96 needs S.
+/// Rule spindle.surface-speed-lathe. Diameter mode changes neither.
+/// Rule spindle.surface-speed-limit. D is the highest speed in revolutions per minute, and optional.
+fn surface_speed(words: &Words, speed: Option<f64>, state: &mut State) -> Result<(), StepError> {
+    if speed.is_none() {
+        let rule = "spindle.surface-speed-needs-speed";
+        return Err(refuse(rule, FaultKind::MissingWord, "G96 needs S"));
+    }
+    state.coverage.accepted("spindle.surface-speed-needs-speed");
+    state.coverage.accepted("spindle.surface-speed");
+    if state.modes.lathe == Lathe::Diameter {
+        state.coverage.accepted("spindle.surface-speed-lathe");
+    }
+    if word(words, 'd').is_some() {
+        state.coverage.accepted("spindle.surface-speed-limit");
+    }
+    if word(words, '$').is_some() {
+        state.coverage.accepted("spindle.surface-speed-selected");
+    }
+    Ok(())
+}
+
+/// Starts and stops spindles.
+///
+/// Rule spindle.start. M3 starts clockwise and M4 counterclockwise, at the S speed, which may be zero
+/// (spindle.start-at-zero). Rule spindle.stop. M5 stops. Each is allowed in any state (spindle.repeated).
+///
+/// # Errors
+/// Rules spindle.out-of-range and spindle.minus-one.
+pub fn turn(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let (turn, rule) = if words.m.contains(&3) {
+        (SpindleTurn::Clockwise, "spindle.start")
+    } else if words.m.contains(&4) {
+        (SpindleTurn::Counterclockwise, "spindle.start")
+    } else {
+        (SpindleTurn::Stopped, "spindle.stop")
+    };
+    let spindles = match word(words, '$') {
+        Some(number) => chosen(number, state)?,
+        None => without_dollar(state),
+    };
+    state.coverage.accepted(rule);
+    for place in spindles {
+        let spindle = state.modes.spindles[place];
+        let repeated = (spindle.turn == SpindleTurn::Stopped) == (turn == SpindleTurn::Stopped);
+        set_turn(turn, place, state);
+        let at_zero = turn != SpindleTurn::Stopped && spindle.speed == 0.0;
+        if repeated {
+            state.coverage.accepted("spindle.repeated");
+        }
+        if at_zero {
+            state.coverage.accepted("spindle.start-at-zero");
+        }
+    }
+    Ok(())
+}
+
+/// Starts or stops a spindle, which ends an orientation.
+pub(crate) fn set_turn(turn: SpindleTurn, place: usize, state: &mut State) {
+    state.modes.spindles[place].turn = turn;
+    state.modes.spindles[place].brake_released = false;
+    state.modes.spindles[place].taken_for_stopped = false;
+    orient::clear(place, state);
+}
+
+/// Rule spindle.without-dollar. Which spindles M3, M4 and M5 without $ act on is a choice.
+fn without_dollar(state: &mut State) -> Vec<usize> {
+    state.coverage.accepted("spindle.without-dollar");
+    if state.choices.is("spindle.without-dollar", "all") { all(state) } else { vec![0] }
+}
+
+/// Every spindle of the machine.
+pub(crate) fn all(state: &State) -> Vec<usize> {
+    (0..state.modes.spindles.len()).collect()
+}
+
+/// The spindles that $ names.
+///
+/// Rule spindle.minus-one. What -1 means is a choice. Rule spindle.selected. Any other number is that spindle.
+fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, StepError> {
+    if whole(number) == Some(-1) {
+        let rule = "spindle.minus-one";
+        if state.choices.is("spindle.minus-one", "all") {
+            state.coverage.accepted(rule);
+            return Ok(all(state));
+        }
+        return Err(refuse(rule, FaultKind::SpindleOutOfRange, "$-1 names no spindle"));
+    }
+    Ok(vec![one(number, state)?])
+}
+
+/// The spindle that $ names. -1 is none to S, G96 and G97: only M3, M4 and M5 say what it means.
+/// Quirk rs274.speed-of-all-spindles: S without a mode sets the speed of all of them by -1.
+fn one(number: f64, state: &mut State) -> Result<usize, StepError> {
+    let place = self::number(number, state, "spindle.out-of-range")?;
+    state.coverage.accepted("spindle.out-of-range");
+    state.coverage.accepted("spindle.selected");
+    Ok(place)
+}
+
+/// Rule spindle.out-of-range. $ must be the number of a spindle that the machine has, from 0; the rule that refuses it
+/// is given, since other chapters say the same.
+pub(crate) fn number(number: f64, state: &State, rule: &'static str) -> Result<usize, StepError> {
+    let number = quirks::spindle_number(number, state);
+    let place = whole(number).and_then(|whole| usize::try_from(whole).ok());
+    place.filter(|place| *place < state.modes.spindles.len()).ok_or_else(|| {
+        let message = format!("the machine has no spindle {number}");
+        refuse(rule, FaultKind::SpindleOutOfRange, message)
+    })
+}

@@ -1,0 +1,221 @@
+//! G5, G5.1, and the blocks between G5.2 and G5.3: splines in the XY plane.
+
+use gaugeblock_vocabulary::{
+    Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Plane, Position,
+};
+
+use super::target::end_point;
+use super::{whole, word};
+use crate::rs274::evaluate::Words;
+use crate::rs274::order::has_axis_words;
+use crate::rs274::quirks::splines as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// Control points of G5, start and end among them.
+const CUBIC: u32 = 4;
+
+/// Control points of G5.1.
+const QUADRATIC: u32 = 3;
+
+/// The order of a NURBS without L.
+const DEFAULT_ORDER: u32 = 3;
+
+/// A data block between G5.2 and G5.3.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nurbs {
+    /// The control points that were programmed; the one where it begins is not among them.
+    points: Vec<Position>,
+    /// L.
+    order: u32,
+}
+
+/// What the next spline may need of the one before.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Curve {
+    /// Whether the last motion was a G5, so that the next one may take its direction from it.
+    pub continues: bool,
+    /// The data block that is open.
+    pub open: Option<Nurbs>,
+}
+
+/// Moves along a cubic or quadratic spline.
+///
+/// Rule splines.cubic. I and J lead from the start to the first control point, P and Q from the end to the second one.
+/// Rule splines.cubic-continued. Without I and J a G5 goes on in the direction in which the one before ended.
+/// Rule splines.quadratic. I and J of G5.1 lead from the start to the control point; one that is left out is zero.
+///
+/// # Errors
+/// Rules splines.plane, splines.xy-only, splines.cubic-end-direction, splines.cubic-half-direction,
+/// splines.cubic-first-direction, splines.quadratic-offset.
+pub(super) fn perform(
+    motion: Motion,
+    in_data_block: bool,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    in_xy(words, state)?;
+    if motion == Motion::CubicSpline {
+        cubic(words, state)?;
+    } else {
+        quadratic(words, state)?;
+    }
+    if state.modes.compensation != Compensation::Off {
+        return Err(StepError::Unsupported("a spline under cutter compensation".to_owned()));
+    }
+    if !has_axis_words(words) {
+        return Err(quirks::without_axis_words(state));
+    }
+    if in_data_block {
+        return Err(StepError::Unspecified("another spline in an open data block".to_owned()));
+    }
+    super::motion::feed_possible(words, state)?;
+    let end = end_point(words, state)?;
+    if !quirks::is_not_modal(state) {
+        state.modes.motion = motion;
+    }
+    state.curve.continues = motion == Motion::CubicSpline;
+    state.position = end;
+    let points = if motion == Motion::CubicSpline { CUBIC } else { QUADRATIC };
+    record.effect(state, Effect::NurbsFeed { points, end });
+    Ok(())
+}
+
+/// Rule splines.plane. Splines are in the XY plane. Rule splines.xy-only. They move no other axis.
+fn in_xy(words: &Words, state: &mut State) -> Result<(), StepError> {
+    if state.modes.plane != Plane::Xy {
+        let message = "a spline in another plane than XY";
+        return Err(refuse("splines.plane", FaultKind::ModalConflict, message));
+    }
+    if let Some(other) = "zabcuvw".chars().find(|axis| word(words, *axis).is_some()) {
+        let message = format!("a spline with {}", other.to_ascii_uppercase());
+        return Err(refuse("splines.xy-only", FaultKind::AxisWords, message));
+    }
+    state.coverage.accepted("splines.plane");
+    state.coverage.accepted("splines.xy-only");
+    Ok(())
+}
+
+/// Rule splines.cubic-end-direction. Each G5 needs P and Q. Rule splines.cubic-half-direction. It has I and J, or
+/// neither. Rule splines.cubic-first-direction. The first one of a row needs them.
+fn cubic(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let has = |letter| word(words, letter).is_some();
+    if !has('p') || !has('q') {
+        let message = "G5 needs P and Q";
+        return Err(refuse("splines.cubic-end-direction", FaultKind::MissingWord, message));
+    }
+    if has('i') != has('j') {
+        let message = "G5 with only one of I and J";
+        return Err(refuse("splines.cubic-half-direction", FaultKind::MissingWord, message));
+    }
+    if !has('i') && !state.curve.continues && !quirks::begins_without_direction(state) {
+        let message = "the first G5 needs I and J";
+        return Err(refuse("splines.cubic-first-direction", FaultKind::MissingWord, message));
+    }
+    state.coverage.accepted("splines.cubic");
+    if !has('i') {
+        state.coverage.accepted("splines.cubic-continued");
+    }
+    Ok(())
+}
+
+/// Rule splines.quadratic-offset. One of I and J of G5.1 is not zero.
+fn quadratic(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let offset = |letter| word(words, letter).unwrap_or(0.0);
+    quirks::quadratic_needs_both(words, state)?;
+    let both_zero = offset('i') == 0.0 && offset('j') == 0.0;
+    if both_zero && !quirks::quadratic_of_zero(state) {
+        let message = "G5.1 without an offset to its control point";
+        return Err(refuse("splines.quadratic-offset", FaultKind::MissingWord, message));
+    }
+    state.coverage.accepted("splines.quadratic");
+    state.coverage.accepted("splines.quadratic-offset");
+    if word(words, 'i').is_none() || word(words, 'j').is_none() {
+        state.coverage.accepted("splines.quadratic-one-offset");
+    }
+    Ok(())
+}
+
+/// G5.2, the blocks behind it, and G5.3.
+///
+/// Rule splines.nurbs. G5.2 opens a data block; each X and Y is a control point, and G5.3 executes the curve through
+/// all of them, the current point first. Choice splines.nurbs-feed: where a missing feed rate is refused. Rule
+/// splines.nurbs-first-weight. G5.2 without X and Y names no point.
+pub(super) fn nurbs(
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let closes = words.g.contains(&53);
+    let opens = words.g.contains(&52);
+    let open = |what: &str| StepError::Unspecified(what.to_owned());
+    if state.modes.plane != Plane::Xy || state.modes.distance == Distance::Incremental {
+        return Err(open("a NURBS in another plane than XY, or in increments"));
+    }
+    if opens && state.curve.open.is_some()
+        || closes && (has_axis_words(words) || state.curve.open.is_none())
+    {
+        return Err(open("a G5.2 in an open data block, or a G5.3 without one or with a point"));
+    }
+    if state.modes.feed_mode == FeedMode::InverseTime {
+        return Err(open("which block of a NURBS has the F of inverse time"));
+    }
+    let at_opening = state.choices.is("splines.nurbs-feed", "at-opening");
+    if at_opening != closes {
+        super::motion::feed_possible(words, state)?;
+    }
+    let mut nurbs = match state.curve.open.take() {
+        Some(nurbs) => nurbs,
+        None => Nurbs { points: Vec::new(), order: DEFAULT_ORDER },
+    };
+    if closes {
+        return close(&nurbs, state, record);
+    }
+    if let Some(order) = word(words, 'l') {
+        nurbs.order = whole(order)
+            .and_then(|order| u32::try_from(order).ok())
+            .filter(|order| *order > 1)
+            .ok_or_else(|| open("a NURBS of an order below two"))?;
+    }
+    if word(words, 'p').is_some_and(|weight| weight <= 0.0) {
+        return Err(open("a control point whose weight is not positive"));
+    }
+    if has_axis_words(words) {
+        quirks::needs_weight(words, state)?;
+        if word(words, 'x').is_none() || word(words, 'y').is_none() {
+            return Err(open("a control point without X or without Y"));
+        }
+        if "zabcuvw".chars().any(|axis| word(words, axis).is_some()) {
+            return Err(open("another axis in a NURBS"));
+        }
+        nurbs.points.push(end_point(words, state)?);
+    } else {
+        state.coverage.accepted("splines.nurbs-first-weight");
+    }
+    if word(words, 'p').is_none() {
+        state.coverage.accepted("splines.nurbs-default-weight");
+    }
+    state.modes.motion = Motion::Nurbs;
+    state.curve.open = Some(nurbs);
+    Ok(())
+}
+
+/// Executes the curve. With it the motion mode is over.
+fn close(nurbs: &Nurbs, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    let points = u32::try_from(nurbs.points.len() + 1).unwrap_or(u32::MAX);
+    let Some(end) = nurbs.points.last().copied().filter(|_| points >= nurbs.order) else {
+        let what = "a NURBS of fewer control points than its order";
+        return Err(StepError::Unspecified(what.to_owned()));
+    };
+    quirks::of_two_points(points, state)?;
+    state.modes.motion = Motion::None;
+    state.position = end;
+    record.effect(state, Effect::NurbsFeed { points, end });
+    state.coverage.accepted("splines.nurbs");
+    if nurbs.order == DEFAULT_ORDER {
+        state.coverage.accepted("splines.nurbs-default-order");
+    }
+    Ok(())
+}

@@ -1,0 +1,42 @@
+//! M0, M1, M60, and the program end.
+
+use gaugeblock_vocabulary::Effect;
+
+use super::program_end;
+use crate::rs274::evaluate::Words;
+use crate::rs274::order::AfterPhase;
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// Pauses the program, or ends it.
+///
+/// Rule pause.always. M0 pauses the program.
+/// Rule pause.optional. M1 pauses it while the optional-stop switch is on, and does nothing otherwise.
+/// Rule pause.last-in-block. Everything else of the block comes before.
+/// Choice pause.pallet-codes. One document says of M30 and M60 in its table what its sections say of the other.
+/// Rule pause.pallet. M60 exchanges the pallet shuttles and then pauses it, whatever that switch is.
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> AfterPhase {
+    let (ends, pauses) = match state.choices.choice("pause.pallet-codes") {
+        "table" => (60, 30),
+        _ => (30, 60),
+    };
+    if words.m.contains(&2) || words.m.contains(&ends) {
+        program_end::perform(words, state, record);
+        return AfterPhase::ProgramEnd;
+    }
+    let optional = words.m.contains(&1);
+    if words.m.contains(&pauses) {
+        state.coverage.accepted("pause.pallet");
+        record.effect(state, Effect::PalletShuttle {});
+    } else {
+        state.coverage.accepted(if optional { "pause.optional" } else { "pause.always" });
+    }
+    state.coverage.accepted("pause.last-in-block");
+    record.effect(state, Effect::Stop { optional });
+    let switched_off = optional && !state.panel.optional_stop;
+    if switched_off || state.environment.is_stand_alone() {
+        AfterPhase::Execute
+    } else {
+        AfterPhase::Pause
+    }
+}

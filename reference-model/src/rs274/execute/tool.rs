@@ -1,0 +1,118 @@
+//! T.
+
+use gaugeblock_vocabulary::{Effect, FaultKind, Tool};
+
+use super::{whole, word};
+use crate::rs274::evaluate::Words;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// Prepares a tool; it is not changed until M6 (tool.select-changes-nothing).
+///
+/// Rule tool.select. T names the tool. Of several the last one counts at the next change (tool.select-latest).
+/// Choice tool.selected-by: whether the number is that of a tool or that of a slot of the changer.
+///
+/// # Errors
+/// Rules tool.select-integer, tool.select-negative, tool.select-unknown, tool.select-zero-random.
+pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    let Some(value) = word(words, 't') else { return Ok(()) };
+    let number = whole(value).ok_or_else(|| {
+        let message = format!("T{value} is no whole number");
+        refuse("tool.select-integer", FaultKind::NotAnInteger, message)
+    })?;
+    if number < 0 {
+        let message = format!("T{number} is negative");
+        return Err(refuse("tool.select-negative", FaultKind::WordOutOfRange, message));
+    }
+    let tool = selected(number, state)?;
+    if state.selected_for_change {
+        state.coverage.accepted("tool.select-latest");
+    }
+    for rule in ["tool.select", "tool.select-integer", "tool.select-changes-nothing"] {
+        state.coverage.accepted(rule);
+    }
+    state.prepared_tool = tool.unwrap_or(-1);
+    state.selected_tool = tool.unwrap_or(0);
+    state.selected_for_change = true;
+    record.effect(state, Effect::PrepareTool { tool: tool.unwrap_or(0) });
+    Ok(())
+}
+
+/// Rule tool.select-zero. T0 selects no tool.
+/// Rule tool.select-zero-random. Where tools change places, tool 0 is a tool like any other, there or not.
+/// Rule tool.empty-slot. Whether a number that no tool has may be selected is a choice; then there is no tool
+/// in the spindle after the change.
+fn selected(number: i32, state: &mut State) -> Result<Option<i32>, StepError> {
+    let random = state.machine.random_tool_changer;
+    if number == 0 && !random {
+        state.coverage.accepted("tool.select-zero");
+        return Ok(None);
+    }
+    let by_slot = state.choices.is("tool.selected-by", "slot");
+    if by_slot && random && (number == 0 || in_slot(number, state).is_none()) {
+        let why = "what T selects in slot 0, or in an empty slot, where tools change places";
+        return Err(StepError::Unspecified(why.to_owned()));
+    }
+    let found = if by_slot { in_slot(number, state) } else { entry(number, state).map(|_| number) };
+    state.coverage.accepted("tool.selected-by");
+    let rule = if number == 0 { "tool.select-zero-random" } else { "tool.empty-slot" };
+    match found {
+        Some(tool) => {
+            state.coverage.accepted("tool.select-unknown");
+            if number == 0 {
+                state.coverage.accepted(rule);
+            }
+            Ok(Some(tool))
+        }
+        None if state.choices.is("tool.empty-slot", "accepted") => {
+            state.coverage.accepted(rule);
+            Ok(None)
+        }
+        None => {
+            if number == 0 {
+                state.coverage.refused(rule);
+            } else {
+                state.coverage.refused("tool.empty-slot");
+            }
+            let message = format!("T{number}, and the tool table holds no such tool");
+            Err(refuse("tool.select-unknown", FaultKind::ToolNotFound, message))
+        }
+    }
+}
+
+/// The tool that is in a slot of the changer, or whose slot it is while it is in the spindle.
+fn in_slot(slot: i32, state: &State) -> Option<i32> {
+    let slot = u32::try_from(slot).ok()?;
+    state.slots.get(&slot).copied().filter(|tool| *tool != 0)
+}
+
+/// A tool of the tool table.
+pub(crate) fn entry(number: i32, state: &State) -> Option<&Tool> {
+    let number = u32::try_from(number).ok()?;
+    state.machine.tools.iter().find(|tool| tool.number == number)
+}
+
+/// The tool in the spindle, when the tool table holds it. Where tools do not change places, 0 is none.
+pub(crate) fn loaded(state: &State) -> Option<&Tool> {
+    let none = state.known_tool == 0 && !state.machine.random_tool_changer;
+    entry(state.known_tool, state).filter(|_| !none)
+}
+
+/// The tool that a word names: zero is the tool in the spindle, unless tools change places.
+///
+/// # Errors
+/// The tool table does not hold it; refused by the rule that is given.
+pub(crate) fn named<'a>(
+    tool: i32,
+    rule: &'static str,
+    state: &'a State,
+) -> Result<Option<&'a Tool>, StepError> {
+    let zero_is_spindle = tool == 0 && !state.machine.random_tool_changer;
+    let tool = if zero_is_spindle { state.known_tool } else { tool };
+    if zero_is_spindle && tool == 0 {
+        return Ok(None);
+    }
+    let message = || format!("the tool table holds no tool {tool}");
+    entry(tool, state).map(Some).ok_or_else(|| refuse(rule, FaultKind::ToolNotFound, message()))
+}

@@ -1,0 +1,171 @@
+//! M6 and M61.
+
+use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, Position, SpindleTurn};
+
+use super::positions;
+use super::tool::entry;
+use super::{pass, spindle, whole, word};
+use crate::rs274::evaluate::Words;
+use crate::rs274::quirks::settings::beside_machine_point;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+/// Puts the selected tool into the spindle.
+///
+/// Rule tool.change. The tool in the spindle is then the one that T selected last, on the same line or before; none
+/// is selected any more. Rule tool.change-stops-spindle. The spindle stands afterwards. Rule tool.change-keeps.
+/// Nothing else changes: coolant flows on, and the length offset stays (tool.change-keeps-length).
+///
+/// # Errors
+/// Rules tool.change-without-selection and tool.change-under-compensation.
+pub fn change(state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    super::not_under_compensation("tool.change-under-compensation", state)?;
+    let tool = tool_to_load(state)?;
+    before_moving(state);
+    moves(state, record);
+    if state.environment.tools_are_changed_by_hand() {
+        state.coverage.accepted("tool.change-by-hand");
+        record.effect(state, Effect::PromptTool { tool });
+    }
+    pass(state.environment.tool_change_time(), state);
+    swap(tool, state);
+    state.selected_for_change = false;
+    state.prepared_tool = -1;
+    state.coverage.accepted("tool.change");
+    state.coverage.accepted("tool.change-keeps");
+    state.coverage.accepted("tool.change-keeps-length");
+    state.environment.machine_is_asked();
+    record.effect(state, Effect::ChangeTool { tool });
+    Ok(())
+}
+
+/// Rule tool.change-without-selection. Whether a change needs a T since the change before is a choice.
+fn tool_to_load(state: &mut State) -> Result<i32, StepError> {
+    if !state.selected_for_change && !state.environment.is_stand_alone() {
+        let rule = "tool.change-without-selection";
+        if state.choices.is(rule, "refused") {
+            return Err(refuse(rule, FaultKind::MissingWord, "M6, and no tool is selected"));
+        }
+        state.coverage.accepted(rule);
+    }
+    let selected = if state.selected_for_change {
+        state.prepared_tool
+    } else if state.environment.is_stand_alone() {
+        // Its stub changes to the tool of the last T again.
+        state.selected_tool
+    } else {
+        state.tool
+    };
+    Ok(selected.max(0))
+}
+
+/// Every spindle stops, unless the machine changes tools while they turn; only then does it move to where tools are
+/// changed.
+pub fn before_moving(state: &mut State) {
+    if state.machine.tool_change.with_spindle_on {
+        state.coverage.accepted("tool.change-spindle-on");
+        return;
+    }
+    for place in spindle::all(state) {
+        spindle::set_turn(SpindleTurn::Stopped, place, state);
+    }
+    state.coverage.accepted("tool.change-stops-spindle");
+}
+
+/// Rule tool.change-quill-up. If the machine is set so, Z goes to machine zero first.
+/// Rule tool.change-at-g30. If the machine is set so, it goes to the position of G30 first.
+fn moves(state: &mut State, record: &mut Record) {
+    if state.machine.tool_change.quill_up {
+        let here = state.modes.machine_point(state.position);
+        traverse(Position { z: beside_machine_point(state).z, ..here }, state, record);
+        state.coverage.accepted("tool.change-quill-up");
+    }
+    if state.machine.tool_change.at_g30 {
+        traverse(positions::destination(positions::G30_POSITION, state), state, record);
+        state.coverage.accepted("tool.change-at-g30");
+    }
+}
+
+/// A rapid move to a machine position, active length unit.
+pub(super) fn traverse(machine: Position, state: &mut State, record: &mut Record) {
+    state.position = state.modes.program_point(machine);
+    record.effect(state, Effect::StraightTraverse { end: state.position });
+}
+
+/// Rule tool.change-back. The tool that was in the spindle goes back into the changer, from where it can be taken
+/// again. Rule tool.change-same. A change to the tool in the spindle is allowed. Rule tool.change-zero. After T0 the
+/// spindle is empty. Choice tool.old-tool-place: where tools change places, whether the old tool goes to the slot of
+/// the new one.
+fn swap(tool: i32, state: &mut State) {
+    let old = std::mem::replace(&mut state.tool, tool);
+    if tool > 0 || !state.environment.is_stand_alone() {
+        state.known_tool = tool;
+    }
+    state.coverage.accepted(if tool == old { "tool.change-same" } else { "tool.change-back" });
+    if tool == 0 && !state.machine.random_tool_changer {
+        state.coverage.accepted("tool.change-zero");
+    }
+    let exchanged = state.machine.random_tool_changer
+        && state.choices.is("tool.old-tool-place", "slot-of-the-new");
+    let slot = state.slots.iter().find(|(_, stored)| **stored == tool).map(|(slot, _)| *slot);
+    if let Some(slot) = slot.filter(|_| exchanged && tool != old) {
+        // M61 may have put it into the spindle without taking it out of its slot; it lies in one place.
+        state.slots.values_mut().filter(|stored| **stored == old).for_each(|stored| *stored = 0);
+        state.slots.insert(slot, old);
+    }
+}
+
+/// Says which tool is in the spindle.
+///
+/// Rule tool.set-number. M61 makes tool Q the current one, without a tool change; 0 is no tool (tool.set-number-zero).
+/// Rule tool.set-number-keeps-length. The length offset stays.
+///
+/// # Errors
+/// Rules tool.set-number-range, tool.set-number-integer, tool.set-number-unknown, tool.set-number-in-program.
+pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    let in_program = "tool.set-number-in-program";
+    let by_program = state.modes.controller_mode == ControllerMode::Auto;
+    if by_program && state.choices.is(in_program, "refused") {
+        let message = "M61 in a program";
+        return Err(refuse(in_program, FaultKind::ControllerMode, message));
+    }
+    let tool = number(words, state)?;
+    let unknown = tool > 0 && entry(tool, state).is_none();
+    let rule = "tool.set-number-unknown";
+    if unknown && state.choices.is(rule, "refused") {
+        let message = format!("the tool table holds no tool {tool}");
+        return Err(refuse(rule, FaultKind::ToolNotFound, message));
+    }
+    let zero = if tool == 0 { "tool.set-number-zero" } else { "tool.set-number" };
+    for accepted in [rule, in_program, zero, "tool.set-number-keeps-length"] {
+        state.coverage.accepted(accepted);
+    }
+    state.tool = tool;
+    if !state.environment.is_stand_alone() {
+        state.known_tool = tool;
+    }
+    state.environment.machine_is_asked();
+    record.effect(state, Effect::SetToolNumber { tool });
+    Ok(())
+}
+
+/// Rule tool.set-number-range. Q is needed, and zero or greater. Rule tool.set-number-integer. It is a whole number.
+/// Quirk rs274.tool-number-rounded: a fraction is rounded.
+fn number(words: &Words, state: &mut State) -> Result<i32, StepError> {
+    let rule = "tool.set-number-range";
+    let Some(value) = word(words, 'q') else {
+        return Err(refuse(rule, FaultKind::WordOutOfRange, "M61 needs Q, the number of the tool"));
+    };
+    let rounded = state.choices.quirk("rs274.tool-number-rounded");
+    let number = if rounded { whole(value.round_ties_even()) } else { whole(value) };
+    if value < 0.0 && number != Some(0) {
+        return Err(refuse(rule, FaultKind::WordOutOfRange, format!("M61 with Q{value}")));
+    }
+    state.coverage.accepted(rule);
+    let rule = "tool.set-number-integer";
+    let message = || format!("Q{value} is no number of a tool");
+    let number = number.ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
+    state.coverage.accepted(rule);
+    Ok(number)
+}

@@ -1,0 +1,140 @@
+//! G43, G43.1, G43.2, G49.
+
+use gaugeblock_vocabulary::{FaultKind, Position, Switch};
+
+use super::target::offset_words;
+use super::tool::{loaded, named};
+use super::{not_under_compensation, whole, word};
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::{converted, each};
+use crate::rs274::order::has_axis_words;
+use crate::rs274::quirks::settings as quirks;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+
+/// Turns tool length compensation on and off.
+///
+/// Rule tool.length-moves-nothing. The machine stays; the same point gets other coordinates.
+/// Rule tool.length-repeated. The same offset may be programmed again, and G49 when there is none.
+///
+/// # Errors
+/// A tool or a word that the code does not allow. Rule tool.length-under-compensation, a choice.
+pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
+    not_under_compensation("tool.length-under-compensation", state)?;
+    if state.choices.quirk("rs274.tool-offset-unit") {
+        quirks::tool_offset_as_programmed(state);
+    }
+    let offset = if words.g.contains(&490) {
+        state.coverage.accepted("tool.length-off");
+        None
+    } else if words.g.contains(&431) {
+        Some(dynamic(words, state))
+    } else if words.g.contains(&432) {
+        Some(additional(words, state)?)
+    } else {
+        Some(of_tool(words, state)?)
+    };
+    state.coverage.accepted("tool.length-moves-nothing");
+    state.coverage.accepted("tool.length-repeated");
+    apply(offset, state);
+    Ok(())
+}
+
+/// Applies a tool offset, active length unit, or none.
+pub(crate) fn apply(offset: Option<Position>, state: &mut State) {
+    let machine = state.modes.machine_point(state.position);
+    state.modes.tool_length = if offset.is_some() { Switch::On } else { Switch::Off };
+    state.modes.tool_offset = offset.unwrap_or_default();
+    state.modes.tool_offset_unit = state.modes.units;
+    state.position = state.modes.program_point(machine);
+}
+
+/// Rule tool.length. G43 applies the offset of tool H from the tool table, all its axes.
+/// Rule tool.length-zero. H0, and no H, mean the tool in the spindle, and an offset of zero when there is none: without
+/// H that is no number that the table would have to hold.
+/// Rule tool.length-zero-random. Where tools change places, H0 is tool 0, which the table must hold.
+fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
+    let random = state.machine.random_tool_changer;
+    let Some(number) = word(words, 'h') else {
+        state.coverage.accepted("tool.length-zero");
+        let offset = loaded(state).map(|tool| tool.offset).unwrap_or_default();
+        return Ok(converted(offset, state.machine.length_unit, state.modes.units));
+    };
+    let rule = "tool.length-not-an-integer";
+    let Some(whole) = whole(number) else {
+        return Err(refuse(rule, FaultKind::NotAnInteger, format!("H{number} is no tool number")));
+    };
+    if whole < 0 {
+        let message = format!("H{number} is negative");
+        return Err(refuse("tool.length-negative", FaultKind::WordOutOfRange, message));
+    }
+    let rule = match whole {
+        0 if random => "tool.length-zero-random",
+        0 => "tool.length-zero",
+        _ => "tool.length",
+    };
+    let refusing =
+        if rule == "tool.length-zero-random" { rule } else { "tool.length-unknown-tool" };
+    let offset = table_offset(whole, refusing, state)?;
+    state.coverage.accepted(rule);
+    Ok(offset)
+}
+
+/// Rule tool.dynamic-length. G43.1 replaces the offset of the axes that it names.
+fn dynamic(words: &Words, state: &mut State) -> Position {
+    state.coverage.accepted("tool.dynamic-length");
+    let mut offset = state.modes.tool_offset;
+    for (axis, value) in offset_words(words, state) {
+        *offset.get_mut(axis) = value;
+    }
+    offset
+}
+
+/// Rule tool.additional-length. G43.2 adds the offset of tool H, or axis values.
+/// Rule tool.additional-length-words. It needs either H or axis words.
+fn additional(words: &Words, state: &mut State) -> Result<Position, StepError> {
+    let rule = "tool.additional-length-words";
+    let more = match (word(words, 'h'), has_axis_words(words)) {
+        (Some(_), true) => {
+            return Err(refuse(
+                rule,
+                FaultKind::UnusedWord,
+                "G43.2 takes H or axis words, not both",
+            ));
+        }
+        (None, false) => {
+            return Err(refuse(rule, FaultKind::MissingWord, "G43.2 needs H or axis words"));
+        }
+        (Some(value), false) => {
+            let rule = "tool.additional-length-unknown-tool";
+            let message = || format!("H{value} is no tool number");
+            let tool =
+                whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
+            table_offset(tool, rule, state)?
+        }
+        (None, true) if state.choices.quirk("rs274.additional-length-axes") => {
+            let message = "G43.2 without H";
+            return Err(refuse("rs274.additional-length-axes", FaultKind::MissingWord, message));
+        }
+        (None, true) => {
+            let mut more = Position::default();
+            for (axis, value) in offset_words(words, state) {
+                *more.get_mut(axis) = value;
+            }
+            more
+        }
+    };
+    state.coverage.accepted("tool.additional-length");
+    Ok(each(state.modes.tool_offset, more, |offset, more| offset + more))
+}
+
+/// The offset of a tool, active length unit.
+pub(crate) fn table_offset(
+    tool: i32,
+    rule: &'static str,
+    state: &State,
+) -> Result<Position, StepError> {
+    let tool = named(tool, rule, state)?;
+    let offset = tool.map(|tool| tool.offset).unwrap_or_default();
+    Ok(converted(offset, state.machine.length_unit, state.modes.units))
+}

@@ -1,0 +1,210 @@
+//! The whole state of a controller, a sentence per field.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_vocabulary::{Machine, Plane, Position, Rs274State, Settings, Shared};
+
+use super::choices::Choices;
+use super::control::Frame;
+use super::environment::EnvironmentState;
+use super::execute::cycles::Series;
+use super::execute::splines::Curve;
+use super::modes::Modes;
+use super::parameters::Parameters;
+use super::syntax::Room;
+use super::task::PinSnapshot;
+use crate::RuleCoverage;
+
+/// The whole state of a controller.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// How the documents are read.
+    pub choices: Shared<Choices>,
+    /// The machine that it drives.
+    pub machine: Shared<Machine>,
+    /// The mode in force of each modal group, with feed, speeds, coolant, overrides, offsets: all that M70 can save
+    /// and more.
+    pub modes: Modes,
+    /// The controlled point in program coordinates: active length unit and degrees.
+    pub position: Position,
+    /// Tool number in the spindle; 0 for none.
+    pub tool: i32,
+    /// The tool that parameters and codes without a tool number take to be in the spindle: that one, but for the stub
+    /// of the stand-alone interpreter, which tells of neither M61 nor a change to no tool.
+    pub known_tool: i32,
+    /// Tool number that T selected for the next change; -1 for none.
+    pub prepared_tool: i32,
+    /// Tool number of the last T, changed or not; -1 before.
+    pub selected_tool: i32,
+    /// Whether T has selected a tool since the last tool change.
+    pub selected_for_change: bool,
+    /// The tool of each slot of the changer, be it in its slot or in the spindle.
+    pub slots: Shared<BTreeMap<u32, i32>>,
+    /// Numbered and global named parameters. Local ones are in the frames.
+    pub parameters: Parameters,
+    /// The main program's frame and one for each call in progress, innermost last; never empty.
+    pub frames: Vec<Frame>,
+    /// Line of the current block within its file, from 1.
+    pub line: u32,
+    /// The row of canned cycles that the last motion belongs to, with the numbers that the next one may leave out.
+    pub series: Option<Series>,
+    /// P of the last canned cycle that had one, seconds.
+    pub cycle_dwell: f64,
+    /// What the next spline may need of the one before.
+    pub curve: Curve,
+    /// Spindle that cycles and synchronised moves follow without $; another than the first only by a quirk.
+    pub chosen_spindle: usize,
+    /// The plane in force before the block that is executed; only a quirk asks for it.
+    pub plane_before: Plane,
+    /// Whether a log file is open.
+    pub log_open: bool,
+    /// Whether a file for probed points is open.
+    pub probe_log_open: bool,
+    /// What the operator has set at the panel.
+    pub panel: Panel,
+    /// The environment of the controller: its clock, its pins, and how what is connected to it answers.
+    pub environment: EnvironmentState,
+    /// What the pins were brought up to date for; none where they have to be looked at.
+    pub pin_snapshot: Option<PinSnapshot>,
+    /// Room for what the parser makes of a line; nothing of it counts from one line to the next.
+    pub room: Room,
+    /// The rules reached so far.
+    pub coverage: RuleCoverage,
+}
+
+/// Switches and overrides that the operator sets, in every mode of the controller.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// The optional-stop switch.
+    pub optional_stop: bool,
+    /// Feed override; 1 is 100 %.
+    pub feed_override: f64,
+    /// Rapid override; 1 is 100 %.
+    pub rapid_override: f64,
+    /// Speed override of each spindle by its number; 1 is 100 %.
+    pub spindle_overrides: Vec<f64>,
+    /// Feed hold.
+    pub feed_hold: bool,
+}
+
+impl Panel {
+    /// Before the operator has touched anything: no optional stop, no feed hold, every override at 100 %.
+    pub fn new(machine: &Machine) -> Self {
+        Self {
+            optional_stop: false,
+            feed_override: 1.0,
+            rapid_override: 1.0,
+            spindle_overrides: vec![1.0; usize::from(machine.spindles.max(1))],
+            feed_hold: false,
+        }
+    }
+
+    /// The speed override of a spindle; 1 for one that the machine does not have.
+    pub fn spindle_override(&self, number: u16) -> f64 {
+        self.spindle_overrides.get(usize::from(number)).copied().unwrap_or(1.0)
+    }
+}
+
+/// The tool that is in the spindle at the start; 0 for none. Pocket 0 represents the spindle where tools change
+/// places (11.2.2.1); of any other changer a pocket's number says nothing.
+pub(crate) fn in_pocket_zero(machine: &Machine) -> i32 {
+    let mut tools = machine.tools.iter().filter(|_| machine.random_tool_changer);
+    let tool = tools.find(|tool| tool.pocket == Some(0));
+    tool.and_then(|tool| i32::try_from(tool.number).ok()).unwrap_or(0)
+}
+
+/// The tool of each slot of a changer, as the tool table has them.
+pub(crate) fn slots(machine: &Machine) -> Shared<BTreeMap<u32, i32>> {
+    let tools = machine.tools.iter();
+    tools
+        .filter_map(|tool| {
+            Some((tool.pocket.unwrap_or(tool.number), i32::try_from(tool.number).ok()?))
+        })
+        .collect()
+}
+
+impl State {
+    /// The frame of the call in progress; the main program's outside of any.
+    ///
+    /// # Panics
+    /// There is no frame: a fault of the model.
+    pub fn frame(&self) -> &Frame {
+        self.frames.last().expect("control: the main program's frame is never popped")
+    }
+
+    /// The same, for changing it.
+    ///
+    /// # Panics
+    /// There is no frame: a fault of the model.
+    pub fn frame_mut(&mut self) -> &mut Frame {
+        self.frames.last_mut().expect("control: the main program's frame is never popped")
+    }
+
+    /// Depth of calls; 0 in the main program.
+    ///
+    /// # Panics
+    /// More calls than a number can tell: a fault of the model.
+    pub fn call_level(&self) -> u32 {
+        u32::try_from(self.frames.len() - 1).expect("control: calls are bounded")
+    }
+
+    /// Everything that is in force, as it is recorded.
+    pub fn settings(&self) -> Settings {
+        self.modes.settings()
+    }
+
+    /// What else is recorded after a block, without the parameters that changed.
+    pub fn record(&self) -> Rs274State {
+        Rs274State {
+            motion: Some(self.modes.motion),
+            position: Some(self.position),
+            tool: Some(self.tool),
+            prepared_tool: Some(self.prepared_tool),
+            controller_mode: Some(self.modes.controller_mode),
+            call_level: Some(self.call_level()),
+            parameter: None,
+        }
+    }
+}
+
+#[cfg(test)]
+impl State {
+    /// A state before the first block, for tests: the default machine under some options.
+    pub(crate) fn under(options: &[(&str, &str)]) -> Self {
+        let options = options.iter().map(|(id, option)| ((*id).to_owned(), (*option).to_owned()));
+        let choices = Choices::new(&gaugeblock_vocabulary::Options(options.collect()))
+            .expect("options are known");
+        let machine = Machine::default();
+        Self {
+            modes: Modes::new(&machine, &choices),
+            parameters: Parameters::new(&machine, &choices),
+            machine: machine.into(),
+            position: Position::default(),
+            tool: 0,
+            known_tool: 0,
+            prepared_tool: -1,
+            selected_tool: -1,
+            selected_for_change: false,
+            slots: Shared::default(),
+            frames: vec![Frame::default()],
+            line: 1,
+            cycle_dwell: 0.0,
+            chosen_spindle: 0,
+            plane_before: Plane::Xy,
+            log_open: false,
+            probe_log_open: false,
+            series: None,
+            curve: Curve::default(),
+            panel: Panel::new(&Machine::default()),
+            environment: EnvironmentState::new(
+                &gaugeblock_vocabulary::scenario::Environment::default(),
+                1,
+                &choices,
+            ),
+            pin_snapshot: None,
+            room: Room::default(),
+            coverage: RuleCoverage::default(),
+            choices: choices.into(),
+        }
+    }
+}
