@@ -3,4 +3,6 @@
 //! The laws themselves are the tests of this crate (`tests/laws`).
 
 pub mod files;
+pub mod graph;
+pub mod report;
 pub mod workspace;

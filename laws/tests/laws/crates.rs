@@ -9,15 +9,24 @@ use gaugeblock_laws::workspace;
 use crate::holds;
 
 #[test]
-fn readme_names_each_direct_dependency() {
+fn documents_name_each_direct_dependency() {
     let crates = workspace::crates();
-    let readme = fs::read_to_string(files::root().join("README.md")).unwrap();
+    let mut documents = files::below("docs");
+    documents.retain(|path, _| path.ends_with(".md"));
+    for path in ["README.md", "ARCHITECTURE.md"] {
+        documents.insert(path.to_owned(), fs::read_to_string(files::root().join(path)).unwrap());
+    }
     let direct: BTreeSet<_> =
         crates.values().flat_map(workspace::Crate::all_dependencies).collect();
     let foreign = direct.into_iter().filter(|name| !crates.contains_key(*name));
-    let missing: Vec<_> =
-        foreign.filter(|name| !readme.contains(&format!("`{name}`"))).map(str::to_owned).collect();
-    holds("the README says of each direct dependency, in one line, what it is for", &missing);
+    let missing: Vec<_> = foreign
+        .filter(|name| !documents.values().any(|text| text.contains(&format!("`{name}`"))))
+        .map(str::to_owned)
+        .collect();
+    holds(
+        "README, ARCHITECTURE or docs say of each direct dependency, in one line, what it is for",
+        &missing,
+    );
 }
 
 /// The compiler forbids `unsafe` and requires documentation in every crate that takes the workspace's lints.

@@ -2,6 +2,7 @@
 
 mod crates;
 mod files;
+mod graph;
 mod ids;
 mod independence;
 mod licences;

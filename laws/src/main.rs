@@ -1,0 +1,42 @@
+//! `cargo run -p gaugeblock-laws -- graph`: pictures and lists of what uses what in this repository.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use gaugeblock_laws::report;
+
+const HELP: &str = "\
+Shows which crate and which file of this repository uses which.
+
+Usage: cargo run -p gaugeblock-laws -- graph [--text | --dot] [CRATE]
+
+Without CRATE: the crates, and all circles of files. With CRATE: its files, from the bottom up, and its circles.
+
+  --text      a list (default); edges marked * are a small set without which a circle is none
+  --dot       a graph for Graphviz; an arrow that follows from longer ways is left out
+";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match answer(&arguments) {
+        Ok(text) => {
+            // A reader that closes the pipe has read enough.
+            drop(io::stdout().lock().write_all(text.as_bytes()));
+            ExitCode::SUCCESS
+        }
+        Err(message) => {
+            drop(writeln!(io::stderr().lock(), "error: {message}"));
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn answer(arguments: &[&str]) -> Result<String, String> {
+    match arguments {
+        ["graph", "--dot", of @ ..] => Ok(report::dot(&report::graph(of)?)),
+        ["graph", "--text", of @ ..] | ["graph", of @ ..] => report::text(of),
+        ["--help" | "-h", ..] => Ok(HELP.to_owned()),
+        _ => Err(format!("unknown arguments; expected as follows\n\n{HELP}")),
+    }
+}
