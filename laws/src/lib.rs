@@ -4,5 +4,6 @@
 
 pub mod files;
 pub mod graph;
+pub mod picture;
 pub mod report;
 pub mod workspace;

@@ -3,17 +3,18 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use gaugeblock_laws::report;
+use gaugeblock_laws::{picture, report};
 
 const HELP: &str = "\
 Shows which crate and which file of this repository uses which.
 
-Usage: cargo run -p gaugeblock-laws -- graph [--text | --dot] [CRATE]
+Usage: cargo run -p gaugeblock-laws -- graph [--text | --dot | --svg FILE] [CRATE]
 
 Without CRATE: the crates, and all circles of files. With CRATE: its files, from the bottom up, and its circles.
 
   --text      a list (default); edges marked * are a small set without which a circle is none
   --dot       a graph for Graphviz; an arrow that follows from longer ways is left out
+  --svg FILE  the same as a picture
 ";
 
 fn main() -> ExitCode {
@@ -35,6 +36,11 @@ fn main() -> ExitCode {
 fn answer(arguments: &[&str]) -> Result<String, String> {
     match arguments {
         ["graph", "--dot", of @ ..] => Ok(report::dot(&report::graph(of)?)),
+        ["graph", "--svg", file, of @ ..] => {
+            let svg = picture::svg(&report::graph(of)?);
+            std::fs::write(file, svg).map_err(|error| format!("cannot write {file}: {error}"))?;
+            Ok(String::new())
+        }
         ["graph", "--text", of @ ..] | ["graph", of @ ..] => report::text(of),
         ["--help" | "-h", ..] => Ok(HELP.to_owned()),
         _ => Err(format!("unknown arguments; expected as follows\n\n{HELP}")),

@@ -11,10 +11,21 @@ use crate::workspace;
 pub struct Drawing {
     /// What it is a drawing of.
     pub title: String,
-    /// Names of the nodes, each with the lines of text that its box has.
-    pub nodes: BTreeMap<String, Vec<String>>,
+    /// Nodes by name.
+    pub nodes: BTreeMap<String, Node>,
     /// What each node uses.
     pub edges: BTreeMap<String, BTreeSet<String>>,
+}
+
+/// A box of a drawing.
+#[derive(Debug, Clone, Default)]
+pub struct Node {
+    /// Lines of text in it.
+    pub lines: Vec<String>,
+    /// Nodes of a group have one colour.
+    pub group: String,
+    /// Whether it is a circle of files.
+    pub is_circle: bool,
 }
 
 /// Crates of the workspace, or files of one crate; a circle of files is one node.
@@ -36,8 +47,9 @@ pub fn graph(of: &[&str]) -> Result<Drawing, String> {
             };
             for found in crates.values() {
                 let size = files.get(&found.name).map_or_else(String::new, size);
-                let text = vec![found.name.clone(), format!("{}/", found.folder), size];
-                drawing.nodes.insert(found.name.clone(), text);
+                let lines = vec![found.name.clone(), format!("{}/", found.folder), size];
+                let group = found.folder.split('/').next().unwrap_or_default().to_owned();
+                drawing.nodes.insert(found.name.clone(), Node { lines, group, is_circle: false });
             }
             Ok(drawing)
         }
@@ -74,7 +86,10 @@ fn of_files(name: &str, graph: &FileGraph) -> Drawing {
     );
     let mut drawing = Drawing { title, ..Drawing::default() };
     for file in &graph.files {
-        drawing.nodes.entry(node(file)).or_default().push(short(file));
+        let of = drawing.nodes.entry(node(file)).or_default();
+        of.is_circle = !of.lines.is_empty();
+        of.group = group(&short(file));
+        of.lines.push(short(file));
         drawing.edges.entry(node(file)).or_default();
     }
     for (from, to) in graph.edges.keys() {
@@ -86,12 +101,21 @@ fn of_files(name: &str, graph: &FileGraph) -> Drawing {
     drawing
 }
 
+/// Folder of a file directly below the sources of its crate.
+fn group(short: &str) -> String {
+    short.split_once('/').map_or("", |(folder, _)| folder).to_owned()
+}
+
 /// A file's path within the sources of its crate.
 fn short(file: &str) -> String {
     file.split_once("/src/").map_or(file, |(_, file)| file).to_owned()
 }
 
 /// Layers of nodes: the lowest uses none, each other one is above all that it uses.
+///
+/// # Panics
+///
+/// When the graph has a circle.
 #[must_use]
 pub fn layers(edges: &BTreeMap<String, BTreeSet<String>>) -> Vec<Vec<String>> {
     let mut layers: Vec<Vec<String>> = Vec::new();
@@ -109,6 +133,10 @@ pub fn layers(edges: &BTreeMap<String, BTreeSet<String>>) -> Vec<Vec<String>> {
 }
 
 /// Edges without those that follow from longer ways.
+///
+/// # Panics
+///
+/// When the graph has a circle.
 #[must_use]
 pub fn reduced(edges: &BTreeMap<String, BTreeSet<String>>) -> BTreeMap<String, BTreeSet<String>> {
     let mut below: BTreeMap<&String, BTreeSet<&String>> = BTreeMap::new();
@@ -126,11 +154,15 @@ pub fn reduced(edges: &BTreeMap<String, BTreeSet<String>>) -> BTreeMap<String, B
 }
 
 /// A graph in the language of Graphviz.
+///
+/// # Panics
+///
+/// When the graph has a circle.
 #[must_use]
 pub fn dot(drawing: &Drawing) -> String {
     let mut text = format!("digraph {{\n  label = {:?};\n  node [shape = box];\n", drawing.title);
-    for (name, lines) in &drawing.nodes {
-        writeln!(text, "  {name:?} [label = {:?}];", lines.join("\n"))
+    for (name, node) in &drawing.nodes {
+        writeln!(text, "  {name:?} [label = {:?}];", node.lines.join("\n"))
             .expect("a string takes text");
     }
     for (name, on) in reduced(&drawing.edges) {

@@ -139,6 +139,10 @@ impl Reader<'_> {
         self.here().imports.push(Import { name, path });
     }
 
+    #[expect(
+        clippy::wildcard_enum_match_arm,
+        reason = "items without a name define none; syn may add kinds"
+    )]
     fn define(&mut self, item: &Item) {
         let name = match item {
             Item::Const(item) => &item.ident,
@@ -212,7 +216,8 @@ pub(crate) fn is_test(attributes: &[Attribute]) -> bool {
     })
 }
 
-/// Attributes of an item that can stand in a module.
+/// Attributes of an item of a module.
+#[expect(clippy::wildcard_enum_match_arm, reason = "other kinds define nothing; syn may add some")]
 pub(crate) fn attributes(item: &Item) -> &[Attribute] {
     match item {
         Item::Const(item) => &item.attrs,
