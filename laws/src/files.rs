@@ -32,8 +32,14 @@ pub fn below(folder: &str) -> Files {
     let mut open = vec![root().join(folder)];
     while let Some(folder) = open.pop() {
         for entry in fs::read_dir(&folder).expect("a folder can be listed") {
-            let path = entry.expect("an entry can be read").path();
-            if path.is_dir() {
+            let entry = entry.expect("an entry can be read");
+            let path = entry.path();
+            let kind = entry.file_type().expect("an entry has a type");
+            // A link leads to a file that is found where it is.
+            if kind.is_symlink() {
+                continue;
+            }
+            if kind.is_dir() {
                 if is_of_the_repository(&path) {
                     open.push(path);
                 }

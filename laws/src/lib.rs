@@ -5,5 +5,6 @@
 pub mod files;
 pub mod graph;
 pub mod picture;
+pub mod prose;
 pub mod report;
 pub mod workspace;

@@ -19,6 +19,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use circles::circles;
 pub use cut::cut;
+pub(crate) use names::{attributes, is_test};
 
 use crate::workspace::Crate;
 

@@ -6,6 +6,7 @@ mod graph;
 mod ids;
 mod independence;
 mod licences;
+mod prose;
 
 /// Fails with the list of exceptions to a law, when there are any.
 #[track_caller]

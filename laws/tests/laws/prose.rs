@@ -1,0 +1,83 @@
+//! How text is written that people read.
+
+use gaugeblock_laws::files::below;
+use gaugeblock_laws::prose::{self, Rules};
+
+use crate::holds;
+
+/// Columns of a line.
+const COLUMNS_MAX: usize = 120;
+
+/// Longer lines that are left in documents, and in literals of code; these numbers are never raised.
+const LONG_LINES_LEFT: usize = 570;
+const LONG_LITERAL_LINES_LEFT: usize = 12;
+
+#[test]
+fn house_words_do_not_become_more() {
+    let rules = Rules::read();
+    let words = prose::house_words(&rules);
+    let mut more = Vec::new();
+    for (kind, count) in prose::count(&words) {
+        let ceiling =
+            rules.ceiling.get(&kind).and_then(toml::Value::as_integer).unwrap_or_default();
+        if count > usize::try_from(ceiling).expect("a ceiling is not negative") {
+            more.push(format!("{kind}: {count} of {ceiling}"));
+        }
+    }
+    holds("text has plain words (`cargo run -p gaugeblock-laws -- words` lists the others)", &more);
+}
+
+fn is_long(line: &str) -> bool {
+    line.chars().count() > COLUMNS_MAX
+}
+
+fn long_lines(extension: &str, is_excepted: impl Fn(&str) -> bool) -> Vec<String> {
+    let mut found = Vec::new();
+    for (path, text) in below("").into_iter().filter(|(path, _)| path.ends_with(extension)) {
+        let long = text.lines().enumerate().filter(|(_, line)| is_long(line) && !is_excepted(line));
+        found.extend(long.map(|(number, _)| format!("{path}:{}", number + 1)));
+    }
+    found
+}
+
+/// A string literal may be longer: broken, it would be harder to compare with what is printed.
+#[test]
+fn code_and_comments_have_lines_of_120_columns() {
+    let long = long_lines(".rs", |line| line.contains('"'));
+    let are_more = long.len() > LONG_LITERAL_LINES_LEFT;
+    holds("a longer line has a string literal", if are_more { &long } else { &[] });
+}
+
+/// Values are data, and as long as they are; `#` and a name without a blank is a parameter of a program.
+#[test]
+fn comments_of_toml_files_have_lines_of_120_columns() {
+    let is_value = |line: &str| !line.trim_start().starts_with("# ");
+    holds("a comment has lines of 120 columns", &long_lines(".toml", is_value));
+}
+
+/// A row of a table is one line, and so is an address.
+#[test]
+fn documents_have_lines_of_120_columns() {
+    let is_unbreakable = |line: &str| {
+        let is_address =
+            line.split_whitespace().count() == 1 || (line.starts_with('[') && line.contains("]: "));
+        line.trim_start().starts_with('|') || is_address
+    };
+    let mut long = 0;
+    let mut list = Vec::new();
+    for (path, text) in below("").into_iter().filter(|(path, _)| path.ends_with(".md")) {
+        let mut is_fenced = false;
+        for (number, line) in text.lines().enumerate() {
+            is_fenced ^= line.trim_start().starts_with("```");
+            if is_long(line) && !is_fenced && !is_unbreakable(line) {
+                long += 1;
+                list.push(format!("{path}:{}", number + 1));
+            }
+        }
+    }
+    assert!(
+        long <= LONG_LINES_LEFT,
+        "{long} lines are longer than {COLUMNS_MAX} columns:\n  {}",
+        list.join("\n  ")
+    );
+}
