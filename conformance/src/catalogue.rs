@@ -8,8 +8,6 @@ use gaugeblock_suite::{
 };
 use gaugeblock_vocabulary::{Outcome, Undetermined};
 
-use crate::motion;
-
 /// The editions in which a case runs, the default edition first.
 pub fn editions_of<'a>(suite: &'a Suite, rule: &Rule, case: &Case) -> Vec<&'a Edition> {
     let runs = |edition: &&Edition| {
@@ -111,9 +109,10 @@ fn judged(
     case: &MotionCase,
     readings: &BTreeMap<String, String>,
 ) -> Result<(), String> {
-    let samples = motion::made(case)?;
-    let (_, path) = motion::asked(case, &suite.options(edition), edition.environment.as_ref())?;
-    motion::held(case, rule, readings, (&samples, &path))
+    let samples = gaugeblock_motion::made(case)?;
+    let (_, path) =
+        gaugeblock_motion::asked(case, &suite.options(edition), edition.environment.as_ref())?;
+    gaugeblock_motion::held(case, rule, readings, (&samples, &path))
         .map_err(|(saying, found)| format!("{saying}, but: {found}"))
 }
 

@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 
 use gaugeblock::adapters::Adapter;
 use gaugeblock::adapters::production::Production;
-use gaugeblock::motion::{Circumstances, plan_under};
+use gaugeblock::drive::{Circumstances, plan_under};
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 

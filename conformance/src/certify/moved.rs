@@ -1,6 +1,7 @@
 //! Cases of motion: samples held to laws.
 
 use gaugeblock_compare::Basis;
+use gaugeblock_motion::Sketch;
 use gaugeblock_suite::{MotionCase, Rule};
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
@@ -8,14 +9,13 @@ use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 use super::Held;
 use super::verdict::{CaseResult, Cause, Departure, Unjudged, Verdict};
 use crate::adapters::{Adapter, HarnessError, Motion, NotMoved};
-use crate::motion::{self, Sketch};
 
 impl Held<'_> {
     /// A case of motion: its own samples, or what the controller makes of its program at each feed of segments.
     pub(super) fn run_motion<'r>(self, rule: &'r Rule, case: &'r MotionCase) -> CaseResult<'r> {
         let mut result = CaseResult::begun(rule, &case.name, &case.program);
         let environment = self.plan.edition.environment.as_ref();
-        match motion::asked(case, self.options, environment) {
+        match gaugeblock_motion::asked(case, self.options, environment) {
             Ok((scenario, path)) => {
                 let moved = Moved { held: self, rule, case, scenario: &scenario, path: &path };
                 result.verdict = moved.verdict(&mut result);
@@ -40,7 +40,8 @@ impl Moved<'_> {
     fn verdict(self, result: &mut CaseResult<'_>) -> Verdict {
         let Self { held, rule, case, scenario, path } = self;
         let readings = held.plan.suite.motion_options(held.plan.edition);
-        let feeds: &[Option<u32>] = if case.is_recorded() { &[None] } else { &motion::FEEDS };
+        let feeds: &[Option<u32>] =
+            if case.is_recorded() { &[None] } else { &gaugeblock_motion::FEEDS };
         let mut twice = !case.is_recorded() && held.twice.chooses(&rule.id, &case.name);
         for every in feeds {
             let samples = match samples_of(held.controller, scenario, case, *every) {
@@ -52,7 +53,7 @@ impl Moved<'_> {
             {
                 return Verdict::NotJudged(unjudged);
             }
-            let judged = motion::held(case, &rule.id, &readings, (&samples, path));
+            let judged = gaugeblock_motion::held(case, &rule.id, &readings, (&samples, path));
             if judged.is_err() || result.sketch.is_none() {
                 result.sketch = Some(Sketch::of(&samples, path));
             }
@@ -100,7 +101,7 @@ fn samples_of(
     every: Option<u32>,
 ) -> Result<Samples, NotMoved> {
     if case.is_recorded() {
-        return motion::made(case).map_err(not_run);
+        return gaugeblock_motion::made(case).map_err(not_run);
     }
     let limits = case.limits().map_err(not_run)?;
     let script = case.script();

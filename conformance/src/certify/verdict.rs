@@ -7,6 +7,7 @@ use std::fmt;
 use std::time::Duration;
 
 use gaugeblock_compare::{StateDifference, Tally};
+use gaugeblock_motion::Sketch;
 use gaugeblock_suite::{Edition, Rule};
 use gaugeblock_vocabulary::Outcome;
 use schemars::JsonSchema;
@@ -14,7 +15,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::adapters::HarnessError;
 use crate::fingerprint::Trait;
-use crate::motion::Sketch;
 
 /// What came of a case.
 #[derive(Clone, Debug, PartialEq, Eq)]

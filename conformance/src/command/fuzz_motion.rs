@@ -18,8 +18,8 @@ use gaugeblock_vocabulary::{Axis, End, Outcome, Scenario, Settings};
 use super::{Refused, place, write_out};
 use crate::adapters::Adapter;
 use crate::adapters::production::Production;
-use crate::motion::rides::{Came, broken_by, compared, judged, ride, shrunk};
 use crate::report::inert;
+use crate::rides::{Came, broken_by, compared, judged, ride, shrunk};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock fuzz-motion

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use gaugeblock_motion::Summary;
 use gaugeblock_reference::motion::laws::Verdict;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Position;
@@ -10,7 +11,6 @@ use gaugeblock_vocabulary::motion::Samples;
 
 use super::pictures::Drawing;
 use super::{Refused, place, plan, run, write_out};
-use crate::motion::Summary;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock judge part.csv --program part.ngc --machine mill.toml

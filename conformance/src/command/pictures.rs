@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
+use gaugeblock_motion::{Picture, drawn};
 use gaugeblock_reference::motion::laws::deviations;
 use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::{Column, MotionLimits, MotionScript, ProgrammedPath, Samples};
 
 use super::{Refused, place};
-use crate::motion::{Picture, drawn};
 
 /// What is drawn.
 #[derive(Debug)]

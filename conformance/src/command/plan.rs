@@ -2,11 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use gaugeblock_motion::Summary;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 use gaugeblock_vocabulary::scenario::Program;
 use gaugeblock_vocabulary::{End, Outcome, Position, Scenario};
+
+use crate::drive::{Circumstances, plan_under};
+use clap::Args;
 
 use super::controller::linuxcnc;
 use super::pictures::Drawing;
@@ -14,7 +17,6 @@ use super::{Refused, judge, place, run, write_error_in_colours, write_out};
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::{Adapter, NotMoved};
-use crate::motion::{Circumstances, Summary, plan_under};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock plan part.ngc --machine mill.toml

@@ -10,7 +10,6 @@ use gaugeblock_vocabulary::{Language, Options, Program, Scenario};
 
 use super::carried::carried;
 use super::{Asked, digest, digest_of_motion};
-use crate::motion;
 
 /// A program with all that it depends on, and what is asked of it.
 #[derive(Clone, Debug)]
@@ -102,7 +101,7 @@ fn moved(
     if !case.script().events.is_empty() {
         return Err("somebody has to act at an exact moment of the run");
     }
-    let asked = motion::asked(case, options, edition.environment.as_ref());
+    let asked = gaugeblock_motion::asked(case, options, edition.environment.as_ref());
     let (scenario, _) = asked.map_err(|_| "the specification does not say it yet")?;
     let expected = gaugeblock_reference::run(&scenario).0;
     carried(&scenario, &expected)?;

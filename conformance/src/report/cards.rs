@@ -98,6 +98,6 @@ fn card<'a>(controller: &str, result: &'a CaseResult<'_>, departure: &'a Departu
         state: departure.state.as_ref(),
         sides: Vec::new(),
         short: false,
-        picture: result.sketch.as_ref().map(crate::motion::Sketch::svg),
+        picture: result.sketch.as_ref().map(gaugeblock_motion::Sketch::svg),
     }
 }

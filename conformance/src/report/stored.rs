@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 
 use gaugeblock_compare::{StateDifference, Tally};
+use gaugeblock_motion::Sketch;
 use gaugeblock_suite::Suite;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::certify::{CaseResult, Cause, Departure, Traces, Unjudged, Verdict};
-use crate::motion::Sketch;
 
 /// A case and what came of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -1,5 +1,7 @@
 //! The production planner, driven through the effects of a program.
 
+mod effects;
+
 use std::collections::BTreeMap;
 
 use gaugeblock_impl::Planner;
@@ -14,7 +16,7 @@ use gaugeblock_vocabulary::{
     Axis, BlockLocation, Effect, Event, Outcome, OutputTiming, Pin, Position, Settings, Switch,
 };
 
-use super::effects::{follows_spindle, is_element, pins, spindle, switching};
+use effects::{follows_spindle, is_element, pins, spindle, switching};
 
 /// How many segments the planner's queue holds.
 const QUEUE: u32 = 2000;

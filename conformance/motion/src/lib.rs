@@ -12,17 +12,13 @@
 //! Laws and bound are the model's, planner and resolver are production's: what one of them misreads the other shows.
 
 mod drawn;
-mod drive;
-mod effects;
 mod held;
 mod made;
 mod picture;
-pub mod rides;
 mod sketch;
 mod summary;
 
 pub use drawn::drawn;
-pub use drive::{Circumstances, Planned, Stopped, plan, plan_under};
 pub use held::{FEEDS, asked, held};
 pub use made::made;
 pub use picture::Picture;
