@@ -1,11 +1,10 @@
 //! Which quirks, or other readings of the documents, a departure comes to.
 
+use gaugeblock_adapter::Adapter;
 use gaugeblock_compare::compare;
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_suite::{Case, Choice, ChoiceKind, Rule, Suite, scenario_of};
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
-
-use crate::adapters::Adapter;
 
 /// An option of a choice or quirk that is not the one in force.
 #[derive(Clone, Copy, Debug)]

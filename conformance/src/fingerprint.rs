@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_adapter::Adapter;
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_suite::{Choice, Suite};
@@ -9,8 +10,6 @@ use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Options};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use crate::adapters::Adapter;
 
 /// What a controller shows of a choice.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

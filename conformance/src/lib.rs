@@ -1,6 +1,6 @@
 //! The referee: holds a controller to the documents, rule by rule.
 //!
-//! Data flows one way: the [suite](gaugeblock_suite) gives scenarios, an [adapter](adapters) runs each on a
+//! Data flows one way: the [suite](gaugeblock_suite) gives scenarios, an [adapter](gaugeblock_adapter) runs each on a
 //! controller, the reference model runs it too, both outcomes are [folded, compared and
 //! judged](gaugeblock_compare), and [`certify`] makes a verdict of it, which a [`report`] shows and [`expectations`] hold against
 //! what is known.
@@ -11,6 +11,7 @@
 pub mod adapters;
 pub mod catalogue;
 pub mod certify;
+pub mod check;
 pub mod command;
 pub mod drive;
 pub mod expectations;
@@ -19,7 +20,6 @@ pub mod fingerprint;
 pub mod fuzz;
 pub mod journal;
 pub mod offline;
-pub mod protocol;
 pub mod report;
 pub mod rides;
 pub mod rs274;

@@ -9,8 +9,8 @@ use std::fs::read_to_string;
 use std::time::Duration;
 
 use adapter::{LOOP, changed, file, limits};
-use gaugeblock::adapters::exec::{Exec, Limits};
-use gaugeblock::adapters::{Adapter, HarnessError};
+use gaugeblock_adapter::exec::{Exec, Limits};
+use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
 /// An adapter that notes in a file when it starts and what it is asked to run, and does this on a program with `x99`.

@@ -8,11 +8,11 @@ use std::sync::atomic::AtomicBool;
 
 use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::reference::Reference;
-use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock::fuzz::groups::{Find, Groups, merged, shrunk};
 use gaugeblock::fuzz::journal::Chunk;
 use gaugeblock::fuzz::statistics::Statistics;
 use gaugeblock::fuzz::{Came, Extent, Plan, Shard, run};
+use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_fuzz::generate::nct::{Counted, Pair, count, locals};
 use gaugeblock_fuzz::generate::splice::Seeds;

@@ -11,9 +11,9 @@ use std::time::Duration;
 
 use adapter::{LOOP, TEMPLATE, changed, file, limits, text, verdicts_on};
 use common::gaugeblock;
-use gaugeblock::adapters::exec::Exec;
-use gaugeblock::adapters::{Adapter, Motion, NotMoved};
 use gaugeblock::certify::{Twice, Verdict};
+use gaugeblock_adapter::exec::Exec;
+use gaugeblock_adapter::{Adapter, Motion, NotMoved};
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};

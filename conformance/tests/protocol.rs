@@ -10,13 +10,13 @@ use std::time::Duration;
 
 use adapter::{LOOP, TEMPLATE, changed, file, limits, text, verdicts_on};
 use common::gaugeblock;
-use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::certify::{Twice, Verdict};
-use gaugeblock::protocol::{Answer, Request};
+use gaugeblock_adapter::exec::{Exec, Limits};
+use gaugeblock_adapter::protocol::{Answer, Request};
 use gaugeblock_suite::Suite;
 
-const PAGE: &str = include_str!("../adapters/PROTOCOL.md");
-const TEMPLATE_C: &str = include_str!("../adapters/template.c");
+const PAGE: &str = include_str!("../adapter/PROTOCOL.md");
+const TEMPLATE_C: &str = include_str!("../adapter/templates/template.c");
 
 #[test]
 fn the_examples_of_the_page_are_requests_and_answers() {
@@ -45,8 +45,8 @@ fn the_examples_of_the_page_are_requests_and_answers() {
 #[test]
 fn the_schemas_are_those_of_version_1() {
     for (what, frozen) in [
-        ("request", include_str!("../adapters/schema/request.json")),
-        ("answer", include_str!("../adapters/schema/answer.json")),
+        ("request", include_str!("../adapter/schema/request.json")),
+        ("answer", include_str!("../adapter/schema/answer.json")),
     ] {
         let output = gaugeblock(&["adapter", "schema", what]);
         let schema = text(&output.stdout);

@@ -3,7 +3,6 @@
 use std::num::NonZero;
 
 use gaugeblock::adapters::reference::Reference;
-use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock::certify::{CaseResult, Plan, Run, Verdict, certify};
 use gaugeblock::expectations::{Expectations, Trouble};
 use gaugeblock::fingerprint::{Shown, fingerprint};
@@ -11,6 +10,7 @@ use gaugeblock::report::merge::Stored;
 use gaugeblock::report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock::shard::Shard;
 use gaugeblock::waivers::Waivers;
+use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Capabilities, compare};

@@ -8,13 +8,13 @@ use std::process::Command;
 
 use common::gaugeblock;
 use gaugeblock::adapters::reference::Reference;
-use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock::certify::{CaseResult, Course, Plan, Run, Twice, certify, certify_in};
 use gaugeblock::report::causes::groups;
 use gaugeblock::report::merge::Stored;
 use gaugeblock::report::stored::StoredCase;
 use gaugeblock::report::{Header, Report, html, json, junit, markdown, terminal};
 use gaugeblock::shard::Shard;
+use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{Channel, Effect, End, Event, Outcome, Scenario};
@@ -240,7 +240,7 @@ fn what_is_known_or_waived_is_named_so_and_does_not_fail() {
     let (before, now, merged) = (folder("before"), folder("now"), folder("merged"));
     let [before_path, now_path, merged_path] =
         [&before, &now, &merged].map(|folder| folder.to_str().expect("UTF-8"));
-    let adapter = Path::new(env!("CARGO_MANIFEST_DIR")).join("adapters/template.py");
+    let adapter = Path::new(env!("CARGO_MANIFEST_DIR")).join("adapter/templates/template.py");
     let toy = folder("toy").join("toy.py");
     let text = std::fs::read_to_string(&adapter).expect("the template");
     let alarm =
@@ -280,7 +280,7 @@ fn what_is_known_or_waived_is_named_so_and_does_not_fail() {
 /// The template, with all that it can do left out where it is mute.
 fn template(name: &str, mute: bool) -> String {
     const RUN: &str = "def run(scenario):\n";
-    let adapter = Path::new(env!("CARGO_MANIFEST_DIR")).join("adapters/template.py");
+    let adapter = Path::new(env!("CARGO_MANIFEST_DIR")).join("adapter/templates/template.py");
     let text = std::fs::read_to_string(&adapter).expect("the template");
     assert!(text.contains(RUN));
     let without = format!("{RUN}    raise Unsupported('everything')\n");

@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 
 use common::gaugeblock;
-use gaugeblock::protocol::{Operation, Request};
+use gaugeblock_adapter::protocol::{Operation, Request};
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::scenario::{Budget, Environment};

@@ -2,12 +2,12 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_impl::faults::{Fault, plant};
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 use super::production::Production;
-use super::{Adapter, HarnessError};
 
 /// Whether one is planted: a fault is in the whole process, and there is one at a time.
 static PLANTED: AtomicBool = AtomicBool::new(false);

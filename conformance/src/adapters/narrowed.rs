@@ -3,11 +3,10 @@
 
 use std::num::NonZero;
 
+use gaugeblock_adapter::{Adapter, Expected, HarnessError, Motion, NotMoved};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Step};
-
-use super::{Adapter, Expected, HarnessError, Motion, NotMoved};
 
 /// A controller, narrowed to what another one declares.
 #[derive(Debug)]

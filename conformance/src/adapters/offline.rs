@@ -6,6 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{
@@ -14,7 +15,6 @@ use gaugeblock_vocabulary::{
 };
 use serde::Deserialize;
 
-use super::{Adapter, HarnessError, Motion, NotMoved};
 use crate::offline::{
     Answer, Asked, BLOCKS, Blocks, CONTROL, Manifest, SAMPLES, SHEET, Sheet, digest,
     digest_of_motion, read_blocks,

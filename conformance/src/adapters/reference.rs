@@ -1,9 +1,8 @@
 //! The reference model as a controller.
 
+use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::{Outcome, Scenario};
-
-use super::{Adapter, HarnessError};
 
 /// The reference model.
 #[derive(Debug)]

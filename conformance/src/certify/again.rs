@@ -1,13 +1,13 @@
 //! Cases that are run more than once: one that ends its controller is run again alone, and of every hundred one is
 //! run twice.
 
+use gaugeblock_adapter::{Adapter, Expected, HarnessError};
 use gaugeblock_compare::compare;
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_vocabulary::{Outcome, Scenario};
 use sha2::{Digest as _, Sha256};
 
 use super::verdict::{Cause, Unjudged};
-use crate::adapters::{Adapter, Expected, HarnessError};
 
 /// How many cases of a hundred are run twice. Which ones follows from their names alone, so that every part of a run,
 /// and one that is gone on with, chooses the same.

@@ -15,6 +15,8 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+use gaugeblock_adapter::Adapter;
+use gaugeblock_adapter::clock::now;
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Basis, compare, state};
@@ -22,8 +24,6 @@ use gaugeblock_suite::assertion::Claim;
 use gaugeblock_suite::{Case, Edition, Rule, Suite, applies, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
 
-use crate::adapters::Adapter;
-use crate::adapters::exec::now;
 use crate::explain::{Departed, Other};
 use crate::shard::Shard;
 pub use again::Twice;

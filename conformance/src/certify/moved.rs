@@ -1,5 +1,6 @@
 //! Cases of motion: samples held to laws.
 
+use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
 use gaugeblock_compare::Basis;
 use gaugeblock_motion::Sketch;
 use gaugeblock_suite::{MotionCase, Rule};
@@ -8,7 +9,6 @@ use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 
 use super::Held;
 use super::verdict::{CaseResult, Cause, Departure, Unjudged, Verdict};
-use crate::adapters::{Adapter, HarnessError, Motion, NotMoved};
 
 impl Held<'_> {
     /// A case of motion: its own samples, or what the controller makes of its program at each feed of segments.

@@ -1,10 +1,10 @@
 //! The smallest program that departs as a case does.
 
+use gaugeblock_adapter::Adapter;
 use gaugeblock_fuzz::generate::Recipe;
 use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_vocabulary::Scenario;
 
-use crate::adapters::Adapter;
 use crate::adapters::reference::Reference;
 use crate::fuzz::groups::{Find, shrunk};
 use crate::fuzz::statistics::Statistics;

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::time::Duration;
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_compare::{StateDifference, Tally};
 use gaugeblock_motion::Sketch;
 use gaugeblock_suite::{Edition, Rule};
@@ -13,7 +14,6 @@ use gaugeblock_vocabulary::Outcome;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::adapters::HarnessError;
 use crate::fingerprint::Trait;
 
 /// What came of a case.

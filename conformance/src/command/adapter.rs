@@ -3,14 +3,11 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
+use gaugeblock_adapter::protocol;
+use gaugeblock_adapter::templates::{C, PYTHON};
 use gaugeblock_suite::Suite;
 
 use super::{Refused, check, place, write_out};
-use crate::protocol;
-
-const TEMPLATE_PYTHON: &str = include_str!("../../adapters/template.py");
-const TEMPLATE_C: &str = include_str!("../../adapters/template.c");
-const PROTOCOL: &str = include_str!("../../adapters/PROTOCOL.md");
 
 const EXAMPLES: &str = "Examples:
   gaugeblock adapter new --lang python > adapter.py
@@ -79,7 +76,7 @@ pub(super) fn adapter(
         Adapter::New(arguments) => new(arguments),
         Adapter::Check(arguments) => check::check(arguments, &suite()?),
         Adapter::Protocol => {
-            write_out(PROTOCOL);
+            write_out(protocol::PAGE);
             Ok(0)
         }
         Adapter::Vocabulary => {
@@ -99,8 +96,8 @@ pub(super) fn adapter(
 
 fn new(arguments: &New) -> Result<u8, Refused> {
     let template = match arguments.lang {
-        Lang::Python => TEMPLATE_PYTHON,
-        Lang::C => TEMPLATE_C,
+        Lang::Python => PYTHON,
+        Lang::C => C,
     };
     match &arguments.file {
         None => write_out(template),

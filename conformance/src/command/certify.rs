@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
+use gaugeblock_adapter::Adapter;
+use gaugeblock_adapter::exec::Limits;
 use gaugeblock_compare::Capabilities;
 use gaugeblock_suite::{Suite, options_of};
 
 use super::against::Against;
 use super::{Format, Refused, controller, place, write_out, write_out_in_colours};
-use crate::adapters::Adapter;
-use crate::adapters::exec::Limits;
 use crate::certify::{CaseResult, Course, Plan, Run, Twice, cases, certify_in};
 use crate::expectations::Expectations;
 use crate::fingerprint::traits;

@@ -1,11 +1,11 @@
 //! `gaugeblock adapter check`.
 
 use clap::Args;
+use gaugeblock_adapter::exec::Limits;
 use gaugeblock_suite::Suite;
 
 use super::{Refused, controller, write_out};
-use crate::adapters::exec::Limits;
-use crate::protocol::check::{Came, checks};
+use crate::check::{Came, checks};
 
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
@@ -28,7 +28,7 @@ pub(super) fn check(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused>
     };
     let adapter = controller::behind(&named, Limits::default())
         .unwrap_or_else(|| controller::exec(&named, Limits::default()))?;
-    let begun = crate::adapters::exec::now();
+    let begun = gaugeblock_adapter::clock::now();
     let found = checks(&adapter, suite, &|| begun.elapsed().as_secs_f64());
     let mut wrong = 0;
     let mut text = String::new();

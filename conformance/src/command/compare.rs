@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use clap::Args;
+use gaugeblock_adapter::Adapter;
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Comparison, compare as compare_runs};
 use gaugeblock_reference::motion::path::{differ, programmed};
@@ -13,7 +14,6 @@ use serde_json::json;
 
 use super::run::How;
 use super::{Format, Refused, controller, write_out};
-use crate::adapters::Adapter;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock compare part.ngc --iut rs274

@@ -2,18 +2,18 @@
 
 use std::path::Path;
 
+use gaugeblock_adapter::exec::{Exec, Limits};
+use gaugeblock_adapter::{Adapter, ControllerError};
 use gaugeblock_suite::{Edition, Suite};
 use gaugeblock_vocabulary::{Language, Options, Scenario};
 
 use super::Refused;
-use crate::adapters::exec::{Exec, Limits};
 use crate::adapters::linuxcnc::LinuxCnc;
 use crate::adapters::narrowed::Narrowed;
 use crate::adapters::offline::Offline;
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
 use crate::adapters::rs274::Rs274;
-use crate::adapters::{Adapter, ControllerError};
 
 /// The names, as the help tells them.
 pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`); tcp:HOST:PORT: one whose adapter listens there; offline:DIR: a control that was asked on paper (`gaugeblock suite --help`)";

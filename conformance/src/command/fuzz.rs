@@ -4,9 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use clap::Args;
+use gaugeblock_adapter::Adapter;
+use gaugeblock_adapter::clock::now;
 use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_fuzz::generate::{Recipe, Setups};
 use gaugeblock_suite::{Choice, Edition, Suite};
@@ -14,7 +16,6 @@ use gaugeblock_vocabulary::{Language, Options};
 
 use super::fuzz_cases::{outcomes, rarely_reached, seeds};
 use super::{Format, Refused, controller, fuzz_report, place, write_error, write_out};
-use crate::adapters::Adapter;
 use crate::fuzz::groups::{Find, Groups, merged, shrunk};
 use crate::fuzz::journal::{Header, NotJudged};
 use crate::fuzz::rehearsal::is_long;
@@ -256,12 +257,6 @@ fn generate(
         )),
         None => Ok(()),
     }
-}
-
-/// The clock ends a run; it never decides what is generated.
-#[expect(clippy::disallowed_methods, reason = "the command line alone may read the clock")]
-fn now() -> Instant {
-    Instant::now()
 }
 
 /// Divergences beyond this number stay as they were generated.

@@ -6,9 +6,11 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use clap::Args;
+use gaugeblock_adapter::Adapter;
+use gaugeblock_adapter::clock::now;
 use gaugeblock_fuzz::motion::Ride;
 use gaugeblock_fuzz::motion::change::Change;
 use gaugeblock_suite::Suite;
@@ -16,7 +18,6 @@ use gaugeblock_vocabulary::motion::MotionScript;
 use gaugeblock_vocabulary::{Axis, End, Outcome, Scenario, Settings};
 
 use super::{Refused, place, write_out};
-use crate::adapters::Adapter;
 use crate::adapters::production::Production;
 use crate::report::inert;
 use crate::rides::{Came, broken_by, compared, judged, ride, shrunk};
@@ -270,10 +271,4 @@ fn write(folder: &Path, name: &str, ride: &Ride, scenario: &Scenario) -> Result<
         let _infallible = write!(call, " --start={}", start.join(","));
     }
     Ok(call)
-}
-
-/// The clock ends a run; it never decides what is generated.
-#[expect(clippy::disallowed_methods, reason = "the command line alone may read the clock")]
-fn now() -> Instant {
-    Instant::now()
 }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use gaugeblock_adapter::{Adapter, NotMoved};
 use gaugeblock_motion::Summary;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
@@ -16,7 +17,6 @@ use super::pictures::Drawing;
 use super::{Refused, judge, place, run, write_error_in_colours, write_out};
 use crate::adapters::production::Production;
 use crate::adapters::reference::Reference;
-use crate::adapters::{Adapter, NotMoved};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock plan part.ngc --machine mill.toml

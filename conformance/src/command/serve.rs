@@ -7,11 +7,11 @@ use std::os::fd::AsFd as _;
 use std::sync::Arc;
 
 use clap::Args;
+use gaugeblock_adapter::Adapter;
+use gaugeblock_adapter::protocol::{self, Offer, Patience, Served};
 use gaugeblock_vocabulary::{Language, Scenario};
 
 use super::{Refused, controller, streams, write_out};
-use crate::adapters::Adapter;
-use crate::protocol::{self, Offer, Patience, Served};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock certify \"exec:gaugeblock serve production\"
@@ -58,7 +58,7 @@ pub(super) fn serve(arguments: &Arguments) -> Result<u8, Refused> {
     let unfinished = |error: Error| Refused::unfinished(error.to_string(), "its caller went away");
     // The streams themselves: a request is read at once, and an answer written at once.
     let requests = std::io::stdin().as_fd().try_clone_to_owned().map_err(unfinished)?;
-    let requests = Requests { stream: File::from(requests), patience: Patience::new() };
+    let requests = Requests { stream: File::from(requests), patience: Patience::default() };
     let requests = Box::new(BufReader::with_capacity(REQUEST, requests));
     let answers = std::io::stdout().as_fd().try_clone_to_owned().map_err(unfinished)?;
     protocol::serve(&served, requests, &mut File::from(answers)).map_err(unfinished)?;

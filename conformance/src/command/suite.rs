@@ -6,10 +6,10 @@ use std::sync::PoisonError;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::{Args, Subcommand};
+use gaugeblock_adapter::Adapter;
 use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite};
 
 use super::{Refused, certify, controller, place, write_error, write_out};
-use crate::adapters::Adapter;
 use crate::offline::{
     Answer, BLOCKS, CONTROL, FORMAT, MANIFEST, Manifest, OPERATOR, Question, SAMPLES, SHEET,
     answer, blank, can_ask, control_text, operator, questions, read_blocks, readme,
@@ -270,7 +270,7 @@ fn run_all(
     questions: &[Question],
     controller: &dyn Adapter,
     by_block: bool,
-) -> Vec<Option<Result<Files, crate::adapters::HarnessError>>> {
+) -> Vec<Option<Result<Files, gaugeblock_adapter::HarnessError>>> {
     let answered = Mutex::new((0..questions.len()).map(|_| None).collect::<Vec<_>>());
     let next = AtomicUsize::new(0);
     let jobs = super::jobs(controller.best_jobs());

@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Divergence, compare, surely_same};
 use gaugeblock_reference::{Evidence, RunCache};
@@ -11,7 +12,6 @@ use super::fragile::is_fragile;
 use super::signature::Signature;
 use super::statistics::{Statistics, count};
 use super::{Plan, comparable};
-use crate::adapters::{Adapter, HarnessError};
 
 /// A difference between two controllers.
 #[derive(Clone, Debug, PartialEq, Eq)]

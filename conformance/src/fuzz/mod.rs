@@ -19,13 +19,13 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc;
 
+use gaugeblock_adapter::Adapter;
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
 use gaugeblock_fuzz::generate::{self, Dice, Recipe};
 use gaugeblock_suite::{Choice, ChoiceKind};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Options, Scenario};
 
-use crate::adapters::Adapter;
 pub use crate::shard::Shard;
 pub use comparable::comparable;
 pub use fragile::is_fragile;

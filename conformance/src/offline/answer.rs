@@ -1,5 +1,6 @@
 //! A sheet filled in from what a controller did.
 
+use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_compare::observe::{Observed, value_of};
 use gaugeblock_suite::assertion::is_accepted;
@@ -9,7 +10,6 @@ use gaugeblock_vocabulary::{Effect, End, Outcome, State};
 use super::blocks::{Blocks, blocks_text};
 use super::sheet::{MODES, Values, text};
 use super::{Asked, Question, SAMPLES, SHEET};
-use crate::adapters::{Adapter, HarnessError, Motion, NotMoved};
 
 /// The files of a program's folder that a person fills in, by name, filled in from a run; nothing that the controller
 /// does not show. With `by_block`, positions after each block too, in place of the modes at the end.

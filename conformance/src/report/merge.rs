@@ -2,13 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use gaugeblock_adapter::Adapter;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Options;
 use serde::{Deserialize, Serialize};
 
 use super::json::VERSION;
 use super::stored::StoredCase;
-use crate::adapters::Adapter;
 use crate::certify::{CaseResult, Plan, Twice};
 use crate::fingerprint::Trait;
 use crate::shard::Shard;

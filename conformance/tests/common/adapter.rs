@@ -4,12 +4,12 @@ use std::num::NonZero;
 use std::path::Path;
 use std::time::Duration;
 
-use gaugeblock::adapters::exec::{Exec, Limits};
 use gaugeblock::certify::{CaseResult, Course, Plan, Twice, Verdict, certify_in};
 use gaugeblock::shard::Shard;
+use gaugeblock_adapter::exec::{Exec, Limits};
 use gaugeblock_suite::Suite;
 
-pub(crate) const TEMPLATE: &str = include_str!("../../adapters/template.py");
+pub(crate) const TEMPLATE: &str = include_str!("../../adapter/templates/template.py");
 
 /// Where the template begins to read requests.
 pub(crate) const LOOP: &str = "for request in map(json.loads, sys.stdin):\n";

@@ -41,7 +41,7 @@ fn blocks(page: &str, language: &str) -> Vec<String> {
 
 fn pages() -> BTreeMap<String, String> {
     let mut pages = files("docs", ".md");
-    pages.extend(["README.md", "conformance/adapters/PROTOCOL.md"].map(str::to_owned));
+    pages.extend(["README.md", "conformance/adapter/PROTOCOL.md"].map(str::to_owned));
     pages.into_iter().map(|page| (page.clone(), read(&page))).collect()
 }
 
@@ -230,7 +230,8 @@ fn the_action_judges_and_tells() {
     assert_eq!(said, "status=0\n");
     assert!(summary.contains("It does what the documents say"), "{summary}");
     let template =
-        std::fs::read_to_string(root().join("conformance/adapters/template.py")).expect("it");
+        std::fs::read_to_string(root().join("conformance/adapter/templates/template.py"))
+            .expect("it");
     std::fs::write(folder.join("adapter.py"), template).expect("a file");
     // A baseline that is not there yet is none; one that is there makes old divergences pass.
     let controller = ("CONTROLLER", "exec:python3 adapter.py");

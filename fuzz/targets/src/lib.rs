@@ -5,8 +5,8 @@
 
 use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::reference::Reference;
-use gaugeblock::adapters::{Adapter, HarnessError};
 use gaugeblock::fuzz::{comparable, is_fragile};
+use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::compare;
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_fuzz::generate::{self, Dice, odd, pairs};

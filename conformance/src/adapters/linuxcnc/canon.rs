@@ -3,13 +3,13 @@
 //! Moves are issued in machine coordinates and the machine's unit; offsets, rotation and unit in force lead back to
 //! program coordinates.
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{
     Axis, Channel, Effect, Event, Indexed, LengthUnit, Machine, OrientDirection, OutputTiming,
     Path, Position, Settings, SpindleTurn, Switch, WaitMode,
 };
 
 use super::stream::Issued;
-use crate::adapters::HarnessError;
 use crate::adapters::probing::lengths::Lengths;
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::source::code;

@@ -30,6 +30,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::time::Duration;
 
+use gaugeblock_adapter::{Adapter, ControllerError, HarnessError, NotMoved};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::{MotionLimits, Samples};
 use gaugeblock_vocabulary::scenario::{Action, Start};
@@ -39,7 +40,6 @@ use serde_json::Value;
 use super::probing::instrument::{Ends, Plan, is_plain};
 use super::probing::source::{DEBUG_SWITCH, Source};
 use super::probing::workspace;
-use super::{Adapter, ControllerError, HarnessError, NotMoved};
 use assemble::Assembly;
 use order::{after, order, plan};
 use pool::Pool;

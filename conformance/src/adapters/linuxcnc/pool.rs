@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 use std::sync::{Condvar, Mutex, PoisonError};
 
+use gaugeblock_adapter::HarnessError;
+
 use super::session::Session;
 use super::setup::Setup;
-use crate::adapters::HarnessError;
 
 /// How many controllers may run at once. Most of its time a controller waits for its own clocks: two processors serve
 /// four of them.

@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::time::Duration;
 
+use gaugeblock_adapter::{HarnessError, NotMoved};
 use gaugeblock_vocabulary::motion::{Column, MotionLimits, Samples};
 use gaugeblock_vocabulary::scenario::AxisLimits;
 use gaugeblock_vocabulary::{Axis, LengthUnit, Machine, Pin, Scenario};
@@ -15,7 +16,6 @@ use gaugeblock_vocabulary::{Axis, LengthUnit, Machine, Pin, Scenario};
 use super::session::Session;
 use super::setup::{self, Setup};
 use crate::adapters::probing::workspace;
-use crate::adapters::{HarnessError, NotMoved};
 
 /// How long a program may take.
 const LONGEST: Duration = Duration::from_secs(600);

@@ -7,13 +7,14 @@ use std::path::Path;
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use std::{fs, io};
 
+use gaugeblock_adapter::HarnessError;
+use gaugeblock_adapter::clock::now;
 use serde_json::Value;
 
 use super::setup::Setup;
-use crate::adapters::HarnessError;
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::workspace::Workspace;
 
@@ -358,12 +359,4 @@ fn read_lines(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
         }
     });
     receiver
-}
-
-#[expect(
-    clippy::disallowed_methods,
-    reason = "a foreign program may hang; its outcome does not depend on the time"
-)]
-fn now() -> Instant {
-    Instant::now()
 }

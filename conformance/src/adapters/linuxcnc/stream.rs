@@ -1,9 +1,9 @@
 //! Reads what a controller and its driver print: blocks as they are read and executed, commands as they are issued.
 
+use gaugeblock_adapter::HarnessError;
 use serde_json::Value;
 
 use super::session::MARK;
-use crate::adapters::HarnessError;
 use crate::adapters::probing::instrument::Plan;
 use crate::adapters::probing::probe::{Probe, Reader};
 

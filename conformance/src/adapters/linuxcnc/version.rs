@@ -4,8 +4,9 @@ use std::env;
 use std::path::PathBuf;
 use std::process::Command;
 
+use gaugeblock_adapter::{ControllerError, HarnessError};
+
 use super::session::is_root;
-use crate::adapters::{ControllerError, HarnessError};
 
 /// The versions that this adapter understands.
 const WANTED: &str = "2.9";

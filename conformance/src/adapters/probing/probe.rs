@@ -1,7 +1,8 @@
 //! Reads what the probe lines print.
 
+use gaugeblock_adapter::HarnessError;
+
 use super::instrument::{MODES, NUMBERS, Plan};
-use crate::adapters::HarnessError;
 
 /// One probe: a place that the run reached, and what it showed there.
 #[derive(Clone, Debug, PartialEq)]

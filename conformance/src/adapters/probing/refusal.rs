@@ -1,11 +1,11 @@
 //! Reads an error message and the line that is shown with it: which block was refused, and why.
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Fault, FaultKind};
 
 use super::faults;
 use super::instrument::{LONGEST_LINE, Plan};
 use super::source::{Source, code, last_comment};
-use crate::adapters::HarnessError;
 
 /// What the program says first, and means nothing.
 const GREETING: &str = "executing";

@@ -1,5 +1,6 @@
 //! What a probe shows, in the fields of the vocabulary.
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{
     Compensation, Distance, Event, FeedMode, Indexed, Lathe, LengthUnit, Motion, Plane, Position,
     Retract, Rs274State, Settings, SpindleMode, SpindleTurn, Switch,
@@ -7,7 +8,6 @@ use gaugeblock_vocabulary::{
 
 use super::instrument::Plan;
 use super::probe::Probe;
-use crate::adapters::HarnessError;
 
 /// Takes over a setting: an event only where it changes something, and one for what changes between two effects.
 pub(in crate::adapters) fn set(now: &mut Settings, events: &mut Vec<Event>, change: &Settings) {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_compare::observe::is_local_name;
 use gaugeblock_vocabulary::scenario::Budget;
 use gaugeblock_vocabulary::{
@@ -13,7 +14,6 @@ use super::instrument::Plan;
 use super::probe::Probe;
 use super::source::{Form, Source, code, form, has_slash, opens_probe_log};
 use super::state;
-use crate::adapters::HarnessError;
 
 /// The blocks that were executed so far.
 #[derive(Debug)]

@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::{env, fs, io};
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Axis, Machine};
-
-use crate::adapters::HarnessError;
 
 pub(in crate::adapters) const INI: &str = "machine.ini";
 pub(in crate::adapters) const TOOLS: &str = "tools.tbl";

@@ -1,13 +1,12 @@
 //! A run of custom macros: a step at a time, under the budget, written down as its sink is told of it.
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_impl::nct::{CustomMacros, MacroStep};
 use gaugeblock_impl::{Reply, Sink};
 use gaugeblock_vocabulary::{
     BlockLocation, Bound, Effect, End, Event, Language, MacroValue, NctState, Outcome, Program,
     Scenario, Settings, State, Step, Vacancy,
 };
-
-use super::super::HarnessError;
 
 /// What has been seen so far.
 #[derive(Debug, Default)]

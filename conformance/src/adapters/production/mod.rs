@@ -19,11 +19,10 @@ mod tests;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::drive::{Circumstances, plan_under};
+use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{Language, Options, Outcome, Scenario};
-
-use super::{Adapter, HarnessError, Motion, NotMoved};
 
 /// The production controller.
 #[derive(Debug)]

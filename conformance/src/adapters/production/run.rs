@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_impl::task::{Activity, BY_HAND, Idle, Stuck, Task};
 use gaugeblock_impl::{Error, Interpreter, Limits, Memory, Room};
 use gaugeblock_vocabulary::scenario::Start;
@@ -9,7 +10,6 @@ use gaugeblock_vocabulary::{
     BlockLocation, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario,
 };
 
-use super::super::HarnessError;
 use super::outside::Outside;
 use super::recorder::Recorder;
 

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{
     Bound, End, Indexed, Language, Outcome, Position, Scenario, Settings, State, Step,
 };
 
 use super::canon::{Canon, Mark};
 use super::output::Line;
-use crate::adapters::HarnessError;
 use crate::adapters::probing::instrument::Plan;
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::source::{Form, Source};

@@ -26,11 +26,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use gaugeblock_adapter::{Adapter, ControllerError, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settings};
 
 use super::probing::source::Source;
-use super::{Adapter, ControllerError, HarnessError};
 use assemble::Seen;
 use fork::Servers;
 use hal::Hal;

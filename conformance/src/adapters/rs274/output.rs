@@ -1,6 +1,7 @@
 //! Reads standard output: canonical calls, probes, and what (PRINT,…) prints.
 
-use crate::adapters::HarnessError;
+use gaugeblock_adapter::HarnessError;
+
 use crate::adapters::probing::instrument::Plan;
 use crate::adapters::probing::probe::{Probe, Reader};
 

@@ -8,12 +8,13 @@ use std::process::{Child, Command, ExitStatus};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use gaugeblock_adapter::HarnessError;
+use gaugeblock_adapter::clock::now;
 use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, waitid};
 
 use super::fork::Fork;
 use super::hal;
 use super::streams::Streams;
-use crate::adapters::HarnessError;
 
 /// What is started.
 #[derive(Clone, Copy, Debug)]
@@ -152,14 +153,6 @@ impl Process<'_> {
             Self::Forked(fork) => fork.end(),
         }
     }
-}
-
-#[expect(
-    clippy::disallowed_methods,
-    reason = "a foreign program may hang; its outcome does not depend on the time"
-)]
-pub(super) fn now() -> Instant {
-    Instant::now()
 }
 
 fn not_run(error: io::Error) -> HarnessError {

@@ -3,12 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{FaultKind, Machine, Program, Scenario};
 
 use super::fork::{Servers, Start};
 use super::output::{self, Line};
 use super::process::{Limits, Output, Started, Stop};
-use crate::adapters::HarnessError;
 use crate::adapters::probing::instrument::{Ends, Plan, is_plain};
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::source::{DEBUG_SWITCH, Source};

@@ -3,10 +3,11 @@
 use std::io::{ErrorKind, PipeReader, PipeWriter, Read, Result, Write, pipe};
 use std::time::Instant;
 
+use gaugeblock_adapter::clock::now;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::io::ioctl_fionbio;
 
-use super::process::{Stop, now};
+use super::process::Stop;
 
 /// How long output may stand in its pipe. A controller that writes word by word would wake us for each.
 const PACE: Timespec = Timespec { tv_sec: 0, tv_nsec: 1_000_000 };

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
+use gaugeblock_adapter::ControllerError;
+
 use super::process::{Limits, Started, Stop};
 use super::python::Home;
-use crate::adapters::ControllerError;
 use crate::adapters::probing::workspace::Workspace;
 
 /// The versions that this adapter understands.

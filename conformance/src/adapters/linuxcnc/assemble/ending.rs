@@ -1,9 +1,9 @@
 //! How a run ends, and what the block did that it ended with.
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Bound, Effect, End, Event, Fault, FaultKind};
 
 use super::{Assembly, is_end, unreadable};
-use crate::adapters::HarnessError;
 use crate::adapters::probing::faults;
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::source::{Form, form};

@@ -3,11 +3,11 @@
 //! The driver shows what is in force before such a block and after it: the first probe ends what came before, the
 //! program's end among it.
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::BlockLocation;
 use serde_json::Value;
 
 use super::{Assembly, is_end};
-use crate::adapters::HarnessError;
 use crate::adapters::probing::probe::Probe;
 
 /// The file that blocks entered besides a program are recorded in.

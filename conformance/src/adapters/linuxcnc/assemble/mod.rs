@@ -9,6 +9,7 @@ mod entries;
 
 use std::collections::{BTreeMap, VecDeque};
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{
     Channel, ControllerMode, Effect, End, Event, Fault, Indexed, Language, Outcome, PinChange,
@@ -21,7 +22,6 @@ use entries::Entering;
 use super::canon::Canon;
 use super::stream::{Issued, Item};
 use super::trace::Trace;
-use crate::adapters::HarnessError;
 use crate::adapters::probing::instrument::Plan;
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::refusal;

@@ -1,9 +1,9 @@
 //! Messages, tools, stops, the end, and signals.
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Channel, Effect, OutputTiming};
 
 use super::{Call, Canon, Done, Mark, whole};
-use crate::adapters::HarnessError;
 
 impl Canon {
     pub(super) fn other(&mut self, call: &Call) -> Done {

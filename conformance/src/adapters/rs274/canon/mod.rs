@@ -10,10 +10,10 @@ mod tool_table;
 
 use std::f64::consts::TAU;
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings};
 
 use super::output::Call;
-use crate::adapters::HarnessError;
 use crate::adapters::probing::lengths::Lengths;
 use crate::adapters::probing::probe::Probe;
 use crate::adapters::probing::source::{code, plain_word};

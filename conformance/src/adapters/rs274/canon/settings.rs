@@ -1,11 +1,11 @@
 //! Modes, offsets and the path.
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{
     Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Position, Retract, Settings,
 };
 
 use super::{Call, Canon, Done, Mark, whole};
-use crate::adapters::HarnessError;
 use crate::adapters::probing::state;
 
 impl Canon {

@@ -1,11 +1,11 @@
 //! Spindles, coolant and override controls.
 
+use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{
     Effect, Indexed, OrientDirection, Settings, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
 use super::{Call, Canon, Done, Mark, whole};
-use crate::adapters::HarnessError;
 
 /// Speed limit that stands for none.
 const NO_LIMIT: f64 = 1e29;

@@ -14,9 +14,10 @@ use std::process::ExitStatus;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
+use gaugeblock_adapter::clock::now;
 use rustix::process::{Pid, Signal, kill_process_group};
 
-use super::process::{Process, Run, Started, now};
+use super::process::{Process, Run, Started};
 use super::streams::Streams;
 use crate::adapters::probing::workspace::Workspace;
 use server::{Answer, PATIENCE, Server};

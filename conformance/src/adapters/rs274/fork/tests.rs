@@ -6,6 +6,7 @@ use std::os::unix::process::ExitStatusExt;
 use std::thread;
 use std::time::Duration;
 
+use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_suite::{Suite, scenario_of};
 use gaugeblock_vocabulary::Scenario;
 use rustix::process::kill_process;
@@ -17,7 +18,6 @@ use crate::adapters::probing::source::Source;
 use crate::adapters::rs274::process::{Limits, Output, Stop};
 use crate::adapters::rs274::session::{From, MANUAL_INPUT, Session, Unprobed};
 use crate::adapters::rs274::{LIMITS, Rs274};
-use crate::adapters::{Adapter, HarnessError};
 
 /// Every so many cases of the suite one is run both ways.
 const SAMPLE: usize = 16;

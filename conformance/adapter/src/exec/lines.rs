@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::io::ioctl_fionbio;
 
-use super::super::HarnessError;
-use super::process::now;
+use crate::HarnessError;
+use crate::clock::now;
 use crate::protocol::Patience;
 
 /// Most of the error output that is kept: its end.
@@ -93,7 +93,7 @@ impl Lines {
             taken: 0,
             said: Vec::new(),
             ended: false,
-            patience: Patience::new(),
+            patience: Patience::default(),
             part: vec![0; PART].into_boxed_slice(),
         })
     }

@@ -1,11 +1,10 @@
 //! The adapter protocol, version 1: one JSON object a line, a request and its answer by turns.
 //!
-//! `conformance/adapters/PROTOCOL.md` tells it to whoever writes an adapter; a test holds that page's examples to
-//! these types. The referee's side is [`crate::adapters::exec`], and [`serve`] speaks the controller's side for a
+//! `PROTOCOL.md` of this crate tells it to whoever writes an adapter; a test holds that page's examples to
+//! these types. The referee's side is [`crate::exec`], and [`serve`] speaks the controller's side for a
 //! controller of this project.
 
 mod alike;
-pub mod check;
 mod declaration;
 pub mod digest;
 mod features;
@@ -26,8 +25,11 @@ pub use declaration::{Clock, Declaration, Observables, vocabulary};
 pub use features::{FEATURES, needed};
 pub(crate) use meant::with_meant;
 pub use offers::{OFFERS, Offer};
-pub(crate) use patience::Patience;
+pub use patience::Patience;
 pub use serve::{Served, serve};
+
+/// The page that tells the protocol to whoever writes an adapter.
+pub const PAGE: &str = include_str!("../../PROTOCOL.md");
 
 /// The version that is frozen: what stands in it stays, and what comes is optional.
 pub const VERSION: u32 = 1;

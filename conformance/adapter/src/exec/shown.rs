@@ -6,10 +6,10 @@ use std::thread::{self, ThreadId};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::Scenario;
 
-use super::super::{Adapter as _, HarnessError};
 use super::Exec;
 use super::session::{Session, unreadable};
 use crate::protocol::{Offer, Operation, Reply};
+use crate::{Adapter as _, HarnessError};
 
 /// What was told of the scenario that each thread asked about last.
 #[derive(Debug, Default)]

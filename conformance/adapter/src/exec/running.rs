@@ -5,12 +5,12 @@ use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::scenario::OperatorEvent;
 use gaugeblock_vocabulary::{Outcome, Scenario, Step};
 
-use super::super::{Expected, HarnessError, Motion, NotMoved};
 use super::peer::GRACE;
-use super::process::now;
 use super::session::{NoReply, RUN, Session, request, shown, unreadable, unsupported};
+use crate::clock::now;
 use crate::protocol::digest::digest;
 use crate::protocol::{Answer, Offer, Operation, Reply, Stream, Ways};
+use crate::{Expected, HarnessError, Motion, NotMoved};
 
 /// How many batches may come before the referee has looked at them.
 const CREDIT: u32 = 8;

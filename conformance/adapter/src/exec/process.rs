@@ -4,7 +4,7 @@ use std::io::{PipeReader, PipeWriter};
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::process::{Child, Command, ExitStatus};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use rustix::process::{
     Pid, Resource, Rlimit, Signal, WaitId, WaitIdOptions, kill_process, kill_process_group,
@@ -12,6 +12,7 @@ use rustix::process::{
 };
 
 use super::Limits;
+use crate::clock::now;
 
 /// A variable in the environment of all processes of a session, by which those are found that left its group.
 const MARK: &str = "GAUGEBLOCK_SESSION";
@@ -132,12 +133,4 @@ fn told(status: ExitStatus) -> String {
         (None, Some(signal)) => format!("signal {signal}"),
         (None, None) => status.to_string(),
     }
-}
-
-#[expect(
-    clippy::disallowed_methods,
-    reason = "a foreign program may hang; its outcome does not depend on the time"
-)]
-pub(crate) fn now() -> Instant {
-    Instant::now()
 }

@@ -1,24 +1,14 @@
 //! Offers: what an adapter can do beyond the operations that each of them has to know. Nothing of it is asked of one
 //! that does not declare it.
 
-use clap::ValueEnum;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Something that an adapter can offer.
 #[derive(
-    Clone,
-    Copy,
-    Debug,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Serialize,
-    Deserialize,
-    JsonSchema,
-    ValueEnum,
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
 )]
+#[cfg_attr(any(feature = "clap", test), derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Offer {
     /// `cancel` ends a run that takes too long, and the session goes on
@@ -68,6 +58,8 @@ pub const OFFERS: &[(Offer, &str, &str)] = &[
 
 #[cfg(test)]
 mod tests {
+    use clap::ValueEnum as _;
+
     use super::*;
 
     #[test]

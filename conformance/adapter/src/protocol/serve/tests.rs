@@ -1,14 +1,33 @@
 use std::io::Cursor;
 
+use gaugeblock_compare::Capabilities;
 use serde_json::{Value, json};
 
 use super::*;
-use crate::adapters::reference::Reference;
+use crate::HarnessError;
+
+/// The reference model, in this process.
+#[derive(Debug)]
+struct Model(Capabilities);
+
+impl Adapter for Model {
+    fn capabilities(&self) -> &Capabilities {
+        &self.0
+    }
+
+    fn supports(&self, _scenario: &Scenario) -> std::result::Result<(), String> {
+        Ok(())
+    }
+
+    fn run(&self, scenario: &Scenario) -> std::result::Result<Outcome, HarnessError> {
+        Ok(gaugeblock_reference::run(scenario).0)
+    }
+}
 
 fn said_by(offers: &[Offer], requests: &str) -> Vec<Value> {
     let mut answers = Vec::new();
     let served = Served {
-        controller: Arc::new(Reference::default()),
+        controller: Arc::new(Model(Capabilities::everything("reference", "1"))),
         languages: vec![Language::Rs274],
         offers: offers.iter().copied().collect(),
     };

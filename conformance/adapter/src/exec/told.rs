@@ -12,7 +12,7 @@ use gaugeblock_vocabulary::{Language, Machine, Options, Program, Scenario};
 use serde::Serialize;
 use serde_json::value::RawValue;
 
-use super::super::HarnessError;
+use crate::HarnessError;
 use crate::protocol::{Stream, Ways};
 
 /// Bytes that most requests fit into.

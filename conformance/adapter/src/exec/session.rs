@@ -9,10 +9,10 @@ use serde::Serialize;
 use super::ahead::Begun;
 use super::lines::{Lines, NoLine};
 use super::peer::{Door, GRACE, Peer};
-use super::process::now;
 use super::side::Folder;
 use super::told::Teller;
 use super::{HarnessError, Limits};
+use crate::clock::now;
 use crate::protocol::{
     Alike, Answer, Declaration, Offer, Operation, Reply, Standing, VERSION, with_meant,
 };

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 
-use crate::adapters::exec::now;
+use crate::clock::now;
 
 /// How long is looked.
 const LOOK: Duration = Duration::from_micros(50);
@@ -21,21 +21,24 @@ static WAITERS: AtomicUsize = AtomicUsize::new(0);
 /// a look in vain it makes do without for a while, for longer and longer, and it does not look at all where everybody
 /// who is awake does not have a processor of its own.
 #[derive(Debug)]
-pub(crate) struct Patience {
+pub struct Patience {
     looks: Looks,
     processors: usize,
 }
 
-impl Patience {
-    pub(crate) fn new() -> Self {
+impl Default for Patience {
+    /// Counts one more who waits.
+    fn default() -> Self {
         WAITERS.fetch_add(1, Ordering::Relaxed);
         let processors = std::thread::available_parallelism().map_or(1, usize::from);
         Self { looks: Looks::default(), processors }
     }
+}
 
+impl Patience {
     /// Looks for something to read, or for the end of the stream; whether it was found. Where it was not, it is time
     /// to sleep.
-    pub(crate) fn look(&mut self, stream: impl AsFd) -> bool {
+    pub fn look(&mut self, stream: impl AsFd) -> bool {
         // There is somebody at the other end of each.
         if 2 * WAITERS.load(Ordering::Relaxed) > self.processors || !self.looks.is_next() {
             return false;

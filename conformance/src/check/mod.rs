@@ -6,11 +6,10 @@ mod offered;
 
 use std::collections::BTreeSet;
 
+use gaugeblock_adapter::exec::Exec;
+use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{End, Language, Outcome, Scenario};
-
-use crate::adapters::exec::Exec;
-use crate::adapters::{Adapter, HarnessError};
 
 /// What a check came to.
 #[derive(Clone, Debug, PartialEq, Eq)]

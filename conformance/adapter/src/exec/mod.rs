@@ -26,10 +26,9 @@ use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
-use super::{Adapter, ControllerError, Expected, HarnessError, Motion, NotMoved};
 use crate::protocol::{Declaration, Offer, needed};
+use crate::{Adapter, ControllerError, Expected, HarnessError, Motion, NotMoved};
 use peer::Door;
-pub(crate) use process::now;
 use running::Stopped;
 use session::Session;
 use shown::Shown;

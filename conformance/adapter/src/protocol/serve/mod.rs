@@ -15,7 +15,7 @@ use gaugeblock_vocabulary::{Language, Outcome, Scenario, Step};
 
 use super::digest::digest;
 use super::{Answer, Declaration, Observables, Offer, Operation, Reply, Request, Standing, Ways};
-use crate::adapters::{Adapter, Motion, NotMoved};
+use crate::{Adapter, Motion, NotMoved};
 use requests::{Ran, Reader, Requests};
 
 /// Steps of a batch.

@@ -3,9 +3,9 @@
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::{Outcome, Scenario};
 
-use super::super::Adapter as _;
 use super::session::{Session, request};
 use super::{Exec, HarnessError};
+use crate::Adapter as _;
 use crate::protocol::{Offer, Operation, Reply, Ways};
 
 impl Exec {

@@ -7,10 +7,10 @@ use std::thread::{self, ThreadId};
 
 use gaugeblock_vocabulary::{Outcome, Scenario};
 
-use super::super::{Adapter as _, Expected, HarnessError};
 use super::Exec;
 use super::running::{Asked, Stopped};
 use super::session::Session;
+use crate::{Adapter as _, Expected, HarnessError};
 
 /// A run that was asked for ahead.
 #[derive(Debug)]
