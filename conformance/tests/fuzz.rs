@@ -8,15 +8,15 @@ use std::sync::atomic::AtomicBool;
 
 use gaugeblock::adapters::production::Production;
 use gaugeblock::adapters::reference::Reference;
-use gaugeblock::fuzz::groups::{Find, Groups, merged, shrunk};
+use gaugeblock::fuzz::groups::{Finding, Groups, merged, shrunk};
 use gaugeblock::fuzz::journal::Chunk;
 use gaugeblock::fuzz::statistics::Statistics;
-use gaugeblock::fuzz::{Came, Extent, Plan, Shard, run};
+use gaugeblock::fuzz::{Extent, FuzzResult, Plan, Shard, run};
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_fuzz::generate::nct::{Counted, Pair, count, locals};
 use gaugeblock_fuzz::generate::splice::Seeds;
-use gaugeblock_fuzz::generate::{Dice, Recipe, Setups};
+use gaugeblock_fuzz::generate::{Entropy, GeneratorConfig, Setups};
 use gaugeblock_reference::RuleOutcome;
 use gaugeblock_vocabulary::{
     Effect, Event, Language, LengthUnit, Options, Outcome, Scenario, SpindleTurn,
@@ -53,7 +53,7 @@ fn plan<'a>(iut: &'a dyn Adapter, against: &'a dyn Adapter) -> Plan<'a> {
     Plan {
         iut,
         against,
-        recipe: Recipe { setups: Setups::Any, ..Recipe::default() },
+        config: GeneratorConfig { setups: Setups::Any, ..GeneratorConfig::default() },
         seed: 1,
         spliced: 0,
         seeds: Seeds::default(),
@@ -76,13 +76,13 @@ fn chunks(plan: &Plan<'_>, shard: Shard, done: &BTreeSet<u64>) -> Vec<Chunk> {
     all
 }
 
-fn together(chunks: Vec<Chunk>) -> (Statistics, Vec<Find>) {
+fn together(chunks: Vec<Chunk>) -> (Statistics, Vec<Finding>) {
     let (mut statistics, mut groups) = (Statistics::default(), Groups::default());
     for chunk in chunks {
         statistics.add(&chunk.statistics);
-        chunk.found.into_iter().for_each(|find| groups.add(find));
+        chunk.found.into_iter().for_each(|finding| groups.add(finding));
     }
-    (statistics, merged(groups.finds()))
+    (statistics, merged(groups.findings()))
 }
 
 const WHOLE: Shard = Shard { index: 1, of: 1 };
@@ -92,16 +92,16 @@ fn a_planted_fault_is_found_and_shrunk() {
     let faulty = SlowDwell(Capabilities::everything("slow dwell", "1"));
     let reference = Reference::default();
     let plan = plan(&faulty, &reference);
-    let (statistics, finds) = together(chunks(&plan, WHOLE, &BTreeSet::new()));
+    let (statistics, findings) = together(chunks(&plan, WHOLE, &BTreeSet::new()));
     assert_eq!(statistics.programs, PROGRAMS);
     assert!(statistics.diverging > 5, "{statistics:?}");
     // Cycles dwell, too, and are another kind: those of G4 become its smallest program.
-    let of_dwell = |find: &Find| find.shape.split(' ').any(|word| word == "g4");
-    let finds: Vec<Find> = finds.into_iter().filter(of_dwell).take(3).collect();
-    assert!(!finds.is_empty());
-    for find in finds {
-        let small = shrunk(&plan, &find, 2_000);
-        assert_eq!(small.scenario.program.main.trim_end(), "g4 p1", "{find:?}");
+    let of_dwell = |finding: &Finding| finding.shape.split(' ').any(|word| word == "g4");
+    let findings: Vec<Finding> = findings.into_iter().filter(of_dwell).take(3).collect();
+    assert!(!findings.is_empty());
+    for finding in findings {
+        let small = shrunk(&plan, &finding, 2_000);
+        assert_eq!(small.scenario.program.main.trim_end(), "g4 p1", "{finding:?}");
         assert_eq!(small.scenario.machine, gaugeblock_vocabulary::Machine::default());
         assert!(small.shrunk);
         assert!(small.rules.iter().any(|rule| rule.starts_with("dwell.")), "{:?}", small.rules);
@@ -111,27 +111,32 @@ fn a_planted_fault_is_found_and_shrunk() {
 #[test]
 fn post_processors_are_fuzzed_too() {
     let (production, reference) = (Production::default(), Reference::default());
-    let recipe = Recipe { language: Language::Gpp, wrong_programs: 0, ..Recipe::default() };
-    let plan = Plan { recipe, ..plan(&production, &reference) };
-    let (statistics, finds) = together(chunks(&plan, Shard { index: 1, of: 1 }, &BTreeSet::new()));
-    assert_eq!(finds, []);
+    let config = GeneratorConfig {
+        language: Language::Gpp,
+        mutated_programs: 0,
+        ..GeneratorConfig::default()
+    };
+    let plan = Plan { config, ..plan(&production, &reference) };
+    let (statistics, findings) =
+        together(chunks(&plan, Shard { index: 1, of: 1 }, &BTreeSet::new()));
+    assert_eq!(findings, []);
     assert!(statistics.accepted * 2 > PROGRAMS, "{} of {PROGRAMS}", statistics.accepted);
 }
 
 #[test]
 fn custom_macros_are_fuzzed_too() {
     let (production, reference) = (Production::default(), Reference::default());
-    let recipe = Recipe { language: Language::Nct, ..Recipe::default() };
-    let plan = Plan { recipe, ..plan(&production, &reference) };
-    let (statistics, finds) = together(chunks(&plan, WHOLE, &BTreeSet::new()));
-    assert_eq!(finds, []);
+    let config = GeneratorConfig { language: Language::Nct, ..GeneratorConfig::default() };
+    let plan = Plan { config, ..plan(&production, &reference) };
+    let (statistics, findings) = together(chunks(&plan, WHOLE, &BTreeSet::new()));
+    assert_eq!(findings, []);
     assert!(statistics.accepted * 2 > PROGRAMS, "{} of {PROGRAMS}", statistics.accepted);
 }
 
 #[test]
 fn production_interpolates_as_often_as_the_closed_form_says() {
     for number in 0..PROGRAMS {
-        let Counted { scenario, interpolations } = count(&mut Dice::of_seed(3, number));
+        let Counted { scenario, interpolations } = count(&mut Entropy::from_seed(3, number));
         let outcome = Production::default().run(&scenario).unwrap();
         assert_eq!(Counted::made(&outcome), interpolations, "{}", scenario.program.main);
     }
@@ -140,7 +145,7 @@ fn production_interpolates_as_often_as_the_closed_form_says() {
 #[test]
 fn production_leaves_a_caller_what_it_had() {
     for number in 0..PROGRAMS {
-        let pair = locals(&mut Dice::of_seed(4, number));
+        let pair = locals(&mut Entropy::from_seed(4, number));
         let [one, other] =
             [&pair.one, &pair.other].map(|one| Production::default().run(one).unwrap());
         if Pair::returns(&pair.other, &other) {
@@ -188,8 +193,8 @@ fn where_the_rounding_of_a_position_decides_nothing_is_said() {
         scenario.machine.length_unit = unit;
         let (choice, option) = ("arcs.radius-just-too-small", "half-circle");
         scenario.options.0.insert(choice.to_owned(), option.to_owned());
-        let came = plan.judge(&scenario, &mut Statistics::default());
-        assert!(matches!(came, Came::Fragile | Came::Same), "{text}: {came:?}");
+        let result = plan.judge(&scenario, &mut Statistics::default());
+        assert!(matches!(result, FuzzResult::Fragile | FuzzResult::Same), "{text}: {result:?}");
     }
 }
 
@@ -202,8 +207,8 @@ fn a_tap_does_not_turn_a_spindle_back_to_its_angle() {
     for (choice, option) in [("cycles.tap-direction", "any"), ("cycles.tap-return", "as-before")] {
         scenario.options.0.insert(choice.to_owned(), option.to_owned());
     }
-    let came = plan.judge(&scenario, &mut Statistics::default());
-    assert_eq!(came, Came::Same);
+    let result = plan.judge(&scenario, &mut Statistics::default());
+    assert_eq!(result, FuzzResult::Same);
     let outcome = gaugeblock_reference::run(&scenario).0;
     let turns = outcome.steps.iter().flat_map(|step| &step.events).filter_map(|event| {
         let Event::Set(changed) = event else { return None };
@@ -309,7 +314,7 @@ fn a_rehearsal_finds_the_seeds_that_do_what_other_programs_rarely_do() {
     plan.seeds.all = ["g0 x1\nm2", rare].map(Scenario::of).into();
     let outcomes = ["motion.traverse", "order.dwell-before-distance"]
         .map(|rule| (rule, RuleOutcome::Accepted));
-    plan.spliced = plan.rehearse(outcomes, Some(PROGRAMS));
+    plan.spliced = plan.coverage_pass(outcomes, Some(PROGRAMS));
     assert!(plan.spliced > 0);
     assert!(!plan.seeds.rare.is_empty());
     assert!(

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_fuzz::generate::{self, odd};
+use gaugeblock_fuzz::generate::{self, malformed};
 use gaugeblock_fuzz::oracle;
 use gaugeblock_vocabulary::{End, Scenario};
 use proptest::collection::vec;
@@ -11,7 +11,7 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
 fn check(scenario: &Scenario) -> Result<(), TestCaseError> {
-    let kept = oracle::model_keeps_its_promises(scenario);
+    let kept = oracle::model_invariants(scenario);
     kept.map(|_| ())
         .map_err(|broken| TestCaseError::fail(format!("{broken}\n{}", scenario.program.main)))
 }
@@ -20,8 +20,8 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn odd_program(bytes in vec(any::<u8>(), 0..400)) {
-        check(&odd::scenario(&bytes))?;
+    fn malformed_program(bytes in vec(any::<u8>(), 0..400)) {
+        check(&malformed::scenario(&bytes))?;
     }
 
     #[test]
@@ -42,7 +42,7 @@ fn generator_does_not_idle() {
     let (mut ended, mut refused, mut steps) = (0, 0, 0);
     for _ in 0..500 {
         let bytes = vec(any::<u8>(), 0..150).new_tree(&mut runner).unwrap().current();
-        let outcome = oracle::model_keeps_its_promises(&odd::scenario(&bytes)).unwrap();
+        let outcome = oracle::model_invariants(&malformed::scenario(&bytes)).unwrap();
         steps += outcome.steps.len();
         match outcome.end {
             End::Fault(_) => refused += 1,
@@ -87,6 +87,6 @@ fn hostile_programs() {
     for program in programs {
         let mut scenario = generate::raw(program.as_bytes());
         scenario.budget.steps = 5_000;
-        oracle::model_keeps_its_promises(&scenario).unwrap();
+        oracle::model_invariants(&scenario).unwrap();
     }
 }

@@ -2,7 +2,7 @@
 //! its caller what it had.
 
 use gaugeblock_fuzz::generate::nct::{Counted, Pair, count, locals};
-use gaugeblock_fuzz::generate::{Dice, Recipe, from_seed};
+use gaugeblock_fuzz::generate::{Entropy, GeneratorConfig, from_seed};
 use gaugeblock_vocabulary::{End, Language, Outcome, Scenario};
 
 const PROGRAMS: u64 = 3000;
@@ -13,8 +13,8 @@ fn run(scenario: &Scenario) -> Outcome {
 
 #[test]
 fn most_programs_are_accepted() {
-    let recipe = Recipe { language: Language::Nct, ..Recipe::default() };
-    let ends = (0..PROGRAMS).map(|number| run(&from_seed(1, number, &recipe)).end);
+    let config = GeneratorConfig { language: Language::Nct, ..GeneratorConfig::default() };
+    let ends = (0..PROGRAMS).map(|number| run(&from_seed(1, number, &config)).end);
     let is_accepted = |end: &End| {
         !matches!(end, End::Fault(_) | End::Unspecified { .. } | End::Unsupported { .. })
     };
@@ -26,7 +26,7 @@ fn most_programs_are_accepted() {
 #[test]
 fn modal_calls_interpolate_as_often_as_the_closed_form_says() {
     for number in 0..PROGRAMS {
-        let Counted { scenario, interpolations } = count(&mut Dice::of_seed(3, number));
+        let Counted { scenario, interpolations } = count(&mut Entropy::from_seed(3, number));
         let outcome = run(&scenario);
         let text = &scenario.program.main;
         assert_eq!(outcome.end, End::ProgramEnd, "{text}");
@@ -38,7 +38,7 @@ fn modal_calls_interpolate_as_often_as_the_closed_form_says() {
 fn a_call_leaves_its_caller_what_it_had() {
     let mut compared = 0;
     for number in 0..PROGRAMS {
-        let pair = locals(&mut Dice::of_seed(4, number));
+        let pair = locals(&mut Entropy::from_seed(4, number));
         let (one, other) = (run(&pair.one), run(&pair.other));
         assert_eq!(one.end, End::ProgramEnd, "{}", pair.one.program.main);
         if Pair::returns(&pair.other, &other) {

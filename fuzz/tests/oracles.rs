@@ -1,7 +1,7 @@
 //! The oracles on generated programs, and on runs in which a promise is broken.
 
-use gaugeblock_fuzz::generate::pairs::pair;
-use gaugeblock_fuzz::generate::{Dice, Recipe, from_seed};
+use gaugeblock_fuzz::generate::metamorphic::pair;
+use gaugeblock_fuzz::generate::{Entropy, GeneratorConfig, from_seed};
 use gaugeblock_fuzz::oracle;
 use gaugeblock_reference::{RunCache, run, run_with};
 use gaugeblock_vocabulary::{Effect, End, Event, Options, Outcome, Scenario};
@@ -13,8 +13,9 @@ fn reference(scenario: &Scenario) -> Option<Outcome> {
 #[test]
 fn pairs_do_the_same() {
     for number in 0..400 {
-        let pair = pair(&mut Dice::of_seed(3, number));
-        oracle::same(&pair, &mut reference).unwrap_or_else(|broken| panic!("{number}: {broken}"));
+        let pair = pair(&mut Entropy::from_seed(3, number));
+        oracle::metamorphic(&pair, &mut reference)
+            .unwrap_or_else(|broken| panic!("{number}: {broken}"));
     }
 }
 
@@ -22,7 +23,7 @@ fn pairs_do_the_same() {
 fn a_pair_that_differs_is_told() {
     let mut broken = 0;
     for number in 0..100 {
-        let pair = pair(&mut Dice::of_seed(3, number));
+        let pair = pair(&mut Entropy::from_seed(3, number));
         let mut turn = 0;
         let mut one_dwell_less = |scenario: &Scenario| {
             turn += 1;
@@ -34,7 +35,7 @@ fn a_pair_that_differs_is_told() {
             }
             Some(outcome)
         };
-        broken += u32::from(oracle::same(&pair, &mut one_dwell_less).is_err());
+        broken += u32::from(oracle::metamorphic(&pair, &mut one_dwell_less).is_err());
     }
     assert!(broken > 30, "{broken} of 100");
 }
@@ -42,23 +43,24 @@ fn a_pair_that_differs_is_told() {
 #[test]
 fn a_longer_budget_goes_on() {
     for number in 0..200 {
-        let scenario = from_seed(4, number, &Recipe::default());
-        oracle::goes_on(&scenario, &mut reference).unwrap();
+        let scenario = from_seed(4, number, &GeneratorConfig::default());
+        oracle::budget_prefix(&scenario, &mut reference).unwrap();
     }
     let mut ends = |scenario: &Scenario| {
         let mut outcome = reference(scenario)?;
         outcome.end = End::ProgramEnd;
         Some(outcome)
     };
-    assert!(oracle::goes_on(&Scenario::of("g0\ng0\ng0\nm2\n"), &mut ends).is_err());
+    assert!(oracle::budget_prefix(&Scenario::of("g0\ng0\ng0\nm2\n"), &mut ends).is_err());
 }
 
 #[test]
 fn arrival_changes_nothing() {
     for number in 0..300 {
-        let mut dice = Dice::of_seed(5, number);
-        let scenario = from_seed(5, number, &Recipe::default());
-        oracle::arrives(&scenario, &mut dice).unwrap_or_else(|broken| panic!("{number}: {broken}"));
+        let mut entropy = Entropy::from_seed(5, number);
+        let scenario = from_seed(5, number, &GeneratorConfig::default());
+        oracle::chunked_input(&scenario, &mut entropy)
+            .unwrap_or_else(|broken| panic!("{number}: {broken}"));
     }
 }
 
@@ -67,8 +69,9 @@ fn arrival_changes_nothing() {
 fn a_cut_line_end_is_no_line_after_m99() {
     let scenario = Scenario::of("m8\r\nm98 p101\r\nm2\r\no101\r\nm99\r\n");
     for number in 0..60 {
-        let mut dice = Dice::of_seed(6, number);
-        oracle::arrives(&scenario, &mut dice).unwrap_or_else(|broken| panic!("{number}: {broken}"));
+        let mut entropy = Entropy::from_seed(6, number);
+        oracle::chunked_input(&scenario, &mut entropy)
+            .unwrap_or_else(|broken| panic!("{number}: {broken}"));
     }
 }
 
@@ -79,7 +82,7 @@ fn what_the_model_keeps_does_not_show() {
     let other: Options =
         Options([("units-planes.initial-unit".to_owned(), "machine".to_owned())].into());
     for number in 0..400 {
-        let mut scenario = from_seed(11, number, &Recipe::default());
+        let mut scenario = from_seed(11, number, &GeneratorConfig::default());
         if number % 3 == 0 {
             scenario.options = other.clone();
         }

@@ -1,7 +1,7 @@
 //! Programs of a post-processor: most are accepted, and what is modal shows where something is printed only.
 
 use gaugeblock_fuzz::generate::gpp::{Pair, modality};
-use gaugeblock_fuzz::generate::{Dice, Recipe, from_seed};
+use gaugeblock_fuzz::generate::{Entropy, GeneratorConfig, from_seed};
 use gaugeblock_vocabulary::{End, Language, Outcome, Scenario};
 
 const PROGRAMS: u64 = 3000;
@@ -12,8 +12,8 @@ fn run(scenario: &Scenario) -> Outcome {
 
 #[test]
 fn most_programs_are_accepted() {
-    let recipe = Recipe { language: Language::Gpp, ..Recipe::default() };
-    let ends = (0..PROGRAMS).map(|number| run(&from_seed(1, number, &recipe)).end);
+    let config = GeneratorConfig { language: Language::Gpp, ..GeneratorConfig::default() };
+    let ends = (0..PROGRAMS).map(|number| run(&from_seed(1, number, &config)).end);
     let accepted = ends.filter(|end| !matches!(end, End::Fault(_))).count();
     let percent = accepted * 100 / usize::try_from(PROGRAMS).unwrap();
     assert!((60..97).contains(&percent), "{percent} of a hundred are accepted");
@@ -22,7 +22,7 @@ fn most_programs_are_accepted() {
 #[test]
 fn modality_shows_where_something_is_printed_only() {
     for number in 0..PROGRAMS {
-        let pair = modality(&mut Dice::of_seed(2, number));
+        let pair = modality(&mut Entropy::from_seed(2, number));
         let (one, other) = (run(&pair.one), run(&pair.other));
         assert!(
             Pair::agrees(&one, &other),

@@ -10,15 +10,15 @@ use clap::Args;
 use gaugeblock_adapter::Adapter;
 use gaugeblock_adapter::clock::now;
 use gaugeblock_fuzz::generate::splice::Seeds;
-use gaugeblock_fuzz::generate::{Recipe, Setups};
+use gaugeblock_fuzz::generate::{GeneratorConfig, Setups};
 use gaugeblock_suite::{Choice, Edition, Suite};
 use gaugeblock_vocabulary::{Language, Options};
 
 use super::fuzz_cases::{outcomes, rarely_reached, seeds};
 use super::{Format, Refused, controller, fuzz_report, place, write_error, write_out};
-use crate::fuzz::groups::{Find, Groups, merged, shrunk};
+use crate::fuzz::coverage_pass::is_long;
+use crate::fuzz::groups::{Finding, Groups, merged, shrunk};
 use crate::fuzz::journal::{Header, NotJudged};
-use crate::fuzz::rehearsal::is_long;
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{ALIKE, Extent, Plan, Random, Shard, run};
 use crate::journal::Journal;
@@ -83,7 +83,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "ROW")]
     only: Vec<String>,
     /// In how many of a hundred programs something is slightly wrong
-    #[arg(long, value_name = "PERCENT", default_value_t = Recipe::default().wrong_programs, value_parser = clap::value_parser!(u32).range(0..=100))]
+    #[arg(long, value_name = "PERCENT", default_value_t = GeneratorConfig::default().mutated_programs, value_parser = clap::value_parser!(u32).range(0..=100))]
     wrong: u32,
     /// How many of a hundred programs are put together from the suite's cases [default: so many that each outcome of
     /// a rule should be reached 20 times, 10 to 32]
@@ -128,10 +128,10 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     let mut plan = Plan {
         iut: iut.as_ref(),
         against: against.as_ref(),
-        recipe: Recipe {
+        config: GeneratorConfig {
             language: edition.language,
             old_words: options.is("gpp.old-words", "accepted"),
-            ..recipe(arguments, edition)?
+            ..config(arguments, edition)?
         },
         seed: arguments.seed,
         spliced: 0,
@@ -145,7 +145,7 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
         environment: edition.environment.clone(),
     };
     if arguments.only.is_empty() && arguments.spliced != Some(0) {
-        let share = plan.rehearse(outcomes(suite, edition), arguments.programs);
+        let share = plan.coverage_pass(outcomes(suite, edition), arguments.programs);
         plan.spliced = arguments.spliced.unwrap_or(share);
     }
     let header = header(arguments, &plan, edition);
@@ -167,14 +167,14 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
     let begun = now();
     generate(arguments, &plan, journal, &mut so_far)?;
     let seconds = begun.elapsed().as_secs_f64();
-    let finds = shrink_all(&plan, so_far.groups.finds(), arguments.shrink);
-    let (finds, known): (Vec<Find>, Vec<Find>) =
-        finds.into_iter().partition(|find| !known.iter().any(|known| known.is_as(find)));
+    let findings = shrink_all(&plan, so_far.groups.findings(), arguments.shrink);
+    let (findings, known): (Vec<Finding>, Vec<Finding>) =
+        findings.into_iter().partition(|finding| !known.iter().any(|known| known.is_as(finding)));
     let (rare, not_shown) = rarely_reached(suite, edition, &plan, &so_far.statistics);
     let report = fuzz_report::Report {
         header: &header,
         statistics: &so_far.statistics,
-        finds: &finds,
+        findings: &findings,
         known: &known,
         rare: &rare,
         not_shown: &not_shown,
@@ -204,7 +204,7 @@ impl SoFar {
     fn add(&mut self, chunk: crate::fuzz::journal::Chunk) {
         if self.done.insert(chunk.chunk) {
             self.statistics.add(&chunk.statistics);
-            chunk.found.into_iter().for_each(|find| self.groups.add(find));
+            chunk.found.into_iter().for_each(|finding| self.groups.add(finding));
             self.not_judged.extend(chunk.not_judged.into_iter().map(|kept| (kept.number, kept)));
             while self.not_judged.len() > NOT_JUDGED {
                 self.not_judged.pop_last();
@@ -262,25 +262,25 @@ fn generate(
 /// Divergences beyond this number stay as they were generated.
 const SHRUNK_AT_MOST: usize = 150;
 
-fn shrink_all(plan: &Plan<'_>, mut finds: Vec<Find>, attempts: u32) -> Vec<Find> {
+fn shrink_all(plan: &Plan<'_>, mut findings: Vec<Finding>, attempts: u32) -> Vec<Finding> {
     if attempts == 0 {
-        return merged(finds);
+        return merged(findings);
     }
     // What was met most often first: it has the best chance to be seen whole.
-    finds.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.number.cmp(&b.number)));
+    findings.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.number.cmp(&b.number)));
     let bar = indicatif::ProgressBar::new(
-        u64::try_from(finds.len().min(SHRUNK_AT_MOST)).unwrap_or_default(),
+        u64::try_from(findings.len().min(SHRUNK_AT_MOST)).unwrap_or_default(),
     );
     bar.set_message("shrinking");
-    for find in finds.iter_mut().take(SHRUNK_AT_MOST) {
-        *find = shrunk(plan, find, attempts);
+    for finding in findings.iter_mut().take(SHRUNK_AT_MOST) {
+        *finding = shrunk(plan, finding, attempts);
         bar.inc(1);
     }
     bar.finish_and_clear();
-    merged(finds)
+    merged(findings)
 }
 
-fn recipe(arguments: &Arguments, edition: &Edition) -> Result<Recipe, Refused> {
+fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, Refused> {
     if edition.language != Language::Rs274 && !arguments.only.is_empty() {
         let message = format!("the generator of programs in {} has no rows", edition.language);
         return Err(Refused::wrong(message, "leave out --only"));
@@ -301,11 +301,11 @@ fn recipe(arguments: &Arguments, edition: &Edition) -> Result<Recipe, Refused> {
             ));
         }
     }
-    Ok(Recipe {
-        wrong_programs: arguments.wrong,
+    Ok(GeneratorConfig {
+        mutated_programs: arguments.wrong,
         only: arguments.only.clone(),
         setups,
-        ..Recipe::default()
+        ..GeneratorConfig::default()
     })
 }
 
@@ -387,7 +387,7 @@ fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
         iut: named(plan.iut),
         against: named(plan.against),
         options: format!("{}, {}", edition.id, arguments.options),
-        recipe: format!(
+        config: format!(
             "wrong {}, spliced {} for a {} run, only {:?}, options of {ALIKE}",
             arguments.wrong,
             plan.spliced,

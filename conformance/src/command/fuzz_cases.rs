@@ -52,7 +52,7 @@ pub(super) fn rarely_reached(
     plan: &Plan<'_>,
     statistics: &Statistics,
 ) -> (Vec<(String, u64)>, NotShown) {
-    if !plan.recipe.only.is_empty() {
+    if !plan.config.only.is_empty() {
         return Default::default();
     }
     let mut rare = statistics.rarely_reached(outcomes(suite, edition));

@@ -11,16 +11,16 @@ use std::time::Duration;
 use clap::Args;
 use gaugeblock_adapter::Adapter;
 use gaugeblock_adapter::clock::now;
-use gaugeblock_fuzz::motion::Ride;
-use gaugeblock_fuzz::motion::change::Change;
+use gaugeblock_fuzz::motion::MotionProgram;
+use gaugeblock_fuzz::motion::transformation::Transformation;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::motion::MotionScript;
 use gaugeblock_vocabulary::{Axis, End, Outcome, Scenario, Settings};
 
 use super::{Refused, place, write_out};
 use crate::adapters::production::Production;
+use crate::motion_programs::{MotionResult, broken_by, compared, judged, motion_program, shrunk};
 use crate::report::inert;
-use crate::rides::{Came, broken_by, compared, judged, ride, shrunk};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock fuzz-motion
@@ -55,7 +55,7 @@ pub(super) struct Arguments {
     /// Attempts at shrinking each kind of breach; 0 leaves the programs as they were generated
     #[arg(long, value_name = "N", default_value_t = 1000)]
     shrink: u32,
-    /// Change each program in all seven ways, not in one
+    /// Transform each program in all seven ways, not in one
     #[arg(long)]
     every_change: bool,
     /// Write report.txt into this folder, and the smallest program of each kind of breach, its machine and its
@@ -83,21 +83,21 @@ struct Tally {
 }
 
 impl Tally {
-    fn add(&mut self, number: u64, came: Came) {
+    fn add(&mut self, number: u64, result: MotionResult) {
         self.programs += 1;
-        self.cycles += came.cycles;
+        self.cycles += result.cycles;
         let count = |counts: &mut BTreeMap<String, (u64, u64)>, why| {
             let (count, first) = counts.entry(why).or_insert((0, number));
             *count += 1;
             *first = number.min(*first);
         };
-        if let Some(why) = came.not_planned {
+        if let Some(why) = result.not_planned {
             count(&mut self.not_planned, why);
         }
-        for (law, why) in came.not_judged {
+        for (law, why) in result.not_judged {
             count(&mut self.not_judged, format!("{}, {why}", law.id()));
         }
-        for breach in came.broken {
+        for breach in result.broken {
             let new = Found { count: 0, number: u64::MAX, words: String::new() };
             let found = self.found.entry(breach.what).or_insert(new);
             found.count += 1;
@@ -149,23 +149,24 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
     scenario.environment.name.clone_from(&edition.environment);
     scenario.machine.axes = Axis::ALL.to_vec();
     let controller = Production::default();
-    let runs = |ride: &Ride| outcome(&controller, &scenario, ride);
+    let runs = |program: &MotionProgram| outcome(&controller, &scenario, program);
     let seed = arguments.seed;
-    let changes = |change| if arguments.every_change { Change::ALL.to_vec() } else { vec![change] };
+    let changes =
+        |change| if arguments.every_change { Transformation::ALL.to_vec() } else { vec![change] };
     let tally = generate(arguments, &|number| {
-        let (ride, change) = ride(seed, number);
-        judged((seed, number), (&ride, &changes(change)), &runs)
+        let (program, change) = motion_program(seed, number);
+        judged((seed, number), (&program, &changes(change)), &runs)
     });
     let mut text = String::new();
     for (what, found) in &tally.found {
-        let (drawn, change) = ride(seed, found.number);
+        let (drawn, change) = motion_program(seed, found.number);
         let of = (seed, found.number);
         let smallest = if arguments.shrink == 0 {
             drawn
         } else {
             shrunk(of, (&drawn, &changes(change)), what, (arguments.shrink, &runs))
         };
-        let change = Change::ALL.into_iter().find(|change| *what == broken_by(*change));
+        let change = Transformation::ALL.into_iter().find(|change| *what == broken_by(*change));
         let (smallest, changed) = match change {
             Some(change) => compared(of, &smallest, change)
                 .map_or((smallest, None), |(alone, changed)| (alone, Some(changed))),
@@ -198,10 +199,10 @@ pub(super) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
     Ok(tally.exit_status())
 }
 
-/// What production says a ride does.
-fn outcome(controller: &Production, scenario: &Scenario, ride: &Ride) -> Outcome {
+/// What production says a program does.
+fn outcome(controller: &Production, scenario: &Scenario, program: &MotionProgram) -> Outcome {
     let mut scenario = scenario.clone();
-    scenario.program.main = ride.text();
+    scenario.program.main = program.text();
     controller.run(&scenario).unwrap_or_else(|error| {
         let why = error.to_string();
         let block = gaugeblock_vocabulary::BlockLocation::new("main.ngc", 1);
@@ -218,7 +219,7 @@ fn outcome(controller: &Production, scenario: &Scenario, ride: &Ride) -> Outcome
 }
 
 /// Judges numbers in any order until there are enough or time is over.
-fn generate(arguments: &Arguments, judge: &(dyn Fn(u64) -> Came + Sync)) -> Tally {
+fn generate(arguments: &Arguments, judge: &(dyn Fn(u64) -> MotionResult + Sync)) -> Tally {
     let seconds = match (arguments.seconds, arguments.programs) {
         (None, None) => Some(60),
         (seconds, _) => seconds,
@@ -238,8 +239,8 @@ fn generate(arguments: &Arguments, judge: &(dyn Fn(u64) -> Came + Sync)) -> Tall
                         over.store(true, Ordering::Relaxed);
                         return;
                     }
-                    let came = judge(number);
-                    tally.lock().expect("who holds it adds numbers only").add(number, came);
+                    let result = judge(number);
+                    tally.lock().expect("who holds it adds numbers only").add(number, result);
                 }
             });
         }
@@ -247,27 +248,32 @@ fn generate(arguments: &Arguments, judge: &(dyn Fn(u64) -> Came + Sync)) -> Tall
     tally.into_inner().expect("who held it added numbers only")
 }
 
-/// Writes a ride as files, and says with which call it is planned again.
-fn write(folder: &Path, name: &str, ride: &Ride, scenario: &Scenario) -> Result<String, Refused> {
+/// Writes a program as files, and says with which call it is planned again.
+fn write(
+    folder: &Path,
+    name: &str,
+    program: &MotionProgram,
+    scenario: &Scenario,
+) -> Result<String, Refused> {
     let unwritable = |error: gaugeblock_vocabulary::TextError| {
         Refused::unfinished(error.message, "leave --report out")
     };
     let file = |ending: &str| folder.join(format!("{name}.{ending}"));
-    place::write_whole(&file("ngc"), ride.text())?;
-    place::write_whole(&file("machine.toml"), ride.limits.to_text().map_err(unwritable)?)?;
+    place::write_whole(&file("ngc"), program.text())?;
+    place::write_whole(&file("machine.toml"), program.limits.to_text().map_err(unwritable)?)?;
     place::write_whole(&file("scenario.toml"), scenario.to_text().map_err(unwritable)?)?;
     let mut call = format!(
         "gaugeblock plan {name}.ngc --machine {name}.machine.toml --scenario {name}.scenario.toml"
     );
-    if ride.script != MotionScript::default() {
-        place::write_whole(&file("script.toml"), ride.script.to_text().map_err(unwritable)?)?;
+    if program.script != MotionScript::default() {
+        place::write_whole(&file("script.toml"), program.script.to_text().map_err(unwritable)?)?;
         let _infallible = write!(call, " --script {name}.script.toml");
     }
-    if let Some(every) = ride.every {
+    if let Some(every) = program.every {
         let _infallible = write!(call, " --every {every}");
     }
-    if ride.start.iter().any(|place| place.abs() > 0.0) {
-        let start: Vec<String> = ride.start.iter().map(f64::to_string).collect();
+    if program.start.iter().any(|place| place.abs() > 0.0) {
+        let start: Vec<String> = program.start.iter().map(f64::to_string).collect();
         let _infallible = write!(call, " --start={}", start.join(","));
     }
     Ok(call)

@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::Scenario;
 use serde_json::json;
 
 use super::{Refused, place};
-use crate::fuzz::groups::Find;
+use crate::fuzz::groups::Finding;
 use crate::fuzz::journal::{Header, NotJudged};
 use crate::fuzz::shown::NotShown;
 use crate::fuzz::statistics::{Counts, ENOUGH, Statistics};
@@ -23,9 +23,9 @@ const SHOWN: usize = 40;
 pub(super) struct Report<'a> {
     pub(super) header: &'a Header,
     pub(super) statistics: &'a Statistics,
-    pub(super) finds: &'a [Find],
+    pub(super) findings: &'a [Finding],
     /// What an earlier report told already.
-    pub(super) known: &'a [Find],
+    pub(super) known: &'a [Finding],
     /// Outcomes of the suite's rules that few programs or none reached, and how many.
     pub(super) rare: &'a [(String, u64)],
     /// Those that none reached, and no case does that can be compared here, and why.
@@ -38,7 +38,7 @@ pub(super) struct Report<'a> {
 impl Report<'_> {
     /// 0 nothing, 1 divergences, 3 not everything was judged, or nothing was compared.
     pub(super) fn exit_status(&self) -> u8 {
-        if !self.finds.is_empty() {
+        if !self.findings.is_empty() {
             1
         } else if !self.statistics.not_judged.is_empty() || self.statistics.compared == 0 {
             3
@@ -48,15 +48,15 @@ impl Report<'_> {
     }
 
     pub(super) fn json(&self) -> serde_json::Value {
-        let finds: Vec<_> = self.finds.iter().map(|find| {
+        let findings: Vec<_> = self.findings.iter().map(|finding| {
             json!({
-                "signature": find.signature, "shape": find.shape, "rules": find.rules, "options": find.options, "count": find.count, "number": find.number,
-                "divergence": find.divergence, "shrunk": find.shrunk, "scenario": find.scenario,
+                "signature": finding.signature, "shape": finding.shape, "rules": finding.rules, "options": finding.options, "count": finding.count, "number": finding.number,
+                "divergence": finding.divergence, "shrunk": finding.shrunk, "scenario": finding.scenario,
             })
         }).collect();
         json!({
             "gaugeblock": "fuzz", "version": 0, "run": self.header, "statistics": self.statistics,
-            "divergences": finds, "known": self.known.len(), "rarely_reached": self.rare,
+            "divergences": findings, "known": self.known.len(), "rarely_reached": self.rare,
             "not_shown": self.not_shown,
             "not_judged": self.not_judged.values().collect::<Vec<_>>(),
         })
@@ -67,11 +67,11 @@ impl Report<'_> {
         let Header { iut, against, options, seed, shard, .. } = self.header;
         let _infallible =
             writeln!(text, "{iut} against {against}, {options}, seed {seed}, shard {shard}\n");
-        for (place, find) in self.finds.iter().take(SHOWN).enumerate() {
-            let _infallible = writeln!(text, "{}", describe(place + 1, find));
+        for (place, finding) in self.findings.iter().take(SHOWN).enumerate() {
+            let _infallible = writeln!(text, "{}", describe(place + 1, finding));
         }
-        if self.finds.len() > SHOWN {
-            let _infallible = writeln!(text, "… and {} more kinds\n", self.finds.len() - SHOWN);
+        if self.findings.len() > SHOWN {
+            let _infallible = writeln!(text, "… and {} more kinds\n", self.findings.len() - SHOWN);
         }
         let s = self.statistics;
         let rate =
@@ -178,7 +178,7 @@ impl Report<'_> {
 
     fn what_is_new(&self) -> String {
         let Statistics { diverging, compared, not_judged, .. } = self.statistics;
-        match (self.finds.len(), compared) {
+        match (self.findings.len(), compared) {
             (0, 0) => "nothing was compared".to_owned(),
             (0, _) if !not_judged.is_empty() => {
                 "no divergence, but not everything was judged".to_owned()
@@ -192,8 +192,8 @@ impl Report<'_> {
     pub(super) fn write(&self, folder: &Path) -> Result<(), Refused> {
         place::write_whole(&folder.join("report.json"), format!("{:#}\n", self.json()))?;
         place::write_whole(&folder.join("report.txt"), inert(&self.text(true)).as_bytes())?;
-        for (at, find) in self.finds.iter().enumerate() {
-            let name: String = find
+        for (at, finding) in self.findings.iter().enumerate() {
+            let name: String = finding
                 .signature
                 .to_string()
                 .chars()
@@ -201,8 +201,8 @@ impl Report<'_> {
                 .take(60)
                 .collect();
             let folder = folder.join(format!("{:03}-{name}", at + 1));
-            write_program(&folder, &find.scenario)?;
-            let told = describe(at + 1, find);
+            write_program(&folder, &finding.scenario)?;
+            let told = describe(at + 1, finding);
             place::write_whole(&folder.join("divergence.txt"), inert(&told).as_bytes())?;
         }
         for NotJudged { number, why, scenario } in self.not_judged.values() {
@@ -230,7 +230,7 @@ fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), Refused> {
 }
 
 /// The divergences that an earlier report tells.
-pub(super) fn read(path: &Path) -> Result<Vec<Find>, Refused> {
+pub(super) fn read(path: &Path) -> Result<Vec<Finding>, Refused> {
     let (name, hint) = (path.display(), "`gaugeblock fuzz --report DIR` writes report.json");
     let text = place::text(path, "earlier report (--known)")?;
     let wrong = |error: serde_json::Error| Refused::wrong(format!("{name}: {error}"), hint);
@@ -240,19 +240,22 @@ pub(super) fn read(path: &Path) -> Result<Vec<Find>, Refused> {
 }
 
 /// A divergence with its smallest program, and in how many programs it was found.
-pub(super) fn describe(place: usize, find: &Find) -> String {
-    let programs = if find.count == 1 { "program" } else { "programs" };
-    let Find { signature, count, number, .. } = find;
-    format!("{place}. {signature} ({count} {programs}, the smallest from {number})\n{}", body(find))
+pub(super) fn describe(place: usize, finding: &Finding) -> String {
+    let programs = if finding.count == 1 { "program" } else { "programs" };
+    let Finding { signature, count, number, .. } = finding;
+    format!(
+        "{place}. {signature} ({count} {programs}, the smallest from {number})\n{}",
+        body(finding)
+    )
 }
 
 /// The rules of a divergence, its smallest program and what differs there.
-pub(super) fn body(find: &Find) -> String {
+pub(super) fn body(finding: &Finding) -> String {
     let mut text = String::new();
-    if !find.rules.is_empty() && find.rules.len() <= 8 {
-        let _infallible = writeln!(text, "  rules: {}", find.rules.join(", "));
+    if !finding.rules.is_empty() && finding.rules.len() <= 8 {
+        let _infallible = writeln!(text, "  rules: {}", finding.rules.join(", "));
     }
-    let program = &find.scenario.program;
+    let program = &finding.scenario.program;
     for (at, line) in program.language.lines(&program.main).enumerate() {
         let _infallible = writeln!(text, "  {:>4} | {line}", at + 1);
     }
@@ -262,15 +265,15 @@ pub(super) fn body(find: &Find) -> String {
             let _infallible = writeln!(text, "  {:>4} | {line}", at + 1);
         }
     }
-    for difference in unusual(find).iter().chain(&find.options) {
+    for difference in unusual(finding).iter().chain(&finding.options) {
         let _infallible = writeln!(text, "  with {difference}");
     }
-    let _infallible = writeln!(text, "  {}", find.divergence);
+    let _infallible = writeln!(text, "  {}", finding.divergence);
     text
 }
 
 /// What of machine and environment is not the default.
-fn unusual(find: &Find) -> Vec<String> {
+fn unusual(finding: &Finding) -> Vec<String> {
     let plain = Scenario::default();
     let of = |scenario: &Scenario| {
         let mut shown = scenario.clone();
@@ -280,12 +283,12 @@ fn unusual(find: &Find) -> Vec<String> {
         let text = shown.to_text().unwrap_or_default();
         text.lines().map(str::to_owned).collect::<Vec<_>>()
     };
-    let (usual, lines) = (of(&plain), of(&find.scenario));
+    let (usual, lines) = (of(&plain), of(&finding.scenario));
     let mut all: Vec<String> = lines
         .into_iter()
         .filter(|line| !usual.contains(line) && !line.is_empty() && !line.starts_with(']'))
         .collect();
-    if find.scenario.program.block_delete {
+    if finding.scenario.program.block_delete {
         all.push("block delete".to_owned());
     }
     all

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use gaugeblock_fuzz::generate::Recipe;
+use gaugeblock_fuzz::generate::GeneratorConfig;
 use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_suite::Suite;
 use serde_json::json;
@@ -11,9 +11,9 @@ use serde_json::json;
 use super::fuzz_report::body;
 use super::run::How;
 use super::{Format, Refused, controller, place, write_out};
-use crate::fuzz::groups::{Find, shrunk};
+use crate::fuzz::groups::{Finding, shrunk};
 use crate::fuzz::statistics::Statistics;
-use crate::fuzz::{Came, Plan};
+use crate::fuzz::{FuzzResult, Plan};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock shrink part.ngc --iut rs274
@@ -58,7 +58,7 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
     let plan = Plan {
         iut: iut.as_ref(),
         against: against.as_ref(),
-        recipe: Recipe::default(),
+        config: GeneratorConfig::default(),
         seed: 0,
         spliced: 0,
         seeds: Seeds::default(),
@@ -69,21 +69,21 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
     let mut statistics = Statistics::default();
     let name = arguments.file.display();
     let difference = match plan.judge(&scenario, &mut statistics) {
-        Came::Differs(difference) => *difference,
-        Came::Same => {
+        FuzzResult::Differs(difference) => *difference,
+        FuzzResult::Same => {
             write_out(&format!(
                 "{name}: {} and {} do not differ\n",
                 arguments.iut, arguments.against
             ));
             return Ok(1);
         }
-        Came::Fragile => {
+        FuzzResult::Fragile => {
             write_out(&format!(
                 "{name}: they differ, but the last bit of a transcendental function or of a position decides\n"
             ));
             return Ok(1);
         }
-        Came::Unsupported | Came::Unspecified | Came::NotJudged(_) => {
+        FuzzResult::Unsupported | FuzzResult::Unspecified | FuzzResult::NotJudged(_) => {
             let counts = [&statistics.unsupported, &statistics.unspecified, &statistics.not_judged];
             let why: Vec<&str> =
                 counts.iter().flat_map(|counts| counts.keys()).map(String::as_str).collect();
@@ -93,17 +93,17 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
             ));
         }
     };
-    let find = shrunk(&plan, &Find::of(0, scenario, difference), arguments.attempts);
+    let finding = shrunk(&plan, &Finding::of(0, scenario, difference), arguments.attempts);
     if let Some(output) = &arguments.output {
-        place::write_whole(output, &find.scenario.program.main)?;
+        place::write_whole(output, &finding.scenario.program.main)?;
     }
     match arguments.format {
-        Format::Text => write_out(&format!("{}\n{}", find.signature, body(&find))),
+        Format::Text => write_out(&format!("{}\n{}", finding.signature, body(&finding))),
         Format::Json => write_out(&format!(
             "{:#}\n",
             json!({
-                "gaugeblock": "shrunk", "signature": find.signature, "rules": find.rules, "divergence": find.divergence,
-                "finished": find.shrunk, "scenario": find.scenario,
+                "gaugeblock": "shrunk", "signature": finding.signature, "rules": finding.rules, "divergence": finding.divergence,
+                "finished": finding.shrunk, "scenario": finding.scenario,
             })
         )),
     }

@@ -2,7 +2,7 @@
 
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Capabilities, compare, surely_same};
-use gaugeblock_fuzz::generate::nudged;
+use gaugeblock_fuzz::generate::ulp_perturbed;
 use gaugeblock_reference::Rounding;
 use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 
@@ -21,11 +21,11 @@ pub fn is_fragile(scenario: &Scenario) -> bool {
         !surely_same(&plain, other, true)
             && compare(&Observed::of(&plain), &Observed::of(other), &shows).divergence.is_some()
     };
-    let nudged = [true, false].into_iter().filter_map(|up| nudged(scenario, up));
-    let nudged = nudged.map(|other| gaugeblock_reference::run(&other).0);
+    let perturbed = [true, false].into_iter().filter_map(|up| ulp_perturbed(scenario, up));
+    let perturbed = perturbed.map(|other| gaugeblock_reference::run(&other).0);
     let rounded = [Rounding::ToDecimals, Rounding::Up, Rounding::Down];
     let rounded = rounded.map(|rounding| gaugeblock_reference::run_rounded(scenario, rounding).0);
-    nudged.chain(rounded).any(|other| differs(&other))
+    perturbed.chain(rounded).any(|other| differs(&other))
 }
 
 #[cfg(test)]

@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 
 use super::signature::{Signature, rules};
 use super::statistics::Statistics;
-use super::{Came, Difference, Plan};
+use super::{Difference, FuzzResult, Plan};
 
 /// A program on which two controllers differ.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Find {
+pub struct Finding {
     /// The program's number under the seed.
     pub number: u64,
     /// What differs.
@@ -37,8 +37,8 @@ pub struct Find {
     pub shrunk: bool,
 }
 
-impl Find {
-    /// A find of one program.
+impl Finding {
+    /// A finding of one program.
     pub fn of(number: u64, scenario: Scenario, difference: Difference) -> Self {
         let Difference { divergence, signature } = difference;
         let shape = source(&scenario, &divergence).map(shape).unwrap_or_default();
@@ -56,7 +56,7 @@ impl Find {
         }
     }
 
-    /// Whether another find differs in the same way at the same rules, or at the same kind of block.
+    /// Whether another finding differs in the same way at the same rules, or at the same kind of block.
     pub fn is_as(&self, other: &Self) -> bool {
         self.signature == other.signature
             && (self.rules == other.rules || self.shape == other.shape)
@@ -77,28 +77,28 @@ type Key = (Signature, String);
 
 /// Finds by signature and kind of block, each with its smallest program.
 #[derive(Clone, Debug, Default)]
-pub struct Groups(BTreeMap<Key, Find>);
+pub struct Groups(BTreeMap<Key, Finding>);
 
 impl Groups {
-    /// Adds a find to its group.
-    pub fn add(&mut self, find: Find) {
-        let key = (find.signature.clone(), find.shape.clone());
+    /// Adds a finding to its group.
+    pub fn add(&mut self, finding: Finding) {
+        let key = (finding.signature.clone(), finding.shape.clone());
         match self.0.get_mut(&key) {
             None => {
-                self.0.insert(key, find);
+                self.0.insert(key, finding);
             }
             Some(known) => {
-                let count = known.count + find.count;
-                if find.size() < known.size() {
-                    *known = find;
+                let count = known.count + finding.count;
+                if finding.size() < known.size() {
+                    *known = finding;
                 }
                 known.count = count;
             }
         }
     }
 
-    /// The smallest find of each group.
-    pub fn finds(self) -> Vec<Find> {
+    /// The smallest finding of each group.
+    pub fn findings(self) -> Vec<Finding> {
         self.0.into_values().collect()
     }
 
@@ -120,48 +120,50 @@ fn is_left_of(shape: &str, larger: &str) -> bool {
     shape.split(' ').all(|word| larger.split(' ').any(|known| known == word))
 }
 
-/// Shrinks a find to the smallest program that still differs in the same way and at the same block, and names the
+/// Shrinks a finding to the smallest program that still differs in the same way and at the same block, and names the
 /// rules of that.
-pub fn shrunk(plan: &Plan<'_>, find: &Find, attempts: u32) -> Find {
+pub fn shrunk(plan: &Plan<'_>, finding: &Finding, attempts: u32) -> Finding {
     let mut unused = Statistics::default();
     let mut differs = |scenario: &Scenario| {
-        let Came::Differs(difference) = plan.judge(scenario, &mut unused) else { return None };
-        let same = difference.signature == find.signature && {
+        let FuzzResult::Differs(difference) = plan.judge(scenario, &mut unused) else {
+            return None;
+        };
+        let same = difference.signature == finding.signature && {
             let block = source(scenario, &difference.divergence).map(shape).unwrap_or_default();
-            find.shape.is_empty() || is_left_of(&block, &find.shape)
+            finding.shape.is_empty() || is_left_of(&block, &finding.shape)
         };
         same.then_some(*difference)
     };
     let mut holds = |scenario: &Scenario| differs(scenario).is_some();
-    let smallest = shrink(&find.scenario, &plan.options, attempts, &mut holds);
-    let Some(difference) = differs(&smallest.scenario) else { return find.clone() };
+    let smallest = shrink(&finding.scenario, &plan.options, attempts, &mut holds);
+    let Some(difference) = differs(&smallest.scenario) else { return finding.clone() };
     let rules = rules(&smallest.scenario, &difference.divergence);
     let chosen = smallest.scenario.options.0.iter();
     let chosen = chosen.filter(|(id, option)| !plan.options.is(id, option));
     let options = chosen.map(|(id, option)| format!("{id} = {option}")).collect();
-    let found = Find::of(find.number, smallest.scenario, difference);
-    Find { count: find.count, rules, options, shrunk: smallest.finished, ..found }
+    let found = Finding::of(finding.number, smallest.scenario, difference);
+    Finding { count: finding.count, rules, options, shrunk: smallest.finished, ..found }
 }
 
 /// Groups that turn out to have one cause: the same signature and rules, or the same program.
-pub fn merged(finds: Vec<Find>) -> Vec<Find> {
-    let mut merged: Vec<Find> = Vec::new();
-    for find in finds {
-        let same = |known: &&mut Find| {
-            let same_rules = !find.rules.is_empty() && known.rules == find.rules;
-            let same_shape = find.rules.is_empty() && known.shape == find.shape;
-            known.signature == find.signature
-                && (same_rules || same_shape || known.scenario.program == find.scenario.program)
+pub fn merged(findings: Vec<Finding>) -> Vec<Finding> {
+    let mut merged: Vec<Finding> = Vec::new();
+    for finding in findings {
+        let same = |known: &&mut Finding| {
+            let same_rules = !finding.rules.is_empty() && known.rules == finding.rules;
+            let same_shape = finding.rules.is_empty() && known.shape == finding.shape;
+            known.signature == finding.signature
+                && (same_rules || same_shape || known.scenario.program == finding.scenario.program)
         };
         match merged.iter_mut().find(same) {
             Some(known) => {
-                let count = known.count + find.count;
-                if find.size() < known.size() {
-                    *known = find;
+                let count = known.count + finding.count;
+                if finding.size() < known.size() {
+                    *known = finding;
                 }
                 known.count = count;
             }
-            None => merged.push(find),
+            None => merged.push(finding),
         }
     }
     merged.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.number.cmp(&b.number)));

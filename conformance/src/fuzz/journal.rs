@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::Scenario;
 use serde::{Deserialize, Serialize};
 
-use super::groups::Find;
+use super::groups::Finding;
 use super::statistics::Statistics;
 
 /// What a journal is of; a run can be resumed only as what it was begun.
@@ -21,7 +21,7 @@ pub struct Header {
     /// Edition and how options are chosen.
     pub options: String,
     /// What is generated, in one line.
-    pub recipe: String,
+    pub config: String,
     /// The seed.
     pub seed: u64,
     /// The shard, `1/1` for the whole.
@@ -34,10 +34,10 @@ pub struct Header {
 pub struct Chunk {
     /// Its number.
     pub chunk: u64,
-    /// What its programs came to.
+    /// Counts over its programs.
     pub statistics: Statistics,
     /// What was found, smallest programs only.
-    pub found: Vec<Find>,
+    pub found: Vec<Finding>,
     /// The first of its programs of which nothing can be said.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub not_judged: Vec<NotJudged>,
@@ -68,7 +68,7 @@ mod tests {
             iut: of("a"),
             against: of("b"),
             options: of("edition"),
-            recipe: of("any"),
+            config: of("any"),
             seed: 1,
             shard: of("1/1"),
         }

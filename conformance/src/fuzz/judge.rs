@@ -22,9 +22,9 @@ pub struct Difference {
     pub signature: Signature,
 }
 
-/// What came of a scenario.
+/// The result of one scenario.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Came {
+pub enum FuzzResult {
     /// No difference.
     Same,
     /// A difference, or a controller that crashed, hung or flooded.
@@ -57,27 +57,27 @@ pub(super) struct Both {
 
 impl Plan<'_> {
     /// Runs a scenario on both and compares.
-    pub fn judge(&self, scenario: &Scenario, statistics: &mut Statistics) -> Came {
+    pub fn judge(&self, scenario: &Scenario, statistics: &mut Statistics) -> FuzzResult {
         let expected = self.expected(scenario, statistics);
         let both = expected.and_then(|expected| self.found(scenario, expected, statistics));
         match both {
             Ok(both) => self.compared(scenario, both, statistics),
-            Err(came) => came,
+            Err(result) => result,
         }
     }
 
-    /// Runs a scenario on the side that is compared with: what is expected of the other one, or what came of it
+    /// Runs a scenario on the side that is compared with: the expected outcome, or the result if it is known
     /// already.
     pub(super) fn expected(
         &self,
         scenario: &Scenario,
         statistics: &mut Statistics,
-    ) -> Result<Shown, Came> {
+    ) -> Result<Shown, FuzzResult> {
         statistics.programs += 1;
         for side in [self.iut, self.against] {
             if let Err(why) = side.supports(scenario) {
                 count(&mut statistics.unsupported, &format!("{}: {why}", name(side)));
-                return Err(Came::Unsupported);
+                return Err(FuzzResult::Unsupported);
             }
         }
         self.iut.ahead(scenario);
@@ -87,19 +87,19 @@ impl Plan<'_> {
             Err(error) => return Err(self.broken(self.against, &error, statistics)),
         };
         statistics.blocks += u64::try_from(expected.steps.len()).unwrap_or_default();
-        if let Some(came) = open(self.against, &expected, statistics) {
-            return Err(came);
+        if let Some(result) = open(self.against, &expected, statistics) {
+            return Err(result);
         }
         Ok((expected, evidence))
     }
 
-    /// Runs a scenario on the side under test: what is to be compared, or what came of it already.
+    /// Runs a scenario on the side under test: both outcomes, or the result if it is known already.
     pub(super) fn found(
         &self,
         scenario: &Scenario,
         (expected, evidence): Shown,
         statistics: &mut Statistics,
-    ) -> Result<Both, Came> {
+    ) -> Result<Both, FuzzResult> {
         let (found, other) = outcome(self.iut, scenario, Some(&expected));
         let found = match found {
             Ok(found) => found,
@@ -108,12 +108,12 @@ impl Plan<'_> {
             {
                 let why = format!("{}: no end, here as there", name(self.iut));
                 count(&mut statistics.not_judged, &why);
-                return Err(Came::NotJudged(why));
+                return Err(FuzzResult::NotJudged(why));
             }
             Err(error) => return Err(self.broken(self.iut, &error, statistics)),
         };
-        if let Some(came) = open(self.iut, &found, statistics) {
-            return Err(came);
+        if let Some(result) = open(self.iut, &found, statistics) {
+            return Err(result);
         }
         Ok(Both { expected, found, evidence: evidence.or(other) })
     }
@@ -124,17 +124,17 @@ impl Plan<'_> {
         scenario: &Scenario,
         both: Both,
         statistics: &mut Statistics,
-    ) -> Came {
+    ) -> FuzzResult {
         let Both { expected, found, evidence } = both;
         statistics.count(scenario, &expected);
         if let Some(evidence) = &evidence {
             statistics.reached(evidence);
         }
         match self.divergence(scenario, expected, found) {
-            None => Came::Same,
+            None => FuzzResult::Same,
             Some(_) if evidence.is_some() && is_fragile(scenario) => {
                 statistics.fragile += 1;
-                Came::Fragile
+                FuzzResult::Fragile
             }
             Some(divergence) => differs(divergence, statistics),
         }
@@ -156,13 +156,13 @@ impl Plan<'_> {
         comparison.divergence.map(|divergence| comparable::named(divergence, &expected, &found))
     }
 
-    /// A controller that crashed, hung or flooded is a find; one that was not understood is not judged.
+    /// A controller that crashed, hung or flooded is a finding; one that was not understood is not judged.
     fn broken(
         &self,
         side: &dyn Adapter,
         error: &HarnessError,
         statistics: &mut Statistics,
-    ) -> Came {
+    ) -> FuzzResult {
         let what = match error {
             HarnessError::Crashed { .. } => "crash",
             HarnessError::TimedOut { .. } => "time-out",
@@ -176,7 +176,7 @@ impl Plan<'_> {
                 let short: String =
                     line.lines().next().unwrap_or_default().chars().take(100).collect();
                 count(&mut statistics.not_judged, &format!("{}: {short}", name(side)));
-                return Came::NotJudged(format!("{}: {error}", name(side)));
+                return FuzzResult::NotJudged(format!("{}: {error}", name(side)));
             }
         };
         let of = |other: bool| if other { error.to_string() } else { "an end".to_owned() };
@@ -191,10 +191,10 @@ impl Plan<'_> {
     }
 }
 
-fn differs(divergence: Divergence, statistics: &mut Statistics) -> Came {
+fn differs(divergence: Divergence, statistics: &mut Statistics) -> FuzzResult {
     statistics.diverging += 1;
     let signature = Signature::of(&divergence);
-    Came::Differs(Box::new(Difference { divergence, signature }))
+    FuzzResult::Differs(Box::new(Difference { divergence, signature }))
 }
 
 fn name(side: &dyn Adapter) -> &str {
@@ -221,15 +221,15 @@ fn outcome(
 }
 
 /// Whether a run says nothing of the scenario: it is not supported, or the documents leave it open.
-fn open(side: &dyn Adapter, outcome: &Outcome, statistics: &mut Statistics) -> Option<Came> {
+fn open(side: &dyn Adapter, outcome: &Outcome, statistics: &mut Statistics) -> Option<FuzzResult> {
     Some(match outcome.end.undetermined()? {
         Undetermined::Unsupported(what) => {
             count(&mut statistics.unsupported, &format!("{}: {what}", name(side)));
-            Came::Unsupported
+            FuzzResult::Unsupported
         }
         Undetermined::LeftOpen(why) => {
             count(&mut statistics.unspecified, why);
-            Came::Unspecified
+            FuzzResult::Unspecified
         }
     })
 }

@@ -5,11 +5,11 @@
 //! order of numbers, so that the same plan gives the same report however often it was interrupted.
 
 mod comparable;
+pub mod coverage_pass;
 mod fragile;
 pub mod groups;
 pub mod journal;
 mod judge;
-pub mod rehearsal;
 pub mod shown;
 pub mod signature;
 pub mod statistics;
@@ -21,7 +21,7 @@ use std::sync::mpsc;
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
-use gaugeblock_fuzz::generate::{self, Dice, Recipe};
+use gaugeblock_fuzz::generate::{self, Entropy, GeneratorConfig};
 use gaugeblock_suite::{Choice, ChoiceKind};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Options, Scenario};
@@ -29,9 +29,9 @@ use gaugeblock_vocabulary::{Options, Scenario};
 pub use crate::shard::Shard;
 pub use comparable::comparable;
 pub use fragile::is_fragile;
-use groups::{Find, Groups};
+use groups::{Finding, Groups};
 use journal::{Chunk, NotJudged};
-pub use judge::{Came, Difference};
+pub use judge::{Difference, FuzzResult};
 use statistics::Statistics;
 
 /// How many programs are run and journaled together.
@@ -49,7 +49,7 @@ pub struct Plan<'a> {
     /// The controller that it is compared with.
     pub against: &'a dyn Adapter,
     /// What is generated.
-    pub recipe: Recipe,
+    pub config: GeneratorConfig,
     /// What all choices follow from.
     pub seed: u64,
     /// How many of a hundred programs are parts of other ones.
@@ -90,10 +90,10 @@ impl Plan<'_> {
 
     /// The same; the options are those of its group.
     fn scenario_under(&self, number: u64, options: Options) -> Scenario {
-        let mut dice = Dice::of_seed(self.seed, number);
+        let mut entropy = Entropy::from_seed(self.seed, number);
         let mut scenario = match self.splice(number) {
-            Some(splice) => splice::spliced(&mut dice, &self.seeds, splice),
-            None => generate::scenario(&mut dice, &self.recipe),
+            Some(splice) => splice::spliced(&mut entropy, &self.seeds, splice),
+            None => generate::scenario(&mut entropy, &self.config),
         };
         scenario.options = options;
         if scenario.environment == Environment::default() {
@@ -105,12 +105,12 @@ impl Plan<'_> {
     /// The options of a group of programs: the edition's, some of them chosen at random.
     fn options_of(&self, group: u64) -> Options {
         let mut options = self.options.clone();
-        let mut dice = Dice::of_seed(!self.seed, group);
+        let mut entropy = Entropy::from_seed(!self.seed, group);
         for Random { choice, listed } in &self.random {
-            if !dice.chance(25) {
+            if !entropy.chance(25) {
                 continue;
             }
-            let option = &dice.pick(&choice.options).name;
+            let option = &entropy.pick(&choice.options).name;
             if *listed || !choice.is_default(option) {
                 options.0.insert(choice.id.clone(), option.clone());
             }
@@ -157,23 +157,23 @@ impl Plan<'_> {
             for ((number, scenario), expected) in scenarios.into_iter().zip(first_last) {
                 let both =
                     expected.and_then(|expected| self.found(&scenario, expected, &mut statistics));
-                let came = both.map(|both| self.compared(&scenario, both, &mut statistics));
-                match came.unwrap_or_else(|came| came) {
-                    Came::Differs(difference) => {
-                        groups.add(Find::of(number, scenario, *difference));
+                let result = both.map(|both| self.compared(&scenario, both, &mut statistics));
+                match result.unwrap_or_else(|result| result) {
+                    FuzzResult::Differs(difference) => {
+                        groups.add(Finding::of(number, scenario, *difference));
                     }
-                    Came::NotJudged(why) if not_judged.len() < KEPT => {
+                    FuzzResult::NotJudged(why) if not_judged.len() < KEPT => {
                         not_judged.push(NotJudged { number, why, scenario });
                     }
-                    Came::Same
-                    | Came::Fragile
-                    | Came::Unsupported
-                    | Came::Unspecified
-                    | Came::NotJudged(_) => {}
+                    FuzzResult::Same
+                    | FuzzResult::Fragile
+                    | FuzzResult::Unsupported
+                    | FuzzResult::Unspecified
+                    | FuzzResult::NotJudged(_) => {}
                 }
             }
         }
-        Some(Chunk { chunk, statistics, found: groups.finds(), not_judged })
+        Some(Chunk { chunk, statistics, found: groups.findings(), not_judged })
     }
 }
 

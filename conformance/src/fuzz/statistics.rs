@@ -1,4 +1,4 @@
-//! What a run of generated programs came to: whether it tested anything is told besides what it found.
+//! Counts over a run of generated programs: they show whether the run tested anything.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// Counts by name.
 pub type Counts = BTreeMap<String, u64>;
 
-/// What generated programs came to.
+/// Counts over generated programs.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Statistics {
@@ -53,7 +53,7 @@ pub struct Statistics {
 type ShortCode = u64;
 
 impl Statistics {
-    /// Adds what others came to.
+    /// Adds other counts.
     pub fn add(&mut self, other: &Self) {
         self.programs += other.programs;
         self.compared += other.compared;

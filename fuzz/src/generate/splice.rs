@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::Scenario;
 
-use super::{BUDGET, Dice};
+use super::{BUDGET, Entropy};
 
 /// What splices are made of.
 #[derive(Clone, Debug, Default)]
@@ -40,15 +40,15 @@ pub fn rare_among(splices: u64) -> u64 {
 ///
 /// # Panics
 /// There is no scenario, or a turn is that of nothing.
-pub fn spliced(dice: &mut Dice<'_>, seeds: &Seeds, splice: u64) -> Scenario {
+pub fn spliced(entropy: &mut Entropy<'_>, seeds: &Seeds, splice: u64) -> Scenario {
     let turn = usize::try_from(rare_among(splice)).unwrap_or_default();
     match turn.checked_rem(seeds.turns.len()) {
         Some(turn) if splice % ONE_IN != ONE_IN - 1 => {
-            rare(dice, seeds, &seeds.rare[seeds.turns[turn]])
+            rare(entropy, seeds, &seeds.rare[seeds.turns[turn]])
         }
         _ => {
-            let mut scenario = Scenario { budget: BUDGET, ..dice.pick(&seeds.all).clone() };
-            change(dice, seeds, &mut scenario);
+            let mut scenario = Scenario { budget: BUDGET, ..entropy.pick(&seeds.all).clone() };
+            change(entropy, seeds, &mut scenario);
             scenario
         }
     }
@@ -58,20 +58,20 @@ pub fn spliced(dice: &mut Dice<'_>, seeds: &Seeds, splice: u64) -> Scenario {
 ///
 /// # Panics
 /// None does it, or one that is not there.
-pub fn rare(dice: &mut Dice<'_>, seeds: &Seeds, rare: &Rare) -> Scenario {
-    let mut scenario = Scenario { budget: BUDGET, ..seeds.all[*dice.pick(&rare.does)].clone() };
-    let others = dice.range(0, rare.others);
-    let before = before(dice, seeds, others);
+pub fn rare(entropy: &mut Entropy<'_>, seeds: &Seeds, rare: &Rare) -> Scenario {
+    let mut scenario = Scenario { budget: BUDGET, ..seeds.all[*entropy.pick(&rare.does)].clone() };
+    let others = entropy.range(0, rare.others);
+    let before = before(entropy, seeds, others);
     scenario.program.main.insert_str(0, &before);
     scenario
 }
 
 /// The blocks of so many scenarios that may run before others.
-fn before(dice: &mut Dice<'_>, seeds: &Seeds, count: u32) -> String {
+fn before(entropy: &mut Entropy<'_>, seeds: &Seeds, count: u32) -> String {
     let mut text = String::new();
     if !seeds.before.is_empty() {
         for _ in 0..count {
-            let other = &seeds.all[*dice.pick(&seeds.before)];
+            let other = &seeds.all[*entropy.pick(&seeds.before)];
             let lines = other.program.main.lines().filter(|line| !ends(line));
             lines.for_each(|line| text.extend([line, "\n"]));
         }
@@ -80,13 +80,13 @@ fn before(dice: &mut Dice<'_>, seeds: &Seeds, count: u32) -> String {
 }
 
 /// Changes a scenario slightly.
-fn change(dice: &mut Dice<'_>, seeds: &Seeds, scenario: &mut Scenario) {
+fn change(entropy: &mut Entropy<'_>, seeds: &Seeds, scenario: &mut Scenario) {
     let mut lines: Vec<String> = scenario.program.main.lines().map(str::to_owned).collect();
-    for _ in 0..dice.range(1, 3) {
-        let other = dice.pick(&seeds.all);
+    for _ in 0..entropy.range(1, 3) {
+        let other = entropy.pick(&seeds.all);
         let others: Vec<&str> = other.program.main.lines().filter(|line| !ends(line)).collect();
-        let place = at(dice, lines.len());
-        match dice.below(5) {
+        let place = at(entropy, lines.len());
+        match entropy.below(5) {
             0 if !lines.is_empty() => {
                 lines.remove(place.min(lines.len() - 1));
             }
@@ -96,12 +96,12 @@ fn change(dice: &mut Dice<'_>, seeds: &Seeds, scenario: &mut Scenario) {
             }
             2 if lines.len() > 1 => {
                 let one = place.min(lines.len() - 1);
-                let two = at(dice, lines.len() - 1);
+                let two = at(entropy, lines.len() - 1);
                 lines.swap(one, two);
             }
             _ if !others.is_empty() => {
-                let first = at(dice, others.len() - 1);
-                let count = at(dice, (others.len() - first).min(6)).max(1);
+                let first = at(entropy, others.len() - 1);
+                let count = at(entropy, (others.len() - first).min(6)).max(1);
                 let part = others[first..].iter().take(count).map(|line| (*line).to_owned());
                 lines.splice(place..place, part.collect::<Vec<_>>());
                 for (name, text) in &other.program.files {
@@ -115,8 +115,8 @@ fn change(dice: &mut Dice<'_>, seeds: &Seeds, scenario: &mut Scenario) {
 }
 
 /// A place from 0 to `count`.
-fn at(dice: &mut Dice<'_>, count: usize) -> usize {
-    usize::try_from(dice.range(0, u32::try_from(count).unwrap_or(u32::MAX))).unwrap_or_default()
+fn at(entropy: &mut Entropy<'_>, count: usize) -> usize {
+    usize::try_from(entropy.range(0, u32::try_from(count).unwrap_or(u32::MAX))).unwrap_or_default()
 }
 
 /// Whether nothing behind this line would run.

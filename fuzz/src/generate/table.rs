@@ -1,12 +1,12 @@
 //! The table: every kind of statement, whether it is possible here, and how it is written.
 
-use super::rows;
 use super::state::State;
+use super::statements;
 use super::writer::Writer;
 
 /// A kind of statement. A program uses some kinds and leaves others out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum StatementKind {
     /// G0, G1, axis words.
     Motion,
     /// Units, planes, distance modes.
@@ -67,7 +67,7 @@ pub enum Kind {
     Polar,
 }
 
-impl Kind {
+impl StatementKind {
     /// All kinds.
     pub const ALL: &[Self] = &[
         Self::Motion,
@@ -119,11 +119,11 @@ impl Kind {
 
 /// A row of the table.
 #[derive(Debug)]
-pub struct Row {
+pub struct Statement {
     /// Its name, by which single-rule programs are asked for.
     pub name: &'static str,
     /// Its kind.
-    pub kind: Kind,
+    pub kind: StatementKind,
     /// How often it is chosen, relative to the others.
     pub weight: u32,
     /// Whether it is possible here without being refused.
@@ -132,11 +132,11 @@ pub struct Row {
     pub(crate) write: fn(&mut Writer<'_, '_>),
 }
 
-impl Row {
+impl Statement {
     /// A row that is possible anywhere.
     pub(crate) const fn any(
         name: &'static str,
-        kind: Kind,
+        kind: StatementKind,
         weight: u32,
         write: fn(&mut Writer<'_, '_>),
     ) -> Self {
@@ -146,7 +146,7 @@ impl Row {
     /// A row that is possible at some places.
     pub(crate) const fn when(
         name: &'static str,
-        kind: Kind,
+        kind: StatementKind,
         weight: u32,
         possible: fn(&State) -> bool,
         write: fn(&mut Writer<'_, '_>),
@@ -156,14 +156,14 @@ impl Row {
 }
 
 /// All rows, by chapter.
-pub const TABLE: &[&[Row]] = &[
-    rows::motion::ROWS,
-    rows::modes::ROWS,
-    rows::spindle::ROWS,
-    rows::tool::ROWS,
-    rows::outside::ROWS,
-    rows::parameters::ROWS,
-    rows::control::ROWS,
-    rows::text::ROWS,
-    rows::later::ROWS,
+pub const TABLE: &[&[Statement]] = &[
+    statements::motion::STATEMENTS,
+    statements::modes::STATEMENTS,
+    statements::spindle::STATEMENTS,
+    statements::tool::STATEMENTS,
+    statements::outside::STATEMENTS,
+    statements::parameters::STATEMENTS,
+    statements::control::STATEMENTS,
+    statements::text::STATEMENTS,
+    statements::later::STATEMENTS,
 ];

@@ -91,24 +91,24 @@ impl Writer<'_, '_> {
     }
 
     fn one_of(&mut self, words: &[&'static str]) -> &'static str {
-        let word: &&str = self.dice.pick(words);
+        let word: &&str = self.entropy.pick(words);
         word
     }
 
     fn write_number(&mut self, text: &mut String) {
-        if self.dice.chance(80) {
+        if self.entropy.chance(80) {
             text.push_str(self.one_of(NUMBERS));
             return;
         }
-        let sign = if self.dice.chance(40) { "-" } else { "" };
-        let (whole, part) = (self.dice.below(200), self.dice.below(10_000));
+        let sign = if self.entropy.chance(40) { "-" } else { "" };
+        let (whole, part) = (self.entropy.below(200), self.entropy.below(10_000));
         put(text, format_args!("{sign}{whole}.{part:04}"));
     }
 
     /// A whole number from `first` to `last`, sometimes calculated.
     pub(crate) fn whole(&mut self, first: u32, last: u32) -> String {
-        let number = self.dice.range(first, last);
-        match self.dice.below(20) {
+        let number = self.entropy.range(first, last);
+        match self.entropy.below(20) {
             0 => format!("[{number} + 0]"),
             1 => format!("{number}."),
             2 => format!("[{} - 1]", number + 1),
@@ -119,14 +119,14 @@ impl Writer<'_, '_> {
 
     /// A number from `first` to `last`, sometimes calculated.
     pub(crate) fn within(&mut self, first: u32, last: u32) -> String {
-        let number = self.dice.range(first, last);
-        match self.dice.below(12) {
+        let number = self.entropy.range(first, last);
+        match self.entropy.below(12) {
             0 => format!("[{number}]"),
             1 if last > first => {
                 let value = self.value(2);
                 format!("[{first} + [abs[{value}] mod {}]]", last - first)
             }
-            2 if number < last => format!("{number}.{}", self.dice.below(1000)),
+            2 if number < last => format!("{number}.{}", self.entropy.below(1000)),
             _ => number.to_string(),
         }
     }
@@ -138,7 +138,7 @@ impl Writer<'_, '_> {
 
     /// The same, behind what is written already.
     pub(crate) fn write_coordinate(&mut self, text: &mut String) {
-        match self.dice.below(10) {
+        match self.entropy.below(10) {
             0 | 1 => self.write_value(text, 2),
             2 => self.write_parameter(text),
             _ => self.write_number(text),
@@ -151,7 +151,7 @@ impl Writer<'_, '_> {
     }
 
     fn write_value(&mut self, text: &mut String, depth: u32) {
-        match self.dice.below(if depth == 0 { 7 } else { 11 }) {
+        match self.entropy.below(if depth == 0 { 7 } else { 11 }) {
             0..=3 => self.write_number(text),
             4 | 5 => self.write_parameter(text),
             6 => self.write_state_parameter(text),
@@ -163,7 +163,7 @@ impl Writer<'_, '_> {
             9 => self.write_function(text, depth - 1),
             _ => {
                 // Some documents have no sign but that of a number.
-                if self.dice.chance(30) {
+                if self.entropy.chance(30) {
                     text.push('-');
                 }
                 self.write_function(text, depth - 1);
@@ -178,8 +178,8 @@ impl Writer<'_, '_> {
 
     fn write_expression(&mut self, text: &mut String, depth: u32) {
         self.write_value(text, depth);
-        for _ in 0..self.dice.below(3) {
-            let operator = self.dice.below(12);
+        for _ in 0..self.entropy.below(3) {
+            let operator = self.entropy.below(12);
             match operator {
                 0..=2 => text.push_str(" + "),
                 3..=5 => text.push_str(" - "),
@@ -205,12 +205,12 @@ impl Writer<'_, '_> {
 
     /// A condition of a branch or loop.
     pub(crate) fn condition(&mut self) -> String {
-        match self.dice.below(6) {
+        match self.entropy.below(6) {
             0 => "1".to_owned(),
             1 => "0".to_owned(),
             2 => self.expression(1),
             _ => {
-                let relation = *self.dice.pick(RELATIONS);
+                let relation = *self.entropy.pick(RELATIONS);
                 let mut text = self.value(1);
                 put(&mut text, format_args!(" {relation} "));
                 self.write_value(&mut text, 1);
@@ -222,7 +222,7 @@ impl Writer<'_, '_> {
     fn write_function(&mut self, text: &mut String, depth: u32) {
         let start = text.len();
         self.write_value(text, depth);
-        let function = self.dice.below(17);
+        let function = self.entropy.below(17);
         let (before, behind) = match function {
             0 => ("sin[", "]"),
             1 => ("cos[", "]"),
@@ -257,12 +257,12 @@ impl Writer<'_, '_> {
     }
 
     fn write_parameter(&mut self, text: &mut String) {
-        if !self.state.names.is_empty() && self.dice.chance(35) {
-            let name: &String = self.dice.pick(&self.state.names);
+        if !self.state.names.is_empty() && self.entropy.chance(35) {
+            let name: &String = self.entropy.pick(&self.state.names);
             return put_name(text, name);
         }
-        match self.dice.below(12) {
-            0 => put(text, format_args!("#[{} + 1]", self.dice.pick(&["30", "31", "32"]))),
+        match self.entropy.below(12) {
+            0 => put(text, format_args!("#[{} + 1]", self.entropy.pick(&["30", "31", "32"]))),
             1 => put_name(text, self.one_of(PREDEFINED)),
             _ => put_number(text, self.one_of(NUMBERED)),
         }
@@ -274,7 +274,7 @@ impl Writer<'_, '_> {
     }
 
     fn write_state_parameter(&mut self, text: &mut String) {
-        if self.dice.chance(60) {
+        if self.entropy.chance(60) {
             put_name(text, self.one_of(PREDEFINED));
         } else {
             put_number(text, self.one_of(STATE_NUMBERED));
@@ -284,7 +284,7 @@ impl Writer<'_, '_> {
     /// A parameter that a program may set, as it stands before the equal sign.
     pub(crate) fn settable(&mut self) -> String {
         let mut text = String::with_capacity(FEW_CHARACTERS);
-        if self.dice.chance(30) {
+        if self.entropy.chance(30) {
             put_name(&mut text, self.one_of(NAMES));
         } else {
             put_number(&mut text, self.one_of(NUMBERED));

@@ -1,10 +1,10 @@
 //! Writes a program block by block, from the rows of the table, with noise that means nothing.
 
-use super::Recipe;
-use super::dice::Dice;
+use super::GeneratorConfig;
+use super::entropy::Entropy;
+use super::mutate;
 use super::state::{State, Sub};
-use super::table::{Kind, Row, TABLE};
-use super::wrong;
+use super::table::{Statement, StatementKind, TABLE};
 
 /// Room for the text of most programs.
 const MOST_TEXT: usize = 1024;
@@ -25,13 +25,13 @@ struct Manner {
 #[derive(Debug)]
 pub(crate) struct Writer<'d, 'b> {
     /// Where choices come from.
-    pub(crate) dice: &'d mut Dice<'b>,
+    pub(crate) entropy: &'d mut Entropy<'b>,
     /// What is known at this place.
     pub(crate) state: State,
     text: String,
     manner: Manner,
     /// The rows, each with the sum of the weights up to it.
-    rows: Vec<(u32, &'static Row)>,
+    rows: Vec<(u32, &'static Statement)>,
     total: u32,
     left: u32,
     last_label: u32,
@@ -40,39 +40,43 @@ pub(crate) struct Writer<'d, 'b> {
 
 impl<'d, 'b> Writer<'d, 'b> {
     /// Before the first block.
-    pub(crate) fn new(dice: &'d mut Dice<'b>, recipe: &Recipe, state: State) -> Self {
-        let left = dice.range(recipe.blocks.0, recipe.blocks.1);
-        let sloppy = dice.chance(recipe.wrong_programs);
+    pub(crate) fn new(
+        entropy: &'d mut Entropy<'b>,
+        config: &GeneratorConfig,
+        state: State,
+    ) -> Self {
+        let left = entropy.range(config.blocks.0, config.blocks.1);
+        let sloppy = entropy.chance(config.mutated_programs);
         let manner = Manner {
-            upper: dice.chance(15),
-            spread: dice.chance(10),
-            noisy: dice.chance(30),
-            wrong: if sloppy { recipe.wrong_blocks } else { 0 },
+            upper: entropy.chance(15),
+            spread: entropy.chance(10),
+            noisy: entropy.chance(30),
+            wrong: if sloppy { config.mutated_blocks } else { 0 },
         };
         let mut total = 0;
-        let with_sum = |row: &'static Row| {
+        let with_sum = |row: &'static Statement| {
             total += row.weight;
             (total, row)
         };
-        let rows = chosen_rows(dice, recipe).into_iter().map(with_sum).collect();
+        let rows = chosen_rows(entropy, config).into_iter().map(with_sum).collect();
         let (text, after_end) = (String::with_capacity(MOST_TEXT), String::new());
-        Self { dice, state, text, manner, rows, total, left, last_label: 100, after_end }
+        Self { entropy, state, text, manner, rows, total, left, last_label: 100, after_end }
     }
 
     /// Writes a whole main program.
     pub(crate) fn main(&mut self) -> String {
-        let percent = self.dice.chance(4);
+        let percent = self.entropy.chance(4);
         if percent {
             self.text.push_str("%\n");
         }
-        if self.dice.chance(85) {
+        if self.entropy.chance(85) {
             self.feed_first();
         }
-        while self.left > 0 && !self.dice.is_spent() {
+        while self.left > 0 && !self.entropy.is_exhausted() {
             self.statement();
         }
-        let end = *self.dice.pick(&["m2", "m2", "m2", "m2", "m2", "m2", "m30", "m30"]);
-        if !(percent && self.dice.chance(50)) {
+        let end = *self.entropy.pick(&["m2", "m2", "m2", "m2", "m2", "m2", "m30", "m30"]);
+        if !(percent && self.entropy.chance(50)) {
             self.block(end);
         }
         let after_end = std::mem::take(&mut self.after_end);
@@ -81,7 +85,7 @@ impl<'d, 'b> Writer<'d, 'b> {
             self.text.push_str("%\n");
         }
         let text = std::mem::take(&mut self.text);
-        if self.dice.chance(3) { text.replace('\n', "\r\n") } else { text }
+        if self.entropy.chance(3) { text.replace('\n', "\r\n") } else { text }
     }
 
     /// Writes a subroutine file that defines the sub of a name.
@@ -89,7 +93,7 @@ impl<'d, 'b> Writer<'d, 'b> {
         self.left = blocks;
         self.text = format!("o<{name}> sub\n");
         self.state.in_sub = true;
-        while self.left > 0 && !self.dice.is_spent() {
+        while self.left > 0 && !self.entropy.is_exhausted() {
             self.statement();
         }
         self.text.push_str(&format!("o<{name}> endsub\nm2\n"));
@@ -106,7 +110,7 @@ impl<'d, 'b> Writer<'d, 'b> {
     /// A row of the table that is possible here.
     fn statement(&mut self) {
         for _ in 0..8 {
-            let at = self.dice.below(self.total);
+            let at = self.entropy.below(self.total);
             let place = self.rows.partition_point(|(sum, _)| *sum <= at);
             let Some(&(_, row)) = self.rows.get(place) else { break };
             if (row.possible)(&self.state) && !(row.kind.nests() && self.state.depth >= DEEPEST) {
@@ -122,8 +126,8 @@ impl<'d, 'b> Writer<'d, 'b> {
         let before = self.state.clone();
         self.state.depth += 1;
         self.state.nested = true;
-        for _ in 0..self.dice.range(0, few) {
-            if self.left == 0 || self.dice.is_spent() {
+        for _ in 0..self.entropy.range(0, few) {
+            if self.left == 0 || self.entropy.is_exhausted() {
                 break;
             }
             self.statement();
@@ -141,8 +145,8 @@ impl<'d, 'b> Writer<'d, 'b> {
         self.state.nested = true;
         self.state.depth += 1;
         self.state.loops.clear();
-        for _ in 0..self.dice.range(0, few) {
-            if self.left > 0 && !self.dice.is_spent() {
+        for _ in 0..self.entropy.range(0, few) {
+            if self.left > 0 && !self.entropy.is_exhausted() {
                 self.statement();
             }
         }
@@ -180,17 +184,17 @@ impl<'d, 'b> Writer<'d, 'b> {
     pub(crate) fn block(&mut self, words: impl Into<String>) {
         self.left = self.left.saturating_sub(1);
         let mut line = words.into();
-        if self.manner.wrong > 0 && self.dice.chance(self.manner.wrong) {
-            line = wrong::spoilt(&line, self.dice);
+        if self.manner.wrong > 0 && self.entropy.chance(self.manner.wrong) {
+            line = mutate::mutated_block(&line, self.entropy);
         }
         if self.manner.noisy {
-            match self.dice.below(40) {
+            match self.entropy.below(40) {
                 0 | 1 => line.insert_str(0, &format!("n{} ", self.left)),
                 2 => line.push_str(" (a comment)"),
                 3 => line.push_str(" ; the rest"),
                 4 => line.insert_str(0, "  "),
                 5 => line.push('\t'),
-                6 if self.dice.chance(30) => line.insert(0, '/'),
+                6 if self.entropy.chance(30) => line.insert(0, '/'),
                 _ => {}
             }
         }
@@ -222,30 +226,37 @@ impl<'d, 'b> Writer<'d, 'b> {
 }
 
 /// The rows of a program: those of some kinds only, since what is rare shows best where the rest is absent.
-fn chosen_rows(dice: &mut Dice<'_>, recipe: &Recipe) -> Vec<&'static Row> {
-    let named = |row: &&Row| recipe.only.iter().any(|name| row.name.starts_with(name.as_str()));
-    if !recipe.only.is_empty() {
+fn chosen_rows(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Vec<&'static Statement> {
+    let named =
+        |row: &&Statement| config.only.iter().any(|name| row.name.starts_with(name.as_str()));
+    if !config.only.is_empty() {
         return TABLE.iter().copied().flatten().filter(named).collect();
     }
-    let later = dice.chance(recipe.later_programs);
-    let mut is_chosen = [false; Kind::ALL.len()];
-    let single = dice.chance(recipe.single_kind_programs).then(|| {
-        let kinds: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| !kind.is_later()).collect();
-        *dice.pick(&kinds)
+    let later = entropy.chance(config.later_programs);
+    let mut is_chosen = [false; StatementKind::ALL.len()];
+    let single = entropy.chance(config.single_kind_programs).then(|| {
+        let kinds: Vec<StatementKind> =
+            StatementKind::ALL.iter().copied().filter(|kind| !kind.is_later()).collect();
+        *entropy.pick(&kinds)
     });
-    for kind in Kind::ALL {
+    for kind in StatementKind::ALL {
         let wanted = match single {
             Some(single) => *kind == single,
-            None => dice.chance(if kind.is_later() { 40 } else { 70 }),
+            None => entropy.chance(if kind.is_later() { 40 } else { 70 }),
         };
         if wanted && (later || !kind.is_later()) {
             is_chosen[*kind as usize] = true;
         }
     }
-    let mut rows: Vec<&Row> =
+    let mut rows: Vec<&Statement> =
         TABLE.iter().copied().flatten().filter(|row| is_chosen[row.kind as usize]).collect();
     if rows.is_empty() {
-        rows = TABLE.iter().copied().flatten().filter(|row| row.kind == Kind::Motion).collect();
+        rows = TABLE
+            .iter()
+            .copied()
+            .flatten()
+            .filter(|row| row.kind == StatementKind::Motion)
+            .collect();
     }
     rows
 }

@@ -1,12 +1,12 @@
-//! Motion: a part program of moves, the machine that makes them, and what an operator does meanwhile.
+//! Motion programs: moves, the machine that makes them, and the operator's actions meanwhile.
 //!
-//! A [`Ride`] is numbers, so that it can be moved, turned, mirrored, scaled and divided ([`change`]), drawn at random
-//! ([`draw`]), and made smaller ([`shrink`]); [`Ride::text`] is the program that a controller gets. Who plans it, and
-//! who judges samples, the caller knows.
+//! A [`MotionProgram`] is numbers, so that it can be [drawn at random](draw), [transformed](transformation) and
+//! [shrunk](shrink); [`MotionProgram::text`] is the program that a controller gets. The caller plans it and judges the
+//! samples.
 
-pub mod change;
 pub mod draw;
 pub mod shrink;
+pub mod transformation;
 
 use std::fmt::Write as _;
 
@@ -18,7 +18,7 @@ pub type Axes = [f64; 9];
 
 /// A program of moves under circumstances.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ride {
+pub struct MotionProgram {
     /// Where the machine stands before, machine coordinates, which are the program's too.
     pub start: Axes,
     /// The plane of all arcs.
@@ -122,7 +122,7 @@ impl Step {
 const LETTERS: [char; 9] = ['x', 'y', 'z', 'a', 'b', 'c', 'u', 'v', 'w'];
 const OFFSETS: [char; 3] = ['i', 'j', 'k'];
 
-impl Ride {
+impl MotionProgram {
     /// Where the machine stands before.
     pub fn position(&self) -> Position {
         Position::from(self.start)

@@ -1,18 +1,22 @@
-//! The smallest ride of which something still holds.
+//! The smallest motion program that still has a property.
 
 use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::motion::PathMode;
 
-use super::{Pace, Ride, Step};
+use super::{MotionProgram, Pace, Step};
 
-/// Tries smaller rides as long as there are attempts left; `holds` says of which ones it still holds. No clock, no
-/// chance.
-pub fn shrunk(ride: &Ride, mut attempts: u32, holds: &mut dyn FnMut(&Ride) -> bool) -> Ride {
-    let mut best = ride.clone();
+/// Tries smaller motion programs, at most `attempts` of them, and keeps those for which `holds` is true. It reads no
+/// clock and draws no random number.
+pub fn shrunk(
+    program: &MotionProgram,
+    mut attempts: u32,
+    holds: &mut dyn FnMut(&MotionProgram) -> bool,
+) -> MotionProgram {
+    let mut best = program.clone();
     loop {
         let before = best.clone();
-        let mut attempt = |best: &mut Ride, smaller: Ride| {
+        let mut attempt = |best: &mut MotionProgram, smaller: MotionProgram| {
             if attempts == 0 || smaller == *best {
                 return false;
             }
@@ -32,10 +36,10 @@ pub fn shrunk(ride: &Ride, mut attempts: u32, holds: &mut dyn FnMut(&Ride) -> bo
     }
 }
 
-type Attempt<'a> = dyn FnMut(&mut Ride, Ride) -> bool + 'a;
+type Attempt<'a> = dyn FnMut(&mut MotionProgram, MotionProgram) -> bool + 'a;
 
 /// Rows of steps go, long ones first.
-fn fewer_steps(best: &mut Ride, attempt: &mut Attempt<'_>) {
+fn fewer_steps(best: &mut MotionProgram, attempt: &mut Attempt<'_>) {
     let mut row = best.steps.len() / 2;
     while row > 0 {
         let mut from = 0;
@@ -50,7 +54,7 @@ fn fewer_steps(best: &mut Ride, attempt: &mut Attempt<'_>) {
     }
 }
 
-fn fewer_events(best: &mut Ride, attempt: &mut Attempt<'_>) {
+fn fewer_events(best: &mut MotionProgram, attempt: &mut Attempt<'_>) {
     let mut place = 0;
     while place < best.script.events.len() {
         let mut smaller = best.clone();
@@ -72,15 +76,15 @@ fn fewer_events(best: &mut Ride, attempt: &mut Attempt<'_>) {
 }
 
 /// Circumstances and numbers that anybody would begin with.
-fn plainer(best: &mut Ride, attempt: &mut Attempt<'_>) {
-    let smaller = Ride { every: None, ..best.clone() };
+fn plainer(best: &mut MotionProgram, attempt: &mut Attempt<'_>) {
+    let smaller = MotionProgram { every: None, ..best.clone() };
     attempt(best, smaller);
     let mut smaller = best.clone();
     for limit in smaller.limits.axes.values_mut() {
         (limit.velocity, limit.acceleration) = (Some(250.0), Some(2000.0));
     }
     attempt(best, smaller);
-    let smaller = Ride {
+    let smaller = MotionProgram {
         limits: gaugeblock_vocabulary::motion::MotionLimits {
             period: 0.001,
             axes: BTreeMap::clone(&best.limits.axes),

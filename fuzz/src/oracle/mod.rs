@@ -1,18 +1,18 @@
-//! What must hold for every scenario, whatever its program says.
+//! Properties that hold for every scenario.
 //!
-//! Here is what needs no comparison of two controllers: the model keeps its promises, [pairs](same()) of scenarios do
-//! the same, a longer budget [goes on](goes_on) where a shorter one ended, and how a program [arrives] at the
-//! production interpreter changes nothing. That two controllers do the same is the referee's to say.
+//! None of them needs a second controller: the model keeps its [invariants](model_invariants), the two scenarios of a
+//! [metamorphic pair](metamorphic()) have equal effects, a run with a small budget is a [prefix](budget_prefix) of a
+//! longer one, and [chunked input](chunked_input()) changes nothing in production.
 
-mod arrival;
+mod chunked_input;
+mod metamorphic;
 mod prefix;
-mod same;
 
 use gaugeblock_vocabulary::{Bound, End, Event, Outcome, Scenario};
 
-pub use arrival::arrives;
-pub use prefix::goes_on;
-pub use same::same;
+pub use chunked_input::chunked_input;
+pub use metamorphic::metamorphic;
+pub use prefix::budget_prefix;
 
 /// Runs the model and checks that it keeps its promises.
 ///
@@ -22,7 +22,7 @@ pub use same::same;
 ///
 /// # Errors
 /// The promise that was broken, and the outcome.
-pub fn model_keeps_its_promises(scenario: &Scenario) -> Result<Outcome, String> {
+pub fn model_invariants(scenario: &Scenario) -> Result<Outcome, String> {
     let (outcome, evidence) = gaugeblock_reference::run(scenario);
     let broken = |promise: &str| Err(format!("{promise}:\n{}", outcome.to_text()));
     if let Some(bound) = beyond_budget(scenario, &outcome) {

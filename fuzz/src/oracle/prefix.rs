@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::{End, Outcome, Scenario};
 ///
 /// # Errors
 /// A shorter run is not the beginning of the longer one, or it did not tell that its budget ran out.
-pub fn goes_on(
+pub fn budget_prefix(
     scenario: &Scenario,
     run: &mut dyn FnMut(&Scenario) -> Option<Outcome>,
 ) -> Result<(), String> {

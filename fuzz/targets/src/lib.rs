@@ -9,7 +9,7 @@ use gaugeblock::fuzz::{comparable, is_fragile};
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::compare;
 use gaugeblock_compare::observe::Observed;
-use gaugeblock_fuzz::generate::{self, Dice, odd, pairs};
+use gaugeblock_fuzz::generate::{self, Entropy, malformed, metamorphic};
 use gaugeblock_fuzz::oracle;
 use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
@@ -19,9 +19,9 @@ pub type Target = (&'static str, fn(&[u8]));
 /// Every target.
 pub const TARGETS: &[Target] = &[
     ("any_bytes", any_bytes),
-    ("odd_program", odd_program),
+    ("malformed_program", malformed_program),
     ("program", program),
-    ("pairs", pairs),
+    ("metamorphic", metamorphic),
     ("text_forms", text_forms),
 ];
 
@@ -37,32 +37,32 @@ pub fn any_bytes(bytes: &[u8]) {
 ///
 /// # Panics
 /// A promise is broken.
-pub fn odd_program(bytes: &[u8]) {
-    kept(oracle::model_keeps_its_promises(&odd::scenario(bytes)).map(drop));
+pub fn malformed_program(bytes: &[u8]) {
+    kept(oracle::model_invariants(&malformed::scenario(bytes)).map(drop));
 }
 
-/// A generated program does the same in model and production, however it arrives there; and a run whose budget ran
+/// A generated program does the same in model and production, however its text is chunked; and a run whose budget ran
 /// out is the beginning of a longer one, in both.
 ///
 /// # Panics
 /// A promise is broken.
 pub fn program(bytes: &[u8]) {
-    let mut dice = Dice::of_bytes(bytes);
-    let scenario = generate::scenario(&mut dice, &generate::Recipe::default());
+    let mut entropy = Entropy::from_bytes(bytes);
+    let scenario = generate::scenario(&mut entropy, &generate::GeneratorConfig::default());
     let _ = agree(&scenario);
-    kept(oracle::arrives(&scenario, &mut dice));
-    kept(oracle::goes_on(&scenario, &mut |scenario| of(&Reference::default(), scenario)));
-    kept(oracle::goes_on(&scenario, &mut |scenario| of(&Production::default(), scenario)));
+    kept(oracle::chunked_input(&scenario, &mut entropy));
+    kept(oracle::budget_prefix(&scenario, &mut |scenario| of(&Reference::default(), scenario)));
+    kept(oracle::budget_prefix(&scenario, &mut |scenario| of(&Production::default(), scenario)));
 }
 
 /// Pairs of programs do the same, in model and production.
 ///
 /// # Panics
 /// They do not.
-pub fn pairs(bytes: &[u8]) {
-    let pair = pairs::pair(&mut Dice::of_bytes(bytes));
-    kept(oracle::same(&pair, &mut |scenario| of(&Reference::default(), scenario)));
-    kept(oracle::same(&pair, &mut |scenario| of(&Production::default(), scenario)));
+pub fn metamorphic(bytes: &[u8]) {
+    let pair = metamorphic::pair(&mut Entropy::from_bytes(bytes));
+    kept(oracle::metamorphic(&pair, &mut |scenario| of(&Reference::default(), scenario)));
+    kept(oracle::metamorphic(&pair, &mut |scenario| of(&Production::default(), scenario)));
 }
 
 /// Bytes as the text form of a scenario or an outcome: what is read is written so that it is read again.

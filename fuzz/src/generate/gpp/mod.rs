@@ -4,8 +4,8 @@
 //! mostly a value. A dial spoils some statements and lines. Nothing is nudged: GPP has no function, and its rounding
 //! is told to the last bit.
 
-mod odd;
-mod pairs;
+mod malformed;
+mod metamorphic;
 mod program;
 mod statements;
 mod toolpath;
@@ -16,9 +16,9 @@ use std::collections::BTreeMap;
 use gaugeblock_vocabulary::scenario::Budget;
 use gaugeblock_vocabulary::{Language, Program, Scenario};
 
-use super::{BUDGET, Dice, Recipe};
+use super::{BUDGET, Entropy, GeneratorConfig};
 
-pub use pairs::{Pair, modality};
+pub use metamorphic::{Pair, modality};
 
 /// A variable that a program may use.
 #[derive(Clone, Debug)]
@@ -33,24 +33,24 @@ struct Known {
 }
 
 /// A scenario. Its options are empty: which documents apply is the caller's to say.
-pub(super) fn scenario(dice: &mut Dice<'_>, recipe: &Recipe) -> Scenario {
-    let (toolpath, known, headings) = toolpath::toolpath(dice);
-    let mut main = program::program(dice, known, &headings, recipe.old_words);
+pub(super) fn scenario(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Scenario {
+    let (toolpath, known, headings) = toolpath::toolpath(entropy);
+    let mut main = program::program(entropy, known, &headings, config.old_words);
     let mut toolpath = toolpath;
-    if dice.chance(recipe.wrong_programs) {
-        for _ in 0..dice.range(1, 2) {
-            let spoils_program = dice.chance(85);
+    if entropy.chance(config.mutated_programs) {
+        for _ in 0..entropy.range(1, 2) {
+            let spoils_program = entropy.chance(85);
             let text = if spoils_program { &mut main } else { &mut toolpath };
-            *text = odd::spoilt(text, spoils_program, dice);
+            *text = malformed::mutated_block(text, spoils_program, entropy);
         }
     }
     let mut files = BTreeMap::new();
-    if !dice.chance(2) {
+    if !entropy.chance(2) {
         files.insert("toolpath".to_owned(), toolpath);
     }
     let program = Program { language: Language::Gpp, main, files, ..Program::default() };
-    let budget = if dice.chance(15) {
-        Budget { steps: dice.range(0, 60), effects: dice.range(0, 30), ..BUDGET }
+    let budget = if entropy.chance(15) {
+        Budget { steps: entropy.range(0, 60), effects: entropy.range(0, 30), ..BUDGET }
     } else {
         BUDGET
     };

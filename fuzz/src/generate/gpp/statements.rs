@@ -3,14 +3,14 @@
 use std::fmt::Write as _;
 
 use super::{Known, values};
-use crate::generate::Dice;
+use crate::generate::Entropy;
 
 const COMPARISONS: &[&str] =
     &["==", "!=", "<", "<=", ">", ">=", "_EQ_", "_NE_", "_LT_", "_LE_", "_GT_", "_GE_"];
 
 /// Writes statements, a line each.
 pub(super) struct Writer<'w, 'd> {
-    dice: &'w mut Dice<'d>,
+    entropy: &'w mut Entropy<'d>,
     known: &'w [Known],
     /// The symbol of the newline procedure, where it may stand.
     symbol: Option<&'w str>,
@@ -20,17 +20,17 @@ pub(super) struct Writer<'w, 'd> {
 
 impl<'w, 'd> Writer<'w, 'd> {
     pub(super) fn new(
-        dice: &'w mut Dice<'d>,
+        entropy: &'w mut Entropy<'d>,
         known: &'w [Known],
         symbol: Option<&'w str>,
         old_words: bool,
     ) -> Self {
-        Self { dice, known, symbol, old_words, text: String::new() }
+        Self { entropy, known, symbol, old_words, text: String::new() }
     }
 
     fn line(&mut self, line: &str) {
         self.text.push_str(line);
-        self.text.push(if self.dice.chance(6) { ' ' } else { '\n' });
+        self.text.push(if self.entropy.chance(6) { ' ' } else { '\n' });
     }
 
     /// Gives most variables a value.
@@ -38,7 +38,7 @@ impl<'w, 'd> Writer<'w, 'd> {
         for variable in self.known {
             let members = variable.size.map_or(1, |size| size);
             for member in 1..=members {
-                if self.dice.chance(4) {
+                if self.entropy.chance(4) {
                     continue;
                 }
                 let to = match variable.size {
@@ -46,9 +46,9 @@ impl<'w, 'd> Writer<'w, 'd> {
                     None => variable.name.clone(),
                 };
                 let value = if variable.text {
-                    values::text(self.dice)
+                    values::text(self.entropy)
                 } else {
-                    self.dice.below(9).to_string()
+                    self.entropy.below(9).to_string()
                 };
                 self.line(&format!("{to} = {value};"));
             }
@@ -64,7 +64,7 @@ impl<'w, 'd> Writer<'w, 'd> {
     }
 
     fn statement(&mut self, depth: u32) {
-        match self.dice.below(if depth < 3 { 20 } else { 14 }) {
+        match self.entropy.below(if depth < 3 { 20 } else { 14 }) {
             0..=4 => self.assignment(),
             5..=9 => self.print(),
             10..=12 => self.switch(),
@@ -82,26 +82,28 @@ impl<'w, 'd> Writer<'w, 'd> {
         if fitting.is_empty() {
             return None;
         }
-        let variable = *self.dice.pick(&fitting);
-        let name = values::spelled(&variable.name, self.dice);
+        let variable = *self.entropy.pick(&fitting);
+        let name = values::spelled(&variable.name, self.entropy);
         let Some(size) = variable.size else { return Some(name) };
-        let index = match self.dice.below(30) {
+        let index = match self.entropy.below(30) {
             0 => self.number(1),
-            1 => format!("{}.5", self.dice.range(1, size)),
-            3..=5 => format!("{}.{}", self.dice.range(1, size), self.dice.pick(&["4", "49", "2"])),
-            2 if size > 1 => format!("{} + 1", self.dice.range(1, size - 1)),
-            _ => self.dice.range(1, size).to_string(),
+            1 => format!("{}.5", self.entropy.range(1, size)),
+            3..=5 => {
+                format!("{}.{}", self.entropy.range(1, size), self.entropy.pick(&["4", "49", "2"]))
+            }
+            2 if size > 1 => format!("{} + 1", self.entropy.range(1, size - 1)),
+            _ => self.entropy.range(1, size).to_string(),
         };
         Some(format!("{name}[{index}]"))
     }
 
     /// An expression.
     fn number(&mut self, depth: u32) -> String {
-        match self.dice.below(if depth < 3 { 12 } else { 6 }) {
-            0..=2 => values::number(self.dice),
-            3..=5 => self.variable(Some(false)).unwrap_or_else(|| values::number(self.dice)),
+        match self.entropy.below(if depth < 3 { 12 } else { 6 }) {
+            0..=2 => values::number(self.entropy),
+            3..=5 => self.variable(Some(false)).unwrap_or_else(|| values::number(self.entropy)),
             6..=9 => {
-                let sign = *self.dice.pick(&["+", "-", "*", "/", "+"]);
+                let sign = *self.entropy.pick(&["+", "-", "*", "/", "+"]);
                 format!("{} {sign} {}", self.number(depth + 1), self.number(depth + 1))
             }
             10 => format!("({})", self.number(depth + 1)),
@@ -110,24 +112,25 @@ impl<'w, 'd> Writer<'w, 'd> {
     }
 
     fn assignment(&mut self) {
-        let text = self.dice.chance(30);
+        let text = self.entropy.chance(30);
         let Some(to) = self.variable(Some(text)) else { return };
-        let value = match self.dice.below(4) {
-            _ if text && self.dice.chance(50) => values::text(self.dice),
+        let value = match self.entropy.below(4) {
+            _ if text && self.entropy.chance(50) => values::text(self.entropy),
             0 | 1 if !text => self.number(0),
-            2 if !text => values::number(self.dice),
+            2 if !text => values::number(self.entropy),
             _ => self.variable(Some(text)).unwrap_or_else(|| to.clone()),
         };
         self.line(&format!("{to} = {value};"));
     }
 
     fn print(&mut self) {
-        let word = *self.dice.pick(&["OUTPUT", "OUTPUT", "PRINT", "PRINT0", "PRINT10", "print3"]);
-        let mut line = values::spelled(word, self.dice);
-        for _ in 0..self.dice.range(1, 5) {
-            let item = match self.dice.below(10) {
+        let word =
+            *self.entropy.pick(&["OUTPUT", "OUTPUT", "PRINT", "PRINT0", "PRINT10", "print3"]);
+        let mut line = values::spelled(word, self.entropy);
+        for _ in 0..self.entropy.range(1, 5) {
+            let item = match self.entropy.below(10) {
                 0..=4 => self.variable(None).unwrap_or_default(),
-                5 | 6 => values::text(self.dice),
+                5 | 6 => values::text(self.entropy),
                 7 => "\\J".to_owned(),
                 _ => self.symbol.unwrap_or_default().to_owned(),
             };
@@ -139,14 +142,14 @@ impl<'w, 'd> Writer<'w, 'd> {
     fn switch(&mut self) {
         let words: &[&str] =
             if self.old_words { &["SET_ON", "SET_OFF", "RESET"] } else { &["SET_ON", "SET_OFF"] };
-        let word = *self.dice.pick(words);
-        let mut line = values::spelled(word, self.dice);
-        for _ in 0..self.dice.range(1, 3) {
+        let word = *self.entropy.pick(words);
+        let mut line = values::spelled(word, self.entropy);
+        for _ in 0..self.entropy.range(1, 3) {
             let whole = self.known.iter().filter(|known| known.size.is_some()).collect::<Vec<_>>();
-            let target = if self.old_words && self.dice.chance(8) {
+            let target = if self.old_words && self.entropy.chance(8) {
                 "ALL_VAR".to_owned()
-            } else if !whole.is_empty() && self.dice.chance(40) {
-                self.dice.pick(&whole).name.clone()
+            } else if !whole.is_empty() && self.entropy.chance(40) {
+                self.entropy.pick(&whole).name.clone()
             } else {
                 self.variable(None).unwrap_or_else(|| "ALL_VAR".to_owned())
             };
@@ -156,33 +159,33 @@ impl<'w, 'd> Writer<'w, 'd> {
     }
 
     fn test(&mut self) -> String {
-        match self.dice.below(8) {
+        match self.entropy.below(8) {
             0 | 1 => {
-                let word = *self.dice.pick(&["VAR_SET", "VAR_NOTSET"]);
+                let word = *self.entropy.pick(&["VAR_SET", "VAR_NOTSET"]);
                 let Some(variable) = self.variable(None) else { return "1 == 1".to_owned() };
                 format!("{word}({variable})")
             }
             2 => {
                 let side = |writer: &mut Self| {
-                    if writer.dice.chance(60) {
+                    if writer.entropy.chance(60) {
                         writer.variable(Some(true)).unwrap_or_else(|| "\"a\"".to_owned())
                     } else {
-                        values::text(writer.dice)
+                        values::text(writer.entropy)
                     }
                 };
                 let (left, right) = (side(self), side(self));
-                format!("{left} {} {right}", self.dice.pick(&["==", "!=", "_EQ_", "_NE_"]))
+                format!("{left} {} {right}", self.entropy.pick(&["==", "!=", "_EQ_", "_NE_"]))
             }
             _ => {
                 let (left, right) = (self.number(1), self.number(1));
-                format!("{left} {} {right}", self.dice.pick(COMPARISONS))
+                format!("{left} {} {right}", self.entropy.pick(COMPARISONS))
             }
         }
     }
 
     fn tests(&mut self) -> String {
         let mut tests = self.test();
-        while self.dice.chance(25) {
+        while self.entropy.chance(25) {
             tests = format!("{tests} && {}", self.test());
         }
         tests
@@ -196,8 +199,8 @@ impl<'w, 'd> Writer<'w, 'd> {
 
     fn if_set(&mut self, depth: u32) {
         let Some(mut tests) = self.variable(None) else { return };
-        if self.old_words && self.dice.chance(40) {
-            tests = match self.dice.below(3) {
+        if self.old_words && self.entropy.chance(40) {
+            tests = match self.entropy.below(3) {
                 0 => self.tests(),
                 1 => format!("{tests} && {}", self.test()),
                 _ => format!("{} && {tests}", self.test()),
@@ -208,12 +211,12 @@ impl<'w, 'd> Writer<'w, 'd> {
     }
 
     fn branches(&mut self, depth: u32) {
-        for _ in 0..self.dice.below(3) {
+        for _ in 0..self.entropy.below(3) {
             self.statement(depth + 1);
         }
-        if self.dice.chance(40) {
+        if self.entropy.chance(40) {
             self.line("ELSE");
-            for _ in 0..self.dice.below(3) {
+            for _ in 0..self.entropy.below(3) {
                 self.statement(depth + 1);
             }
         }
@@ -223,20 +226,20 @@ impl<'w, 'd> Writer<'w, 'd> {
     fn repeat(&mut self, depth: u32) {
         let alone = self.known.iter().find(|known| !known.text && known.size.is_none());
         let counter = alone.map(|known| known.name.clone());
-        let counter = counter.filter(|_| self.dice.chance(80));
+        let counter = counter.filter(|_| self.entropy.chance(80));
         if let Some(counter) = &counter {
             self.line(&format!("{counter} = 0;"));
         }
         self.line("REPEAT");
-        for _ in 0..self.dice.range(0, 2) {
+        for _ in 0..self.entropy.range(0, 2) {
             self.statement(depth + 1);
         }
         let tests = match counter {
             Some(counter) => {
                 self.line(&format!("{counter} = {counter} + 1;"));
-                format!("{counter} > {}", self.dice.below(4))
+                format!("{counter} > {}", self.entropy.below(4))
             }
-            None if self.dice.chance(50) => {
+            None if self.entropy.chance(50) => {
                 self.variable(None).unwrap_or_else(|| "1 == 1".to_owned())
             }
             None => self.tests(),

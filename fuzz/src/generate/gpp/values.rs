@@ -1,6 +1,6 @@
 //! Numbers, texts and names.
 
-use crate::generate::Dice;
+use crate::generate::Entropy;
 
 /// Numbers that lie where something is decided.
 const NUMBERS: &[&str] = &[
@@ -59,21 +59,21 @@ const TEXTS: &[&str] = &[
 ];
 
 /// A number without a sign.
-pub(super) fn number(dice: &mut Dice<'_>) -> String {
-    match dice.below(60) {
-        0..=38 => (*dice.pick(NUMBERS)).to_owned(),
-        39..=49 => dice.below(20).to_string(),
-        50..=58 => format!("{}.{}", dice.below(120), dice.below(10_000)),
-        _ => (*dice.pick(LARGE)).to_owned(),
+pub(super) fn number(entropy: &mut Entropy<'_>) -> String {
+    match entropy.below(60) {
+        0..=38 => (*entropy.pick(NUMBERS)).to_owned(),
+        39..=49 => entropy.below(20).to_string(),
+        50..=58 => format!("{}.{}", entropy.below(120), entropy.below(10_000)),
+        _ => (*entropy.pick(LARGE)).to_owned(),
     }
 }
 
 /// A text in double quotes.
-pub(super) fn text(dice: &mut Dice<'_>) -> String {
-    format!("\"{}\"", dice.pick(TEXTS))
+pub(super) fn text(entropy: &mut Entropy<'_>) -> String {
+    format!("\"{}\"", entropy.pick(TEXTS))
 }
 
 /// A word as somebody might write it.
-pub(super) fn spelled(word: &str, dice: &mut Dice<'_>) -> String {
-    if dice.chance(10) { word.to_ascii_lowercase() } else { word.to_owned() }
+pub(super) fn spelled(word: &str, entropy: &mut Entropy<'_>) -> String {
+    if entropy.chance(10) { word.to_ascii_lowercase() } else { word.to_owned() }
 }

@@ -4,8 +4,8 @@
 //! jumps, and a feed is set before anything moves. What documents leave open is written seldom. A dial spoils some
 //! blocks.
 
-mod odd;
-mod pairs;
+mod malformed;
+mod metamorphic;
 mod program;
 mod statements;
 mod values;
@@ -13,23 +13,23 @@ mod values;
 use gaugeblock_vocabulary::scenario::Budget;
 use gaugeblock_vocabulary::{Language, Program, Scenario};
 
-use super::{BUDGET, Dice, Recipe};
+use super::{BUDGET, Entropy, GeneratorConfig};
 
-pub use pairs::{Counted, Pair, count, locals};
+pub use metamorphic::{Counted, Pair, count, locals};
 
 /// A scenario. Its options are empty: which documents apply is the caller's to say.
-pub(super) fn scenario(dice: &mut Dice<'_>, recipe: &Recipe) -> Scenario {
-    let mut main = program::programs(dice);
-    if dice.chance(recipe.wrong_programs) {
-        for _ in 0..dice.range(1, 2) {
-            main = odd::spoilt(&main, dice);
+pub(super) fn scenario(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Scenario {
+    let mut main = program::programs(entropy);
+    if entropy.chance(config.mutated_programs) {
+        for _ in 0..entropy.range(1, 2) {
+            main = malformed::mutated_block(&main, entropy);
         }
     }
-    let block_delete = dice.chance(30);
+    let block_delete = entropy.chance(30);
     let program = Program { language: Language::Nct, main, block_delete, ..Program::default() };
-    let budget = if dice.chance(15) {
-        let time = f64::from(dice.range(0, 20));
-        Budget { steps: dice.range(0, 80), effects: dice.range(0, 30), time }
+    let budget = if entropy.chance(15) {
+        let time = f64::from(entropy.range(0, 20));
+        Budget { steps: entropy.range(0, 80), effects: entropy.range(0, 30), time }
     } else {
         BUDGET
     };

@@ -1,7 +1,7 @@
 //! Blocks of a program.
 
 use super::values::{condition, expression, number, target, value, variable};
-use crate::generate::Dice;
+use crate::generate::Entropy;
 
 /// Which program is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,7 +12,7 @@ pub(super) enum Place {
 
 /// Writes the blocks of one program.
 pub(super) struct Writer<'a, 'd> {
-    dice: &'a mut Dice<'d>,
+    entropy: &'a mut Entropy<'d>,
     place: Place,
     /// Programs that it may call.
     called: &'a [u32],
@@ -33,10 +33,10 @@ pub(super) struct Writer<'a, 'd> {
 const LAST: u32 = 77;
 
 impl<'a, 'd> Writer<'a, 'd> {
-    pub(super) fn new(dice: &'a mut Dice<'d>, place: Place, called: &'a [u32]) -> Self {
-        let label = dice.range(100, 900);
+    pub(super) fn new(entropy: &'a mut Entropy<'d>, place: Place, called: &'a [u32]) -> Self {
+        let label = entropy.range(100, 900);
         Self {
-            dice,
+            entropy,
             place,
             called,
             blocks: Vec::new(),
@@ -50,24 +50,24 @@ impl<'a, 'd> Writer<'a, 'd> {
 
     /// All blocks up to the end of the program.
     pub(super) fn body(&mut self) {
-        if self.place == Place::Main && self.dice.chance(95) {
-            let code = *self.dice.pick(&["G1 F100", "G01 X1 F50", "G0 F200", "F10 G1 Y-1"]);
+        if self.place == Place::Main && self.entropy.chance(95) {
+            let code = *self.entropy.pick(&["G1 F100", "G01 X1 F50", "G0 F200", "F10 G1 Y-1"]);
             self.write(code);
         }
         let count = match self.place {
-            Place::Main => self.dice.range(2, 14),
-            Place::Called => self.dice.range(0, 6),
+            Place::Main => self.entropy.range(2, 14),
+            Place::Called => self.entropy.range(0, 6),
         };
         self.statements(count);
-        if self.dice.chance(3) {
+        if self.entropy.chance(3) {
             return;
         }
         let end = match self.place {
-            Place::Main => *self.dice.pick(&["M30", "M30", "M30", "M2", "M30", "M99"]),
-            Place::Called if self.dice.chance(6) => "M99 P77",
+            Place::Main => *self.entropy.pick(&["M30", "M30", "M30", "M2", "M30", "M99"]),
+            Place::Called if self.entropy.chance(6) => "M99 P77",
             Place::Called => "M99",
         };
-        let label = if self.dice.chance(80) { format!("N{LAST} ") } else { String::new() };
+        let label = if self.entropy.chance(80) { format!("N{LAST} ") } else { String::new() };
         self.write(&format!("{label}{end}"));
     }
 
@@ -83,7 +83,7 @@ impl<'a, 'd> Writer<'a, 'd> {
 
     fn statement(&mut self) {
         let nests = self.depth < 3;
-        match self.dice.below(100) {
+        match self.entropy.below(100) {
             0..=27 => self.assignment(),
             28..=50 => self.motion(),
             51..=57 => self.modes(),
@@ -99,17 +99,17 @@ impl<'a, 'd> Writer<'a, 'd> {
     }
 
     fn assignment(&mut self) {
-        let (to, from) = (target(self.dice), expression(self.dice, 3));
-        let from = if self.dice.chance(20) { variable(self.dice) } else { from };
-        let slash = if self.dice.chance(5) { "/" } else { "" };
+        let (to, from) = (target(self.entropy), expression(self.entropy, 3));
+        let from = if self.entropy.chance(20) { variable(self.entropy) } else { from };
+        let slash = if self.entropy.chance(5) { "/" } else { "" };
         self.write(&format!("{slash}{to} = {from}"));
     }
 
     fn motion(&mut self) {
-        if self.dice.chance(18) {
+        if self.entropy.chance(18) {
             return self.arc();
         }
-        let code = match self.dice.below(8) {
+        let code = match self.entropy.below(8) {
             0 => "G0 ",
             1 => "G1 ",
             2 => "G91 G01 ",
@@ -118,14 +118,14 @@ impl<'a, 'd> Writer<'a, 'd> {
             _ => "",
         };
         // Behind an arc words of axes alone would be an arc.
-        let code = if code.is_empty() && self.dice.chance(80) { "G1 " } else { code };
+        let code = if code.is_empty() && self.entropy.chance(80) { "G1 " } else { code };
         let mut block = code.to_owned();
         for axis in ["X", "Y", "Z", "A"] {
-            if self.dice.chance(40) {
-                block += &format!("{axis}{} ", value(self.dice));
+            if self.entropy.chance(40) {
+                block += &format!("{axis}{} ", value(self.entropy));
             }
         }
-        if self.dice.chance(10) {
+        if self.entropy.chance(10) {
             block += "F100";
         }
         self.write(block.trim_end());
@@ -133,27 +133,27 @@ impl<'a, 'd> Writer<'a, 'd> {
 
     /// An arc that ends where it may.
     fn arc(&mut self) {
-        let code = *self.dice.pick(&["G2", "G3", "G02", "G03"]);
+        let code = *self.entropy.pick(&["G2", "G3", "G02", "G03"]);
         let (plane, first, second, offsets) =
-            *self.dice.pick::<(&str, &str, &str, (&str, &str))>(&[
+            *self.entropy.pick::<(&str, &str, &str, (&str, &str))>(&[
                 ("G17", "X", "Y", ("I", "J")),
                 ("G18", "Z", "X", ("K", "I")),
                 ("G19", "Y", "Z", ("J", "K")),
             ]);
-        let size = self.dice.range(1, 9);
-        let block = match self.dice.below(5) {
+        let size = self.entropy.range(1, 9);
+        let block = match self.entropy.below(5) {
             0 => format!("{plane} {code} {}{size}", offsets.0),
             1 => format!("{plane} {code} {}{size} {}-{size}", offsets.0, offsets.1),
             2 => format!("{plane} G91 {code} {first}{} {}{size}", size * 2, offsets.0),
             3 => format!("{plane} G91 {code} {first}{size} {second}{size} {}{size}", offsets.1),
             _ => {
-                let sign = if self.dice.chance(40) { "-" } else { "" };
+                let sign = if self.entropy.chance(40) { "-" } else { "" };
                 format!("{plane} G91 {code} {first}{size} {second}-{size} R{sign}{}", size * 2)
             }
         };
-        let along = if self.dice.chance(20) { " A5" } else { "" };
+        let along = if self.entropy.chance(20) { " A5" } else { "" };
         self.write(&format!("{block}{along}"));
-        if self.dice.chance(80) {
+        if self.entropy.chance(80) {
             self.write("G90 G1");
         }
     }
@@ -169,30 +169,32 @@ impl<'a, 'd> Writer<'a, 'd> {
             &["M7", "M8", "M9"],
         ];
         for group in groups {
-            if self.dice.chance(30) {
-                block += *self.dice.pick::<&str>(group);
+            if self.entropy.chance(30) {
+                block += *self.entropy.pick::<&str>(group);
                 block.push(' ');
             }
         }
-        if self.dice.chance(20) {
-            block += &format!("S[ABS[{}]]", variable(self.dice));
+        if self.entropy.chance(20) {
+            block += &format!("S[ABS[{}]]", variable(self.entropy));
         }
         self.write(block.trim_end());
     }
 
     fn other(&mut self) {
-        let block = match self.dice.below(9) {
-            0 => format!("G4 P{}", number(self.dice)),
-            1 => format!("T{}", self.dice.range(0, 12)),
+        let block = match self.entropy.below(9) {
+            0 => format!("G4 P{}", number(self.entropy)),
+            1 => format!("T{}", self.entropy.range(0, 12)),
             2 => "M6".to_owned(),
-            3 => format!("T{} M06 G4 P[ABS[{}]]", self.dice.range(0, 12), variable(self.dice)),
+            3 => {
+                format!("T{} M06 G4 P[ABS[{}]]", self.entropy.range(0, 12), variable(self.entropy))
+            }
             4 => {
                 self.label += 1;
                 format!("N{}", self.label)
             }
             5 => "(NOTHING)".to_owned(),
             6 => "/".to_owned(),
-            7 => format!("F[ABS[{}] + 1]", variable(self.dice)),
+            7 => format!("F[ABS[{}] + 1]", variable(self.entropy)),
             _ => "#1 = #0".to_owned(),
         };
         self.write(&block);
@@ -203,13 +205,13 @@ impl<'a, 'd> Writer<'a, 'd> {
         if self.called.is_empty() {
             return None;
         }
-        let number = *self.dice.pick(self.called);
-        let number = match self.dice.below(8) {
+        let number = *self.entropy.pick(self.called);
+        let number = match self.entropy.below(8) {
             0 => format!("[{} + 1]", number - 1),
             1 => format!("{number}.3"),
             _ => number.to_string(),
         };
-        let repeats = match self.dice.below(12) {
+        let repeats = match self.entropy.below(12) {
             0 => " L2",
             1 => " L3",
             2 => " L1.4",
@@ -222,13 +224,13 @@ impl<'a, 'd> Writer<'a, 'd> {
     fn arguments(&mut self) -> String {
         let mut text = String::new();
         for letter in "ABCDEFHMQRSTUVWXYZ".chars() {
-            if self.dice.chance(12) {
-                text += &format!(" {letter}{}", value(self.dice));
+            if self.entropy.chance(12) {
+                text += &format!(" {letter}{}", value(self.entropy));
             }
         }
-        if self.dice.chance(25) {
-            for _ in 0..self.dice.range(1, 9) {
-                text += &format!(" {}{}", self.dice.pick(&["I", "J", "K"]), value(self.dice));
+        if self.entropy.chance(25) {
+            for _ in 0..self.entropy.range(1, 9) {
+                text += &format!(" {}{}", self.entropy.pick(&["I", "J", "K"]), value(self.entropy));
             }
         }
         text
@@ -236,7 +238,7 @@ impl<'a, 'd> Writer<'a, 'd> {
 
     fn call_once(&mut self) {
         // What a macro reaches that is called so under a modal call is open.
-        if self.modal > 0 && self.dice.chance(85) {
+        if self.modal > 0 && self.entropy.chance(85) {
             return self.motion();
         }
         let arguments = self.arguments();
@@ -250,7 +252,7 @@ impl<'a, 'd> Writer<'a, 'd> {
         if self.by_block {
             return self.assignment();
         }
-        let before = *self.dice.pick(&["", "", "", "M8 ", "S100 "]);
+        let before = *self.entropy.pick(&["", "", "", "M8 ", "S100 "]);
         match self.callee() {
             Some(callee) => self.write(&format!("{before}M98 {callee}")),
             None => self.motion(),
@@ -259,12 +261,12 @@ impl<'a, 'd> Writer<'a, 'd> {
 
     /// Blocks under a modal call.
     fn modal_region(&mut self) {
-        let allowed = self.place == Place::Main || self.dice.chance(12);
+        let allowed = self.place == Place::Main || self.entropy.chance(12);
         let Some(callee) = self.callee().filter(|_| allowed && self.modal < 4) else {
             return self.motion();
         };
         if self.modal == 0 {
-            self.by_block = self.dice.chance(35);
+            self.by_block = self.entropy.chance(35);
         }
         if self.by_block {
             self.write(&format!("G66.1 {callee}"));
@@ -274,13 +276,13 @@ impl<'a, 'd> Writer<'a, 'd> {
         }
         self.modal += 1;
         self.depth += 1;
-        let count = self.dice.range(1, 4);
+        let count = self.entropy.range(1, 4);
         self.statements(count);
-        if self.dice.chance(70) {
+        if self.entropy.chance(70) {
             self.motion();
         }
         self.depth -= 1;
-        if self.dice.chance(97) {
+        if self.entropy.chance(97) {
             self.write("G67");
         }
         self.modal -= 1;
@@ -293,23 +295,23 @@ impl<'a, 'd> Writer<'a, 'd> {
     fn branch(&mut self) {
         self.label += 1;
         let label = self.label;
-        let to = match self.dice.below(6) {
+        let to = match self.entropy.below(6) {
             0 => format!("[{} + 2]", label - 2),
             1 => format!("{label}.4"),
             _ => label.to_string(),
         };
-        if self.dice.chance(85) {
-            let condition = condition(self.dice);
+        if self.entropy.chance(85) {
+            let condition = condition(self.entropy);
             self.write(&format!("IF [{condition}] GOTO{to}"));
         } else {
             self.write(&format!("GOTO {to}"));
         }
         self.depth += 1;
-        let count = self.dice.range(0, 2);
+        let count = self.entropy.range(0, 2);
         self.statements(count);
         self.depth -= 1;
-        let slash = if self.dice.chance(5) { "/" } else { "" };
-        let code = *self.dice.pick(&["", "", " G90", " #101 = #101 + 1"]);
+        let slash = if self.entropy.chance(5) { "/" } else { "" };
+        let code = *self.entropy.pick(&["", "", " G90", " #101 = #101 + 1"]);
         self.write(&format!("{slash}N{label}{code}"));
     }
 
@@ -318,17 +320,17 @@ impl<'a, 'd> Writer<'a, 'd> {
         self.loops += 1;
         self.depth += 1;
         let (number, counter) = (self.loops, 18 + self.loops);
-        let turns = self.dice.range(0, 3);
+        let turns = self.entropy.range(0, 3);
         self.write(&format!("#{counter} = 0"));
         self.write(&format!("WHILE [#{counter} LT {turns}] DO{number}"));
-        let count = self.dice.range(0, 3);
+        let count = self.entropy.range(0, 3);
         self.statements(count);
-        if self.dice.chance(10) {
-            let condition = condition(self.dice);
+        if self.entropy.chance(10) {
+            let condition = condition(self.entropy);
             self.write(&format!("IF [{condition}] GOTO{LAST}"));
         }
         self.write(&format!("#{counter} = #{counter} + 1"));
-        let slash = if self.dice.chance(1) { "/" } else { "" };
+        let slash = if self.entropy.chance(1) { "/" } else { "" };
         self.write(&format!("{slash}END{number}"));
         self.depth -= 1;
         self.loops -= 1;
@@ -338,7 +340,7 @@ impl<'a, 'd> Writer<'a, 'd> {
         if self.place == Place::Main {
             return self.motion();
         }
-        let condition = condition(self.dice);
+        let condition = condition(self.entropy);
         self.label += 1;
         let label = self.label;
         self.write(&format!("IF [{condition}] GOTO{label}"));

@@ -14,7 +14,7 @@ use std::io::Write as _;
 use std::sync::LazyLock;
 
 use gaugeblock::adapters::rs274::Rs274;
-use gaugeblock_fuzz::generate::{self, BUDGET, Recipe};
+use gaugeblock_fuzz::generate::{self, BUDGET, GeneratorConfig};
 use gaugeblock_fuzz_targets::{Agreement, agree, agree_with};
 use gaugeblock_suite::{Choice, ChoiceKind, Suite};
 use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, When};
@@ -64,7 +64,7 @@ fn scenario(program: Program, picked: &Picked) -> Scenario {
 
 /// A program on a machine, an environment and under an operator that are generated: those of a number.
 fn elsewhere(number: u32, program: Program, picked: &Picked) -> Scenario {
-    let around = generate::from_seed(7, number.into(), &Recipe::default());
+    let around = generate::from_seed(7, number.into(), &GeneratorConfig::default());
     let start = around.program.start;
     Scenario {
         machine: around.machine,

@@ -1,10 +1,10 @@
 //! Whether a pair of scenarios does the same.
 
 use gaugeblock_vocabulary::{
-    Effect, End, Event, Fault, LengthUnit, Outcome, Position, Scenario, Settings,
+    Effect, End, Event, Fault, FaultKind, LengthUnit, Outcome, Position, Scenario, Settings,
 };
 
-use crate::generate::pairs::{Pair, Same};
+use crate::generate::metamorphic::{Pair, Same};
 
 /// Millimetres by which points may differ.
 const TOLERANCE: f64 = 1e-6;
@@ -14,7 +14,10 @@ const TOLERANCE: f64 = 1e-6;
 ///
 /// # Errors
 /// What differs, with both programs.
-pub fn same(pair: &Pair, run: &mut dyn FnMut(&Scenario) -> Option<Outcome>) -> Result<(), String> {
+pub fn metamorphic(
+    pair: &Pair,
+    run: &mut dyn FnMut(&Scenario) -> Option<Outcome>,
+) -> Result<(), String> {
     let (Some(one), Some(other)) = (run(&pair.one), run(&pair.other)) else { return Ok(()) };
     let silent = |outcome: &Outcome| {
         matches!(
@@ -46,7 +49,7 @@ pub fn same(pair: &Pair, run: &mut dyn FnMut(&Scenario) -> Option<Outcome>) -> R
     ))
 }
 
-fn kind(outcome: &Outcome) -> Option<gaugeblock_vocabulary::FaultKind> {
+fn kind(outcome: &Outcome) -> Option<FaultKind> {
     if let End::Fault(fault) = &outcome.end { fault.kind } else { None }
 }
 
@@ -63,11 +66,11 @@ fn lacks_its_end(scenario: &Scenario, outcome: &Outcome) -> bool {
 
 /// Effects of all blocks but a refused one.
 fn effects(outcome: &Outcome) -> Vec<&Effect> {
-    let refused = |line: &gaugeblock_vocabulary::BlockLocation| matches!(&outcome.end, End::Fault(fault) if fault.block.as_ref() == Some(line));
+    let fault = if let End::Fault(fault) = &outcome.end { fault.block.as_ref() } else { None };
     let last = outcome.steps.len().saturating_sub(1);
     let steps = outcome.steps.iter().enumerate();
-    let counted =
-        steps.filter(|(at, step)| !(*at == last && step.state.is_none() && refused(&step.block)));
+    let counted = steps
+        .filter(|(at, step)| !(*at == last && step.state.is_none() && fault == Some(&step.block)));
     let events = counted.flat_map(|(_, step)| &step.events);
     events
         .filter_map(|event| if let Event::Do(effect) = event { Some(effect) } else { None })

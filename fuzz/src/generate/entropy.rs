@@ -4,7 +4,7 @@ use arbitrary::Unstructured;
 
 /// A sequence of choices, the same for the same bytes or seed on every platform.
 #[derive(Debug)]
-pub struct Dice<'a>(Origin<'a>);
+pub struct Entropy<'a>(Origin<'a>);
 
 #[derive(Debug)]
 enum Origin<'a> {
@@ -12,22 +12,22 @@ enum Origin<'a> {
     Seed(u64),
 }
 
-impl<'a> Dice<'a> {
+impl<'a> Entropy<'a> {
     /// Choices from bytes; when they are used up, every choice is the first one and no chance comes.
-    pub fn of_bytes(bytes: &'a [u8]) -> Self {
+    pub fn from_bytes(bytes: &'a [u8]) -> Self {
         Self(Origin::Bytes(Unstructured::new(bytes)))
     }
 
     /// Choices for the program of this number under a seed. Numbers can be taken in any order.
-    pub fn of_seed(seed: u64, number: u64) -> Self {
-        let mut dice = Self(Origin::Seed(seed ^ number.wrapping_mul(0xd134_2543_de82_ef95)));
-        dice.bits();
-        dice.bits();
-        dice
+    pub fn from_seed(seed: u64, number: u64) -> Self {
+        let mut entropy = Self(Origin::Seed(seed ^ number.wrapping_mul(0xd134_2543_de82_ef95)));
+        entropy.bits();
+        entropy.bits();
+        entropy
     }
 
     /// Whether the bytes are used up. A seed never is.
-    pub fn is_spent(&self) -> bool {
+    pub fn is_exhausted(&self) -> bool {
         match &self.0 {
             Origin::Bytes(bytes) => bytes.is_empty(),
             Origin::Seed(_) => false,
@@ -81,8 +81,8 @@ mod tests {
     #[test]
     fn a_seed_repeats_and_numbers_differ() {
         let draw = |seed, number| {
-            let mut dice = Dice::of_seed(seed, number);
-            (0..20).map(|_| dice.below(1000)).collect::<Vec<_>>()
+            let mut entropy = Entropy::from_seed(seed, number);
+            (0..20).map(|_| entropy.below(1000)).collect::<Vec<_>>()
         };
         assert_eq!(draw(7, 3), draw(7, 3));
         assert_ne!(draw(7, 3), draw(7, 4));
@@ -92,11 +92,11 @@ mod tests {
 
     #[test]
     fn spent_bytes_choose_the_first() {
-        let mut dice = Dice::of_bytes(&[200]);
-        assert!(!dice.is_spent());
-        assert_eq!(dice.below(256), 200);
-        assert!(dice.is_spent());
-        assert_eq!(dice.below(256), 0);
-        assert!(!dice.chance(99));
+        let mut entropy = Entropy::from_bytes(&[200]);
+        assert!(!entropy.is_exhausted());
+        assert_eq!(entropy.below(256), 200);
+        assert!(entropy.is_exhausted());
+        assert_eq!(entropy.below(256), 0);
+        assert!(!entropy.chance(99));
     }
 }

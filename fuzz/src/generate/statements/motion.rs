@@ -1,20 +1,20 @@
 //! Straight moves, dwells, path control.
 
-use super::super::table::{Kind, Row};
+use super::super::table::{Statement, StatementKind};
 use super::super::writer::Writer;
 
 /// Room for most axis words of a block.
 const MOST_WORDS: usize = 64;
 
-pub(in super::super) const ROWS: &[Row] = &[
-    Row::any("motion.traverse", Kind::Motion, 30, |w| {
+pub(in super::super) const STATEMENTS: &[Statement] = &[
+    Statement::any("motion.traverse", StatementKind::Motion, 30, |w| {
         let axes = w.axes(3);
         w.block(["g0", axes.as_str()].concat());
         w.moves(true);
     }),
-    Row::when(
+    Statement::when(
         "motion.feed",
-        Kind::Motion,
+        StatementKind::Motion,
         40,
         |s| s.feed && s.per_minute,
         |w| {
@@ -23,9 +23,9 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.moves(false);
         },
     ),
-    Row::when(
+    Statement::when(
         "motion.feed-with-f",
-        Kind::Motion,
+        StatementKind::Motion,
         25,
         |s| s.per_minute,
         |w| {
@@ -35,14 +35,14 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.moves(false);
         },
     ),
-    Row::when(
+    Statement::when(
         "motion.inverse-time",
-        Kind::Feed,
+        StatementKind::Feed,
         10,
         |s| !s.compensated,
         |w| {
             w.block("g93");
-            for _ in 0..w.dice.range(1, 3) {
+            for _ in 0..w.entropy.range(1, 3) {
                 let (axes, feed) = (w.axes(2), w.within(1, 60));
                 w.block(["g1", axes.as_str(), " f", feed.as_str()].concat());
             }
@@ -53,7 +53,7 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.moves(false);
         },
     ),
-    Row::any("motion.axes-alone", Kind::Motion, 20, |w| {
+    Statement::any("motion.axes-alone", StatementKind::Motion, 20, |w| {
         let can = w.state.moving && (w.state.rapid || (w.state.feed && w.state.per_minute));
         let axes = w.axes(3);
         if can {
@@ -63,20 +63,20 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.moves(true);
         }
     }),
-    Row::any("motion.code-alone", Kind::Motion, 3, |w| {
-        let code = *w.dice.pick(&["g0", "g80"]);
+    Statement::any("motion.code-alone", StatementKind::Motion, 3, |w| {
+        let code = *w.entropy.pick(&["g0", "g80"]);
         w.block(code);
         w.state.moving = code == "g0";
         w.state.rapid = code == "g0";
     }),
-    Row::any("motion.machine", Kind::Motion, 5, |w| {
+    Statement::any("motion.machine", StatementKind::Motion, 5, |w| {
         let axes = w.axes(2);
         w.block(["g53 g0", axes.as_str()].concat());
         w.moves(true);
     }),
-    Row::when(
+    Statement::when(
         "motion.machine-feed",
-        Kind::Motion,
+        StatementKind::Motion,
         3,
         |s| s.feed && s.per_minute,
         |w| {
@@ -85,17 +85,21 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.moves(false);
         },
     ),
-    Row::any("dwell", Kind::Path, 10, |w| {
-        let seconds = *w.dice.pick(&["0", "0.1", "1", "2.5", "[1/4]", "#500"]);
+    Statement::any("dwell", StatementKind::Path, 10, |w| {
+        let seconds = *w.entropy.pick(&["0", "0.1", "1", "2.5", "[1/4]", "#500"]);
         let seconds = if seconds == "#500" { "[abs[#500] mod 5]" } else { seconds };
         w.block(format!("g4 p{seconds}"));
     }),
-    Row::any("path", Kind::Path, 12, |w| {
-        let code = *w.dice.pick(&["g61", "g61.1", "g64", "g64"]);
-        let words = match (code, w.dice.below(4)) {
-            ("g64", 1 | 2) => format!(" p{}", w.dice.pick(&["0.1", "0.01", "1", "0", "[1/8]"])),
+    Statement::any("path", StatementKind::Path, 12, |w| {
+        let code = *w.entropy.pick(&["g61", "g61.1", "g64", "g64"]);
+        let words = match (code, w.entropy.below(4)) {
+            ("g64", 1 | 2) => format!(" p{}", w.entropy.pick(&["0.1", "0.01", "1", "0", "[1/8]"])),
             ("g64", 3) => {
-                format!(" p{} q{}", w.dice.pick(&["0.1", "0.5"]), w.dice.pick(&["0.05", "0.2"]))
+                format!(
+                    " p{} q{}",
+                    w.entropy.pick(&["0.1", "0.5"]),
+                    w.entropy.pick(&["0.05", "0.2"])
+                )
             }
             _ => String::new(),
         };
@@ -107,14 +111,14 @@ impl Writer<'_, '_> {
     /// One to `most` axis words, each preceded by a blank.
     pub(in super::super) fn axes(&mut self, most: u32) -> String {
         let (mut text, mut used) = (String::with_capacity(MOST_WORDS), Vec::with_capacity(4));
-        for _ in 0..self.dice.range(1, most) {
+        for _ in 0..self.entropy.range(1, most) {
             let all = &self.state.axes;
             let main = all.len().min(3);
-            let few = if self.dice.chance(75) { &all[..main] } else { &all[..] };
+            let few = if self.entropy.chance(75) { &all[..main] } else { &all[..] };
             if few.is_empty() {
                 break;
             }
-            let axis = *self.dice.pick(few);
+            let axis = *self.entropy.pick(few);
             if !used.contains(&axis) {
                 used.push(axis);
                 text.push(' ');

@@ -10,7 +10,7 @@ use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{Language, Machine, Program, Scenario};
 use tables::{LOOSE, NESTED, TABLES, TOP};
 
-use super::{BUDGET, Dice};
+use super::{BUDGET, Entropy};
 
 /// A scenario from bytes: the first few choose the machine and the switches, the rest the program.
 pub fn scenario(bytes: &[u8]) -> Scenario {
@@ -32,9 +32,9 @@ pub fn scenario(bytes: &[u8]) -> Scenario {
 }
 
 /// A single block that is often refused.
-pub(super) fn block(dice: &mut Dice<'_>) -> String {
+pub(super) fn block(entropy: &mut Entropy<'_>) -> String {
     let bytes: Vec<u8> =
-        (0..12).map(|_| u8::try_from(dice.below(256)).unwrap_or_default()).collect();
+        (0..12).map(|_| u8::try_from(entropy.below(256)).unwrap_or_default()).collect();
     let mut choices = Choices { bytes: &bytes };
     let mut writer = Writer { choices: &mut choices, text: String::new(), last_label: 300 };
     writer.row(LOOSE, 0, 2);

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::Scenario;
 
-use super::{Dice, Recipe, Setups};
+use super::{Entropy, GeneratorConfig, Setups};
 
 /// What must be equal in a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +30,7 @@ pub struct Pair {
 }
 
 /// A change of the text that means nothing.
-struct Change {
+struct TextChange {
     name: &'static str,
     /// Whether line numbers move, so that `#<_line>` tells another one.
     moves_lines: bool,
@@ -51,8 +51,8 @@ const REPEATABLE: &[&str] = &[
 /// The most characters of a line.
 const LONGEST: usize = 255;
 
-const CHANGES: &[Change] = &[
-    Change {
+const CHANGES: &[TextChange] = &[
+    TextChange {
         name: COMMENTS,
         moves_lines: false,
         line: |line| {
@@ -60,22 +60,22 @@ const CHANGES: &[Change] = &[
             if whole { format!("{line} (so)") } else { line.to_owned() }
         },
     },
-    Change {
+    TextChange {
         name: "upper case",
         moves_lines: false,
         line: |line| if is_plain(line) { line.to_ascii_uppercase() } else { line.to_owned() },
     },
-    Change {
+    TextChange {
         name: "blanks",
         moves_lines: false,
         line: |line| if is_plain(line) { line.replace(' ', " \t ") } else { line.to_owned() },
     },
-    Change {
+    TextChange {
         name: "CRLF",
         moves_lines: false,
         line: |line| format!("{}\r", line.trim_end_matches('\r')),
     },
-    Change {
+    TextChange {
         name: "line numbers",
         moves_lines: false,
         line: |line| {
@@ -87,12 +87,12 @@ const CHANGES: &[Change] = &[
             }
         },
     },
-    Change {
+    TextChange {
         name: "blank lines",
         moves_lines: true,
         line: |line| if is_plain(line) { format!("\n{line}\n") } else { line.to_owned() },
     },
-    Change {
+    TextChange {
         name: "repeated modal words",
         moves_lines: true,
         line: |line| {
@@ -148,30 +148,34 @@ fn ends_whole(line: &str) -> bool {
 }
 
 /// A generated scenario and one with a change that means nothing.
-pub fn pair(dice: &mut Dice<'_>) -> Pair {
-    match dice.below(9) {
-        0 => inlined_call(dice),
-        1 => unrolled_loop(dice),
-        2 => deleted_blocks(dice),
-        3 => path(dice, "inch and millimetre", |points| {
+pub fn pair(entropy: &mut Entropy<'_>) -> Pair {
+    match entropy.below(9) {
+        0 => inlined_call(entropy),
+        1 => unrolled_loop(entropy),
+        2 => deleted_blocks(entropy),
+        3 => path(entropy, "inch and millimetre", |points| {
             (moves(points, "g21", 1.0), moves(points, "g20", 25.4))
         }),
-        4 => path(dice, "absolute and incremental", |points| {
+        4 => path(entropy, "absolute and incremental", |points| {
             (moves(points, "g21 g90", 1.0), steps(points))
         }),
-        5 => path(dice, "shifted and turned work offsets", |points| {
+        5 => path(entropy, "shifted and turned work offsets", |points| {
             (moves(points, "g21", 1.0), shifted(points))
         }),
-        6 => path(dice, "split moves", |points| (moves(points, "g21", 1.0), halves(points))),
-        _ => changed(dice),
+        6 => path(entropy, "split moves", |points| (moves(points, "g21", 1.0), halves(points))),
+        _ => changed(entropy),
     }
 }
 
-fn changed(dice: &mut Dice<'_>) -> Pair {
-    let recipe =
-        Recipe { setups: Setups::Plain, wrong_programs: 5, later_programs: 0, ..Recipe::default() };
-    let one = super::scenario(dice, &recipe);
-    let change = dice.pick(CHANGES);
+fn changed(entropy: &mut Entropy<'_>) -> Pair {
+    let config = GeneratorConfig {
+        setups: Setups::Plain,
+        mutated_programs: 5,
+        later_programs: 0,
+        ..GeneratorConfig::default()
+    };
+    let one = super::scenario(entropy, &config);
+    let change = entropy.pick(CHANGES);
     let mut other = one.clone();
     if !change.moves_lines || !names_line(&one.program.main) {
         // A line that would be too long stays as it is.
@@ -187,7 +191,7 @@ fn changed(dice: &mut Dice<'_>) -> Pair {
 }
 
 /// Simple blocks that do the same at every call level and on every line.
-fn blocks(dice: &mut Dice<'_>) -> String {
+fn blocks(entropy: &mut Entropy<'_>) -> String {
     let names = [
         "motion.traverse",
         "mode.",
@@ -198,14 +202,14 @@ fn blocks(dice: &mut Dice<'_>) -> String {
         "dwell",
     ];
     let only = names.map(str::to_owned).to_vec();
-    let recipe = Recipe {
+    let config = GeneratorConfig {
         blocks: (2, 8),
-        wrong_programs: 0,
+        mutated_programs: 0,
         only,
         setups: Setups::Plain,
-        ..Recipe::default()
+        ..GeneratorConfig::default()
     };
-    let text = super::scenario(dice, &recipe).program.main.to_lowercase();
+    let text = super::scenario(entropy, &config).program.main.to_lowercase();
     // What a call changes: its own #1 to #30, the level, the line.
     let differs = |line: &str| line.contains('#') || line.contains('%');
     text.lines()
@@ -213,22 +217,22 @@ fn blocks(dice: &mut Dice<'_>) -> String {
         .fold(String::new(), |text, line| text + line + "\n")
 }
 
-fn inlined_call(dice: &mut Dice<'_>) -> Pair {
-    let body = blocks(dice);
+fn inlined_call(entropy: &mut Entropy<'_>) -> Pair {
+    let body = blocks(entropy);
     let called = format!("o1 sub\n{body}o1 endsub\nf100\no1 call\no1 call\nm2\n");
     let inlined = format!("f100\n{body}{body}m2\n");
     both("inlined call", &called, &inlined, Same::Effects)
 }
 
-fn unrolled_loop(dice: &mut Dice<'_>) -> Pair {
-    let body = blocks(dice);
-    let times = usize::try_from(dice.range(0, 3)).unwrap_or_default();
+fn unrolled_loop(entropy: &mut Entropy<'_>) -> Pair {
+    let body = blocks(entropy);
+    let times = usize::try_from(entropy.range(0, 3)).unwrap_or_default();
     let looped = format!("f100\no1 repeat [{times}]\n{body}o1 endrepeat\nm2\n");
     both("unrolled loop", &looped, &format!("f100\n{}m2\n", body.repeat(times)), Same::Effects)
 }
 
-fn deleted_blocks(dice: &mut Dice<'_>) -> Pair {
-    let body = blocks(dice);
+fn deleted_blocks(entropy: &mut Entropy<'_>) -> Pair {
+    let body = blocks(entropy);
     let with: String = body.lines().map(|line| format!("{line}\n/g0 x99\n/ #31 = 5\n")).collect();
     let mut pair =
         both("block delete", &format!("{body}m2\n"), &format!("{with}m2\n"), Same::Effects);
@@ -240,8 +244,12 @@ fn deleted_blocks(dice: &mut Dice<'_>) -> Pair {
 
 type Point = (i32, i32, i32);
 
-fn path(dice: &mut Dice<'_>, name: &'static str, write: fn(&[Point]) -> (String, String)) -> Pair {
-    let mut coordinate = || i32::try_from(dice.below(80)).unwrap_or_default() - 40;
+fn path(
+    entropy: &mut Entropy<'_>,
+    name: &'static str,
+    write: fn(&[Point]) -> (String, String),
+) -> Pair {
+    let mut coordinate = || i32::try_from(entropy.below(80)).unwrap_or_default() - 40;
     let points: Vec<Point> = (0..8).map(|_| (coordinate(), coordinate(), coordinate())).collect();
     let (one, other) = write(&points);
     both(name, &one, &other, Same::Path)

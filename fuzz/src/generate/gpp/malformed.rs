@@ -1,6 +1,6 @@
 //! Programs and toolpaths with something wrong in a line.
 
-use crate::generate::Dice;
+use crate::generate::Entropy;
 
 /// What does not belong where it is put.
 const WORDS: &[&str] = &[
@@ -111,16 +111,16 @@ const TOOLPATH: &[&str] = &[
 ];
 
 /// The text with one thing wrong.
-pub(super) fn spoilt(text: &str, is_program: bool, dice: &mut Dice<'_>) -> String {
+pub(super) fn mutated_block(text: &str, is_program: bool, entropy: &mut Entropy<'_>) -> String {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     let table = if is_program { WORDS } else { TOOLPATH };
     if lines.is_empty() {
-        return format!("{}\n", dice.pick(table));
+        return format!("{}\n", entropy.pick(table));
     }
     let count = u32::try_from(lines.len()).unwrap_or(u32::MAX);
-    let place = usize::try_from(dice.below(count)).unwrap_or_default();
-    let other = usize::try_from(dice.below(count)).unwrap_or_default();
-    match dice.below(8) {
+    let place = usize::try_from(entropy.below(count)).unwrap_or_default();
+    let other = usize::try_from(entropy.below(count)).unwrap_or_default();
+    match entropy.below(8) {
         0 => {
             lines.remove(place);
         }
@@ -129,29 +129,29 @@ pub(super) fn spoilt(text: &str, is_program: bool, dice: &mut Dice<'_>) -> Strin
             let line = lines[other].clone();
             lines.insert(place, line);
         }
-        3 if is_program && dice.chance(30) => {
-            let at = usize::try_from(dice.range(1, 4)).unwrap_or_default().min(lines.len());
-            lines.insert(at, (*dice.pick(DECLARATIONS)).to_owned());
+        3 if is_program && entropy.chance(30) => {
+            let at = usize::try_from(entropy.range(1, 4)).unwrap_or_default().min(lines.len());
+            lines.insert(at, (*entropy.pick(DECLARATIONS)).to_owned());
         }
-        3 => lines.insert(place, (*dice.pick(table)).to_owned()),
+        3 => lines.insert(place, (*entropy.pick(table)).to_owned()),
         4 => {
-            let at = usize::try_from(dice.below(120)).unwrap_or_default();
+            let at = usize::try_from(entropy.below(120)).unwrap_or_default();
             let kept = lines[place].chars().enumerate().filter(|(place, _)| *place != at);
             lines[place] = kept.map(|(_, character)| character).collect();
         }
         _ if is_program => {
             let mut words: Vec<&str> = lines[place].split(' ').collect();
             let count = u32::try_from(words.len()).unwrap_or(u32::MAX);
-            let at = usize::try_from(dice.below(count)).unwrap_or_default();
-            let word = *dice.pick(table);
-            if dice.chance(50) {
+            let at = usize::try_from(entropy.below(count)).unwrap_or_default();
+            let word = *entropy.pick(table);
+            if entropy.chance(50) {
                 words.insert(at, word);
             } else {
                 words[at] = word;
             }
             lines[place] = words.join(" ");
         }
-        _ => lines[place] = (*dice.pick(table)).to_owned(),
+        _ => lines[place] = (*entropy.pick(table)).to_owned(),
     }
     lines.join("\n") + "\n"
 }

@@ -1,7 +1,7 @@
 //! Slightly wrong blocks: what a hurried person or a bad post-processor writes.
 
-use super::dice::Dice;
-use super::odd;
+use super::entropy::Entropy;
+use super::malformed;
 
 /// Characters that a slip of the finger brings in.
 const SLIPS: &[char] =
@@ -15,14 +15,14 @@ const WORDS: &[&str] = &[
 ];
 
 /// The block with one thing wrong, or another block that is often refused.
-pub(super) fn spoilt(line: &str, dice: &mut Dice<'_>) -> String {
+pub(super) fn mutated_block(line: &str, entropy: &mut Entropy<'_>) -> String {
     let chars: Vec<char> = line.chars().collect();
     let count = u32::try_from(chars.len()).unwrap_or(u32::MAX);
-    let place = usize::try_from(dice.below(count)).unwrap_or_default();
-    match dice.below(8) {
+    let place = usize::try_from(entropy.below(count)).unwrap_or_default();
+    match entropy.below(8) {
         0 if count > 1 => without(&chars, place),
         1 => {
-            let slip = *dice.pick(SLIPS);
+            let slip = *entropy.pick(SLIPS);
             let mut text: String = chars.iter().take(place).collect();
             text.push(slip);
             text.extend(chars.iter().skip(place));
@@ -30,16 +30,20 @@ pub(super) fn spoilt(line: &str, dice: &mut Dice<'_>) -> String {
         }
         2 => {
             let words: Vec<&str> = line.split_whitespace().collect();
-            if words.is_empty() { line.to_owned() } else { format!("{line} {}", dice.pick(&words)) }
+            if words.is_empty() {
+                line.to_owned()
+            } else {
+                format!("{line} {}", entropy.pick(&words))
+            }
         }
-        3 | 4 => format!("{line}{}", dice.pick(WORDS)),
+        3 | 4 => format!("{line}{}", entropy.pick(WORDS)),
         5 if count > 1 => {
             let mut swapped = chars.clone();
             swapped.swap(place, (place + 1) % chars.len());
             swapped.into_iter().collect()
         }
         6 => {
-            let other = *dice.pick(&[
+            let other = *entropy.pick(&[
                 "-1", "1.5", "99999", "0.00001", "1e3", "#<none>", "[1/0]", "[", "sqrt[-1]",
             ]);
             match line.rfind(|c: char| c.is_ascii_digit()) {
@@ -47,7 +51,7 @@ pub(super) fn spoilt(line: &str, dice: &mut Dice<'_>) -> String {
                 None => format!("{line}{other}"),
             }
         }
-        _ => odd::block(dice),
+        _ => malformed::block(entropy),
     }
 }
 

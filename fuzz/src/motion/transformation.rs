@@ -1,102 +1,102 @@
-//! The same ride with its axes in another order, mirrored, larger, in smaller steps, or with more allowed.
+//! Transformations of a motion program, and the effect that each may have on its time.
 
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::{MotionLimits, PathMode};
 use gaugeblock_vocabulary::scenario::AxisLimits;
 
 use super::draw::between;
-use super::{Axes, Pace, Plane, Ride, Step};
-use crate::generate::Dice;
+use super::{Axes, MotionProgram, Pace, Plane, Step};
+use crate::generate::Entropy;
 
-/// What is done to a ride, and so what may become of its time.
+/// A transformation of a motion program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Change {
+pub enum Transformation {
     /// X becomes Y, Y becomes Z, and Z becomes X.
-    Turned,
+    AxesPermuted,
     /// X runs the other way.
     Mirrored,
     /// Lengths, speeds and accelerations are twice as large.
-    Doubled,
+    Scaled,
     /// A line that may be blended is two.
-    Divided,
+    SplitLine,
     /// An axis may be faster.
-    Faster,
+    HigherVelocity,
     /// An axis may accelerate more.
-    Livelier,
+    HigherAcceleration,
     /// Corners may be passed farther away.
-    Looser,
+    LooserTolerance,
 }
 
-impl Change {
+impl Transformation {
     /// All of them.
     pub const ALL: [Self; 7] = [
-        Self::Turned,
+        Self::AxesPermuted,
         Self::Mirrored,
-        Self::Doubled,
-        Self::Divided,
-        Self::Faster,
-        Self::Livelier,
-        Self::Looser,
+        Self::Scaled,
+        Self::SplitLine,
+        Self::HigherVelocity,
+        Self::HigherAcceleration,
+        Self::LooserTolerance,
     ];
 
     /// In a word.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Turned => "turned",
+            Self::AxesPermuted => "axes-permuted",
             Self::Mirrored => "mirrored",
-            Self::Doubled => "doubled",
-            Self::Divided => "divided",
-            Self::Faster => "faster",
-            Self::Livelier => "livelier",
-            Self::Looser => "looser",
+            Self::Scaled => "scaled",
+            Self::SplitLine => "split-line",
+            Self::HigherVelocity => "higher-velocity",
+            Self::HigherAcceleration => "higher-acceleration",
+            Self::LooserTolerance => "looser-tolerance",
         }
     }
 
     /// Whether it may save time; what else it does, costs none.
     pub fn may_save(self) -> bool {
         match self {
-            Self::Faster | Self::Livelier | Self::Looser => true,
-            Self::Turned | Self::Mirrored | Self::Doubled | Self::Divided => false,
+            Self::HigherVelocity | Self::HigherAcceleration | Self::LooserTolerance => true,
+            Self::AxesPermuted | Self::Mirrored | Self::Scaled | Self::SplitLine => false,
         }
     }
 
-    /// The changed ride; `None` where there is nothing to change.
-    pub fn of(self, ride: &Ride, dice: &mut Dice<'_>) -> Option<Ride> {
-        let mut changed = ride.clone();
+    /// The changed program; `None` where there is nothing to change.
+    pub fn of(self, program: &MotionProgram, entropy: &mut Entropy<'_>) -> Option<MotionProgram> {
+        let mut changed = program.clone();
         match self {
-            Self::Turned => {
+            Self::AxesPermuted => {
                 changed.each_point(|point| {
                     let [x, y, z, ..] = *point;
                     (point[0], point[1], point[2]) = (z, x, y);
                 });
-                changed.plane = match ride.plane {
+                changed.plane = match program.plane {
                     Plane::Xy => Plane::Yz,
                     Plane::Yz => Plane::Zx,
                     Plane::Zx => Plane::Xy,
                 };
                 let to = [(Axis::X, Axis::Y), (Axis::Y, Axis::Z), (Axis::Z, Axis::X)];
                 for (from, to) in to {
-                    match ride.limits.axes.get(&from) {
+                    match program.limits.axes.get(&from) {
                         Some(limit) => changed.limits.axes.insert(to, *limit),
                         None => changed.limits.axes.remove(&to),
                     };
                 }
             }
             Self::Mirrored => changed.mirror(),
-            Self::Doubled => changed.double(),
-            Self::Divided => return divided(ride, dice),
-            Self::Faster | Self::Livelier => {
-                let axes: Vec<Axis> = ride.limits.axes.keys().copied().collect();
-                let limit = changed.limits.axes.get_mut(dice.pick(&axes))?;
-                let raised = if self == Self::Faster {
+            Self::Scaled => changed.double(),
+            Self::SplitLine => return divided(program, entropy),
+            Self::HigherVelocity | Self::HigherAcceleration => {
+                let axes: Vec<Axis> = program.limits.axes.keys().copied().collect();
+                let limit = changed.limits.axes.get_mut(entropy.pick(&axes))?;
+                let raised = if self == Self::HigherVelocity {
                     &mut limit.velocity
                 } else {
                     &mut limit.acceleration
                 };
-                *raised = raised.map(|value| value * between(dice, 1.0, 2.0));
+                *raised = raised.map(|value| value * between(entropy, 1.0, 2.0));
             }
-            Self::Looser => {
-                let by = between(dice, 1.0, 3.0);
+            Self::LooserTolerance => {
+                let by = between(entropy, 1.0, 3.0);
                 let mut any = false;
                 for step in &mut changed.steps {
                     if let Step::Mode(PathMode::Within { tolerance, .. }) = step {
@@ -105,14 +105,14 @@ impl Change {
                     }
                 }
                 // A blend has the feed of its slower leg, and a longer one has it for longer.
-                return (any && ride.has_one_feed()).then_some(changed);
+                return (any && program.has_one_feed()).then_some(changed);
             }
         }
         Some(changed)
     }
 }
 
-impl Ride {
+impl MotionProgram {
     /// Whether all moves have the same speed along the path.
     fn has_one_feed(&self) -> bool {
         let paces = self.steps.iter().filter(|step| matches!(step, Step::Pace(_))).count();
@@ -171,11 +171,11 @@ fn double_limits(limits: &mut MotionLimits) {
 const BLENDS: f64 = 100.0;
 
 /// A line in continuous mode with a tolerance, at a feed that does not count moves, becomes two.
-fn divided(ride: &Ride, dice: &mut Dice<'_>) -> Option<Ride> {
+fn divided(program: &MotionProgram, entropy: &mut Entropy<'_>) -> Option<MotionProgram> {
     let (mut continuous, mut by_length) = (None, true);
-    let mut here = ride.start;
+    let mut here = program.start;
     let mut places = Vec::new();
-    for (place, step) in ride.steps.iter().enumerate() {
+    for (place, step) in program.steps.iter().enumerate() {
         match step {
             Step::Mode(PathMode::Within { tolerance, .. }) => continuous = Some(*tolerance),
             Step::Mode(_) => continuous = None,
@@ -200,10 +200,10 @@ fn divided(ride: &Ride, dice: &mut Dice<'_>) -> Option<Ride> {
     if places.is_empty() {
         return None;
     }
-    let (place, from, to) = *dice.pick(&places);
-    let share = between(dice, 0.3, 0.7);
+    let (place, from, to) = *entropy.pick(&places);
+    let share = between(entropy, 0.3, 0.7);
     let inside = std::array::from_fn(|axis| from[axis] + share * (to[axis] - from[axis]));
-    let mut changed = ride.clone();
+    let mut changed = program.clone();
     changed.steps.insert(place, Step::Line(inside));
     Some(changed)
 }

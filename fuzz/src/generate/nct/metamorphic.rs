@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::{
     Effect, End, Event, Indexed, Language, MacroValue, Outcome, Program, Scenario, State,
 };
 
-use super::super::{BUDGET, Dice};
+use super::super::{BUDGET, Entropy};
 use super::statements::{Place, Writer};
 
 /// A program of which the number of interpolations has a closed form.
@@ -22,31 +22,31 @@ pub struct Counted {
 /// Modal calls within each other. With n of them in force, of which the last calls a macro of m motions L times, a
 /// motion of the main program is F(n) = 1 + L m F(n - 1) interpolations, and F(0) = 1: each motion of that macro
 /// reaches the n - 1 before.
-pub fn count(dice: &mut Dice<'_>) -> Counted {
-    let calls = dice.range(0, 4);
+pub fn count(entropy: &mut Entropy<'_>) -> Counted {
+    let calls = entropy.range(0, 4);
     let mut main = String::from("O1\nG1 F100\n");
     let mut macros = String::new();
     let (mut each, mut all) = (vec![1_u64], 0);
     for call in 1..=calls {
-        let (motions, repeats) = (dice.below(4), dice.range(1, 2));
+        let (motions, repeats) = (entropy.below(4), entropy.range(1, 2));
         let _infallible = writeln!(main, "G66 P{} L{repeats} A{call}", call + 1);
         let _infallible = writeln!(macros, "O{}", call + 1);
         for motion in 0..motions {
-            for _ in 0..dice.below(2) {
-                macros += *dice.pick::<&str>(&["#2 = #1\n", "G90\n", "G4 P0\n", "N5\n", "M8\n"]);
+            for _ in 0..entropy.below(2) {
+                macros += *entropy.pick::<&str>(&["#2 = #1\n", "G90\n", "G4 P0\n", "N5\n", "M8\n"]);
             }
             let _infallible = writeln!(macros, "X[#1 * 10 + {motion}]");
         }
         macros += "M99\n";
         let before = each.last().copied().unwrap_or(1);
         each.push(1 + u64::from(motions * repeats) * before);
-        if dice.chance(40) {
+        if entropy.chance(40) {
             let _infallible = writeln!(main, "Y{call}");
             all += each.last().copied().unwrap_or(1);
         }
     }
     while let Some(now) = each.pop() {
-        for motion in 0..dice.below(3) {
+        for motion in 0..entropy.below(3) {
             let _infallible = writeln!(main, "Z{motion}");
             all += now;
         }
@@ -77,15 +77,15 @@ pub struct Pair {
 }
 
 /// A pair that must leave the main program the same local variables, whatever the macro does.
-pub fn locals(dice: &mut Dice<'_>) -> Pair {
+pub fn locals(entropy: &mut Entropy<'_>) -> Pair {
     let mut own = String::new();
     for number in 1..=33 {
-        if dice.chance(50) {
-            let value = *dice.pick(&["0", "1 / 3", "-2.5", "#0", "1000000000", "SIN[10]"]);
+        if entropy.chance(50) {
+            let value = *entropy.pick(&["0", "1 / 3", "-2.5", "#0", "1000000000", "SIN[10]"]);
             let _infallible = writeln!(own, "#{number} = {value}");
         }
     }
-    let call = *dice.pick(&[
+    let call = *entropy.pick(&[
         "G65 P2 A1 B#1 I1 I2 I3 Z#33",
         "G65 P2 L3",
         "G66 P2 C5\nG1 X#1\nG67",
@@ -93,7 +93,7 @@ pub fn locals(dice: &mut Dice<'_>) -> Pair {
         "M98 P9",
     ]);
     let mut body = |called: &[u32]| {
-        let mut writer = Writer::new(dice, Place::Called, called);
+        let mut writer = Writer::new(entropy, Place::Called, called);
         writer.body();
         writer.blocks.join("\n")
     };

@@ -1,4 +1,4 @@
-//! How a program arrives at the production interpreter: whole or in pieces of any size, block by block or at one go.
+//! Production has the same output whether a program arrives whole or in chunks, and however many blocks run per call.
 
 use std::fmt::Write as _;
 
@@ -7,22 +7,22 @@ use gaugeblock_impl::{
 };
 use gaugeblock_vocabulary::{Effect, Scenario, Settings};
 
-use crate::generate::Dice;
+use crate::generate::Entropy;
 
 /// Runs a program as a whole, in pieces, and at one go, and compares all that a sink is told.
 ///
 /// # Errors
 /// What differs, or a panic's message where the caller catches it.
-pub fn arrives(scenario: &Scenario, dice: &mut Dice<'_>) -> Result<(), String> {
+pub fn chunked_input(scenario: &Scenario, entropy: &mut Entropy<'_>) -> Result<(), String> {
     let program = &scenario.program;
     let memory = || {
         let main = Memory::new(&program.main);
         program.files.iter().fold(main, |source, (name, text)| source.with_file(name, text))
     };
     let whole = told(scenario, &mut memory(), 1);
-    let most = usize::try_from(dice.range(1, 40)).unwrap_or(1);
+    let most = usize::try_from(entropy.range(1, 40)).unwrap_or(1);
     let sizes: Vec<usize> =
-        (0..7).map(|_| 1 + usize::try_from(dice.below(40)).unwrap_or_default() % most).collect();
+        (0..7).map(|_| 1 + usize::try_from(entropy.below(40)).unwrap_or_default() % most).collect();
     let mut pieces = Pieces { inner: memory(), sizes, turn: 0 };
     for (how, other) in [
         ("in pieces", told(scenario, &mut pieces, 1)),

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{End, GppState, Outcome, Scenario, State};
 
-use super::super::{Dice, Recipe};
+use super::super::{Entropy, GeneratorConfig};
 use super::scenario;
 
 /// Two programs that print nothing, the other one with other modal variables.
@@ -15,9 +15,9 @@ pub struct Pair {
 }
 
 /// A pair that must do the same: modal and non-modal variables differ only in what OUTPUT and PRINT do to them.
-pub fn modality(dice: &mut Dice<'_>) -> Pair {
-    let recipe = Recipe { wrong_programs: 0, ..Recipe::default() };
-    let mut one = scenario(dice, &recipe);
+pub fn modality(entropy: &mut Entropy<'_>) -> Pair {
+    let config = GeneratorConfig { mutated_programs: 0, ..GeneratorConfig::default() };
+    let mut one = scenario(entropy, &config);
     let prints = |line: &&str| {
         let line = line.to_ascii_uppercase();
         !line.contains("OUTPUT") && !line.contains("PRINT")

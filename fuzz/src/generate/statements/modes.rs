@@ -1,73 +1,73 @@
 //! Units, planes, distance modes, feed, work coordinate systems, saved modes.
 
-use super::super::table::{Kind, Row};
+use super::super::table::{Statement, StatementKind};
 
-pub(in super::super) const ROWS: &[Row] = &[
-    Row::any("mode.units", Kind::Mode, 14, |w| {
-        let code = *w.dice.pick(&["g20", "g21"]);
+pub(in super::super) const STATEMENTS: &[Statement] = &[
+    Statement::any("mode.units", StatementKind::Mode, 14, |w| {
+        let code = *w.entropy.pick(&["g20", "g21"]);
         w.block(code);
     }),
-    Row::when(
+    Statement::when(
         "mode.plane",
-        Kind::Mode,
+        StatementKind::Mode,
         10,
         |s| !s.compensated,
         |w| {
-            let code = *w.dice.pick(&["g17", "g18", "g19", "g17.1", "g18.1", "g19.1"]);
+            let code = *w.entropy.pick(&["g17", "g18", "g19", "g17.1", "g18.1", "g19.1"]);
             w.block(code);
             w.state.xy_plane = code == "g17";
         },
     ),
-    Row::any("mode.distance", Kind::Mode, 14, |w| {
-        let code = *w.dice.pick(&["g90", "g91", "g90.1", "g91.1"]);
+    Statement::any("mode.distance", StatementKind::Mode, 14, |w| {
+        let code = *w.entropy.pick(&["g90", "g91", "g90.1", "g91.1"]);
         w.block(code);
     }),
-    Row::any("mode.retract", Kind::Mode, 4, |w| {
-        let code = *w.dice.pick(&["g98", "g99"]);
+    Statement::any("mode.retract", StatementKind::Mode, 4, |w| {
+        let code = *w.entropy.pick(&["g98", "g99"]);
         w.block(code);
     }),
-    Row::any("mode.lathe", Kind::Mode, 5, |w| {
-        let code = *w.dice.pick(&["g7", "g8"]);
+    Statement::any("mode.lathe", StatementKind::Mode, 5, |w| {
+        let code = *w.entropy.pick(&["g7", "g8"]);
         w.block(code);
     }),
-    Row::any("mode.compensation-off", Kind::Mode, 3, |w| {
+    Statement::any("mode.compensation-off", StatementKind::Mode, 3, |w| {
         w.block("g40");
         w.state.compensated = false;
     }),
-    Row::any("feed.set", Kind::Feed, 20, |w| {
+    Statement::any("feed.set", StatementKind::Feed, 20, |w| {
         let feed = w.within(1, 3000);
         w.block(format!("f{feed}"));
         w.state.feed = true;
     }),
-    Row::any("feed.mode", Kind::Feed, 8, |w| {
-        let code = *w.dice.pick(&["g93", "g94", "g94", "g94", "g95", "g94"]);
+    Statement::any("feed.mode", StatementKind::Feed, 8, |w| {
+        let code = *w.entropy.pick(&["g93", "g94", "g94", "g94", "g95", "g94"]);
         w.block(code);
         w.state.feed &= code == "g94" && w.state.per_minute;
         w.state.per_minute = code == "g94";
     }),
-    Row::any("offset.select", Kind::Offset, 14, |w| {
+    Statement::any("offset.select", StatementKind::Offset, 14, |w| {
         let code =
-            *w.dice.pick(&["g54", "g55", "g56", "g57", "g58", "g59", "g59.1", "g59.2", "g59.3"]);
+            *w.entropy.pick(&["g54", "g55", "g56", "g57", "g58", "g59", "g59.1", "g59.2", "g59.3"]);
         w.block(code);
     }),
-    Row::any("offset.set", Kind::Offset, 14, |w| {
+    Statement::any("offset.set", StatementKind::Offset, 14, |w| {
         let (system, axes) = (w.whole(0, 9), w.axes(3));
         let rotation =
-            if w.dice.chance(15) { format!(" r{}", w.within(0, 90)) } else { String::new() };
+            if w.entropy.chance(15) { format!(" r{}", w.within(0, 90)) } else { String::new() };
         w.block(format!("g10 l2 p{system}{axes}{rotation}"));
     }),
-    Row::any("offset.parameter", Kind::Offset, 3, |w| {
-        let place = 5221 + 20 * w.dice.below(9) + w.dice.below(6);
+    Statement::any("offset.parameter", StatementKind::Offset, 3, |w| {
+        let place = 5221 + 20 * w.entropy.below(9) + w.entropy.below(6);
         let number = w.number();
         w.block(format!("#{place} = {number}"));
     }),
-    Row::any("saved.save", Kind::Saved, 14, |w| {
+    Statement::any("saved.save", StatementKind::Saved, 14, |w| {
         w.block("m70");
         w.state.saved = true;
     }),
-    Row::when(
+    Statement::when(
         "saved.restore",
-        Kind::Saved,
+        StatementKind::Saved,
         14,
         |s| s.saved,
         |w| {
@@ -76,9 +76,9 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.state.per_minute = false;
         },
     ),
-    Row::when(
+    Statement::when(
         "saved.invalidate",
-        Kind::Saved,
+        StatementKind::Saved,
         3,
         |s| s.saved,
         |w| {
@@ -86,7 +86,7 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.state.saved = false;
         },
     ),
-    Row::any("saved.around", Kind::Saved, 8, |w| {
+    Statement::any("saved.around", StatementKind::Saved, 8, |w| {
         w.block("m70");
         w.body(3);
         w.block("m72");
@@ -94,9 +94,9 @@ pub(in super::super) const ROWS: &[Row] = &[
         w.state.per_minute = false;
         w.state.saved = true;
     }),
-    Row::when(
+    Statement::when(
         "saved.autorestore",
-        Kind::Saved,
+        StatementKind::Saved,
         6,
         |s| s.in_sub,
         |w| {
@@ -104,17 +104,17 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.state.saved = true;
         },
     ),
-    Row::any("crowded.m-words", Kind::Crowded, 2, |w| {
+    Statement::any("crowded.m-words", StatementKind::Crowded, 2, |w| {
         // Some controllers have saving in the group of the spindle.
-        let saves = w.dice.chance(50);
+        let saves = w.entropy.chance(50);
         let (first, other) = if saves { ("m70", "m5") } else { ("m5", "m70") };
-        let third = if w.dice.chance(5) { other } else { "m48" };
-        let rest = if w.dice.chance(5) { " m61 q0" } else { "" };
+        let third = if w.entropy.chance(5) { other } else { "m48" };
+        let rest = if w.entropy.chance(5) { " m61 q0" } else { "" };
         w.block(format!("{first} m9 {third} m64 p0{rest}"));
         w.state.saved |= saves;
         w.state.turning &= saves;
     }),
-    Row::any("crowded.modes", Kind::Crowded, 25, |w| {
+    Statement::any("crowded.modes", StatementKind::Crowded, 25, |w| {
         let mut words = Vec::new();
         for group in [
             &["g17", "g18", "g19"][..],
@@ -130,23 +130,23 @@ pub(in super::super) const ROWS: &[Row] = &[
             &["s1000", "s[100 + 50]"],
             &["#31 = 2", "#32 = #31"],
         ] {
-            if w.dice.chance(25) {
-                words.push((*w.dice.pick(group)).to_owned());
+            if w.entropy.chance(25) {
+                words.push((*w.entropy.pick(group)).to_owned());
             }
         }
-        if w.dice.chance(40) {
+        if w.entropy.chance(40) {
             let axes = w.axes(2);
             words.push(format!("g0{axes}"));
             w.moves(true);
         }
-        if w.dice.chance(20) {
+        if w.entropy.chance(20) {
             let feed = w.within(1, 500);
             words.push(format!("f{feed}"));
             w.state.feed = w.state.feed || w.state.per_minute;
         }
         // The order of words means nothing.
         for place in 1..words.len() {
-            let other = usize::try_from(w.dice.below(u32::try_from(place + 1).unwrap_or(1)));
+            let other = usize::try_from(w.entropy.below(u32::try_from(place + 1).unwrap_or(1)));
             words.swap(place, other.unwrap_or_default());
         }
         w.state.xy_plane = false;

@@ -1,6 +1,6 @@
 //! Programs with something wrong in a block.
 
-use crate::generate::Dice;
+use crate::generate::Entropy;
 
 /// What does not belong where it is put.
 const WORDS: &[&str] = &[
@@ -188,12 +188,12 @@ const BLOCKS: &[&str] = &[
 ];
 
 /// The text with one thing wrong.
-pub(super) fn spoilt(text: &str, dice: &mut Dice<'_>) -> String {
+pub(super) fn mutated_block(text: &str, entropy: &mut Entropy<'_>) -> String {
     let mut lines: Vec<String> = text.split('\n').map(str::to_owned).collect();
     let count = u32::try_from(lines.len()).unwrap_or(u32::MAX);
-    let place = usize::try_from(dice.below(count)).unwrap_or_default();
-    let other = usize::try_from(dice.below(count)).unwrap_or_default();
-    match dice.below(10) {
+    let place = usize::try_from(entropy.below(count)).unwrap_or_default();
+    let other = usize::try_from(entropy.below(count)).unwrap_or_default();
+    match entropy.below(10) {
         0 => {
             lines.remove(place);
         }
@@ -202,18 +202,18 @@ pub(super) fn spoilt(text: &str, dice: &mut Dice<'_>) -> String {
             let line = lines[other].clone();
             lines.insert(place, line);
         }
-        3..=5 => lines.insert(place, (*dice.pick(BLOCKS)).to_owned()),
+        3..=5 => lines.insert(place, (*entropy.pick(BLOCKS)).to_owned()),
         6 => {
-            let at = usize::try_from(dice.below(40)).unwrap_or_default();
+            let at = usize::try_from(entropy.below(40)).unwrap_or_default();
             let kept = lines[place].chars().enumerate().filter(|(place, _)| *place != at);
             lines[place] = kept.map(|(_, character)| character).collect();
         }
         _ => {
             let mut words: Vec<&str> = lines[place].split(' ').collect();
             let count = u32::try_from(words.len()).unwrap_or(u32::MAX);
-            let at = usize::try_from(dice.below(count)).unwrap_or_default();
-            let word = *dice.pick(WORDS);
-            if dice.chance(50) {
+            let at = usize::try_from(entropy.below(count)).unwrap_or_default();
+            let word = *entropy.pick(WORDS);
+            if entropy.chance(50) {
                 words.insert(at, word);
             } else {
                 words[at] = word;

@@ -18,7 +18,7 @@ const DOWN: &str = "0.9999999999999999";
 /// The scenario with the result of each function moved up or down by about one unit in its last place, and that of an
 /// angle's function by as much as one in the angle's moves it; none where no function stands. If its outcome is
 /// another one, nothing can be said of the program.
-pub fn nudged(scenario: &Scenario, up: bool) -> Option<Scenario> {
+pub fn ulp_perturbed(scenario: &Scenario, up: bool) -> Option<Scenario> {
     let mut other = scenario.clone();
     let brackets = scenario.program.language != Language::Nct;
     other.program.main = text(&scenario.program.main, up, brackets);
@@ -86,14 +86,15 @@ mod tests {
 
     #[test]
     fn every_function_is_moved() {
-        let up = |text| nudged(&Scenario::of(text), true).map(|other| other.program.main);
+        let up = |text| ulp_perturbed(&Scenario::of(text), true).map(|other| other.program.main);
         assert_eq!(up("g1 x[1 + 2] (sin[1])\n"), None);
         assert_eq!(up("x sin[30]\n").unwrap(), format!("x [sin[30] * {UP} + {LAST_BIT}]\n"));
         assert_eq!(
             up("#1 = atan[1]/[cos[2]]\n").unwrap(),
             format!("#1 = [atan[1]/[[cos[2] * {UP} + {LAST_BIT}]] * {UP}]\n")
         );
-        let down = nudged(&Scenario::of("#1 = tan[180]\n"), false).map(|other| other.program.main);
+        let down =
+            ulp_perturbed(&Scenario::of("#1 = tan[180]\n"), false).map(|other| other.program.main);
         assert_eq!(down.unwrap(), format!("#1 = [tan[180] * {DOWN} - {LAST_BIT}]\n"));
         assert_eq!(up("#1 = ASIN[.5]\n").unwrap(), format!("#1 = [ASIN[.5] * {UP}]\n"));
         assert_eq!(up("xsin[30]\n").unwrap(), format!("x[sin[30] * {UP} + {LAST_BIT}]\n"));
@@ -102,7 +103,7 @@ mod tests {
         assert_eq!(up("x round[#5420]\n"), None);
         let mut of_macros = Scenario::of("#1 = 2 * SIN[[30]]\n");
         of_macros.program.language = Language::Nct;
-        let moved = nudged(&of_macros, true).map(|other| other.program.main);
+        let moved = ulp_perturbed(&of_macros, true).map(|other| other.program.main);
         assert_eq!(moved.unwrap(), format!("#1 = 2 * SIN[[30]] * {UP}\n"));
     }
 }

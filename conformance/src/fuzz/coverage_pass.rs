@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::RangeFrom;
 
 use gaugeblock_fuzz::generate::splice::{self, Rare};
-use gaugeblock_fuzz::generate::{self, Dice};
+use gaugeblock_fuzz::generate::{self, Entropy};
 use gaugeblock_reference::{RuleOutcome, Tally, run};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Program, Scenario};
@@ -48,7 +48,7 @@ impl Plan<'_> {
     /// programs should be splices.
     ///
     /// Costs a second or two.
-    pub fn rehearse<'r>(
+    pub fn coverage_pass<'r>(
         &mut self,
         outcomes: impl IntoIterator<Item = Reached<'r>>,
         programs: Option<u64>,
@@ -96,7 +96,8 @@ impl Plan<'_> {
     fn chances_without_splices(&self, programs: u64) -> BTreeMap<Reached<'static>, Chance> {
         let mut reached = Tally::default();
         for number in 0..PROGRAMS {
-            let mut scenario = generate::scenario(&mut Dice::of_seed(SEED, number), &self.recipe);
+            let mut scenario =
+                generate::scenario(&mut Entropy::from_seed(SEED, number), &self.config);
             scenario.options.clone_from(&self.options);
             if self.is_run(&scenario) {
                 reached.add(&run(&scenario).1);
@@ -146,7 +147,7 @@ impl Plan<'_> {
         while made.splices < MOST && chance.plus(made.chance_of(outcome)).surely() < WANTED {
             // Each has a number of its own, or all would have the same programs before them.
             let Some(number) = numbers.next() else { break };
-            let scenario = splice::rare(&mut Dice::of_seed(SEED, number), &self.seeds, &rare);
+            let scenario = splice::rare(&mut Entropy::from_seed(SEED, number), &self.seeds, &rare);
             let (ended, evidence) = run(&scenario);
             made.splices += 1;
             if self.left_out(&scenario, &ended).is_none() {

@@ -1,85 +1,85 @@
 //! Outputs, inputs, user-defined codes, stops.
 
-use super::super::table::{Kind, Row};
+use super::super::table::{Statement, StatementKind};
 
-pub(in super::super) const ROWS: &[Row] = &[
-    Row::when(
+pub(in super::super) const STATEMENTS: &[Statement] = &[
+    Statement::when(
         "io.digital-output",
-        Kind::Io,
+        StatementKind::Io,
         16,
         |s| s.io > 0,
         |w| {
             let last = w.state.io - 1;
-            let (code, number) = (*w.dice.pick(&["m62", "m63", "m64", "m65"]), w.whole(0, last));
+            let (code, number) = (*w.entropy.pick(&["m62", "m63", "m64", "m65"]), w.whole(0, last));
             w.block(format!("{code} p{number}"));
         },
     ),
-    Row::when(
+    Statement::when(
         "io.analog-output",
-        Kind::Io,
+        StatementKind::Io,
         10,
         |s| s.io > 0,
         |w| {
             let last = w.state.io - 1;
-            let (code, number) = (*w.dice.pick(&["m67", "m68"]), w.whole(0, last));
+            let (code, number) = (*w.entropy.pick(&["m67", "m68"]), w.whole(0, last));
             let value = w.coordinate();
             w.block(format!("{code} e{number} q{value}"));
         },
     ),
-    Row::when(
+    Statement::when(
         "io.read",
-        Kind::Io,
+        StatementKind::Io,
         12,
         |s| s.io > 0,
         |w| {
             let last = w.state.io - 1;
-            let (letter, number) = (*w.dice.pick(&["p", "e"]), w.whole(0, last));
-            let l = *w.dice.pick(&["", " l0"]);
+            let (letter, number) = (*w.entropy.pick(&["p", "e"]), w.whole(0, last));
+            let l = *w.entropy.pick(&["", " l0"]);
             w.block(format!("m66 {letter}{number}{l}"));
-            if w.dice.chance(60) {
+            if w.entropy.chance(60) {
                 w.block("#33 = #5399");
             }
         },
     ),
-    Row::when(
+    Statement::when(
         "io.wait",
-        Kind::Io,
+        StatementKind::Io,
         8,
         |s| s.io > 0,
         |w| {
             let last = w.state.io - 1;
-            let (number, mode) = (w.whole(0, last), w.dice.range(1, 4));
+            let (number, mode) = (w.whole(0, last), w.entropy.range(1, 4));
             // Without Q it is refused, or waits for as long as it takes.
             let timeout =
-                if w.dice.chance(1) { "" } else { *w.dice.pick(&[" q0.5", " q1", " q3"]) };
+                if w.entropy.chance(1) { "" } else { *w.entropy.pick(&[" q0.5", " q1", " q3"]) };
             w.block(format!("m66 p{number} l{mode}{timeout}"));
         },
     ),
-    Row::when(
+    Statement::when(
         "user-code",
-        Kind::Outside,
+        StatementKind::Outside,
         12,
         |s| !s.user_codes.is_empty(),
         |w| {
             let codes = w.state.user_codes.clone();
-            let code = *w.dice.pick(&codes);
+            let code = *w.entropy.pick(&codes);
             let mut words = String::new();
             for letter in [" p", " q"] {
-                if w.dice.chance(60) {
+                if w.entropy.chance(60) {
                     words.push_str(&format!("{letter}{}", w.coordinate()));
                 }
             }
             w.block(format!("m{code}{words}"));
         },
     ),
-    Row::any("stop.optional", Kind::Outside, 6, |w| w.block("m1")),
-    Row::when(
+    Statement::any("stop.optional", StatementKind::Outside, 6, |w| w.block("m1")),
+    Statement::when(
         "stop",
-        Kind::Outside,
+        StatementKind::Outside,
         2,
         |s| !s.nested,
         |w| {
-            let code = *w.dice.pick(&["m0", "m60"]);
+            let code = *w.entropy.pick(&["m0", "m60"]);
             w.block(code);
         },
     ),

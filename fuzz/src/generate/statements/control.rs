@@ -1,94 +1,94 @@
 //! Branches, loops, subs, numbered programs.
 
 use super::super::state::Sub;
-use super::super::table::{Kind, Row};
+use super::super::table::{Statement, StatementKind};
 use super::super::writer::Writer;
 
 /// Parameters that loops count in begin here; nothing else sets them.
 const COUNTERS: u32 = 200;
 
-pub(in super::super) const ROWS: &[Row] = &[
-    Row::any("control.if", Kind::Control, 12, |w| {
+pub(in super::super) const STATEMENTS: &[Statement] = &[
+    Statement::any("control.if", StatementKind::Control, 12, |w| {
         let (label, condition) = (w.new_label(), w.condition());
         w.structure(&format!("o{label} if [{condition}]"));
         w.body(3);
-        if w.dice.chance(25) {
+        if w.entropy.chance(25) {
             let condition = w.condition();
             w.structure(&format!("o{label} elseif [{condition}]"));
             w.body(2);
         }
-        if w.dice.chance(40) {
+        if w.entropy.chance(40) {
             w.structure(&format!("o{label} else"));
             w.body(2);
         }
         w.structure(&format!("o{label} endif"));
     }),
-    Row::any("control.while", Kind::Control, 8, |w| {
+    Statement::any("control.while", StatementKind::Control, 8, |w| {
         let label = w.new_label();
-        let (counter, times) = (COUNTERS + label, w.dice.range(1, 3));
+        let (counter, times) = (COUNTERS + label, w.entropy.range(1, 3));
         w.structure(&format!("#{counter} = 0"));
         w.structure(&format!("o{label} while [#{counter} lt {times}]"));
         w.structure(&format!("#{counter} = [#{counter} + 1]"));
         w.loop_body(label, 3);
         w.structure(&format!("o{label} endwhile"));
     }),
-    Row::any("control.do", Kind::Control, 5, |w| {
+    Statement::any("control.do", StatementKind::Control, 5, |w| {
         let label = w.new_label();
-        let (counter, times) = (COUNTERS + label, w.dice.range(0, 2));
+        let (counter, times) = (COUNTERS + label, w.entropy.range(0, 2));
         w.structure(&format!("#{counter} = 0"));
         w.structure(&format!("o{label} do"));
         w.structure(&format!("#{counter} = [#{counter} + 1]"));
         w.loop_body(label, 3);
         w.structure(&format!("o{label} while [#{counter} lt {times}]"));
     }),
-    Row::any("control.repeat", Kind::Control, 7, |w| {
+    Statement::any("control.repeat", StatementKind::Control, 7, |w| {
         let label = w.new_label();
-        let times = match w.dice.below(8) {
+        let times = match w.entropy.below(8) {
             0 => "0".to_owned(),
             1 => "2.4".to_owned(),
             2 => format!("{} mod 3", w.value(1)),
-            _ => w.dice.range(1, 3).to_string(),
+            _ => w.entropy.range(1, 3).to_string(),
         };
         w.structure(&format!("o{label} repeat [{times}]"));
         w.body(3);
         w.structure(&format!("o{label} endrepeat"));
     }),
-    Row::when(
+    Statement::when(
         "control.break",
-        Kind::Control,
+        StatementKind::Control,
         3,
         |s| !s.loops.is_empty(),
         |w| {
             let loops = w.state.loops.clone();
-            let (label, outer) = (w.new_label(), *w.dice.pick(&loops));
-            let how = *w.dice.pick(&["break", "continue"]);
+            let (label, outer) = (w.new_label(), *w.entropy.pick(&loops));
+            let how = *w.entropy.pick(&["break", "continue"]);
             let condition = w.condition();
             w.structure(&format!("o{label} if [{condition}]"));
             w.structure(&format!("o{outer} {how}"));
             w.structure(&format!("o{label} endif"));
         },
     ),
-    Row::when(
+    Statement::when(
         "sub.define-and-call",
-        Kind::Sub,
+        StatementKind::Sub,
         14,
         |s| !s.nested,
         |w| {
-            let label = if w.dice.chance(30) {
-                format!("<{}{}>", w.dice.pick(&["bore", "Face", "a_b"]), w.new_label())
+            let label = if w.entropy.chance(30) {
+                format!("<{}{}>", w.entropy.pick(&["bore", "Face", "a_b"]), w.new_label())
             } else {
                 w.new_label().to_string()
             };
             w.structure(&format!("o{label} sub"));
-            if w.dice.chance(25) {
+            if w.entropy.chance(25) {
                 w.structure("m73");
             }
             w.sub_body(5);
-            if w.dice.chance(20) {
+            if w.entropy.chance(20) {
                 let (branch, condition) = (w.new_label(), w.condition());
                 let value = w.returned();
                 // Whether any return leaves the sub is a choice.
-                let own = if w.dice.chance(5) { branch.to_string() } else { label.clone() };
+                let own = if w.entropy.chance(5) { branch.to_string() } else { label.clone() };
                 w.structure(&format!("o{branch} if [{condition}]"));
                 w.structure(&format!("o{own} return{value}"));
                 w.structure(&format!("o{branch} endif"));
@@ -99,14 +99,14 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.state.subs.push(Sub { label, numbered: false });
         },
     ),
-    Row::when(
+    Statement::when(
         "sub.own-label",
-        Kind::Sub,
+        StatementKind::Sub,
         1,
         |s| !s.nested,
         |w| {
             let label = w.new_label();
-            let head = *w.dice.pick(&["do", "if [1]", "repeat [1]", "while [0]"]);
+            let head = *w.entropy.pick(&["do", "if [1]", "repeat [1]", "while [0]"]);
             let end = match head {
                 "do" => "while [0]",
                 "if [1]" => "endif",
@@ -120,9 +120,9 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.structure(&format!("o{label} call"));
         },
     ),
-    Row::when(
+    Statement::when(
         "sub.recursive",
-        Kind::Sub,
+        StatementKind::Sub,
         3,
         |s| !s.nested,
         |w| {
@@ -133,58 +133,58 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.structure(&format!("o{label} call [#1 - 1]"));
             w.structure(&format!("o{branch} endif"));
             w.structure(&format!("o{label} endsub"));
-            let depth = w.dice.range(1, 9);
+            let depth = w.entropy.range(1, 9);
             w.structure(&format!("o{label} call [{depth}]"));
             w.state.forget_modes();
         },
     ),
-    Row::when(
+    Statement::when(
         "sub.call-again",
-        Kind::Sub,
+        StatementKind::Sub,
         10,
         |s| s.subs.iter().any(|sub| !sub.numbered),
         |w| {
             let subs: Vec<_> = w.state.subs.iter().filter(|sub| !sub.numbered).cloned().collect();
-            let sub = w.dice.pick(&subs).clone();
+            let sub = w.entropy.pick(&subs).clone();
             w.call(&sub.label);
         },
     ),
-    Row::when(
+    Statement::when(
         "numbered.call",
-        Kind::Numbered,
+        StatementKind::Numbered,
         10,
         |s| s.fanuc && !s.in_sub && !s.nested,
         |w| {
             let known: Vec<_> = w.state.subs.iter().filter(|sub| sub.numbered).cloned().collect();
-            let label = if known.is_empty() || w.dice.chance(40) {
+            let label = if known.is_empty() || w.entropy.chance(40) {
                 w.numbered_program()
             } else {
-                w.dice.pick(&known).label.clone()
+                w.entropy.pick(&known).label.clone()
             };
-            let times = *w.dice.pick(&["", "", " l1", " l2", " l3"]);
+            let times = *w.entropy.pick(&["", "", " l1", " l2", " l3"]);
             w.structure(&format!("m98 p{label}{times}"));
             w.state.forget_modes();
             w.state.per_minute = false;
             w.state.names.clear();
         },
     ),
-    Row::when(
+    Statement::when(
         "numbered.local-name",
-        Kind::Numbered,
+        StatementKind::Numbered,
         2,
         |s| s.fanuc && !s.in_sub && !s.nested,
         |w| {
             let label = w.new_label();
             // Where subprograms have a scope of their own the name is unknown there.
-            let value = *w.dice.pick(&["exists[#<width>]", "exists[#<width>]", "#<width>"]);
+            let value = *w.entropy.pick(&["exists[#<width>]", "exists[#<width>]", "#<width>"]);
             w.structure("#<width> = 3");
             w.structure(&format!("m98 p{label}"));
             w.behind_end(&format!("o{label}\n#32 = {value}\nm99\n"));
         },
     ),
-    Row::when(
+    Statement::when(
         "numbered.saved",
-        Kind::Numbered,
+        StatementKind::Numbered,
         1,
         |s| s.fanuc && !s.in_sub && !s.nested,
         |w| {
@@ -192,7 +192,7 @@ pub(in super::super) const ROWS: &[Row] = &[
             // Each level has saved modes of its own, so that one restores only what it saved itself.
             let pairs =
                 [("m70", "m70"), ("m70", "m70"), ("g40", "m70"), ("g40", "m70"), ("m70", "g40")];
-            let (caller, called) = *w.dice.pick(&pairs);
+            let (caller, called) = *w.entropy.pick(&pairs);
             w.structure(caller);
             w.structure(&format!("m98 p{label}"));
             w.behind_end(&format!("o{label}\n{called}\ng91\nm72\nm99\n"));
@@ -200,14 +200,14 @@ pub(in super::super) const ROWS: &[Row] = &[
             w.state.per_minute = false;
         },
     ),
-    Row::when(
+    Statement::when(
         "numbered.deep",
-        Kind::Numbered,
+        StatementKind::Numbered,
         1,
         |s| s.fanuc && !s.in_sub && !s.nested,
         |w| {
             // Ten levels are allowed.
-            let levels = *w.dice.pick(&[8, 9, 9, 10, 11]);
+            let levels = *w.entropy.pick(&[8, 9, 9, 10, 11]);
             let labels: Vec<u32> = (0..levels).map(|_| w.new_label()).collect();
             for (place, label) in labels.iter().enumerate() {
                 let next = labels.get(place + 1).map(|next| format!("m98 p{next}\n"));
@@ -225,7 +225,7 @@ impl Writer<'_, '_> {
         self.state.loops.push(label);
         // What holds before the first turn need not hold before the second.
         self.state.forget_modes();
-        if self.dice.chance(50) {
+        if self.entropy.chance(50) {
             let feed = self.within(1, 900);
             self.block(format!("g94 f{feed}"));
             self.state.feed = true;
@@ -238,7 +238,7 @@ impl Writer<'_, '_> {
     }
 
     fn returned(&mut self) -> String {
-        if !self.dice.chance(35) {
+        if !self.entropy.chance(35) {
             return String::new();
         }
         format!(" [{}]", self.expression(1))
@@ -246,13 +246,13 @@ impl Writer<'_, '_> {
 
     fn call(&mut self, label: &str) {
         let mut arguments = String::new();
-        for _ in 0..self.dice.below(4) {
+        for _ in 0..self.entropy.below(4) {
             arguments.push_str(&format!(" [{}]", self.expression(1)));
         }
         self.structure(&format!("o{label} call{arguments}"));
         self.state.forget_modes();
         self.state.per_minute = false;
-        if self.dice.chance(30) {
+        if self.entropy.chance(30) {
             self.structure("#31 = #<_value>");
         }
     }

@@ -1,0 +1,4 @@
+//! `gaugeblock_fuzz_targets::metamorphic` behind libFuzzer.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| gaugeblock_fuzz_targets::metamorphic(bytes));

@@ -1,4 +1,0 @@
-//! `gaugeblock_fuzz_targets::pairs` behind libFuzzer.
-#![no_main]
-
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| gaugeblock_fuzz_targets::pairs(bytes));
