@@ -250,7 +250,12 @@ macro_rules! record {
             ///
             /// # Errors
             /// There is no such field, or its value is unreadable.
-            pub fn read(&mut self, field: &str, index: Option<&str>, text: &str) -> Result<(), $crate::text::TextError> {
+            pub fn read(
+                &mut self,
+                field: &str,
+                index: Option<&str>,
+                text: &str,
+            ) -> Result<(), $crate::text::TextError> {
                 match field {
                     $(stringify!($field) => $crate::field::Field::read(&mut self.$field, index, text),)*
                     _ => Err($crate::text::TextError::new(format!("there is no field named {field}"))),
@@ -264,7 +269,8 @@ macro_rules! record {
 macro_rules! words {
     ($(#[$about:meta])* pub enum $name:ident { $($(#[$what:meta])* $variant:ident = $word:literal,)* }) => {
         $(#[$about])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        #[derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
         pub enum $name {
             $($(#[$what])* #[serde(rename = $word)] $variant,)*
         }

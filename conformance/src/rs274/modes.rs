@@ -123,5 +123,6 @@ modes! {
     feed_override: Switch = Switch::On,
     adaptive_feed: Switch = Switch::Off,
     feed_stop: Switch = Switch::On;
-    spindle_speed => speed, spindle_mode => mode, spindle_limit => limit, spindle => turn, speed_override => speed_override
+    spindle_speed => speed, spindle_mode => mode, spindle_limit => limit, spindle => turn,
+    speed_override => speed_override
 }

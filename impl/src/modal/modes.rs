@@ -263,5 +263,6 @@ settings! {
     path => |value| value, blend_tolerance => |value| value, naive_cam_tolerance => |value| value,
     lathe => |value| value, mist => |value| value, flood => |value| value, feed_override => |value| value,
     adaptive_feed => |value| value, feed_stop => |value| value;
-    spindle_speed => speed, spindle_mode => mode, spindle_limit => limit, spindle => turn, speed_override => speed_override
+    spindle_speed => speed, spindle_mode => mode, spindle_limit => limit, spindle => turn,
+    speed_override => speed_override
 }

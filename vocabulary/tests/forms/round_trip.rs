@@ -60,7 +60,11 @@ proptest! {
 
     /// Whatever stands in a text, reading it ends with an outcome or one message.
     #[test]
-    fn any_text_is_read_or_refused(outcome in generate::outcome(), at in any::<prop::sample::Index>(), put in any::<char>()) {
+    fn any_text_is_read_or_refused(
+        outcome in generate::outcome(),
+        at in any::<prop::sample::Index>(),
+        put in any::<char>(),
+    ) {
         let text = outcome.to_text();
         let mut chars: Vec<char> = text.chars().collect();
         let place = at.index(chars.len());

@@ -97,7 +97,8 @@ proptest! {
             (hypotenuse(first - first_centre, second - second_centre) - radius).abs() < 1e-9 * radius.max(1.0)
         };
         prop_assert!(near(a, b) && near(c, d));
-        let sweep = sweep(in_plane(start, plane), in_plane(end, plane), [first_centre, second_centre], counterclockwise);
+        let (from, to) = (in_plane(start, plane), in_plane(end, plane));
+        let sweep = sweep(from, to, [first_centre, second_centre], counterclockwise);
         prop_assert_eq!(sweep > 180.0, beyond, "{}", sweep);
     }
 
@@ -105,7 +106,8 @@ proptest! {
     /// centre.
     #[test]
     fn centre_format(
-        start in point(), centre in point(), angle in 0.0..360.0_f64, plane in plane(), counterclockwise: bool, turns in 1_u8..9,
+        start in point(), centre in point(), angle in 0.0..360.0_f64, plane in plane(), counterclockwise: bool,
+        turns in 1_u8..9,
     ) {
         let ([a, b, _], [first, second, _]) = (in_plane(start, plane), in_plane(centre, plane));
         prop_assume!(hypotenuse(a - first, b - second) > 0.01);
@@ -128,7 +130,10 @@ proptest! {
         let found = modal.arc(&incremental, motion(counterclockwise), &from).unwrap();
         modal.in_force.put(|modes| &mut modes.arc_distance, gaugeblock_vocabulary::Distance::Absolute);
         let also = modal.arc(&absolute, motion(counterclockwise), &from).unwrap();
-        let (Effect::ArcFeed { first_centre, second_centre, turns: found_turns, end }, Effect::ArcFeed { first_centre: x, second_centre: y, .. }) =
+        let (
+            Effect::ArcFeed { first_centre, second_centre, turns: found_turns, end },
+            Effect::ArcFeed { first_centre: x, second_centre: y, .. },
+        ) =
             (found, also)
         else {
             panic!("no arcs")
