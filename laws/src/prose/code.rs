@@ -1,5 +1,7 @@
 //! Texts in a Rust source: help, messages, documentation comments.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::{self, Visit};
 use syn::{Attribute, Expr, Item, Lit, LitStr, Meta};
@@ -20,6 +22,30 @@ pub(super) fn texts(path: &str, source: &str) -> Vec<Text> {
     reader.visit_file(&code);
     reader.end_comment();
     reader.texts
+}
+
+/// Numbers of the lines of a source that a literal is on.
+///
+/// # Panics
+///
+/// When the source is not Rust.
+#[must_use]
+pub fn literal_lines(source: &str) -> BTreeSet<usize> {
+    let mut lines = BTreeSet::new();
+    let mut open = vec![source.parse::<TokenStream>().expect("a source is Rust")];
+    while let Some(tokens) = open.pop() {
+        for token in tokens {
+            match token {
+                TokenTree::Group(group) => open.push(group.stream()),
+                TokenTree::Literal(literal) => {
+                    let span = literal.span();
+                    lines.extend(span.start().line..=span.end().line);
+                }
+                TokenTree::Ident(_) | TokenTree::Punct(_) => {}
+            }
+        }
+    }
+    lines
 }
 
 struct Reader<'a> {
@@ -107,7 +133,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
                 }
             }
             Meta::List(list) if !list.path.is_ident("expect") => {
-                self.read_tokens(list.tokens.clone())
+                self.read_tokens(list.tokens.clone());
             }
             Meta::List(_) | Meta::Path(_) | Meta::NameValue(_) => {}
         }

@@ -6,6 +6,7 @@ mod words;
 use std::collections::BTreeMap;
 use std::fmt;
 
+pub use code::literal_lines;
 pub use words::{Rules, Word, found_in};
 
 use crate::files;
