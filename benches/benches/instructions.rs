@@ -13,9 +13,9 @@ use std::io::{Error, Result};
 use std::process::{Command, ExitCode};
 
 use gaugeblock_benches::{LONG_PROGRAMS, budgets, long_program};
-use gaugeblock_impl::gpp::{PostProcessor, StatementDone, TOOLPATH};
-use gaugeblock_impl::nct::{CustomMacros, MacroStep};
-use gaugeblock_impl::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
+use gaugeblock_interpreter::gpp::{PostProcessor, StatementDone, TOOLPATH};
+use gaugeblock_interpreter::nct::{CustomMacros, MacroStep};
+use gaugeblock_interpreter::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
 use gaugeblock_vocabulary::{Effect, Machine, Options, Settings};
 
 /// How many steps of a program are counted: less than the whole of it.

@@ -17,7 +17,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 use gaugeblock_benches::{LONG_PROGRAMS, LongProgram, long_program};
-use gaugeblock_impl::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
+use gaugeblock_interpreter::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
 use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
 use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
 use rustix::time::{ClockId, clock_gettime};

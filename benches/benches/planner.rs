@@ -19,8 +19,8 @@ use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use gaugeblock_benches::budgets;
-use gaugeblock_impl::Planner;
-use gaugeblock_impl::plan::{
+use gaugeblock_planner::Planner;
+use gaugeblock_planner::{
     Axes, Blend, Dynamics, Feed, Hold, InputParameter, OutputParameter, Path, Phase, Segment,
 };
 

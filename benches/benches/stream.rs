@@ -12,7 +12,9 @@ use std::fs;
 use std::io::{Error, Result};
 use std::time::{Duration, Instant};
 
-use gaugeblock_impl::{Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable};
+use gaugeblock_interpreter::{
+    Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable,
+};
 use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
 
 /// Most memory that the process may take, KiB.

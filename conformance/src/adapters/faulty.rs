@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
-use gaugeblock_impl::faults::{Fault, plant};
+use gaugeblock_interpreter::faults::{Fault, plant};
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 use super::production::Production;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use gaugeblock_impl::faults::Fault;
+use gaugeblock_interpreter::faults::Fault;
 use gaugeblock_suite::Suite;
 use serde_json::json;
 

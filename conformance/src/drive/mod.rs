@@ -4,11 +4,11 @@ mod effects;
 
 use std::collections::BTreeMap;
 
-use gaugeblock_impl::Planner;
-use gaugeblock_impl::path::{Asked, Resolver};
-use gaugeblock_impl::plan::Hold;
-use gaugeblock_impl::plan::{Axes, Dynamics, Feed, InputParameter, NotQueued, OutputParameter};
-use gaugeblock_impl::plan::{OutputSwitch, Path, Phase, Segment};
+use gaugeblock_interpreter::path::{Asked, Resolver};
+use gaugeblock_planner::Hold;
+use gaugeblock_planner::Planner;
+use gaugeblock_planner::{Axes, Dynamics, Feed, InputParameter, NotQueued, OutputParameter};
+use gaugeblock_planner::{OutputSwitch, Path, Phase, Segment};
 use gaugeblock_vocabulary::motion::{
     Column, Controls, MotionAction, MotionEvent, MotionLimits, MotionScript, Samples,
 };

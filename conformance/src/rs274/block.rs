@@ -1,7 +1,7 @@
 //! The calls of a block, in the order in which `rs274` prints them: phase by phase, what the words say and what they
 //! did.
 
-use gaugeblock_impl::BlockBegun;
+use gaugeblock_interpreter::BlockBegun;
 use gaugeblock_vocabulary::{Effect, Event, FeedMode, LengthUnit, Plane, Position, Switch};
 
 use super::modes::Modes;

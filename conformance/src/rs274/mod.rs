@@ -46,7 +46,7 @@ use std::path::Path;
 
 pub use arguments::Arguments;
 use block::Fixed;
-use gaugeblock_impl::{Error, Interpreter, Limits, Progress};
+use gaugeblock_interpreter::{Error, Interpreter, Limits, Progress};
 use gaugeblock_vocabulary::{End, Fault, FaultKind};
 use ini::Ini;
 use output::Output;

@@ -1,6 +1,6 @@
 //! The sink of the interpreter: gathers what a block says and does, and prints its calls when it is done.
 
-use gaugeblock_impl::{BlockBegun, BlockDone, Executed, Reply, Sink};
+use gaugeblock_interpreter::{BlockBegun, BlockDone, Executed, Reply, Sink};
 use gaugeblock_vocabulary::{Effect, Event, FaultKind, Plane, Position, Settings};
 
 use super::block::{Fixed, Phase, Printed, Words};

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::rc::Rc;
 
-use gaugeblock_impl::{Source, Unreadable};
+use gaugeblock_interpreter::{Source, Unreadable};
 use gaugeblock_vocabulary::Program;
 
 /// A file's text and where its lines begin.

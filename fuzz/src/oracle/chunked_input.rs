@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use gaugeblock_impl::{
+use gaugeblock_interpreter::{
     BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable,
 };
 use gaugeblock_vocabulary::{Effect, Scenario, Settings};

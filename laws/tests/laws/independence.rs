@@ -51,7 +51,10 @@ fn adapter_of_a_real_controller_imports_no_model() {
     let mut adapter = sources("");
     adapter.retain(|path, _| path.contains("/rs274/") && path.contains("adapters/"));
     assert!(!adapter.is_empty(), "the adapter of rs274 has moved");
-    let imported = lines_with(&adapter, &["gaugeblock_reference", "gaugeblock_impl"]);
+    let imported = lines_with(
+        &adapter,
+        &["gaugeblock_reference", "gaugeblock_interpreter", "gaugeblock_planner"],
+    );
     holds("the adapter of rs274 imports neither model nor production", &imported);
 }
 

@@ -1,8 +1,8 @@
 //! A run of custom macros: a step at a time, under the budget, written down as its sink is told of it.
 
 use gaugeblock_adapter::HarnessError;
-use gaugeblock_impl::nct::{CustomMacros, MacroStep};
-use gaugeblock_impl::{Reply, Sink};
+use gaugeblock_interpreter::nct::{CustomMacros, MacroStep};
+use gaugeblock_interpreter::{Reply, Sink};
 use gaugeblock_vocabulary::{
     BlockLocation, Bound, Effect, End, Event, Language, MacroValue, NctState, Outcome, Program,
     Scenario, Settings, State, Step, Vacancy,

@@ -3,8 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_impl::Probing;
-use gaugeblock_impl::task::{Happening, Input, Work, WorkState};
+use gaugeblock_interpreter::Probing;
+use gaugeblock_interpreter::task::{Happening, Input, Work, WorkState};
 use gaugeblock_vocabulary::scenario::{
     Action, Environment, Folder, OrientAnswer, ProbeContact, UserProgram,
 };

@@ -1,8 +1,8 @@
 //! A post-processor's run: a step at a time, under the budget, written down as its sink is told of it.
 
 use gaugeblock_adapter::HarnessError;
-use gaugeblock_impl::gpp::{NotCompiled, PostProcessor, StatementDone, TOOLPATH};
-use gaugeblock_impl::{Reply, Sink};
+use gaugeblock_interpreter::gpp::{NotCompiled, PostProcessor, StatementDone, TOOLPATH};
+use gaugeblock_interpreter::{Reply, Sink};
 use gaugeblock_vocabulary::{
     BlockLocation, Bound, Effect, End, Event, GppState, Language, Outcome, Scenario, Settings,
     State, Step, Switch,

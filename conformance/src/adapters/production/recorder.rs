@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_compare::observe::is_local_name;
-use gaugeblock_impl::task::{BY_HAND, Happening, Input, Machine, Work, WorkState};
-use gaugeblock_impl::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
+use gaugeblock_interpreter::task::{BY_HAND, Happening, Input, Machine, Work, WorkState};
+use gaugeblock_interpreter::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
 use gaugeblock_vocabulary::scenario::{Action, Start};
 use gaugeblock_vocabulary::{
     BlockLocation, Effect, End, Event, Indexed, Language, Outcome, Pin, PinChange, Program,

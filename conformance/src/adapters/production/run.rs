@@ -3,8 +3,8 @@
 use std::cell::Cell;
 
 use gaugeblock_adapter::HarnessError;
-use gaugeblock_impl::task::{Activity, BY_HAND, Idle, Stuck, Task};
-use gaugeblock_impl::{Error, Interpreter, Limits, Memory, Room};
+use gaugeblock_interpreter::task::{Activity, BY_HAND, Idle, Stuck, Task};
+use gaugeblock_interpreter::{Error, Interpreter, Limits, Memory, Room};
 use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{
     BlockLocation, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario,
@@ -196,7 +196,7 @@ impl Run<'_> {
             Err(Error::Beyond { limit, block }) => {
                 End::Unsupported { block, what: format!("so many {limit}") }
             }
-            Err(error @ (Error::NotYet(_) | Error::Unreadable(_) | Error::Configuration(_))) => {
+            Err(error @ (Error::Unreadable(_) | Error::Configuration(_))) => {
                 return Err(HarnessError::NotRun(error.to_string()));
             }
         };

@@ -1,0 +1,499 @@
+//! The interpreter: program text in, settings and effects out, a block at a time.
+
+use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::string::String;
+use alloc::vec;
+use alloc::vec::Vec;
+
+use gaugeblock_vocabulary::{
+    BlockLocation as Place, ControllerMode, End, Machine, Options, Position, Program, Rs274State,
+    Settings, Tool,
+};
+
+use crate::canon::Sink;
+use crate::control::{Calculator, Cursor, LOOP, Logs, Parameters, Reader, STREAM, Scopes};
+use crate::done::Executed;
+use crate::error::Error;
+use crate::limits::Limits;
+use crate::modal::Modal;
+use crate::parameters::{ItemName, NameId, Named, Numbered, is_stored};
+use crate::readings::Readings;
+use crate::source::Source;
+use crate::syntax::packed::{Block, Kind, NONE};
+use crate::syntax::{Packer, Segment};
+use crate::words::Words;
+
+/// An interpreter of LinuxCNC's dialect of RS-274, with the options of a chosen edition.
+///
+/// One pass over the source: what runs once is read, executed and forgotten, what can run again is packed once.
+/// In steady state a block allocates nothing.
+///
+/// ```
+/// use gaugeblock_interpreter::{Interpreter, Limits, Memory, Progress, Reply, Sink};
+/// use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
+///
+/// #[derive(Default)]
+/// struct Count(u32);
+/// impl Sink for Count {
+///     fn set(&mut self, _line: u32, _changed: &Settings) {}
+///     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
+///         self.0 += u32::from(matches!(effect, Effect::StraightFeed { .. }));
+///         Reply::Done
+///     }
+/// }
+///
+/// let mut interpreter = Interpreter::new(Machine::default(), Options::default(), Limits::default())?;
+/// let mut source = Memory::new("g1 f100\n o1 repeat [3]\n x[#1] #1=[#1+1]\n o1 endrepeat\nm2\n");
+/// let mut count = Count::default();
+/// let progress = interpreter.run(&mut source, &mut count, 1000)?;
+/// assert_eq!(progress, Progress::Ended(End::ProgramEnd));
+/// assert_eq!(count.0, 3);
+/// # Ok::<(), gaugeblock_interpreter::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Interpreter {
+    pub(crate) machine: Machine,
+    pub(crate) readings: Readings,
+    pub(crate) limits: Limits,
+    /// Names, and how lines become blocks.
+    pub(crate) packer: Packer,
+    /// Where the source stands.
+    pub(crate) reader: Reader,
+    /// Packed blocks: the line being read, a loop of the main program, numbered subprograms, then subs.
+    pub(crate) segments: Vec<Segment>,
+    /// Names of the files that were read; the main program first.
+    pub(crate) files: Vec<String>,
+    /// The next block.
+    pub(crate) cursor: Cursor,
+    /// Whether the line in the first segment has been read but not executed.
+    pub(crate) held: bool,
+    /// Whether the next block is one that a search for a branch has led to.
+    pub(crate) landed: bool,
+    /// Whether the main program begins with a percent line; not known before its first line.
+    pub(crate) percent: Option<bool>,
+    /// Whether the percent line was come by that ends the main program, perhaps ahead of what is executed.
+    pub(crate) percent_closed: bool,
+    /// How many loops of the main program have been packed.
+    pub(crate) generation: u32,
+    /// The parameters.
+    pub(crate) parameters: Parameters,
+    /// The modes.
+    pub(crate) modal: Modal,
+    pub(crate) calculator: Calculator,
+    pub(crate) words: Words,
+    /// Call levels and labels.
+    pub(crate) scopes: Scopes,
+    /// Segments of subs by label; `u32::MAX` where there is no such sub.
+    pub(crate) subs: Vec<u32>,
+    /// Numbered subprograms by label, once M98 has looked for them.
+    pub(crate) programs: Option<BTreeMap<NameId, NumberedProgram>>,
+    /// Labels of subs that M98's search has come by.
+    pub(crate) subs_ahead: Vec<NameId>,
+    /// The line of each sub of the main program.
+    pub(crate) defined_lines: BTreeMap<NameId, u32>,
+    /// Labels of the subs that the last program has defined.
+    pub(crate) former_subs: BTreeSet<NameId>,
+    /// Bytes of packed subs and subprograms.
+    pub(crate) packed: usize,
+    /// Open log files.
+    pub(crate) logs: Logs,
+    /// The block of words that is not finished: where it stands, its line, and what kind it is.
+    pub(crate) unfinished: Option<(Cursor, u32, Executed)>,
+    /// How the run ended.
+    ended: Option<Result<End, Error>>,
+}
+
+/// Reusable memory for parameters, and the documents' options as read: making it costs more than a few blocks.
+#[derive(Debug, Default)]
+pub struct Room(Option<(Numbered, Readings)>);
+
+/// Where a numbered subprogram begins.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NumberedProgram {
+    /// Its first block in the segment of programs.
+    pub(crate) entry: u32,
+    /// The line of its number.
+    pub(crate) line: u32,
+    /// Whether it has been called.
+    pub(crate) called: bool,
+}
+
+/// What a step came to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Progress {
+    /// As many blocks as were asked for were executed; there is more.
+    More,
+    /// The sink asked to stop, within the last block; the next step goes on from there.
+    Stopped,
+    /// The sink broke the last block off ([`Reply::Broken`](crate::Reply::Broken)).
+    Broken,
+    /// The program is over. A refused block is an [`Error::Fault`] and not an end.
+    Ended(End),
+}
+
+impl Interpreter {
+    /// An interpreter that stands before a program's first block, in the machine's initial state.
+    ///
+    /// # Errors
+    /// [`Error::Configuration`]: an option that its choice does not have, or a machine that cannot be.
+    pub fn new(machine: Machine, options: Options, limits: Limits) -> Result<Self, Error> {
+        Self::with_room(machine, options, limits, Room::default())
+    }
+
+    /// The same, in the room of an interpreter that is not needed any more: for whoever runs many short programs.
+    ///
+    /// # Errors
+    /// As for [`Self::new`].
+    pub fn with_room(
+        machine: Machine,
+        options: Options,
+        limits: Limits,
+        room: Room,
+    ) -> Result<Self, Error> {
+        let (numbered, readings) = room.0.unzip();
+        let readings = match readings.filter(|readings| *readings.options() == options) {
+            Some(readings) => readings,
+            None => Readings::of(options)?,
+        };
+        let mut numbered = numbered.unwrap_or_else(Numbered::new);
+        // DEBUG speaks unless the program turns it off (11.4.3.1).
+        numbered.set(5599, 1.0);
+        let modal = Modal::new(&machine, readings.modes.clone(), &mut numbered)?;
+        numbered.take_changes(|_, _| ());
+        Ok(Self {
+            packer: Packer::new(&machine, readings.text.clone(), &limits),
+            machine,
+            readings,
+            limits,
+            reader: Reader::new(),
+            segments: vec![Segment::default(); 3],
+            files: vec![Program::MAIN.into()],
+            cursor: Cursor::MAIN,
+            held: false,
+            landed: false,
+            percent: None,
+            percent_closed: false,
+            generation: 0,
+            parameters: Parameters {
+                numbered,
+                named: Named::new(),
+                line: 0,
+                call_level: 0,
+                drives: true,
+                value: 0.0,
+                value_returned: false,
+                items: Vec::new(),
+            },
+            modal,
+            calculator: Calculator::new(),
+            words: Words::new(),
+            scopes: Scopes::new(),
+            subs: Vec::new(),
+            programs: None,
+            subs_ahead: Vec::new(),
+            defined_lines: BTreeMap::new(),
+            former_subs: BTreeSet::new(),
+            packed: 0,
+            logs: Logs::default(),
+            unfinished: None,
+            ended: None,
+        })
+    }
+
+    /// Its room, for another interpreter. Nothing of what it knows goes with it.
+    pub fn into_room(self) -> Room {
+        let mut numbered = self.parameters.numbered;
+        numbered.clear();
+        Room(Some((numbered, self.readings)))
+    }
+
+    /// Sets whether blocks that begin with a slash are skipped, for the next program; the default is no.
+    pub fn set_block_delete(&mut self, skipped: bool) {
+        self.packer.block_delete = skipped;
+    }
+
+    /// Says that the sink is told of lines that hold a plain comment only, as of blocks that do nothing; otherwise
+    /// they are none.
+    pub fn set_comments_told(&mut self, told: bool) {
+        self.packer.comments_told = told;
+    }
+
+    /// Says that this run only shows what a program would do: `#<_task>` is 0 then, by which a program can spare a
+    /// preview what only a machine can answer (11.4.3.5).
+    pub fn set_preview(&mut self, preview: bool) {
+        self.parameters.drives = !preview;
+    }
+
+    /// Does as LinuxCNC's `rs274` where that departs from its manual and a stand-in for it must follow: a few points
+    /// only, which the module `quirks` lists. Off unless this is called before the program begins, with all that is
+    /// stored: also what is not persistent is taken over.
+    pub fn imitate(&mut self, stored: impl IntoIterator<Item = (u32, f64)>) {
+        self.packer.imitates = true;
+        for (number, value) in stored.into_iter().filter(|(number, _)| !is_stored(*number)) {
+            self.parameters.numbered.set(number, value);
+        }
+        self.modal.imitate();
+    }
+
+    /// Reads and executes one block, or a part of one: a canned cycle that is long takes more steps than one. An
+    /// endless loop is a step that comes back `More`, for ever; a caller can stop it.
+    ///
+    /// # Errors
+    /// A refused block, a bound of [`Limits`], or a source that cannot be read. After an error the state is that
+    /// after the block before, unless its probe has moved and found nothing, and [`Self::abort`] makes it ready for
+    /// another program.
+    pub fn step<S: Source, K: Sink>(
+        &mut self,
+        source: &mut S,
+        sink: &mut K,
+    ) -> Result<Progress, Error> {
+        self.run(source, sink, 1)
+    }
+
+    /// Reads and executes up to so many blocks.
+    ///
+    /// # Errors
+    /// As for [`Self::step`]; all blocks before the refused one have been executed.
+    pub fn run<S: Source, K: Sink>(
+        &mut self,
+        source: &mut S,
+        sink: &mut K,
+        blocks: u64,
+    ) -> Result<Progress, Error> {
+        if let Some(ended) = &self.ended {
+            return ended.clone().map(Progress::Ended);
+        }
+        for _ in 0..blocks {
+            match self.one(source, sink) {
+                Ok(Progress::More) => {}
+                Ok(progress @ (Progress::Stopped | Progress::Broken)) => return Ok(progress),
+                Ok(Progress::Ended(end)) => {
+                    self.ended = Some(Ok(end.clone()));
+                    return Ok(Progress::Ended(end));
+                }
+                Err(error) => {
+                    self.ended = Some(Err(error.clone()));
+                    return Err(error);
+                }
+            }
+        }
+        Ok(Progress::More)
+    }
+
+    /// Ends the program as an operator's abort does: call levels and what was saved in them are gone, what the main
+    /// program has saved as the options say, settings are reset.
+    ///
+    /// The interpreter stands before another program's first block then, as after [`Self::begin`].
+    pub fn abort<K: Sink>(&mut self, sink: &mut K) {
+        self.modal.abort(sink, self.parameters.line);
+        self.begin_over();
+    }
+
+    /// An operator's abort while no program runs: settings are reset, and no run ends by it.
+    pub fn abort_idle<K: Sink>(&mut self, sink: &mut K) {
+        self.modal.abort_idle(sink, self.parameters.line);
+    }
+
+    /// Makes it ready for another program in the state that the last one left: what it defined is forgotten, what it
+    /// set stays, and what it has saved as the options say. The value that a sub has returned is 0 then (11.4.3.5).
+    pub fn begin(&mut self) {
+        self.parameters.value = 0.0;
+        self.modal.end_run();
+        self.begin_over();
+        self.former_subs.clear();
+    }
+
+    /// Makes it ready for the program's first block, where that follows its last one without an end between them.
+    pub fn begin_over(&mut self) {
+        self.forget_program();
+        self.modal.begin();
+        if let Some(main) = self.files.first_mut()
+            && main != Program::MAIN
+        {
+            *main = Program::MAIN.into();
+        }
+    }
+
+    /// The calls, the definitions and the place of the last program are forgotten.
+    fn forget_program(&mut self) {
+        self.leave_calls();
+        self.reader = Reader::new();
+        self.segments.truncate(3);
+        self.segments.iter_mut().for_each(Segment::clear);
+        self.files.truncate(1);
+        self.cursor = Cursor::MAIN;
+        self.held = false;
+        self.landed = false;
+        (self.percent, self.percent_closed) = (None, false);
+        self.scopes = Scopes::new();
+        self.subs.clear();
+        self.programs = None;
+        self.subs_ahead.clear();
+        self.former_subs.extend(core::mem::take(&mut self.defined_lines).into_keys());
+        self.packed = 0;
+        self.parameters.numbered.end_notes();
+        self.unfinished = None;
+        self.ended = None;
+    }
+
+    /// Goes on behind a refused block: the next step executes the block after it, or, where calls were open, the one
+    /// after the outermost call. What a refused block has done already stays done.
+    pub fn pass_refused(&mut self) {
+        if let Some(frame) = self.scopes.frames.first() {
+            self.cursor = frame.back;
+            self.leave_calls();
+            self.modal.begin();
+        }
+        self.landed = false;
+        self.ended = None;
+    }
+
+    /// Makes it ready for a block that is entered by hand, as line `number` of a file of this name, in MDI mode. The
+    /// states that are saved at the level of the main program stay; what the last program has defined is forgotten.
+    /// The source holds that one line.
+    pub fn begin_by_hand(&mut self, file: &str, number: u32) {
+        self.forget_program();
+        self.reader.begin_at(number);
+        self.percent = Some(false);
+        if let Some(main) = self.files.first_mut()
+            && main != file
+        {
+            *main = file.into();
+        }
+        self.modal.leave_saved_calls();
+        self.modal.set_controller_mode(ControllerMode::Mdi);
+    }
+
+    /// Whether what it executes was entered by hand.
+    pub(crate) fn is_by_hand(&self) -> bool {
+        self.files.first().is_some_and(|main| main != Program::MAIN)
+    }
+
+    /// Whether it stands between two blocks of the text that it was begun with, and the next one has not been read.
+    pub fn needs_text(&self) -> bool {
+        self.cursor.segment == STREAM && !self.held && self.unfinished.is_none()
+    }
+
+    /// The file and line of the block that the next step executes; none where that goes on within a block or ends the
+    /// run. The block is read and kept, no more: a caller that does not ask loses nothing.
+    pub fn next_block<S: Source>(&mut self, source: &mut S) -> Option<(&str, u32)> {
+        if self.ended.is_some() || self.unfinished.is_some() {
+            return None;
+        }
+        if self.cursor.segment == LOOP && self.block_at(self.cursor).is_none() {
+            self.cursor = Cursor::MAIN;
+        }
+        if self.needs_text() {
+            match self.read_block(source) {
+                Ok(None) => self.held = true,
+                Ok(Some(end)) => self.ended = Some(Ok(end)),
+                Err(error) => self.ended = Some(Err(error)),
+            }
+            if let Some(ended) = &self.ended {
+                // A line that is refused where it stands is there all the same.
+                return ended.as_ref().err().and_then(Error::line);
+            }
+        }
+        let at = self.cursor;
+        let ends = |block: &&Block| block.kind == Kind::Percent && block.refused == NONE;
+        let line = self.block_at(at).filter(|block| !ends(block))?.line;
+        let file = segment(&self.segments, at.segment).map_or(0, |code| code.file);
+        let file = usize::try_from(file).ok().and_then(|file| self.files.get(file));
+        Some((file.map_or(Program::MAIN, |file| file), line))
+    }
+
+    /// The block that was executed last, or is being executed.
+    pub fn block(&self) -> Place {
+        self.place(self.cursor.segment, self.parameters.line)
+    }
+
+    fn block_at(&self, at: Cursor) -> Option<&Block> {
+        segment(&self.segments, at.segment).and_then(|code| code.block(at.place))
+    }
+
+    /// Says which HAL items programs can read by `#<_hal[…]>`, before anything is read; there are none otherwise, nor
+    /// where the INI file disables them. Their values are zero until they are set.
+    pub fn declare_items(&mut self, names: impl IntoIterator<Item = ItemName>) {
+        if !self.packer.items_enabled {
+            return;
+        }
+        self.packer.items.extend(names);
+        self.parameters.items.resize(self.packer.items.len(), 0.0);
+    }
+
+    /// Puts the values of HAL items, in the order in which they were declared.
+    pub fn set_items(&mut self, values: &[f64]) {
+        self.parameters.set_items(values);
+    }
+
+    /// The mode of the controller, as programs and the state show it.
+    pub fn controller_mode(&self) -> ControllerMode {
+        self.modal.controller_mode()
+    }
+
+    /// Says in which mode the controller is now; a program end changes it too.
+    pub fn set_controller_mode(&mut self, mode: ControllerMode) {
+        self.modal.set_controller_mode(mode);
+    }
+
+    /// Where the controlled point is: machine coordinates, machine unit.
+    pub fn machine_point(&self) -> Position {
+        self.modal.machine_point().position()
+    }
+
+    /// Says that nothing is executed from here on, but only read: the steps that follow change modes and parameters,
+    /// and not the machine.
+    pub fn read_ahead(&mut self) {
+        self.modal.read_ahead();
+    }
+
+    /// Ends reading ahead, which [`Self::read_ahead`] or [`Reply::Ahead`](crate::Reply::Ahead) has begun: the point
+    /// stands where it stood, and the tools are those that the machine has.
+    pub fn stand(&mut self) {
+        self.modal.stand(&mut self.parameters.numbered);
+    }
+
+    /// Depth of calls; 0 in the main program.
+    pub fn call_level(&self) -> u32 {
+        self.parameters.call_level
+    }
+
+    /// Settings in force.
+    pub fn settings(&self) -> Settings {
+        self.modal.settings()
+    }
+
+    /// The state after the last executed block, without parameters.
+    pub fn state(&self) -> Rs274State {
+        let mut state = self.modal.state();
+        state.call_level = Some(self.parameters.call_level);
+        state
+    }
+
+    /// All numbered parameters that are not zero, in ascending order.
+    pub fn parameters(&mut self) -> Vec<(u32, f64)> {
+        self.modal.publish(&mut self.parameters.numbered);
+        self.parameters.numbered.not_zero().collect()
+    }
+
+    /// The tool table as the program has changed it.
+    pub fn tools(&self) -> &[Tool] {
+        self.modal.tools()
+    }
+
+    /// The machine as it was at the beginning.
+    pub fn machine(&self) -> &Machine {
+        &self.machine
+    }
+
+    /// The readings of the documents that apply.
+    pub fn options(&self) -> &Options {
+        self.readings.options()
+    }
+}
+
+/// A segment by its number.
+#[inline]
+pub(crate) fn segment(segments: &[Segment], number: u32) -> Option<&Segment> {
+    usize::try_from(number).ok().and_then(|number| segments.get(number))
+}

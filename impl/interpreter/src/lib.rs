@@ -1,0 +1,110 @@
+//! The production interpreter, for embedding in a controller: program text to settings and effects.
+//!
+//! ```text
+//! Source ─► Interpreter ─► Sink        program text to settings and effects, a block at a time
+//! Source ─► Task ─► Machine             the same within a controller: modes, pauses, requests, inputs, outputs, pins
+//! CustomMacros ─► Sink                 programs with custom macros as on NCT controllers, a step at a time
+//! PostProcessor ─► Sink                a post-processor's program and a toolpath to what it prints, a step at a time
+//! Effect ─► Resolver ─► Segment         effects in machine coordinates, for `gaugeblock-planner` (feature `path`)
+//! ```
+//!
+//! How a program flows through the interpreter:
+//!
+//! ```text
+//! Source      bytes, as many as lie ready
+//!   reader      lines, in place                                     control/reader
+//!   direct      a plain line is evaluated while it is read          control/direct, control/operand
+//!   packer      a line becomes a block of operations, once          syntax/
+//!   segment     blocks that can run again lie together, packed      syntax/packed, control/gather
+//!   calculator  operations become words and settings of parameters  control/evaluate, parameters/
+//!   control     o-words, calls, M98, M99: which block comes next    control/
+//!   modal       words become settings and effects, in order         modal/
+//! Sink        settings, effects, and a look at each block when it is done
+//!   task        the sink of a controller: what a machine may have, and when    task/
+//! ```
+//!
+//! A plain line of the main program goes the short way, from text to words in one pass. Every other block of it is
+//! packed, executed and forgotten. A loop is packed when its head is executed, a sub when its definition is, the
+//! numbered subprograms when M98 first looks for them. What cannot be packed is kept as a block that is refused when
+//! it is executed, because the documents refuse blocks and not programs.
+//!
+//! Whoever embeds an interpreter alone gives it a sink and answers for the rest. [`task`] is that rest, as far as
+//! documents tell it: it runs an interpreter on a machine that has a clock, inputs, pins and somebody at its panel.
+//! It costs an interpreter without it nothing.
+//!
+//! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes,
+//! straight moves, arcs, canned cycles, probes, splines and threads, the task all that an operator can ask; moves
+//! under cutter compensation end a run as [`gaugeblock_vocabulary::End::Unsupported`], and what the documents leave
+//! undefined as [`gaugeblock_vocabulary::End::Unspecified`].
+//!
+//! **Invariants.**
+//! * It is written from the documents, without reading the reference model, and shares only the vocabulary with it.
+//! * It has no `std`: there is no clock, no file, no environment and no thread to reach for. Time goes by where the
+//!   embedder lets it.
+//! * It never panics, on any program; the lints below refuse what could.
+//! * A step of the interpreter is one block at most, of a long canned cycle only a part, and skips or packs no more
+//!   than the text once. A caller can always stop.
+//! * In steady state a block allocates nothing, unless it shows a message. Memory is bounded by [`Limits`], whatever
+//!   the length of the program.
+//! * Where a program is cut into pieces by its source changes nothing.
+//! * A refused block changes nothing: modes, tools and parameters are those after the block before. A probe that
+//!   finds nothing has moved, though: what its block did up to there stays.
+//! * The short way has the outcome of the long one, and leaves to it whatever is unusual or refused.
+//! * Names are looked up when a line is read, and never when a packed block runs.
+#![no_std]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::indexing_slicing,
+        clippy::string_slice,
+        clippy::arithmetic_side_effects,
+        clippy::integer_division,
+        clippy::as_conversions
+    )
+)]
+
+extern crate alloc;
+
+mod begun;
+mod canon;
+mod control;
+mod done;
+mod error;
+#[cfg(feature = "faults")]
+pub mod faults;
+#[cfg(not(feature = "faults"))]
+#[expect(unreachable_pub, reason = "who embeds the interpreter cannot plant faults")]
+mod faults;
+pub mod gpp;
+mod interpret;
+mod limits;
+mod math;
+mod modal;
+pub mod nct;
+mod parameters;
+mod part;
+#[cfg(feature = "path")]
+pub mod path;
+mod probing;
+mod quirks;
+mod readings;
+mod source;
+mod syntax;
+pub mod task;
+#[cfg(test)]
+mod tests;
+mod words;
+
+pub use begun::BlockBegun;
+pub use canon::{Reply, Sink};
+pub use done::{BlockDone, Executed};
+pub use error::Error;
+pub use interpret::{Interpreter, Progress, Room};
+pub use limits::{Limit, Limits};
+pub use parameters::ItemName;
+pub use probing::Probing;
+pub use source::{Memory, Source, Unreadable};

@@ -1,0 +1,238 @@
+//! The programmed path: what effects ask of the axes, in machine coordinates.
+//!
+//! ```text
+//! Sink::set ─────► Frame, feed, path mode      what is in force
+//! Sink::perform ─► Resolver ─► Asked           a segment to plan, an output to switch, or something that waits for rest
+//! ```
+//!
+//! Effects carry program coordinates in the active length unit. A planner takes machine coordinates: millimetres for
+//! X Y Z U V W, degrees for A B C. In between stand the offsets, the rotation, the units, the plane, and what F
+//! means.
+//!
+//! **Invariant:** nothing here looks ahead. An effect becomes what it asks by what is in force when it comes.
+
+mod arc;
+mod frame;
+#[cfg(test)]
+mod tests;
+
+use gaugeblock_vocabulary::{
+    Effect, FeedMode, LengthUnit, OutputTiming, Path as PathMode, Plane, Settings,
+};
+
+use gaugeblock_planner::{Axes, Blend, Feed, OutputSwitch, Path, Segment};
+
+use frame::Frame;
+
+/// Axes that move less than this do not move, millimetres or degrees: offsets that are added and taken away again
+/// leave as much.
+const NO_WAY: f64 = 1e-9;
+
+/// What an effect asks of whoever plans motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Asked {
+    /// To go along a segment, after those before it.
+    Move(Segment),
+    /// To switch an output with the start of the next segment (M62, M63, M67).
+    WithNextMove(OutputSwitch),
+    /// To come to rest first: what the effect does then is the caller's.
+    Rest,
+    /// Nothing; motion goes on as if the effect were not there.
+    Nothing,
+    /// A motion of which the effect does not tell the path (G5 to G5.3), or which follows a spindle there and back
+    /// (G33.1, G84).
+    Unplanned,
+}
+
+/// Turns effects into what they ask of the axes.
+///
+/// ```
+/// use gaugeblock_interpreter::path::{Asked, Resolver};
+/// use gaugeblock_planner::{Blend, Feed, Path};
+/// use gaugeblock_vocabulary::{Effect, FeedMode, LengthUnit, Path as PathMode, Plane, Settings};
+///
+/// let mut resolver = Resolver::new([0.0; 9]);
+/// resolver.set(&Settings {
+///     units: Some(LengthUnit::Inch),
+///     feed_rate: Some(6.0),
+///     path: Some(PathMode::ExactStop),
+///     ..Settings::default()
+/// });
+/// let end = [1.0, 0.0, 0.0, 90.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+/// let Asked::Move(segment) = resolver.resolve(7, &Effect::StraightFeed { end: end.into() }) else { panic!() };
+/// assert_eq!(segment.number, 7);
+/// assert_eq!(segment.path, Path::Straight { end: [25.4, 0.0, 0.0, 90.0, 0.0, 0.0, 0.0, 0.0, 0.0] });
+/// assert_eq!(segment.feed, Feed::PerSecond(6.0 * 25.4 / 60.0));
+/// assert_eq!(segment.blend, Blend::ExactStop);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Resolver {
+    frame: Frame,
+    /// The controlled point, machine coordinates.
+    at: Axes,
+    feed_mode: FeedMode,
+    /// As programmed: active unit per minute or per turn, or the inverse of minutes.
+    feed_rate: f64,
+    path: PathMode,
+    /// Active unit; zero where G64 had no P.
+    tolerance: f64,
+    /// Millimetres a turn, between the start and the end of synchronised motion (G33, G76).
+    pitch: Option<f64>,
+}
+
+impl Resolver {
+    /// Nothing in force but what holds when a controller is switched on: millimetres, XY, G94 without a rate, G64
+    /// without P, no offset. The controlled point stands at `at`, machine coordinates.
+    pub fn new(at: Axes) -> Self {
+        Self {
+            frame: Frame::default(),
+            at,
+            feed_mode: FeedMode::PerMinute,
+            feed_rate: 0.0,
+            path: PathMode::Continuous,
+            tolerance: 0.0,
+            pitch: None,
+        }
+    }
+
+    /// The controlled point after all that was resolved, machine coordinates.
+    pub fn at(&self) -> Axes {
+        self.at
+    }
+
+    /// Whether moves follow the spindle turn by turn, so that no override may act on them (G33, G76).
+    pub fn threads(&self) -> bool {
+        self.pitch.is_some()
+    }
+
+    /// The point is elsewhere: a probe has stopped a move on its way, or a run was broken off.
+    pub fn stand_at(&mut self, at: Axes) {
+        self.at = at;
+    }
+
+    /// Takes over settings: those that stand in `changed`.
+    pub fn set(&mut self, changed: &Settings) {
+        self.frame.set(changed);
+        self.feed_mode = changed.feed_mode.unwrap_or(self.feed_mode);
+        self.feed_rate = changed.feed_rate.unwrap_or(self.feed_rate);
+        self.path = changed.path.unwrap_or(self.path);
+        self.tolerance = changed.blend_tolerance.unwrap_or(self.tolerance);
+    }
+
+    /// What an effect asks. `line` comes back as the segment's number.
+    #[expect(clippy::wildcard_enum_match_arm, reason = "the other effects ask nothing of motion")]
+    pub fn resolve(&mut self, line: u32, effect: &Effect) -> Asked {
+        match effect {
+            Effect::StraightTraverse { end } => {
+                let end = self.frame.machine_of(end.to_array());
+                self.straight(line, end, Feed::Rapid, false)
+            }
+            Effect::StraightFeed { end } => {
+                let end = self.frame.machine_of(end.to_array());
+                let feed = self.feed(end);
+                self.straight(line, end, feed, false)
+            }
+            Effect::StraightProbe { end, contact } => {
+                let end = self.frame.machine_of(end.to_array());
+                let feed = self.feed(end);
+                let asked = self.straight(line, end, feed, true);
+                if let Some(contact) = contact {
+                    self.at = self.frame.machine_of(contact.to_array());
+                }
+                asked
+            }
+            Effect::ArcFeed { end, first_centre, second_centre, turns } => {
+                let end = end.to_array();
+                let path = self.frame.arc(&self.at, end, (*first_centre, *second_centre), *turns);
+                let end = self.frame.machine_of(end);
+                // An arc moves X Y Z, also where it ends at its start.
+                let feed = self.feed_along(true);
+                self.segment(line, path, end, feed, false)
+            }
+            Effect::Dwell { seconds } => {
+                let path = Path::Dwell { seconds: *seconds };
+                self.segment(line, path, self.at, Feed::Rapid, false)
+            }
+            Effect::SetDigitalOutput { output, on, timing } => {
+                switch(*output, if *on { 1.0 } else { 0.0 }, *timing)
+            }
+            Effect::SetAnalogOutput { output, to, timing } => switch(*output, *to, *timing),
+            Effect::StartSpindleSynchronisation { pitch, .. } => {
+                self.pitch = Some(self.frame.millimetres(*pitch));
+                Asked::Rest
+            }
+            Effect::StopSpindleSynchronisation {} => {
+                self.pitch = None;
+                Asked::Rest
+            }
+            Effect::NurbsFeed { end, .. } => {
+                self.at = self.frame.machine_of(end.to_array());
+                Asked::Unplanned
+            }
+            Effect::RigidTap { .. } => Asked::Unplanned,
+            Effect::PrepareTool { .. }
+            | Effect::SetToolEntry { .. }
+            | Effect::Message { .. }
+            | Effect::LogOpen { .. }
+            | Effect::LogClose {}
+            | Effect::ProbeLogOpen { .. }
+            | Effect::ProbeLogClose {}
+            | Effect::RequestRefused { .. } => Asked::Nothing,
+            _ => Asked::Rest,
+        }
+    }
+
+    fn straight(&mut self, line: u32, end: Axes, feed: Feed, probing: bool) -> Asked {
+        self.segment(line, Path::Straight { end }, end, feed, probing)
+    }
+
+    fn segment(&mut self, line: u32, path: Path, end: Axes, feed: Feed, probing: bool) -> Asked {
+        self.at = end;
+        let blend = self.blend();
+        Asked::Move(Segment { number: line.into(), path, feed, blend, probing })
+    }
+
+    fn blend(&self) -> Blend {
+        match self.path {
+            PathMode::ExactStop => Blend::ExactStop,
+            PathMode::ExactPath => Blend::ExactPath,
+            PathMode::Continuous if self.tolerance > 0.0 => {
+                Blend::Within(self.frame.millimetres(self.tolerance))
+            }
+            PathMode::Continuous => Blend::BetweenMidpoints,
+        }
+    }
+
+    /// The feed of a straight move to a point.
+    fn feed(&self, end: Axes) -> Feed {
+        let [x, y, z, _, _, _, u, v, w] = end;
+        let [from_x, from_y, from_z, _, _, _, from_u, from_v, from_w] = self.at;
+        let ways = [x - from_x, y - from_y, z - from_z, u - from_u, v - from_v, w - from_w];
+        self.feed_along(ways.iter().any(|way| way.abs() > NO_WAY))
+    }
+
+    /// What F means for a move (2.5.2.5, 11.5.59): a length of X Y Z where one of them moves, else of U V W, else
+    /// degrees, which no unit changes.
+    fn feed_along(&self, is_linear: bool) -> Feed {
+        let along = |rate: f64| if is_linear { self.frame.millimetres(rate) } else { rate };
+        if let Some(pitch) = self.pitch {
+            return Feed::PerTurn(pitch);
+        }
+        match self.feed_mode {
+            FeedMode::PerMinute => Feed::PerSecond(along(self.feed_rate) / 60.0),
+            FeedMode::PerRevolution => Feed::PerTurn(along(self.feed_rate)),
+            // "The move should be completed in [one divided by the F number] minutes."
+            FeedMode::InverseTime => Feed::InTime(60.0 / self.feed_rate),
+        }
+    }
+}
+
+/// What a setting of an output asks. M64, M65 and M68 come at once, and with them motion breaks.
+fn switch(output: i32, value: f64, timing: OutputTiming) -> Asked {
+    match (timing, u16::try_from(output)) {
+        (OutputTiming::WithMotion, Ok(output)) => {
+            Asked::WithNextMove(OutputSwitch { output, value })
+        }
+        (OutputTiming::WithMotion, Err(_)) | (OutputTiming::AtOnce, _) => Asked::Rest,
+    }
+}

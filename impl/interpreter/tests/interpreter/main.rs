@@ -1,0 +1,3 @@
+//! The interpreter as an embedder calls it.
+
+mod saved_state;

@@ -1,0 +1,65 @@
+//! How hard an arc may be braked on: its law has one limit for all directions, the axes have more in most of them.
+
+use crate::bend::signed;
+use crate::limits::{Limits, squared};
+use crate::math;
+use crate::piece::Piece;
+use crate::step::{ENOUGH, Motion, SMALL};
+
+/// What it is worth of [`Motion::effort`] to find the least acceleration on an arc.
+const BRAKED: u32 = 4;
+
+impl Motion {
+    /// The least acceleration that all axes allow on an arc in this cycle. Its law has one limit for all directions,
+    /// which is less than the axes can do in most of them; who holds the motion, or slows it down, wants all of it.
+    ///
+    /// It is found once in a cycle: where the motion stays for half of it, or up to its end.
+    pub(crate) fn hardest(&mut self, piece: &Piece, limits: &Limits, left: f64) -> f64 {
+        let Some(circle) = &piece.circle else { return 0.0 };
+        let (remaining, way) = (self.remaining(piece), self.speed * left);
+        let passes = remaining < way && remaining < 0.5 * self.speed * limits.cycle;
+        if passes || piece.breaks || self.braked || self.effort > ENOUGH || self.speed <= 0.0 {
+            return 0.0;
+        }
+        let far = math::lesser(way, remaining);
+        // Between two points of an arc p' and p'' are this much longer than on the chord between their values.
+        let kept = 1.0 - squared(circle.turn * far) / 8.0;
+        if kept < 0.9 {
+            return 0.0;
+        }
+        self.braked = true;
+        self.effort = self.effort.saturating_add(BRAKED);
+        if piece.axes <= 3 {
+            self.hardest_of::<3>(piece, far, (limits, kept))
+        } else {
+            self.hardest_of::<9>(piece, far, (limits, kept))
+        }
+    }
+
+    /// The same for so many leading axes, so far ahead.
+    #[inline(never)]
+    fn hardest_of<const N: usize>(
+        &self,
+        piece: &Piece,
+        far: f64,
+        (limits, kept): (&Limits, f64),
+    ) -> f64 {
+        let y = squared(self.speed);
+        let (sense, ahead) =
+            if self.backwards { (-1.0, self.x - far) } else { (1.0, self.x + far) };
+        // At the squares of two speeds, between which it is no more.
+        let least = |(first, second): ([f64; N], [f64; N]), y: f64, other: f64| {
+            let mut least = [0.0; N];
+            let axes = first.iter().zip(&second).zip(&limits.acceleration);
+            for (least, ((first, second), limit)) in least.iter_mut().zip(axes) {
+                let share = sense * first;
+                let used = math::lesser(signed(second * y, share), signed(second * other, share));
+                *least = (-limit * kept - used) / math::greater(share.abs(), SMALL);
+            }
+            least.into_iter().fold(f64::NEG_INFINITY, math::greater)
+        };
+        let now = least(piece.swing(self.x), y, y);
+        let later = math::greater(0.0, y + 2.0 * now * far);
+        math::greater(now, least(piece.swing(ahead), y, later))
+    }
+}

@@ -1,0 +1,374 @@
+//! What becomes of the corner between two legs: a stop, nothing, or a blend of lengths taken from both.
+
+use crate::leg::{Leg, norm, norm_of};
+use crate::limits::{Limits, SMOOTH, least, squared};
+use crate::math;
+use crate::parameters::Axes;
+use crate::piece::{Law, Pace, Piece};
+use crate::segment::Blend;
+
+/// The change of direction from which an exact path comes to rest, radians.
+const BREAK: f64 = 0.05;
+/// How often the speed at which a kink may be passed is halved in.
+const HALVINGS: u32 = 12;
+/// The most that a kink may use of what an arc beside it can do: the whole of its turn is slower for it.
+const ROUND_KINK: f64 = 0.075;
+/// The share of the acceleration that a blend may cost where it has the length to choose.
+const COST: f64 = 0.05;
+/// How fast a spindle is taken to turn where that decides how long a blend with a rapid move is: in turns per second.
+/// It is not known when the blend is made, and may be four times as fast until the blend costs something.
+const TURNS: f64 = 10.0;
+/// The angle of an arc that is bent for a corner at most, radians: its acceleration is bounded over the whole of that.
+const ROUND: f64 = 0.1;
+/// How much of a tolerance is used: rounding has the rest.
+const KEPT: f64 = 1.0 - 1e-9;
+/// A blend that turns by less, radians, and is longer than an axis moves in so many cycles from rest, may be worth to
+/// speed up and slow down in.
+const FLAT: f64 = 0.2;
+const WORTH: f64 = 4.0;
+/// How much less the square of a speed is than another one at least, where that decides how long a blend is.
+const UNEQUAL_FEED: f64 = 0.9;
+/// For how many cycles a leg lasts at least for that, at its own speed or the other one's.
+const LASTING: f64 = 0.25;
+/// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much
+/// where a feed limits it, but chords whose ends are rounded are never quite equal, and what remains of them would
+/// crowd a cycle with pieces that are next to nothing.
+const UNEQUAL: f64 = 1.02;
+
+/// What may be done at a corner, before the lengths of its legs are shared out.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) enum Corner {
+    #[default]
+    Stop,
+    /// The legs meet smoothly.
+    Smooth,
+    /// The path is exact, and its direction breaks so little that the motion need not rest.
+    Kink(Kink),
+    /// A blend may take so much of each leg, and not more than half of it if `half`.
+    Blend { most: f64, half: bool },
+}
+
+/// The break of direction from one leg to the next.
+pub(crate) fn turn(before: &Leg, after: &Leg) -> Axes {
+    let mut turn = after.first;
+    for (turn, before) in turn.iter_mut().zip(&before.last) {
+        *turn -= before;
+    }
+    turn
+}
+
+impl Corner {
+    /// A parabola that takes d of both legs misses the corner by d·|turn|/4, and so does an arc that is bent.
+    #[inline]
+    pub(crate) fn between(before: &Leg, after: &Leg, limits: &Limits) -> Self {
+        let blend = stricter(before.blend, after.blend);
+        // Most often, and known without a root.
+        if blend == Blend::ExactStop {
+            return Self::Stop;
+        }
+        let axes = before.whole.axes.max(after.whole.axes);
+        let turn = turn(before, after);
+        let break_ = norm_of(&turn, axes);
+        if break_ < SMOOTH {
+            return Self::Smooth;
+        }
+        let (tolerance, half) = match (blend, after.blend) {
+            (Blend::ExactStop, _) => return Self::Stop,
+            (Blend::ExactPath, _) if break_ > BREAK => return Self::Stop,
+            (Blend::ExactPath, _) => {
+                return Self::Kink(Kink::between(before, after, &turn, limits));
+            }
+            // A leg is left by what it allows itself, whatever the other one does.
+            (Blend::Within(one), Blend::Within(other)) => {
+                ((one - before.strayed).min(other - after.strayed), false)
+            }
+            (Blend::Within(tolerance), Blend::BetweenMidpoints)
+            | (Blend::BetweenMidpoints, Blend::Within(tolerance)) => (tolerance, true),
+            (Blend::Within(tolerance), _) => (tolerance, false),
+            (Blend::BetweenMidpoints, _) => (f64::INFINITY, true),
+        };
+        // Who keeps between the middles of two segments keeps to these, and not to a leg that several have become.
+        if half && (before.several || after.several) {
+            return Self::Stop;
+        }
+        // A blend has one feed, and nobody can say which of two is slower that are counted by time and by turns.
+        let paces = [before.whole.pace, after.whole.pace];
+        if paces.contains(&Pace::Turn) && paces.contains(&Pace::Second) {
+            return Self::Stop;
+        }
+        // A blend that is long enough to cost nothing need not be longer.
+        let fastest = before.pressing().min(after.pressing());
+        let fastest = match paces {
+            [Pace::Turn, Pace::Rapid] => fastest.min(squared(TURNS * before.whole.feed)),
+            [Pace::Rapid, Pace::Turn] => fastest.min(squared(TURNS * after.whole.feed)),
+            [Pace::Second, _] | [_, Pace::Second]
+                if !before.has_feed_of(after) && costs(before, after, limits) =>
+            {
+                fastest.min(asked(before)).min(asked(after))
+            }
+            _ => fastest,
+        };
+        let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, axes));
+        // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them
+        // and other corners.
+        let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
+        let enough = if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough };
+        let most = (4.0 * KEPT * tolerance / break_).min(enough);
+        let most = most.min(round(before)).min(round(after));
+        if most > 0.0 { Self::Blend { most, half } } else { Self::Stop }
+    }
+}
+
+/// A corner of an exact path that is passed without rest.
+///
+/// An exact path is one whose every commanded point lies on it, and points are commanded once in a cycle. Between two
+/// of them the velocity may jump at a corner, if it could have changed by as much in the time. What an axis is seen
+/// to accelerate is a mean over two cycles, in which the middle counts most (a triangle of height 1/h): so a jump J
+/// counts at most as J/h there.
+///
+/// Let jumps be spread evenly over times of T about their corners, which do not overlap: T is a cycle h at most, and
+/// no longer than the way to the next corner. Then such a spread jump counts as much as the jump itself, but for the
+/// one that holds the middle: J/h against J/h·(1 - T/4h). If J ≤ c·T, that is c/4·T/h too little, and leaving another
+/// c/3 within T makes up for it, since T·(1 - T/4h)/3 ≥ T/4. So an axis that can do a keeps its limit if along the
+/// path it is given a - 4c/3 within T. With c ≤ a/2 a corner between two samples is missed by their chord no farther
+/// than by a motion that accelerates evenly: by J·h/4 ≤ a·h²/8.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Kink {
+    /// The square of the speed at which it may be passed.
+    entry: f64,
+    /// How much of each leg half of T takes, millimetres.
+    pub(crate) near: f64,
+    /// The share of all accelerations that remains there.
+    left: f64,
+}
+
+impl Kink {
+    fn between(before: &Leg, after: &Leg, turn: &Axes, limits: &Limits) -> Self {
+        let h = limits.cycle;
+        // Per axis c·|direction of the jump|, by which the speed times T is bounded.
+        let jump = 0.5 * least(&limits.planned, turn, turn.len());
+        let rounds = before.whole.circle.is_some() || after.whole.circle.is_some();
+        let jump = if rounds { ROUND_KINK * jump } else { jump };
+        // The most that the speed rises within a cycle: the way to the next corner takes no less than length / (speed
+        // + rise).
+        let (one, other) = (along(before), along(after));
+        let rise = one.max(other) * h;
+        let length = before.whole.length.min(after.whole.length);
+        let used = |speed: f64| speed * (1.0 / h).max((speed + rise) / length) / jump;
+        // A hold may take two cycles more to stop than what all of an axis can do: so little may be missing.
+        let eases = |speed: f64| {
+            let cycles = 2.0 * one.min(other) * h / speed;
+            1.5 * cycles / (1.0 + cycles)
+        };
+        let fits = |speed: f64| used(speed) <= eases(speed).min(1.0);
+        let mut speed = math::sqrt(before.pressing().min(after.pressing()));
+        if !fits(speed) {
+            let mut low = 0.0;
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + speed);
+                if fits(middle) { low = middle } else { speed = middle }
+            }
+            speed = low;
+        }
+        let used = if rounds { ROUND_KINK * used(speed) } else { used(speed) };
+        let near = 0.5 * h * (speed + 0.25 * rise);
+        Self { entry: squared(speed), near, left: 1.0 - used * 2.0 / 3.0 }
+    }
+
+    /// The last part of the leg before it.
+    pub(crate) fn end(&self, leg: &Leg, given: f64) -> Piece {
+        self.eased(leg.whole.part(leg.whole.length - given, leg.whole.length))
+    }
+
+    /// The first part of the leg after it.
+    pub(crate) fn start(&self, leg: &Leg, given: f64) -> Piece {
+        let piece = self.eased(leg.whole.part(0.0, given));
+        Piece { entry: self.entry, begins: Some(0.0), ..piece }
+    }
+
+    fn eased(&self, mut piece: Piece) -> Piece {
+        piece.breaks = true;
+        match &mut piece.law {
+            Law::Even { acceleration } => *acceleration *= self.left,
+            Law::Round { acceleration, planned } => {
+                *acceleration *= self.left;
+                *planned *= self.left;
+                piece.ceiling *= self.left;
+                piece.last_ceiling = piece.ceiling;
+                piece.fastest = math::sqrt(piece.ceiling);
+            }
+            Law::Bent { .. } | Law::Shared { .. } | Law::Dwell(_) => {}
+        }
+        piece
+    }
+}
+
+/// The most that a leg may be accelerated along itself.
+fn along(leg: &Leg) -> f64 {
+    match leg.whole.law {
+        Law::Even { acceleration } | Law::Round { acceleration, .. } => acceleration,
+        Law::Bent { .. } | Law::Shared { .. } | Law::Dwell(_) => 0.0,
+    }
+}
+
+/// The most of an arc that is bent for a corner.
+fn round(leg: &Leg) -> f64 {
+    leg.whole.circle.map_or(f64::INFINITY, |circle| ROUND / circle.turn)
+}
+
+/// Whether a blend of two legs takes longer the longer it is, since all of it is as slow as the slower one: then it
+/// is no longer than the programmed feed needs. Where legs are short a long one saves a piece, of which too many
+/// would fit into a cycle.
+#[inline(never)]
+fn costs(before: &Leg, after: &Leg, limits: &Limits) -> bool {
+    let (one, other) = (asked(before), asked(after));
+    let most = math::greater(one, other);
+    let short = math::lesser(before.whole.length, after.whole.length);
+    math::lesser(one, other) < UNEQUAL_FEED * most
+        && squared(short) > squared(LASTING * limits.cycle) * most
+}
+
+/// The square of the speed that a leg is asked to have while nobody overrides its feed.
+fn asked(leg: &Leg) -> f64 {
+    match leg.whole.pace {
+        Pace::Second => leg.whole.ceiling.min(squared(leg.whole.feed)),
+        Pace::Rapid | Pace::Turn => leg.whole.ceiling,
+    }
+}
+
+/// How much of each leg a blend takes, given what there is: equal lengths, or nearly so between lines. An arc's
+/// parameter may run a little slower or faster at its end than the path: then lengths are equal along the path.
+pub(crate) fn share(most: f64, (before, after): (f64, f64), lines: bool, exit: f64) -> (f64, f64) {
+    let (before, after) = (most.min(before), most.min(after));
+    let short = before.min(after);
+    let near = lines && before.max(after) <= UNEQUAL * short;
+    if near {
+        (before, after)
+    } else {
+        let end = short / exit.max(1.0);
+        (end, end * exit)
+    }
+}
+
+/// The parabola between two lines that takes d of the first and e of the second.
+#[inline]
+pub(crate) fn parabola(
+    (before, after): (&Leg, &Leg),
+    (d, e): (f64, f64),
+    limits: &Limits,
+    blend: &mut Piece,
+) {
+    let exit = e / d;
+    let (mut origin, mut end, mut bend) = (before.whole.end, before.whole.end, Axes::default());
+    for (end, direction) in end.iter_mut().zip(&after.first) {
+        *end += e * direction;
+    }
+    let directions = before.last.iter().zip(&after.first);
+    for ((origin, bend), (from, to)) in origin.iter_mut().zip(&mut bend).zip(directions) {
+        *origin -= d * from;
+        *bend = (exit * to - from) / (2.0 * d);
+    }
+    // Its strips are laid when it has its law.
+    blend.begin_at(&origin);
+    (blend.rate, blend.bend, blend.end) = (before.last, bend, end);
+    (blend.length, blend.exit) = (2.0 * d, exit);
+    blend.axes = before.whole.axes.max(after.whole.axes);
+    blend.begins = Some(d);
+    (blend.feed, blend.pace) = (after.whole.feed, after.whole.pace);
+    (blend.number, blend.index) = (after.whole.number, after.whole.index);
+    blend.probing = after.whole.probing;
+    limits.rule(blend);
+    // On its way from one direction to the other a blend has more of what a feed is measured along than one of its
+    // legs, and no more than the other.
+    let most = before.felt.max(after.felt);
+    blend.feed *= after.felt / most;
+    slower(blend, &before.whole, before.whole.feed * before.felt / most);
+    blend.feed /= blend.exit.max(1.0);
+}
+
+/// Where a parabola is halved into two pieces, each with a law of its own: a long flat blend between two slow corners
+/// can speed up and slow down in it, and where speed is limited by another axis at its end than at its start both
+/// have what they allow. `None` where nothing is won, or where the halves would be over within a cycle.
+#[inline]
+pub(crate) fn middle(blend: &Piece, limits: &Limits) -> Option<f64> {
+    let Law::Bent { even } = blend.law else { return None };
+    let axes = squared(blend.fastest);
+    let (asked, pressed) = match blend.pace {
+        Pace::Second => (squared(blend.feed), squared(2.0 * blend.feed)),
+        Pace::Rapid | Pace::Turn => (f64::INFINITY, f64::INFINITY),
+    };
+    let flat = norm_of(&blend.bend, blend.axes) * blend.length <= FLAT;
+    if !flat && axes >= even.min(asked) {
+        return None;
+    }
+    let along = least(&limits.acceleration, &blend.rate, blend.axes);
+    let far = math::sqrt(axes.min(pressed).min(even)) * limits.cycle;
+    if blend.length < 2.0 * far || blend.length < along * squared(WORTH * limits.cycle) {
+        return None;
+    }
+    Some(blend.begins.unwrap_or(0.5 * blend.length))
+}
+
+/// The last d of the leg before a corner, bent by half of its turn.
+pub(crate) fn bent_end((leg, after): (&Leg, &Leg), turn: &Axes, d: f64, limits: &Limits) -> Piece {
+    let length = leg.whole.length;
+    let mut piece = leg.whole.part(length - d, length);
+    // Where the radius of an arc changes, p' is not quite 1 long at its end.
+    let exit = leg.whole.exit;
+    for ((bend, end), turn) in piece.bend.iter_mut().zip(&mut piece.end).zip(turn) {
+        *bend += exit * turn / (2.0 * d);
+        *end += exit * turn * d / 4.0;
+    }
+    piece.feed *= (leg.felt / after.felt).min(1.0);
+    finish(&mut piece, turn, d, limits);
+    piece
+}
+
+/// The first d of the leg after a corner, bent by the other half.
+pub(crate) fn bent_start(
+    (before, leg): (&Leg, &Leg),
+    turn: &Axes,
+    d: f64,
+    limits: &Limits,
+) -> Piece {
+    let mut piece = leg.whole.part(0.0, d);
+    for (((origin, rate), bend), turn) in
+        piece.origin.iter_mut().zip(&mut piece.rate).zip(&mut piece.bend).zip(turn)
+    {
+        *origin += turn * d / 4.0;
+        *rate -= turn / 2.0;
+        *bend += turn / (2.0 * d);
+    }
+    piece.begins = Some(0.0);
+    piece.feed *= (leg.felt / before.felt).min(1.0);
+    finish(&mut piece, turn, d, limits);
+    piece
+}
+
+/// An arc that is bent may be a little longer than it was, and its feed is along the path.
+fn finish(piece: &mut Piece, turn: &Axes, d: f64, limits: &Limits) {
+    let last = turn.iter().rposition(|turn| turn.abs() > 0.0);
+    piece.axes = piece.axes.max(last.map_or(0, |last| last.saturating_add(1)));
+    let turned = piece.circle.map_or(0.0, |circle| circle.turn * d);
+    piece.feed /= math::sqrt(1.0 + turned * norm(turn));
+    limits.rule(piece);
+}
+
+/// What may happen at a corner between two modes: a leg that is to be exact is so from its beginning.
+fn stricter(before: Blend, after: Blend) -> Blend {
+    match (before, after) {
+        (Blend::Within(_) | Blend::BetweenMidpoints, Blend::ExactStop | Blend::ExactPath) => {
+            Blend::ExactPath
+        }
+        _ => before,
+    }
+}
+
+/// A blend has the slower of both feeds.
+fn slower(blend: &mut Piece, other: &Piece, feed: f64) {
+    blend.rapid = blend.pace == Pace::Rapid || other.pace == Pace::Rapid;
+    if other.pace != Pace::Rapid && (blend.pace == Pace::Rapid || feed < blend.feed) {
+        blend.feed = feed;
+        blend.pace = other.pace;
+    }
+}

@@ -1,0 +1,409 @@
+//! From segments to pieces: what a new segment does to the end of the path that is queued.
+//!
+//! A segment may go on in the last leg, where both are over within a cycle. The last two legs are open. A corner gets
+//! what it can use of its legs, at least half of each; how much the corner after it leaves is known when that one is,
+//! and the corner is then made anew. A path that has been promised to the motion is never changed so that it could
+//! not be kept to: then the corner keeps the form it has, a stop at worst.
+
+use crate::ahead::{Ahead, allowed};
+use crate::corner::{Corner, bent_end, bent_start, middle, parabola, share, turn};
+use crate::leg::Leg;
+use crate::limits::{Limits, squared};
+use crate::math;
+use crate::parameters::Axes;
+use crate::piece::{Law, Pace, Piece};
+use crate::ring::Ring;
+use crate::segment::Blend;
+use crate::step::Motion;
+use crate::strips::Strips;
+
+/// So many pieces may be touched in a cycle, by a limit of speed where they are short.
+const CROWD: u64 = 3;
+/// A leg that is shorter when its corners have taken theirs is left out, millimetres.
+const NOTHING: f64 = 1e-12;
+/// How much of a leg that begins smoothly or at rest its end may take.
+const FIRST: f64 = 0.96875;
+
+/// A leg whose end may still change.
+#[derive(Clone, Copy, Debug, Default)]
+struct Open {
+    leg: Leg,
+    /// The number of its first own piece, and whether the corners have left it one.
+    main: u64,
+    own: bool,
+    /// The corner before it.
+    corner: Corner,
+    /// How much of the leg before it and of itself that corner has.
+    given: (f64, f64),
+}
+
+/// The end of the path.
+#[derive(Debug)]
+pub(crate) struct Course {
+    /// Where the last segment ends.
+    pub(crate) end: Axes,
+    /// The last two legs and room for a new one; `turn` is where the older one lies.
+    legs: [Open; 3],
+    turn: u8,
+    /// How many of them there are since the path last closed.
+    open: u8,
+}
+
+/// What a change of the path is made with.
+#[derive(Debug)]
+pub(crate) struct Queue<'a> {
+    pub(crate) ring: &'a mut Ring<Piece>,
+    pub(crate) ahead: &'a mut Ahead,
+    pub(crate) motion: &'a Motion,
+    pub(crate) limits: &'a Limits,
+    /// The first piece that has been changed, or that has been lowered for it.
+    pub(crate) changed: u64,
+    /// Whether the motion is still faster than it is planned, since an override has been lowered: what is planned
+    /// says nothing of it then.
+    pub(crate) late: bool,
+}
+
+impl Course {
+    pub(crate) fn new(end: Axes) -> Self {
+        Self { end, legs: [Open::default(); 3], turn: 0, open: 0 }
+    }
+
+    /// The path ends at rest here, for what comes next.
+    pub(crate) fn close(&mut self) {
+        self.open = 0;
+    }
+
+    /// The corner after the last leg comes to rest, if it is not made yet.
+    pub(crate) fn stop(&mut self) {
+        let (_, last, _) = turned(&mut self.legs, self.turn);
+        last.leg.blend = Blend::ExactStop;
+    }
+
+    /// Whether one of the last legs follows the spindle, of which pieces may have been made anew.
+    pub(crate) fn follows(&self) -> bool {
+        self.legs.iter().any(|open| open.leg.whole.pace == Pace::Turn)
+    }
+
+    /// Seconds of rest at the end of the path.
+    pub(crate) fn dwell(&mut self, seconds: f64, queue: &mut Queue<'_>) {
+        let mut rest = Piece { origin: self.end, end: self.end, exit: 1.0, ..Piece::default() };
+        rest.law = Law::Dwell(seconds);
+        rest.axes = self.end.len();
+        queue.ring.push(&rest);
+        self.close();
+    }
+
+    /// Where the next leg is to be written, and where it begins.
+    pub(crate) fn new_leg(&mut self) -> (&mut Leg, &Axes) {
+        let (_, _, next) = turned(&mut self.legs, self.turn);
+        (&mut next.leg, &self.end)
+    }
+
+    /// Adds the leg that was written.
+    #[inline]
+    pub(crate) fn add(&mut self, queue: &mut Queue<'_>) {
+        queue.changed = u64::MAX;
+        let (before, last, next) = turned(&mut self.legs, self.turn);
+        self.end = next.leg.whole.end;
+        if self.open > 0 && joined(before, last, next, queue) {
+            return;
+        }
+        next.corner = Corner::Stop;
+        if self.open > 0 {
+            next.corner = Corner::between(&last.leg, &next.leg, queue.limits);
+        }
+        let made = match next.corner {
+            Corner::Stop => false,
+            Corner::Smooth | Corner::Kink(_) | Corner::Blend { .. } => {
+                self.open > 1 && revised(before, last, next, queue) || blended(last, next, queue)
+            }
+        };
+        if !made {
+            next.corner = Corner::Stop;
+            next.given = (0.0, 0.0);
+            next.leg.taken = 0.0;
+            next.main = queue.ring.end();
+            push_main(next, 0.0, queue);
+            settle(queue);
+        }
+        self.turn = if self.turn == 2 { 0 } else { self.turn.saturating_add(1) };
+        self.open = self.open.saturating_add(1).min(2);
+    }
+}
+
+/// The leg before the last, the last and the next.
+fn turned(legs: &mut [Open; 3], turn: u8) -> (&mut Open, &mut Open, &mut Open) {
+    let [one, two, three] = legs;
+    match turn {
+        0 => (one, two, three),
+        1 => (two, three, one),
+        _ => (three, one, two),
+    }
+}
+
+/// Makes one leg of the last and the next, where both are over within a cycle, and the corner before it anew.
+fn joined(before: &mut Open, last: &mut Open, next: &Open, queue: &mut Queue<'_>) -> bool {
+    if !last.leg.goes_on_in(&next.leg, queue.limits) {
+        return false;
+    }
+    let old = *last;
+    if !last.leg.join(&next.leg, queue.limits) {
+        last.leg = old.leg;
+        return false;
+    }
+    if last.corner == Corner::Stop {
+        let motion = queue.motion;
+        let begun = motion.at > last.main
+            || motion.at == last.main && (motion.x > 0.0 || motion.speed > 0.0);
+        if begun {
+            last.leg = old.leg;
+        } else {
+            push_main(last, 0.0, queue);
+            settle(queue);
+        }
+        return !begun;
+    }
+    last.corner = Corner::between(&before.leg, &last.leg, queue.limits);
+    let given = provisional(before, last);
+    if last.corner == Corner::Stop || !fits(before, given.0, queue) {
+        *last = old;
+        return false;
+    }
+    follow(before, last, given, queue);
+    if accepted(queue) {
+        return true;
+    }
+    *last = old;
+    join(before, last, queue);
+    push_main(last, 0.0, queue);
+    settle(queue);
+    queue.changed = u64::MAX;
+    false
+}
+
+/// Makes the corner before the last leg anew where it may have more, and then the one before the next.
+#[inline]
+fn revised(before: &mut Open, last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
+    let Corner::Blend { most, half: false } = last.corner else { return false };
+    let length = last.leg.whole.length;
+    let left = match next.corner {
+        Corner::Blend { most, .. } => length - most,
+        Corner::Kink(kink) => length - kink.near.min(0.5 * length),
+        Corner::Stop | Corner::Smooth => length * FIRST,
+    };
+    let after = left.max(0.5 * length);
+    let given =
+        share(most, (room(before), after), lines(&before.leg, &last.leg), before.leg.whole.exit);
+    if given.0 <= last.given.0 * (1.0 + 1e-9) || !fits(before, given.0, queue) {
+        return false;
+    }
+    let old = last.given;
+    last.given = given;
+    join(before, last, queue);
+    follow(last, next, provisional(last, next), queue);
+    if accepted(queue) {
+        return true;
+    }
+    last.given = old;
+    join(before, last, queue);
+    push_main(last, 0.0, queue);
+    settle(queue);
+    false
+}
+
+/// Makes the corner between the last leg and the next.
+fn blended(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
+    let given = provisional(last, next);
+    if !fits(last, given.0, queue) {
+        return false;
+    }
+    follow(last, next, given, queue);
+    if accepted(queue) {
+        return true;
+    }
+    push_main(last, 0.0, queue);
+    settle(queue);
+    false
+}
+
+/// What a form of the path has lowered is computed anew for the one that takes its place.
+fn settle(queue: &mut Queue<'_>) -> u64 {
+    let places = (queue.changed, queue.motion.at);
+    queue.changed = queue.ahead.settle(queue.ring, places, queue.limits);
+    queue.changed
+}
+
+/// Whether the motion can keep to a changed path.
+fn accepted(queue: &mut Queue<'_>) -> bool {
+    let changed = queue.changed;
+    let first = settle(queue);
+    if queue.late {
+        return allowed(queue.ring, queue.motion, changed, queue.limits);
+    }
+    first > queue.motion.at.saturating_add(1) || queue.motion.permits(queue.ring, queue.limits)
+}
+
+/// Whether a leg can end so much earlier: it must not be over.
+fn fits(open: &Open, given: f64, queue: &Queue<'_>) -> bool {
+    let left = open.leg.whole.length - open.leg.taken - given;
+    let motion = queue.motion;
+    motion.at < open.main || motion.at == open.main && open.own && motion.x < left - NOTHING
+}
+
+/// How much of a leg is left for the corner at its end.
+fn room(open: &Open) -> f64 {
+    match open.corner {
+        Corner::Kink(_) | Corner::Blend { .. } => open.leg.whole.length - open.leg.taken,
+        Corner::Stop | Corner::Smooth => open.leg.whole.length * FIRST,
+    }
+}
+
+fn lines(before: &Leg, after: &Leg) -> bool {
+    before.whole.circle.is_none() && after.whole.circle.is_none()
+}
+
+/// The lengths that a corner has before the one after it is known.
+fn provisional(last: &Open, next: &Open) -> (f64, f64) {
+    match next.corner {
+        Corner::Stop | Corner::Smooth => (0.0, 0.0),
+        Corner::Kink(kink) => {
+            // Half of a leg is left for the corner at its other end, and nothing is where that one begins at rest.
+            let half = |leg: &Leg| kink.near.min(0.5 * leg.whole.length);
+            (half(&last.leg).min(room(last)), half(&next.leg))
+        }
+        Corner::Blend { most, half } => {
+            let before = room(last);
+            let before = if half { before.min(0.5 * last.leg.whole.length) } else { before };
+            let rooms = (before, 0.5 * next.leg.whole.length);
+            share(most, rooms, lines(&last.leg, &next.leg), last.leg.whole.exit)
+        }
+    }
+}
+
+/// Makes the end of a leg anew and the corner after it.
+fn join(before: &mut Open, last: &mut Open, queue: &mut Queue<'_>) {
+    push_main(before, last.given.0, queue);
+    push_corner(&before.leg, last, queue);
+}
+
+/// Makes the end of the last leg anew, the corner after it, and the next leg.
+fn follow(last: &mut Open, next: &mut Open, given: (f64, f64), queue: &mut Queue<'_>) {
+    next.given = given;
+    join(last, next, queue);
+    push_main(next, 0.0, queue);
+}
+
+/// The leg's own piece, from its first corner to so much before its end; whatever lies from there on is forgotten.
+fn push_main(open: &mut Open, given: f64, queue: &mut Queue<'_>) {
+    queue.ring.truncate(open.main);
+    queue.changed = queue.changed.min(open.main);
+    let whole = &open.leg.whole;
+    let (from, to) = (open.leg.taken, whole.length - given);
+    open.own = to - from > NOTHING;
+    if !open.own {
+        return;
+    }
+    let Some(piece) = queue.ring.append() else { return };
+    *piece = *whole;
+    if from > 0.0 || given > 0.0 {
+        piece.cut(from, to);
+    }
+    match open.corner {
+        Corner::Stop => (piece.entry, piece.begins) = (0.0, Some(0.0)),
+        Corner::Smooth => piece.begins = Some(0.0),
+        Corner::Kink(_) | Corner::Blend { .. } => {}
+    }
+    spread(queue.ring.end(), queue);
+}
+
+fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
+    after.leg.taken = 0.0;
+    let (d, e) = after.given;
+    if let Corner::Kink(kink) = &after.corner {
+        push(&kink.end(before, d), queue);
+        push(&kink.start(&after.leg, e), queue);
+        after.leg.taken = e;
+    }
+    if let Corner::Blend { .. } = after.corner {
+        if lines(before, &after.leg) {
+            push_blend((before, &after.leg), (d, e), queue);
+        } else {
+            let turn = turn(before, &after.leg);
+            push(&bent_end((before, &after.leg), &turn, d, queue.limits), queue);
+            push(&bent_start((before, &after.leg), &turn, e, queue.limits), queue);
+        }
+        after.leg.taken = e;
+    }
+    after.main = queue.ring.end();
+}
+
+/// Appends the blend of two lines.
+fn push_blend((before, after): (&Leg, &Leg), given: (f64, f64), queue: &mut Queue<'_>) {
+    let Some(blend) = queue.ring.append() else { return };
+    parabola((before, after), given, queue.limits, blend);
+    let middle = middle(blend, queue.limits);
+    let first = queue.ring.end().wrapping_sub(1);
+    if let Some(middle) = middle
+        && let Some(second) = queue.ring.append_copy()
+    {
+        second.cut(middle, second.length);
+        second.begins = Some(0.0);
+        queue.limits.rule(second);
+        if let Some(first) = queue.ring.get_mut(first) {
+            first.cut(0.0, middle);
+            queue.limits.rule(first);
+        }
+        laid(first, queue);
+        laid(first.wrapping_add(1), queue);
+    } else {
+        laid(first, queue);
+    }
+}
+
+fn push(piece: &Piece, queue: &mut Queue<'_>) {
+    queue.ring.push(piece);
+    laid(queue.ring.end().wrapping_sub(1), queue);
+}
+
+/// What a piece gets once it has its place.
+fn laid(place: u64, queue: &mut Queue<'_>) {
+    if let Some(piece) = queue.ring.get_mut(place)
+        && matches!(piece.law, Law::Bent { .. })
+        && piece.axes <= 3
+    {
+        Strips::lay(piece, queue.limits);
+    }
+    spread(place.wrapping_add(1), queue);
+}
+
+/// Limits the speed of the last pieces before an end where too many would fit into a cycle.
+fn spread(end: u64, queue: &mut Queue<'_>) {
+    let Some(last) = queue.ring.get(end.wrapping_sub(1)) else { return };
+    // A piece that takes a cycle by itself is no part of a crowd.
+    if last.length >= last.fastest * queue.limits.cycle {
+        return;
+    }
+    let first = end.saturating_sub(CROWD);
+    let (mut length, mut most) = (last.length, last.fastest);
+    for place in first..end.wrapping_sub(1) {
+        // Without so many before it there is no crowd.
+        let Some(piece) = queue.ring.get(place) else { return };
+        length += piece.length;
+        most = math::greater(most, piece.fastest);
+    }
+    if length >= most * queue.limits.cycle {
+        return;
+    }
+    let fastest = length / queue.limits.cycle;
+    let ceiling = squared(fastest);
+    for place in first.max(queue.motion.at.saturating_add(1))..end {
+        if let Some(piece) = queue.ring.get_mut(place)
+            && piece.fastest > fastest
+        {
+            piece.ceiling = math::lesser(piece.ceiling, ceiling);
+            piece.last_ceiling = math::lesser(piece.last_ceiling, ceiling);
+            piece.fastest = fastest;
+            queue.changed = queue.changed.min(place);
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! A cycle of motion where look-ahead and axes leave more than is asked for, which is most of them.
+//!
+//! It runs forward at the overrides that look-ahead has planned for, up to a piece where that is not known to be
+//! easy, and leaves the rest of the cycle to `step`. What it does, that would do too, but for rounding.
+
+use crate::limits::{Limits, squared};
+use crate::math;
+use crate::piece::{Law, Pace, Piece};
+use crate::ring::Ring;
+use crate::step::{BEND, End, LASTING, Motion, TOUCHED, Wish, even_ramp};
+
+/// How much of what the axes can do is easily used on a bend: its p' may be a little longer than 1 (`corner::UNEQUAL`).
+const USED: f64 = 0.98;
+/// By so much the square of a speed may be above another one by rounding.
+const SAME: f64 = 1.0 + 1e-12;
+
+/// An acceleration that is easily kept, and what it leads to.
+#[derive(Clone, Copy, Debug)]
+struct Easy {
+    acceleration: f64,
+    /// The square of the speed at which it comes to the end of the piece.
+    last: f64,
+}
+
+impl Motion {
+    /// Moves on over pieces that are easy; how much of the time is left for those that are not.
+    #[inline]
+    pub(crate) fn cruise(
+        &mut self,
+        ring: &Ring<Piece>,
+        limits: &Limits,
+        wish: &Wish,
+        mut left: f64,
+    ) -> f64 {
+        let Some(mut piece) = ring.get(self.at) else { return left };
+        for _ in 0..TOUCHED {
+            let Some(next) = ring.get(self.at.wrapping_add(1)) else { return left };
+            let remaining = piece.length - self.x;
+            if remaining > 0.0 {
+                let exit = next.reach / squared(piece.exit);
+                if exit <= 0.0 && next.entry > 0.0 {
+                    return left;
+                }
+                let Some(easy) = self.easy((piece, next), (exit, remaining), (limits, wish), left)
+                else {
+                    return left;
+                };
+                let end = self.speed + easy.acceleration * left;
+                let from = self.x;
+                let x = from + 0.5 * (self.speed + end) * left;
+                if end > 0.0 && x < piece.length {
+                    self.acceleration = easy.acceleration;
+                    self.x = x;
+                    self.speed = end;
+                    self.begin(piece, from);
+                    return 0.0;
+                }
+                if easy.last <= 0.0 || exit <= 0.0 {
+                    return left;
+                }
+                let end = math::sqrt(easy.last);
+                let time = 2.0 * remaining / (self.speed + end);
+                if time >= left {
+                    return left;
+                }
+                left -= time;
+                self.acceleration = easy.acceleration;
+                self.x = piece.length;
+                self.speed = end;
+                self.begin(piece, from);
+            } else if let Law::Dwell(_) = piece.law {
+                return left;
+            }
+            self.effort = self.effort.saturating_add(1);
+            self.enter(piece);
+            piece = next;
+        }
+        left
+    }
+
+    /// The acceleration that is asked for, if that is easily kept.
+    #[inline]
+    fn easy(
+        &mut self,
+        (piece, next): (&Piece, &Piece),
+        (exit, remaining): (f64, f64),
+        (limits, wish): (&Limits, &Wish),
+        left: f64,
+    ) -> Option<Easy> {
+        let y = squared(self.speed);
+        // Rapid moves are not overridden here.
+        let wanted = match piece.pace {
+            Pace::Second => math::lesser(piece.fastest, piece.feed * wish.feed),
+            Pace::Rapid => piece.fastest,
+            Pace::Turn => return None,
+        };
+        let asked = (wanted - self.speed) / left;
+        match (piece.law, &piece.circle) {
+            (Law::Bent { even }, _) => {
+                let exit = math::lesser(exit, piece.last_ceiling);
+                let met = (exit - y) / (2.0 * remaining);
+                let most = math::lesser(asked, met);
+                // An axis uses no more than |p'|·|u| + |p''|·y.
+                let last = y + 2.0 * most * remaining;
+                let used = math::greater(y, last) / even + most.abs() / limits.softest;
+                // On a bend that lasts there may be more than can be kept up to its end.
+                let lasts = || LASTING * self.speed * limits.cycle < remaining;
+                if used <= USED && (most >= asked || !lasts()) {
+                    return Some(Easy { acceleration: most, last });
+                }
+                let slows =
+                    met <= asked && met <= 0.0 && self.keeps_to_plan((piece, next), exit, even);
+                if slows && !lasts() {
+                    return Some(Easy { acceleration: met, last });
+                }
+                let acceleration = if lasts() {
+                    let end = End { exit, remaining, open: false };
+                    self.lasting(piece, end, (most, asked), (limits, wish), left)?
+                } else {
+                    self.hardly(piece, remaining, most, limits)?
+                };
+                Some(Easy { acceleration, last: y + 2.0 * acceleration * remaining })
+            }
+            (Law::Even { acceleration }, _) => {
+                let ramp = even_ramp(acceleration, End { exit, remaining, open: false }, 1.0);
+                let acceleration =
+                    self.kept(&ramp, wanted, End { exit, remaining, open: false }, (1.0, left));
+                let last = y + 2.0 * acceleration * remaining;
+                Some(Easy { acceleration, last })
+            }
+            (Law::Round { acceleration: most, .. }, Some(circle)) => {
+                let end = self.speed + asked * left;
+                let high = math::greater(y, squared(end));
+                let after = remaining - 0.5 * (self.speed + end) * left;
+                let used = squared(asked) + squared(circle.turn * high);
+                let easy = used <= squared(most)
+                    && (high <= exit * SAME || circle.is_far(after))
+                    && after > 0.0;
+                easy.then_some(Easy { acceleration: asked, last: 0.0 })
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether the motion is where look-ahead has planned a bend to be run through, or slower, so that it may slow
+    /// down evenly to its exit.
+    ///
+    /// The axes allow the plan: from `reach`, where the bend begins, to the exit that this relied on. And they allow
+    /// to go on as fast as there, if that is below `even`. What they allow is convex, so that all that lies between
+    /// these is allowed, as long as the exit is no less than the plan's.
+    #[inline]
+    fn keeps_to_plan(&self, (piece, next): (&Piece, &Piece), exit: f64, even: f64) -> bool {
+        let planned = exit * self.x + piece.reach * (piece.length - self.x);
+        next.reach >= piece.relied
+            && piece.reach <= even
+            && squared(self.speed) * piece.length <= planned * SAME
+    }
+
+    /// The acceleration on a bend whose axes have little more than is asked of them.
+    #[cold]
+    #[inline(never)]
+    fn hardly(&self, piece: &Piece, remaining: f64, most: f64, limits: &Limits) -> Option<f64> {
+        if piece.axes <= 3 {
+            self.hardly_of::<3>(piece, remaining, most, limits)
+        } else {
+            self.hardly_of::<9>(piece, remaining, most, limits)
+        }
+    }
+
+    #[inline]
+    fn hardly_of<const N: usize>(
+        &self,
+        piece: &Piece,
+        remaining: f64,
+        most: f64,
+        limits: &Limits,
+    ) -> Option<f64> {
+        self.kept_up::<N>(piece, remaining, most, limits).or_else(|| {
+            let low = self.least::<N>(piece, remaining, limits);
+            self.barely::<N>(piece, remaining, (most, low), limits)
+        })
+    }
+
+    /// The acceleration on a bend that lasts.
+    #[cold]
+    #[inline(never)]
+    fn lasting(
+        &mut self,
+        piece: &Piece,
+        end: End,
+        asked: (f64, f64),
+        with: (&Limits, &Wish),
+        left: f64,
+    ) -> Option<f64> {
+        self.effort = self.effort.saturating_add(BEND);
+        if piece.axes <= 3 {
+            self.kept_or_quicker::<3>(piece, end, asked, with, left)
+        } else {
+            self.kept_or_quicker::<9>(piece, end, asked, with, left)
+        }
+    }
+}

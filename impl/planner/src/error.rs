@@ -1,0 +1,32 @@
+//! Why a planner was not made, or a segment was not queued.
+
+use core::fmt;
+
+/// Why a planner was not made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// This version cannot do it yet; what, for people.
+    Unimplemented(&'static str),
+    /// A value of the machine cannot be used; which and why, for people.
+    Configuration(&'static str),
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unimplemented(what) => write!(f, "not implemented: {what}"),
+            Self::Configuration(what) => f.write_str(what),
+        }
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// Why a segment was not queued.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotQueued {
+    /// The queue is full, or is being forgotten; try again after the next cycle.
+    Full,
+    /// A number is not finite, a feed not positive, a radius is zero, or an axis that cannot move is asked to.
+    Malformed,
+}

@@ -1,0 +1,310 @@
+//! A queued segment as a whole piece of path, or several in one, before its corners are known.
+
+use crate::error::NotQueued;
+use crate::limits::{Limits, squared};
+use crate::math;
+use crate::parameters::Axes;
+use crate::piece::{Circle, Pace, Piece};
+use crate::segment::Blend;
+use crate::segment::{Feed, Path, Segment};
+
+/// A segment that is no longer leads nowhere, millimetres: what rounding leaves of one that does. The next one takes
+/// it up.
+const NOWHERE: f64 = 1e-10;
+/// The most of a tolerance that segments may be away from the one leg that is made of them: blends have the rest.
+const STRAYED: f64 = 0.25;
+/// At least so many segments of a length make a leg, since legs of unequal length are slower to go round a curve than
+/// equal ones.
+const EVENLY: f64 = 4.0;
+/// The change of direction, radians, up to which two segments may become one leg.
+const STRAIGHT: f64 = 0.2;
+/// By so much two feeds may differ that are one.
+const SAME: f64 = 1e-12;
+
+/// A segment from corner to corner, or several that are over within a cycle.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Leg {
+    /// All of it, with its law.
+    pub(crate) whole: Piece,
+    /// p' at its ends.
+    pub(crate) first: Axes,
+    pub(crate) last: Axes,
+    /// What may happen at its end.
+    pub(crate) blend: Blend,
+    /// How fast that runs which its feed is measured along, over the parameter, at most.
+    pub(crate) felt: f64,
+    /// How much of it the corner at its start has taken.
+    pub(crate) taken: f64,
+    /// Whether it is made of several segments, and how far these may be from it, and it from them, millimetres.
+    pub(crate) several: bool,
+    pub(crate) strayed: f64,
+    /// Whether its start is to stay where it is.
+    pub(crate) apart: bool,
+}
+
+/// What a segment is once its end is known.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Resolved {
+    Leg,
+    /// It moves nothing.
+    Nowhere,
+    /// Seconds of rest.
+    Dwell(f64),
+}
+
+/// Reads a segment that begins at a position, into a leg if it is one.
+pub(crate) fn resolve(
+    segment: &Segment,
+    (leg, start): (&mut Leg, &Axes),
+    limits: &Limits,
+) -> Result<Resolved, NotQueued> {
+    let whole = &mut leg.whole;
+    whole.begin_at(start);
+    match segment.path {
+        Path::Dwell { seconds } if seconds >= 0.0 && seconds.is_finite() => {
+            return Ok(Resolved::Dwell(seconds));
+        }
+        Path::Dwell { .. } => return Err(NotQueued::Malformed),
+        Path::Straight { end } => straight(whole, &end)?,
+        Path::Arc { end, centre, normal, angle } => arc(whole, &end, &centre, &normal, angle)?,
+    }
+    let tolerated = match segment.blend {
+        Blend::Within(tolerance) => tolerance >= 0.0,
+        Blend::ExactStop | Blend::ExactPath | Blend::BetweenMidpoints => true,
+    };
+    let felt = felt(whole);
+    leg.felt = felt.1;
+    if !tolerated || !pace(whole, segment.feed, felt) {
+        return Err(NotQueued::Malformed);
+    }
+    if whole.length <= NOWHERE {
+        return Ok(Resolved::Nowhere);
+    }
+    whole.number = segment.number;
+    whole.probing = segment.probing;
+    if whole.circle.is_none() {
+        limits.rule_line(whole);
+    } else {
+        limits.rule(whole);
+    }
+    let may_move = whole.ceiling > 0.0 && whole.ceiling < f64::INFINITY;
+    if !may_move {
+        return Err(NotQueued::Malformed);
+    }
+    leg.first = whole.rate;
+    leg.last = whole.rate;
+    if whole.circle.is_some() {
+        leg.first = whole.tangent(0.0);
+        leg.last = whole.tangent(whole.length).map(|rate| rate / whole.exit);
+    }
+    leg.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
+    (leg.taken, leg.strayed, leg.several) = (0.0, 0.0, false);
+    Ok(Resolved::Leg)
+}
+
+impl Leg {
+    /// Whether the next leg may become one with this: both are lines alike that go on nearly straight and are over
+    /// within a cycle.
+    #[inline]
+    pub(crate) fn goes_on_in(&self, next: &Self, limits: &Limits) -> bool {
+        let (one, other) = (&self.whole, &next.whole);
+        let length = (one.length + other.length).max(other.length * EVENLY);
+        if squared(length) > squared(limits.cycle) * self.pressing() {
+            return false;
+        }
+        let lines = one.circle.is_none() && other.circle.is_none() && one.axes.max(other.axes) <= 3;
+        let alike = lines && self.has_feed_of(next) && self.blend == next.blend;
+        let mut bends = 0.0;
+        for (last, first) in self.last.iter().zip(&next.first) {
+            bends += squared(first - last);
+        }
+        alike && one.pace != Pace::Turn && !next.apart && bends <= squared(STRAIGHT)
+    }
+
+    /// Whether both have one feed, but for rounding.
+    #[inline]
+    pub(crate) fn has_feed_of(&self, next: &Self) -> bool {
+        let (one, other) = (&self.whole, &next.whole);
+        let near = (one.feed - other.feed).abs() <= SAME * one.feed.min(other.feed);
+        one.pace == other.pace && (near || one.feed.to_bits() == other.feed.to_bits())
+    }
+
+    /// Becomes one with the next leg, if the tolerance has room for it; nothing of worth otherwise.
+    pub(crate) fn join(&mut self, next: &Self, limits: &Limits) -> bool {
+        let Blend::Within(tolerance) = self.blend else { return false };
+        let whole = &mut self.whole;
+        let length = whole.length;
+        if straight(whole, &next.whole.end).is_err() {
+            return false;
+        }
+        // The end that is dropped is so far from the line: what of the old direction is not along the new one.
+        let (mut along, mut across) = (0.0, 0.0);
+        for (new, old) in whole.rate.iter().zip(&self.last) {
+            along += new * old;
+        }
+        for (new, old) in whole.rate.iter().zip(&self.last) {
+            across += squared(old - along * new);
+        }
+        self.strayed += length * math::sqrt(across);
+        if self.strayed > STRAYED * tolerance {
+            return false;
+        }
+        (whole.number, whole.index) = (next.whole.number, next.whole.index);
+        limits.rule_line(whole);
+        (self.first, self.last) = (whole.rate, whole.rate);
+        self.several = true;
+        true
+    }
+
+    /// The highest square of speed that it is ever run at, overrides up to 2.
+    pub(crate) fn pressing(&self) -> f64 {
+        match self.whole.pace {
+            Pace::Second => self.whole.ceiling.min(squared(2.0 * self.whole.feed)),
+            Pace::Rapid | Pace::Turn => self.whole.ceiling,
+        }
+    }
+}
+
+fn straight(whole: &mut Piece, end: &Axes) -> Result<(), NotQueued> {
+    whole.end = *end;
+    let mut sum = 0.0;
+    let motion = whole.rate.iter_mut().zip(&whole.origin).zip(end);
+    for ((rate, start), end) in motion {
+        *rate = end - start;
+        sum += *rate * *rate;
+    }
+    // What is no number, or too far away for one, has no length.
+    whole.length = math::sqrt(sum);
+    if !whole.length.is_finite() {
+        return Err(NotQueued::Malformed);
+    }
+    if sum > 0.0 {
+        let inverse = 1.0 / whole.length;
+        whole.rate = whole.rate.map(|value| value * inverse);
+    }
+    whole.axes = in_use(&whole.rate);
+    Ok(())
+}
+
+/// The circle is the one through the start; where the end departs from it, an even motion makes up for it.
+fn arc(
+    whole: &mut Piece,
+    end: &Axes,
+    centre: &[f64; 3],
+    normal: &[f64; 3],
+    angle: f64,
+) -> Result<(), NotQueued> {
+    let start = whole.origin;
+    let numbers = end.iter().chain(centre).chain(normal);
+    if !numbers.chain([&angle]).all(|value| value.is_finite()) {
+        return Err(NotQueued::Malformed);
+    }
+    let mut radius = [0.0; 3];
+    for ((radius, start), centre) in radius.iter_mut().zip(&start).zip(centre) {
+        *radius = start - centre;
+    }
+    let height = dot(&radius, normal);
+    for (radius, normal) in radius.iter_mut().zip(normal) {
+        *radius -= height * normal;
+    }
+    let sense = if angle < 0.0 { -1.0 } else { 1.0 };
+    let across = cross(normal, &radius).map(|value| sense * value);
+    let (sine, cosine) = math::turned(angle.abs());
+    let size = math::sqrt(dot(&radius, &radius));
+    if size <= 0.0 || angle.abs() <= 0.0 {
+        return Err(NotQueued::Malformed);
+    }
+    let mut last = [0.0; 3];
+    for ((last, end), centre) in last.iter_mut().zip(end).zip(centre) {
+        *last = end - centre;
+    }
+    let rise = dot(&last, normal);
+    let grown = math::sqrt((dot(&last, &last) - rise * rise).max(0.0)) / size;
+    // What the circle does not do: the helix and other axes.
+    let mut even = *end;
+    for (even, start) in even.iter_mut().zip(&start) {
+        *even -= start;
+    }
+    for ((even, along), across) in even.iter_mut().zip(&radius).zip(&across) {
+        *even -= grown * (along * cosine + across * sine) - along;
+    }
+    let turned = size * math::hypotenuse(angle, grown - 1.0);
+    let length = math::hypotenuse(turned, norm(&even));
+    for (origin, radius) in whole.origin.iter_mut().zip(&radius) {
+        *origin -= radius;
+    }
+    whole.rate = even.map(|value| value / length);
+    let (turn, growth) = (angle.abs() / length, (grown - 1.0) / length);
+    whole.circle = Some(Circle { cosine: radius, sine: across, turn, growth });
+    whole.axes = in_use(&whole.rate);
+    (whole.end, whole.length) = (*end, length);
+    whole.exit = norm(&whole.tangent(length));
+    Ok(())
+}
+
+/// The speed of the parameter that a feed asks for, given what it is measured along; whether it is one.
+fn pace(whole: &mut Piece, feed: Feed, (least, most): (f64, f64)) -> bool {
+    let (pace, speed) = match feed {
+        Feed::Rapid => (Pace::Rapid, f64::INFINITY),
+        Feed::PerSecond(feed) => (Pace::Second, feed / most),
+        Feed::InTime(seconds) => (Pace::Second, whole.length / seconds * least / most),
+        Feed::PerTurn(feed) => (Pace::Turn, feed / most),
+    };
+    whole.pace = pace;
+    whole.feed = speed;
+    let nowhere = whole.length <= 0.0;
+    nowhere || speed > 0.0
+}
+
+/// How fast that runs which a feed is measured along, over the parameter: the least and the most of it.
+fn felt(whole: &Piece) -> (f64, f64) {
+    let [x, y, z, a, b, c, u, v, w] = whole.rate;
+    let even = squared(x) + squared(y) + squared(z);
+    let linear = match &whole.circle {
+        None => (even, even),
+        Some(circle) => {
+            let radius = dot(&circle.cosine, &circle.cosine);
+            let turning = |grown: f64| squared(circle.turn * grown) + squared(circle.growth);
+            let (start, end) = (turning(1.0), turning(circle.grown(whole.length)));
+            (even + radius * start.min(end), even + radius * start.max(end))
+        }
+    };
+    let second = squared(u) + squared(v) + squared(w);
+    let rotary = squared(a) + squared(b) + squared(c);
+    let shares = [linear, (second, second), (rotary, rotary)];
+    let (least, most) = shares.into_iter().find(|(_, most)| *most > 0.0).unwrap_or((1.0, 1.0));
+    (math::sqrt(least), math::sqrt(most))
+}
+
+/// How many leading axes cover those that move.
+fn in_use(rate: &Axes) -> usize {
+    let last = rate.iter().rposition(|rate| rate.abs() > 0.0);
+    last.map_or(0, |last| last.saturating_add(1)).max(3)
+}
+
+/// The length of a vector of so many leading axes, of which there are three or more.
+#[inline]
+pub(crate) fn norm_of(vector: &Axes, axes: usize) -> f64 {
+    let [x, y, z, ..] = *vector;
+    if axes <= 3 { math::sqrt(x * x + y * y + z * z) } else { norm(vector) }
+}
+
+pub(crate) fn norm(vector: &Axes) -> f64 {
+    let mut sum = 0.0;
+    for value in vector {
+        sum += value * value;
+    }
+    math::sqrt(sum)
+}
+
+fn dot(left: &[f64; 3], right: &[f64; 3]) -> f64 {
+    let [x, y, z] = *left;
+    let [u, v, w] = *right;
+    x * u + y * v + z * w
+}
+
+fn cross(left: &[f64; 3], right: &[f64; 3]) -> [f64; 3] {
+    let [x, y, z] = *left;
+    let [u, v, w] = *right;
+    [y * w - z * v, z * u - x * w, x * v - y * u]
+}

@@ -1,0 +1,195 @@
+//! What the axes can do, as the planner works with it, and the laws that follow for a piece.
+
+use crate::math;
+use crate::parameters::{Axes, Dynamics};
+use crate::piece::{Circle, Law, Piece};
+
+/// What is kept of each limit: a sample is rounded, and a break of direction below [`SMOOTH`] is not seen as one.
+const ACCELERATION_KEPT: f64 = 1.0 - 1e-7;
+/// What is planned with, of that: so that a plan that rounding has missed can be come back to.
+pub(crate) const PLANNED: f64 = 1.0 - 1e-7;
+const VELOCITY_KEPT: f64 = 1.0 - 1e-9;
+/// A break of direction as small as this is none: at 1000 mm/s and 1 ms it costs 1e-4 mm/s².
+pub(crate) const SMOOTH: f64 = 1e-10;
+/// How much of an acceleration limit an arc that is bent may use across the path; the rest is kept for along it.
+/// Where it hardly bends it is mostly passed at an even speed, where it bends much the motion slows down towards its
+/// corner.
+const ACROSS: f64 = 0.95;
+const ACROSS_CORNER: f64 = 0.8;
+/// How far p' and p'' of an arc are from the line between their ends, over what they swing by and the square of its
+/// angle: an eighth, and more where the radius changes.
+const BOWED: f64 = 0.25;
+/// The change of direction from which a bend is a corner, radians.
+const CORNER: f64 = 0.1;
+
+/// Limits per axis, with what rounding needs taken off.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    pub(crate) velocity: Axes,
+    pub(crate) acceleration: Axes,
+    /// What may be used of it where all goes to plan.
+    pub(crate) planned: Axes,
+    /// The least of that.
+    pub(crate) softest: f64,
+    /// Seconds.
+    pub(crate) cycle: f64,
+}
+
+impl Limits {
+    pub(crate) fn new(dynamics: &Dynamics) -> Self {
+        let acceleration = dynamics.acceleration.map(|limit| limit * ACCELERATION_KEPT);
+        let planned = acceleration.map(|limit| limit * PLANNED);
+        Self {
+            velocity: dynamics.velocity.map(|limit| limit * VELOCITY_KEPT),
+            acceleration,
+            planned,
+            softest: planned.into_iter().fold(f64::INFINITY, math::lesser),
+            cycle: dynamics.cycle,
+        }
+    }
+
+    /// Gives a piece its law and its ceiling. A bend without a circle is looked at exactly, all else by bounds over
+    /// the piece.
+    pub(crate) fn rule(&self, piece: &mut Piece) {
+        let axes = piece.axes;
+        let bends = piece.bend.iter().any(|bend| bend.abs() > 0.0);
+        match piece.circle {
+            None if !bends => return self.rule_line(piece),
+            None => {
+                if axes <= 3 {
+                    self.rule_bent::<3>(piece);
+                } else {
+                    self.rule_bent::<9>(piece);
+                }
+                return;
+            }
+            Some(circle) if !bends => self.rule_round(piece, &circle),
+            Some(circle) => self.rule_bent_arc(piece, &circle),
+        }
+        piece.last_ceiling = piece.ceiling;
+        piece.fastest = math::sqrt(piece.ceiling);
+    }
+
+    /// The same for a line.
+    #[inline]
+    pub(crate) fn rule_line(&self, piece: &mut Piece) {
+        let acceleration = least(&self.planned, &piece.rate, piece.axes);
+        piece.law = Law::Even { acceleration };
+        piece.ceiling = squared(least(&self.velocity, &piece.rate, piece.axes));
+        piece.last_ceiling = piece.ceiling;
+        piece.fastest = math::sqrt(piece.ceiling);
+    }
+
+    /// An axis that has a share p' of the speed at one end of a bend and q at the other, and more there, is within
+    /// its limit v at that end with v²/q², and everywhere if the square of the speed changes evenly from there to
+    /// v²/q²·(3 - 2p/q) at most: its own is (p'·speed)², whose logarithm bends downwards along the bend, so that it
+    /// is greatest at that end if it does not fall towards it.
+    fn rule_bent<const N: usize>(&self, piece: &mut Piece) {
+        let [mut starts, mut ends] = [[0.0; N]; 2];
+        let axes = self.velocity.iter().zip(&piece.rate).zip(&piece.bend);
+        for ((start, end), ((limit, first), bend)) in starts.iter_mut().zip(&mut ends).zip(axes) {
+            let last = first + piece.length * bend;
+            let falls = first.abs() > last.abs();
+            let (most, other) = if falls { (*first, last) } else { (last, *first) };
+            // Where an axis does not move, these are no numbers, which are nobody's least.
+            let (here, share) = (squared(limit / most), other / most);
+            // Where it turns round, the other end has a limit that may be lower.
+            let there = if share < -0.5 { here } else { here * (3.0 - 2.0 * share) };
+            (*start, *end) = if falls { (here, there) } else { (there, here) };
+        }
+        let even = least(&self.planned, &piece.bend, N);
+        piece.law = Law::Bent { even };
+        piece.ceiling = starts.into_iter().fold(f64::INFINITY, math::lesser);
+        piece.last_ceiling = ends.into_iter().fold(f64::INFINITY, math::lesser);
+        piece.fastest = math::sqrt(math::greater(piece.ceiling, piece.last_ceiling));
+    }
+
+    /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may
+    /// need.
+    fn rule_round(&self, piece: &mut Piece, circle: &Circle) {
+        let axes = piece.axes;
+        let most = greatest(piece, circle);
+        let acceleration = least(&self.acceleration, &most, axes);
+        // While the speed falls along the curve that is planned, a cycle begins faster than its mean: by a share of
+        // its angle.
+        let angle = math::sqrt(circle.turn * acceleration) * self.cycle;
+        let planned = acceleration * math::sqrt((1.0 - angle).max(0.25));
+        piece.law = Law::Round { acceleration, planned };
+        piece.ceiling = squared(least(&self.velocity, &most, axes)).min(planned / circle.turn);
+    }
+
+    fn rule_bent_arc(&self, piece: &mut Piece, circle: &Circle) {
+        let axes = piece.axes;
+        let [_, mut along, mut across] = piece.motion::<9>(0.0);
+        let [_, last, last_across] = piece.motion::<9>(piece.length);
+        for ((one, other), (across, then)) in
+            along.iter_mut().zip(&last).zip(across.iter_mut().zip(&last_across))
+        {
+            *one = math::greater(one.abs(), other.abs());
+            *across = math::greater(across.abs(), then.abs());
+        }
+        // Between its ends an arc is not farther from a line than this, nor is what it is differentiated to.
+        let bow = BOWED * squared(circle.turn * piece.length);
+        let amplitudes = amplitudes(circle, piece.length);
+        for ((along, across), amplitude) in along.iter_mut().zip(&mut across).zip(&amplitudes) {
+            *along += bow * amplitude;
+            *across += bow * amplitude * circle.turn;
+        }
+        let turned: f64 = piece.bend.iter().map(|bend| squared(2.0 * bend * piece.length)).sum();
+        let share = if turned < squared(CORNER) { ACROSS } else { ACROSS_CORNER };
+        let ceiling = share * least(&self.acceleration, &across, axes);
+        piece.ceiling = ceiling.min(squared(least(&self.velocity, &along, axes)));
+        let mut left = self.acceleration;
+        for (left, across) in left.iter_mut().zip(&across) {
+            *left -= across * piece.ceiling;
+        }
+        // What is allowed at rest and at the ceiling is allowed between them.
+        let most = least(&self.acceleration, &along, axes);
+        let less = (most - least(&left, &along, axes)) / piece.ceiling;
+        // While the speed falls along the curve that is planned, a cycle begins faster than its mean.
+        let planned = PLANNED / (1.0 + less * math::sqrt(piece.ceiling) * self.cycle);
+        piece.law = Law::Shared { most: planned * most, less: planned * less };
+    }
+}
+
+/// The most of each axis in p' on an arc.
+fn greatest(piece: &Piece, circle: &Circle) -> Axes {
+    let mut greatest = piece.rate.map(f64::abs);
+    for (most, amplitude) in greatest.iter_mut().zip(&amplitudes(circle, piece.length)) {
+        *most += amplitude;
+    }
+    greatest
+}
+
+/// How far p' swings on X, Y and Z. Where the radius grows by g, p'·u + p''·y turns with u·(turn·grown, g) +
+/// y·turn·(2g, turn·grown) about the centre, which is no longer than √(u² + (turn·y)²) times turn·grown + √5·|g|.
+fn amplitudes(circle: &Circle, length: f64) -> [f64; 3] {
+    const GROWING: f64 = 2.236_067_977_499_79;
+    let grown = circle.grown(length).max(1.0);
+    let turn = circle.turn * grown + GROWING * circle.growth.abs();
+    let mut amplitudes = [0.0; 3];
+    for ((amplitude, along), across) in amplitudes.iter_mut().zip(&circle.cosine).zip(&circle.sine)
+    {
+        *amplitude = turn * math::hypotenuse(*along, *across);
+    }
+    amplitudes
+}
+
+/// The least of limit / use over the leading axes, of which there are three or more.
+#[inline]
+pub(crate) fn least(limits: &Axes, uses: &Axes, axes: usize) -> f64 {
+    if axes <= 3 { least_of::<3>(limits, uses) } else { least_of::<9>(limits, uses) }
+}
+
+#[inline]
+fn least_of<const N: usize>(limits: &Axes, uses: &Axes) -> f64 {
+    let mut shares = [0.0; N];
+    for (share, (limit, used)) in shares.iter_mut().zip(limits.iter().zip(uses)) {
+        *share = limit / used.abs();
+    }
+    shares.into_iter().fold(f64::INFINITY, math::lesser)
+}
+
+pub(crate) fn squared(value: f64) -> f64 {
+    value * value
+}

@@ -1,0 +1,256 @@
+//! Pieces of the commanded path, by a parameter that runs like the distance.
+//!
+//! A piece is p(x) = origin + rate·x + bend·x²/2, and on arcs a circle about it. Its parameter x runs from 0 to
+//! `length`, and
+//! |p'| is 1 at its start: so the speed of x is the path's speed wherever pieces meet. Lines have no bend, blends of two
+//! lines are bends alone, and a blend with an arc is that arc with a bend added, which takes the break out of its
+//! direction.
+
+use crate::math;
+use crate::parameters::{Axes, lead};
+use crate::strips::Strips;
+
+/// The part of a position that turns: (cosine·cos(turn·x) + sine·sin(turn·x))·(1 + growth·x) on X, Y and Z.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Circle {
+    /// From the centre to where the piece begins.
+    pub(crate) cosine: [f64; 3],
+    /// A quarter turn further.
+    pub(crate) sine: [f64; 3],
+    /// Radians per unit of the parameter; never negative, since `sine` has the sense of the turn.
+    pub(crate) turn: f64,
+    /// How much the radius grows per unit of the parameter, over what it is where the piece begins: an end point that
+    /// is rounded is never quite on the circle of its start, and the distance from the axis changes evenly between
+    /// them.
+    pub(crate) growth: f64,
+}
+
+impl Circle {
+    /// The radius after so much, over that at the start.
+    pub(crate) fn grown(&self, x: f64) -> f64 {
+        1.0 + self.growth * x
+    }
+
+    /// Whether what lies so far ahead limits no speed here: whatever the speed there, it is planned to fall within
+    /// half of that angle.
+    pub(crate) fn is_far(&self, distance: f64) -> bool {
+        2.0 * self.turn * distance >= core::f64::consts::FRAC_PI_2
+    }
+
+    /// What turns of p, p' and p'' at x.
+    #[inline(never)]
+    fn motion(&self, x: f64) -> [[f64; 3]; 3] {
+        let [mut position, mut first, mut second] = [[0.0; 3]; 3];
+        let (sine, cosine) = math::turned(self.turn * x);
+        let grown = self.grown(x);
+        let square = self.turn * self.turn * grown;
+        let vectors = self.cosine.iter().zip(&self.sine);
+        let places = position.iter_mut().zip(&mut first).zip(&mut second);
+        for (((place, first), second), (start, quarter)) in places.zip(vectors) {
+            let along = start * cosine + quarter * sine;
+            let across = self.turn * (quarter * cosine - start * sine);
+            *place = grown * along;
+            *first = grown * across + self.growth * along;
+            *second = 2.0 * self.growth * across - square * along;
+        }
+        [position, first, second]
+    }
+
+    /// Lets it begin further on.
+    fn begin_at(&mut self, from: f64) {
+        let (sine, cosine) = math::turned(self.turn * from);
+        let grown = self.grown(from);
+        self.growth /= grown;
+        for (along, across) in self.cosine.iter_mut().zip(&mut self.sine) {
+            let (was_along, was_across) = (*along, *across);
+            *along = grown * (was_along * cosine + was_across * sine);
+            *across = grown * (was_across * cosine - was_along * sine);
+        }
+    }
+}
+
+/// What keeps speed and acceleration of a piece within the limits of all axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Law {
+    /// The parameter may be accelerated by so much anywhere.
+    Even {
+        /// Per second squared.
+        acceleration: f64,
+    },
+    /// Limits are looked at axis by axis: exact for a piece that is a bend and nothing else.
+    Bent {
+        /// The square of the speed at which it may be passed evenly.
+        even: f64,
+    },
+    /// On an arc acceleration along the path and towards the centre share a limit: u² + (turn·v²)² ≤ acceleration².
+    Round {
+        /// Per second squared, of whichever axis has least.
+        acceleration: f64,
+        /// What is planned with: less by what a speed that changes in steps of a cycle loses.
+        planned: f64,
+    },
+    /// On an arc that is bent acceleration along the path and across it share what the axes can do: |u| + less·v² ≤
+    /// most, planned with. Both are less than what the axes can do by what a speed that changes in steps of a cycle
+    /// loses: less·v times the cycle at the highest speed.
+    Shared {
+        /// Per second squared, at rest.
+        most: f64,
+        /// Per unit of the parameter.
+        less: f64,
+    },
+    /// No motion for so many seconds.
+    Dwell(f64),
+}
+
+impl Default for Law {
+    fn default() -> Self {
+        Self::Dwell(0.0)
+    }
+}
+
+/// What a feed is measured by, and so which override applies to it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Pace {
+    #[default]
+    Rapid,
+    Second,
+    Turn,
+}
+
+/// A part of the path with one law.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Piece {
+    pub(crate) origin: Axes,
+    pub(crate) rate: Axes,
+    pub(crate) bend: Axes,
+    pub(crate) circle: Option<Circle>,
+    /// p(length), as programmed where it was.
+    pub(crate) end: Axes,
+    pub(crate) length: f64,
+    /// |p'| at the end: how much faster than its parameter the next one's runs.
+    pub(crate) exit: f64,
+    /// How many of the leading axes take part.
+    pub(crate) axes: usize,
+    pub(crate) law: Law,
+    /// What the axes allow at both ends of a bend of up to three, run forward.
+    pub(crate) strips: Strips<3>,
+    /// Highest square of the parameter's speed that the axes allow, where the piece begins.
+    pub(crate) ceiling: f64,
+    /// The same where it ends; between these it changes evenly.
+    pub(crate) last_ceiling: f64,
+    /// The root of the higher one.
+    pub(crate) fastest: f64,
+    /// Programmed speed of the parameter, per second or per turn.
+    pub(crate) feed: f64,
+    pub(crate) pace: Pace,
+    /// Whether it is also part of a rapid move, so that the rapid override applies too.
+    pub(crate) rapid: bool,
+    /// The square of the speed at which this piece may be entered so that all that is queued can be kept to.
+    pub(crate) reach: f64,
+    /// What the next piece's was when that was found.
+    pub(crate) relied: f64,
+    /// The same for entering it from its end, running back.
+    pub(crate) back: f64,
+    /// The square of the speed at which it may be entered at most, from either side: 0 where the motion rests there.
+    pub(crate) entry: f64,
+    /// Where in it a segment begins.
+    pub(crate) begins: Option<f64>,
+    /// Whether a break of direction at its end takes a share of what the axes can do.
+    pub(crate) breaks: bool,
+    /// Whether it ends where the probe changes.
+    pub(crate) probing: bool,
+    /// Which segment that is, or which was under way: the caller's number and the planner's.
+    pub(crate) number: u64,
+    pub(crate) index: u64,
+}
+
+impl Piece {
+    /// Becomes a piece that begins at a position and leads nowhere yet, with nothing of what it was.
+    pub(crate) fn begin_at(&mut self, start: &Axes) {
+        self.origin = *start;
+        self.bend = Axes::default();
+        self.circle = None;
+        (self.exit, self.entry) = (1.0, f64::INFINITY);
+        (self.reach, self.relied, self.back) = (0.0, 0.0, 0.0);
+        (self.begins, self.rapid, self.breaks) = (None, false, false);
+    }
+
+    /// p, p' and p'' at x, of so many leading axes.
+    #[inline]
+    pub(crate) fn motion<const N: usize>(&self, x: f64) -> [[f64; N]; 3] {
+        let [mut position, mut first, mut second] = [[0.0; N]; 3];
+        let half = 0.5 * x;
+        let places = position.iter_mut().zip(&mut first).zip(&mut second);
+        let terms = self.origin.iter().zip(&self.rate).zip(&self.bend);
+        for (((place, first), second), ((origin, rate), bend)) in places.zip(terms) {
+            *place = origin + x * (rate + half * bend);
+            *first = rate + x * bend;
+            *second = *bend;
+        }
+        if let Some(circle) = &self.circle {
+            let turned = circle.motion(x);
+            for (sum, turned) in [&mut position, &mut first, &mut second].into_iter().zip(&turned) {
+                for (sum, turned) in sum.iter_mut().zip(turned) {
+                    *sum += turned;
+                }
+            }
+        }
+        [position, first, second]
+    }
+
+    /// p' and p'' at x, of so many leading axes.
+    #[inline]
+    pub(crate) fn swing<const N: usize>(&self, x: f64) -> ([f64; N], [f64; N]) {
+        let [_, first, second] = self.motion(x);
+        (first, second)
+    }
+
+    /// p'(x).
+    pub(crate) fn tangent(&self, x: f64) -> Axes {
+        let mut tangent = Axes::default();
+        if self.axes <= 3 {
+            let [_, first, _] = self.motion::<3>(x);
+            lead(&mut tangent, &first);
+        } else {
+            [_, tangent, _] = self.motion(x);
+        }
+        tangent
+    }
+
+    /// The part of it from one place to another, as if nothing began there.
+    pub(crate) fn part(&self, from: f64, to: f64) -> Self {
+        let mut part = *self;
+        part.cut(from, to);
+        part
+    }
+
+    /// Leaves of it the part from one place to another, as if nothing began there.
+    pub(crate) fn cut(&mut self, from: f64, to: f64) {
+        self.entry = f64::INFINITY;
+        self.begins = None;
+        if self.axes <= 3 {
+            self.cut_axes::<3>(from, to);
+        } else {
+            self.cut_axes::<9>(from, to);
+        }
+        if let Some(circle) = &mut self.circle {
+            circle.begin_at(from);
+        }
+    }
+
+    /// The same for what does not turn, and the end.
+    #[inline]
+    fn cut_axes<const N: usize>(&mut self, from: f64, to: f64) {
+        if to < self.length {
+            let [end, _, _] = self.motion::<N>(to);
+            lead(&mut self.end, &end);
+            self.exit = 1.0;
+        }
+        self.length = to - from;
+        let motion = self.origin.iter_mut().zip(&mut self.rate).zip(&self.bend).take(N);
+        for ((origin, rate), bend) in motion {
+            *origin += from * (*rate + 0.5 * from * bend);
+            *rate += from * bend;
+        }
+    }
+}

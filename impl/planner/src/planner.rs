@@ -1,0 +1,424 @@
+//! The planner: the queue of segments, and what a servo cycle does.
+
+use crate::ahead::Ahead;
+use crate::course::{Course, Queue};
+use crate::error::{Error, NotQueued};
+use crate::leg::{Resolved, resolve};
+use crate::limits::{Limits, squared};
+use crate::math;
+use crate::parameters::{Axes, Dynamics, Hold, InputParameter, OutputParameter, Phase, lead};
+use crate::piece::{Law, Pace, Piece};
+use crate::reach::Scale;
+use crate::retrace::Retrace;
+use crate::ring::Ring;
+use crate::segment::{Blend, OutputSwitch, Segment};
+use crate::step::{Motion, Wish};
+
+/// How many pieces behind the motion are remembered at least, for running back.
+const REMEMBERED: u64 = 128;
+/// Work of look-ahead for a queued segment, and for a cycle: a bend takes two of it, any other piece one.
+const WORK_QUEUED: u32 = 24;
+const WORK_CYCLE: u32 = 4;
+/// How many pieces may be made when a segment is queued, at most.
+const MADE: u64 = 8;
+/// How much slower or faster than planned a spindle may turn before look-ahead plans anew, and how much faster it
+/// plans then.
+const WAVERING: f64 = 0.02;
+
+/// A planner for nine axes in machine coordinates.
+#[derive(Debug)]
+pub struct Planner {
+    dynamics: Dynamics,
+    limits: Limits,
+    ring: Ring<Piece>,
+    course: Course,
+    ahead: Ahead,
+    motion: Motion,
+    /// Where the machine is while there are no pieces.
+    position: Axes,
+    /// Outputs that wait for the segment of that number.
+    switches: Ring<(u64, OutputSwitch)>,
+    /// The first switch behind the last segment that moves nothing: those before it need not wait for one that does.
+    met: u64,
+    /// How many segments that move have been queued.
+    queued: u64,
+    aborting: bool,
+    retrace: Retrace,
+    turns: f64,
+    /// The end of the last piece that follows the spindle.
+    followed: u64,
+    probe: bool,
+    /// Whether the next segment is to begin where it is programmed to.
+    apart: bool,
+    /// Whether the motion may be faster than it is planned, since an override has changed.
+    late: bool,
+}
+
+impl Planner {
+    /// A planner that stands still at a position, with all its memory taken.
+    ///
+    /// # Errors
+    /// [`Error::Unimplemented`] for limits of jerk, [`Error::Configuration`] for limits that are no numbers above 0.
+    pub fn new(dynamics: Dynamics, position: Axes) -> Result<Self, Error> {
+        if dynamics.jerk.is_some() {
+            return Err(Error::Unimplemented("a planner that is limited in jerk"));
+        }
+        let mut limits = dynamics.velocity.iter().chain(&dynamics.acceleration);
+        if !limits.all(|limit| *limit > 0.0 && limit.is_finite()) {
+            return Err(Error::Configuration("a limit of an axis is no number above 0"));
+        }
+        if !(dynamics.cycle > 0.0 && dynamics.cycle.is_finite()) {
+            return Err(Error::Configuration("a servo cycle lasts longer than 0"));
+        }
+        if !position.iter().all(|place| place.is_finite()) {
+            return Err(Error::Configuration("the position is no number"));
+        }
+        let queue = usize::try_from(dynamics.queue.max(4)).unwrap_or(usize::MAX);
+        let remembered = usize::try_from(REMEMBERED).unwrap_or(0).saturating_mul(2);
+        Ok(Self {
+            dynamics,
+            limits: Limits::new(&dynamics),
+            ring: Ring::new(queue.saturating_mul(3).saturating_add(remembered)),
+            course: Course::new(position),
+            ahead: Ahead::new(Scale { feed: 1.0, rapid: 1.0, turns: 0.0 }),
+            motion: Motion::default(),
+            position,
+            switches: Ring::new(queue),
+            met: 0,
+            queued: 0,
+            aborting: false,
+            retrace: Retrace::default(),
+            turns: 0.0,
+            followed: 0,
+            probe: false,
+            apart: false,
+            late: false,
+        })
+    }
+
+    /// Queues a segment that begins where the last one ends.
+    ///
+    /// # Errors
+    /// The queue is full, or the segment is none.
+    pub fn queue(&mut self, segment: &Segment) -> Result<(), NotQueued> {
+        self.make_room();
+        let waiting = self.queued.saturating_sub(self.motion.begun);
+        if self.aborting || self.ring.room() < 8 || waiting > u64::from(self.dynamics.queue) {
+            return Err(NotQueued::Full);
+        }
+        let resolved = resolve(segment, self.course.new_leg(), &self.limits)?;
+        if self.late && self.ahead.is_ready(self.motion.at) {
+            self.late = !self.motion.permits(&self.ring, &self.limits);
+        }
+        let mut queue = Queue {
+            ring: &mut self.ring,
+            ahead: &mut self.ahead,
+            motion: &self.motion,
+            limits: &self.limits,
+            changed: u64::MAX,
+            late: self.late,
+        };
+        if let Resolved::Nowhere = resolved {
+            self.met = self.switches.end();
+        }
+        match resolved {
+            Resolved::Nowhere if segment.blend == Blend::ExactStop => self.course.stop(),
+            Resolved::Nowhere => {}
+            Resolved::Dwell(seconds) => self.course.dwell(seconds, &mut queue),
+            Resolved::Leg => {
+                self.queued = self.queued.saturating_add(1);
+                let last = self.switches.get(self.switches.end().wrapping_sub(1));
+                let awaited = last.is_some_and(|(segment, _)| *segment == self.queued);
+                let (leg, _) = self.course.new_leg();
+                (leg.whole.index, leg.apart) = (self.queued, self.apart || awaited);
+                self.apart = false;
+                if segment.probing {
+                    self.course.stop();
+                }
+                self.course.add(&mut queue);
+                if self.course.follows() {
+                    self.follow();
+                }
+            }
+        }
+        self.ahead.work(&mut self.ring, self.motion.at, &self.limits, (WORK_QUEUED, false));
+        self.ahead.look_round(self.motion.at);
+        Ok(())
+    }
+
+    /// Keeps the next segment from becoming one with those before it, which short ones may within their tolerance:
+    /// for instance where other overrides act on it.
+    pub fn keep_apart(&mut self) {
+        self.apart = true;
+    }
+
+    /// Lets an output switch when the next segment that is not queued yet begins: in the cycle in which the commanded
+    /// point passes the start of the segment, or on a blend its middle. A segment that moves nothing begins with the
+    /// one after it, or where the path ends. Without such a segment it never switches.
+    ///
+    /// # Errors
+    /// As many wait as the queue holds segments.
+    pub fn switch(&mut self, switch: OutputSwitch) -> Result<(), NotQueued> {
+        if self.aborting || self.switches.room() == 0 {
+            return Err(NotQueued::Full);
+        }
+        self.switches.push(&(self.queued.saturating_add(1), switch));
+        Ok(())
+    }
+
+    /// The next output that has switched, in the order of queueing; to be asked after each cycle until there is none.
+    pub fn switched(&mut self) -> Option<OutputSwitch> {
+        let first = self.switches.first();
+        let (segment, switch) = *self.switches.get(first)?;
+        if segment > self.motion.begun && !(first < self.met && self.is_over()) {
+            return None;
+        }
+        self.switches.drop_first();
+        Some(switch)
+    }
+
+    /// Moves on by one servo cycle.
+    pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
+        let wish = self.wish(input);
+        self.motion.cycle(&self.ring, &self.limits, &wish);
+        self.look(&wish, input);
+        output.tripped = self.probed(input.probe);
+        self.aborting |= output.tripped;
+        self.show(output);
+        output.phase = self.phase(&wish);
+        if output.phase == Phase::Idle {
+            // Whatever comes next begins at rest here, also if the motion has run back by then.
+            self.course.close();
+        }
+        if self.aborting && self.motion.speed <= 0.0 {
+            self.forget(&output.position);
+        }
+        output.phase
+    }
+
+    /// What the machine can do.
+    pub fn dynamics(&self) -> &Dynamics {
+        &self.dynamics
+    }
+
+    /// Finds the last piece that follows the spindle: a leg takes the corner with it, which is made with the next leg
+    /// and anew with the one after.
+    fn follow(&mut self) {
+        let end = self.ring.end();
+        let follows = |place: &u64| self.ring.get(*place).is_some_and(|p| p.pace == Pace::Turn);
+        if let Some(last) = (end.saturating_sub(MADE)..end).rev().find(follows) {
+            self.followed = last.saturating_add(1);
+        }
+    }
+
+    /// Forgets pieces that lie far behind the motion, if there is need.
+    fn make_room(&mut self) {
+        while self.ring.room() < 16
+            && !self.retrace.is_asked_for()
+            && !self.motion.backwards
+            && self.ring.first().saturating_add(REMEMBERED) < self.motion.at
+        {
+            self.ring.drop_first();
+        }
+    }
+
+    /// What the outside asks for.
+    fn wish(&mut self, input: &InputParameter) -> Wish {
+        let back = input.adaptive_feed < 0.0;
+        // What is no number is 0.
+        let adaptive = math::lesser(1.0, math::greater(0.0, input.adaptive_feed.abs()));
+        let feed = math::greater(0.0, input.feed_override * adaptive);
+        let rapid = math::lesser(1.0, math::greater(0.0, input.rapid_override)) * adaptive;
+        let follows = self.motion.at < self.followed;
+        let turns = if follows {
+            math::greater(0.0, feed * (input.spindle_turns - self.turns).abs() / self.limits.cycle)
+        } else {
+            0.0
+        };
+        self.turns = input.spindle_turns;
+        self.aborting |= input.hold == Hold::Abort;
+        self.turn_round(back);
+        let turning = self.motion.backwards != back;
+        let rest =
+            self.aborting || input.hold != Hold::Run || turning || feed <= 0.0 && rapid <= 0.0;
+        let planned = !follows && self.ahead.plans_for(feed, rapid, self.motion.at);
+        let ease = if planned { 1.0 } else { self.ease(feed, rapid, follows.then_some(turns)) };
+        Wish { feed, rapid, turns, rest, planned, ease }
+    }
+
+    /// What speeds of look-ahead are multiplied by, squared.
+    #[cold]
+    #[inline(never)]
+    fn ease(&self, feed: f64, rapid: f64, turns: Option<f64>) -> f64 {
+        let planned = self.ahead.planned();
+        let turns = turns.unwrap_or(planned.turns);
+        Scale { feed, rapid, turns }.ease(planned)
+    }
+
+    /// Turns the motion round when it is at rest and knows how fast it may go.
+    #[inline]
+    fn turn_round(&mut self, back: bool) {
+        if back || self.motion.backwards {
+            self.turn(back);
+        } else {
+            self.retrace.forget();
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn turn(&mut self, back: bool) {
+        if back && !self.motion.backwards {
+            let may_turn = self.retrace.may_turn(&mut self.ring, self.motion.at);
+            self.motion.backwards = may_turn && self.motion.speed <= 0.0;
+        } else if !back && self.motion.speed <= 0.0 {
+            self.motion.backwards = false;
+            self.ahead.returned(&self.ring, self.motion.at);
+            self.retrace.forget();
+        }
+        self.motion.back_to = self.retrace.end();
+    }
+
+    /// Look-ahead, and look-back while the motion is to run back: mostly there is nothing to do.
+    #[inline]
+    fn look(&mut self, wish: &Wish, input: &InputParameter) {
+        let at = self.motion.at;
+        let planned = wish.planned && at >= self.followed;
+        if !(planned && self.ahead.is_quiet(at) && !self.retrace.is_asked_for()) {
+            self.look_on(wish, input);
+        }
+    }
+
+    /// Does less where the motion itself has had more to do.
+    #[inline(never)]
+    fn look_on(&mut self, wish: &Wish, input: &InputParameter) {
+        let (work, back) = match self.motion.effort {
+            0..=3 => (WORK_CYCLE, 2),
+            4 | 5 => (WORK_CYCLE - 1, 1),
+            6 | 7 => (WORK_CYCLE - 2, 1),
+            _ => return,
+        };
+        let at = self.motion.at;
+        self.ahead.refresh(&self.ring, at);
+        let scale =
+            Scale { feed: wish.feed, rapid: wish.rapid, turns: self.turns_to_plan_for(wish.turns) };
+        let other = input.adaptive_feed >= 0.0 && scale != self.ahead.scale;
+        if other && self.ahead.is_far(at) {
+            self.ahead.rescale(scale, &self.ring, at);
+            self.late = true;
+        } else if self.ahead.pressing(at) {
+            self.ahead.work(&mut self.ring, at, &self.limits, (work, true));
+        } else {
+            self.ahead.settled();
+        }
+        if !self.retrace.is_asked_for() {
+            return;
+        }
+        for _ in 0..back {
+            let motion = (at, self.motion.backwards);
+            self.retrace.work(&mut self.ring, motion, self.ahead.scale, &self.limits);
+        }
+    }
+
+    /// Turns per second to plan for: others than before where something follows the spindle, and its speed has
+    /// changed by more than it wavers.
+    fn turns_to_plan_for(&self, turns: f64) -> f64 {
+        let planned = self.ahead.scale.turns;
+        let near = turns <= planned && turns >= planned * (1.0 - 2.0 * WAVERING);
+        if near || self.motion.at >= self.followed { planned } else { turns * (1.0 + WAVERING) }
+    }
+
+    /// Whether the probe has changed in a probing segment.
+    fn probed(&mut self, probe: bool) -> bool {
+        let changed = probe != self.probe;
+        self.probe = probe;
+        changed && self.ring.get(self.motion.at).is_some_and(|piece| piece.probing)
+    }
+
+    fn show(&self, output: &mut OutputParameter) {
+        output.segment = self.motion.number;
+        match self.ring.get(self.motion.at) {
+            Some(piece) if piece.axes <= 3 => self.show_on::<3>(piece, output),
+            Some(piece) => self.show_on::<9>(piece, output),
+            None => {
+                output.position = self.position;
+                (output.velocity, output.acceleration) = (Axes::default(), Axes::default());
+                output.speed = 0.0;
+            }
+        }
+    }
+
+    /// Where the motion is on a piece on which so many leading axes may move.
+    #[inline]
+    fn show_on<const N: usize>(&self, piece: &Piece, output: &mut OutputParameter) {
+        let motion = &self.motion;
+        let sense = if motion.backwards { -1.0 } else { 1.0 };
+        let (speed, change) = (sense * motion.speed, sense * motion.acceleration);
+        let square = squared(speed);
+        let mut sum = 0.0;
+        let [place, mut first, mut second] = piece.motion::<N>(motion.x);
+        for (first, second) in first.iter_mut().zip(&mut second) {
+            *second = *first * change + *second * square;
+            *first *= speed;
+            sum += *first * *first;
+        }
+        output.speed = math::sqrt(sum);
+        (output.velocity, output.acceleration) = (Axes::default(), Axes::default());
+        lead(&mut output.velocity, &first);
+        lead(&mut output.acceleration, &second);
+        // Axes that take no part lie where the piece ends.
+        output.position = piece.end;
+        if motion.x.to_bits() != piece.length.to_bits() {
+            lead(&mut output.position, &place);
+        }
+    }
+
+    fn phase(&self, wish: &Wish) -> Phase {
+        let motion = &self.motion;
+        if motion.speed > 0.0 {
+            return if wish.rest { Phase::Holding } else { Phase::Moving };
+        }
+        let Some(piece) = self.ring.get(motion.at) else { return Phase::Idle };
+        if self.is_over() {
+            return Phase::Idle;
+        }
+        let dwells = matches!(piece.law, Law::Dwell(_));
+        match piece.pace {
+            _ if wish.rest => Phase::Holding,
+            _ if dwells => Phase::Waiting,
+            Pace::Turn if wish.turns <= 0.0 && wish.feed > 0.0 => Phase::Waiting,
+            Pace::Turn | Pace::Second | Pace::Rapid => Phase::Moving,
+        }
+    }
+
+    /// Whether the motion rests at the end of all that is queued.
+    fn is_over(&self) -> bool {
+        let motion = &self.motion;
+        let Some(piece) = self.ring.get(motion.at) else { return true };
+        let over = match piece.law {
+            Law::Dwell(seconds) => motion.dwelt >= seconds,
+            Law::Even { .. } | Law::Bent { .. } | Law::Round { .. } | Law::Shared { .. } => {
+                motion.remaining(piece) <= 0.0
+            }
+        };
+        let last = motion.at.saturating_add(1) == self.ring.end();
+        motion.speed <= 0.0 && over && last && !motion.backwards
+    }
+
+    /// Forgets the queue, at rest.
+    fn forget(&mut self, position: &Axes) {
+        self.position = *position;
+        self.ring.clear();
+        self.switches.clear();
+        self.ahead = Ahead::new(self.ahead.scale);
+        self.motion = Motion {
+            at: self.ring.end(),
+            begun: self.queued,
+            number: self.motion.number,
+            ..Motion::default()
+        };
+        self.course = Course::new(self.position);
+        self.aborting = false;
+        self.retrace.forget();
+    }
+}

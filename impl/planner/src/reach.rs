@@ -1,0 +1,141 @@
+//! How fast a piece may be entered so that it, and all after it, can be kept to.
+//!
+//! With the parameter accelerated by a constant u, the square of its speed y changes evenly along the piece, by 2u
+//! per unit. On a bend each axis limits both ends of that (`strips`). All that is within limits makes a convex set
+//! that holds rest, so that whatever is slower than a plan can be kept to as well: neither overrides nor holds can
+//! trap the machine. (Pham and Pham, time-optimal path parameterisation by reachability.)
+
+use crate::limits::{Limits, squared};
+use crate::math;
+use crate::piece::{Circle, Law, Pace, Piece};
+use crate::strips;
+
+/// The slowest override, and turns of a spindle per second, that running back is planned for, and that the motion is
+/// eased to.
+pub(crate) const SLOWEST: f64 = 0.01;
+
+/// Where z / (1 + z/2 + z²/12) is greatest: the root of 12, or a little less.
+const MOST_FAR: f64 = 3.464;
+
+/// Overrides that look-ahead plans for, and turns of the spindle per second times that of the feed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Scale {
+    pub(crate) feed: f64,
+    pub(crate) rapid: f64,
+    pub(crate) turns: f64,
+}
+
+impl Scale {
+    /// What squares of speeds that are planned for another scale are multiplied by, so that they suit this one: no
+    /// more than 1.
+    ///
+    /// What an override of zero asks for is a little more, so that the motion creeps until that is planned for.
+    pub(crate) fn ease(self, planned: Self) -> f64 {
+        let share = |asked: f64, planned: f64| math::greater(SLOWEST, asked) / planned;
+        let mut ease =
+            math::lesser(share(self.feed, planned.feed), share(self.rapid, planned.rapid));
+        if planned.turns > 0.0 {
+            ease = math::lesser(ease, share(self.turns, planned.turns));
+        }
+        squared(math::lesser(1.0, ease))
+    }
+
+    /// The greater of both in everything.
+    pub(crate) fn most(self, other: Self) -> Self {
+        Self {
+            feed: math::greater(self.feed, other.feed),
+            rapid: math::greater(self.rapid, other.rapid),
+            turns: math::greater(self.turns, other.turns),
+        }
+    }
+}
+
+/// The squares of the speeds that a piece is never run beyond where it begins and where it ends.
+#[inline]
+pub(crate) fn caps(piece: &Piece, scale: Scale) -> (f64, f64) {
+    let (start, end) = if piece.rapid || piece.pace == Pace::Rapid {
+        rapid_caps(piece, scale)
+    } else {
+        (piece.ceiling, piece.last_ceiling)
+    };
+    let feed = match piece.pace {
+        Pace::Rapid => return (start, end),
+        Pace::Second => piece.feed * scale.feed,
+        Pace::Turn => piece.feed * scale.turns,
+    };
+    let feed = feed * feed;
+    (math::lesser(start, feed), math::lesser(end, feed))
+}
+
+#[cold]
+#[inline(never)]
+fn rapid_caps(piece: &Piece, scale: Scale) -> (f64, f64) {
+    let share = scale.rapid * scale.rapid;
+    (piece.ceiling * share, piece.last_ceiling * share)
+}
+
+/// The highest y at a piece's start from which y at its end is at most `exit`.
+pub(crate) fn forward(
+    piece: &Piece,
+    exit: f64,
+    (cap, last_cap): (f64, f64),
+    limits: &Limits,
+) -> f64 {
+    let exit = math::lesser(exit, last_cap);
+    let entry = match piece.law {
+        Law::Bent { .. } => strips::highest(piece, true, (exit, cap), limits),
+        Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
+            along(piece.law, &piece.circle, exit, piece.length)
+        }
+    };
+    math::lesser(math::lesser(entry, cap), piece.entry)
+}
+
+/// The highest y at its end from which, running back, y at its start is at most `exit`.
+pub(crate) fn backward(
+    piece: &Piece,
+    exit: f64,
+    (first_cap, cap): (f64, f64),
+    limits: &Limits,
+) -> f64 {
+    let exit = math::lesser(exit, first_cap);
+    let entry = match piece.law {
+        Law::Bent { .. } => strips::highest(piece, false, (exit, cap), limits),
+        Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
+            along(piece.law, &piece.circle, exit, piece.length)
+        }
+    };
+    math::lesser(entry, cap)
+}
+
+/// The highest y some way before an exit, where that has a closed form.
+pub(crate) fn along(law: Law, circle: &Option<Circle>, exit: f64, distance: f64) -> f64 {
+    match (law, circle) {
+        (Law::Even { acceleration }, _) => exit + 2.0 * acceleration * distance,
+        (Law::Round { planned, .. }, Some(circle)) => {
+            // dy/dx = -2·√(planned² - (turn·y)²) gives turn·y = planned·sin(angle).
+            let angle = 2.0 * circle.turn * distance;
+            let share = (circle.turn * exit / planned).min(1.0);
+            if angle >= core::f64::consts::FRAC_PI_2 {
+                return planned / circle.turn;
+            }
+            let (sine, cosine) = math::turned(angle);
+            let other = math::sqrt((1.0 - share * share).max(0.0));
+            // Beyond the quarter turn the sine would fall again.
+            if cosine <= share {
+                planned / circle.turn
+            } else {
+                planned / circle.turn * (share * cosine + other * sine)
+            }
+        }
+        (Law::Shared { most, less }, _) => {
+            // dy/dx = -2·(most - less·y) gives an exponential. What stands here for 1 - e^-z is never more, and rises
+            // no steeper than what is left of its way to 1.
+            let far = math::lesser(2.0 * less * distance, MOST_FAR);
+            let way = if far < MOST_FAR { distance } else { MOST_FAR / (2.0 * less) };
+            let share = 1.0 / (1.0 + far * (0.5 + far * (1.0 / 12.0)));
+            exit + 2.0 * (most - less * exit) * way * share
+        }
+        (Law::Dwell(_) | Law::Round { .. } | Law::Bent { .. }, _) => 0.0,
+    }
+}

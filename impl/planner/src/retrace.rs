@@ -1,0 +1,113 @@
+//! How fast the path behind the motion may be run back.
+//!
+//! It is planned from a piece behind up to the motion, which may run back to the beginning of that piece and no
+//! farther. What lies near comes first, so that the motion need not wait for all; while it runs back the rest
+//! follows, in stretches that begin farther and farther behind. What earlier runs left is worth nothing, since the
+//! path may have changed.
+
+use crate::limits::{Limits, squared};
+use crate::math;
+use crate::piece::Piece;
+use crate::reach::{SLOWEST, Scale, backward, caps};
+use crate::ring::Ring;
+
+/// How many pieces behind the motion are planned before it turns round.
+const NEAR: u64 = 64;
+
+/// What is planned while the motion is to run back.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Retrace {
+    planned: Option<Planned>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Planned {
+    /// The piece that planning began from.
+    from: u64,
+    /// The next piece to be planned.
+    next: u64,
+    /// From this piece on all is planned, if only for a path that ends there.
+    known: Option<u64>,
+}
+
+impl Retrace {
+    /// Whether the motion is to run back.
+    #[inline]
+    pub(crate) fn is_asked_for(&self) -> bool {
+        self.planned.is_some()
+    }
+
+    /// The motion is to turn round; whether it may, at a piece.
+    pub(crate) fn may_turn(&mut self, ring: &mut Ring<Piece>, at: u64) -> bool {
+        let near = at.saturating_sub(NEAR);
+        let planned = self.planned.get_or_insert_with(|| Planned::begin(ring, near, None));
+        planned.next > at
+    }
+
+    /// The motion goes on, so that the path behind it may change.
+    pub(crate) fn forget(&mut self) {
+        self.planned = None;
+    }
+
+    /// The piece to whose beginning the motion may run back.
+    pub(crate) fn end(&self) -> u64 {
+        match self.planned {
+            Some(Planned { next, known: Some(known), .. }) if next < known => known,
+            Some(Planned { from, .. }) => from,
+            None => 0,
+        }
+    }
+
+    /// Plans the next piece up to the motion; where all are planned and it runs back, begins farther behind.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn work(
+        &mut self,
+        ring: &mut Ring<Piece>,
+        (at, backwards): (u64, bool),
+        scale: Scale,
+        limits: &Limits,
+    ) {
+        let Some(planned) = &mut self.planned else { return };
+        if planned.next <= at {
+            planned.plan(ring, at, scale, limits);
+        } else if backwards && planned.from > ring.first() {
+            let far = at.saturating_sub(planned.from).saturating_add(NEAR);
+            let from = planned.from.saturating_sub(far);
+            *planned = Planned::begin(ring, from, Some(planned.from));
+        }
+    }
+}
+
+impl Planned {
+    /// For the plan, the path ends where the first piece begins.
+    fn begin(ring: &mut Ring<Piece>, from: u64, known: Option<u64>) -> Self {
+        let from = from.max(ring.first());
+        if let Some(before) = from.checked_sub(1).and_then(|before| ring.get_mut(before)) {
+            before.back = 0.0;
+        }
+        Self { from, next: from, known }
+    }
+
+    /// How fast the next piece may be entered from its end. Where that is no more than is known already, so is all up
+    /// to the motion.
+    fn plan(&mut self, ring: &mut Ring<Piece>, at: u64, scale: Scale, limits: &Limits) {
+        let place = self.next;
+        self.next = place.saturating_add(1);
+        let before = place.checked_sub(1).and_then(|before| ring.get(before));
+        let Some(piece) = ring.get(place) else { return };
+        let exit = match before {
+            Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
+            None => 0.0,
+        };
+        // It is planned for one speed, and so for some where the motion turned at rest.
+        let slowest = Scale { feed: SLOWEST, rapid: SLOWEST, turns: SLOWEST };
+        let back = backward(piece, exit, caps(piece, scale.most(slowest)), limits);
+        // The motion may be there by now, and relies on what is known.
+        if self.known.is_some_and(|known| known <= place) && back <= piece.back {
+            self.next = at.saturating_add(1);
+        } else if let Some(piece) = ring.get_mut(place) {
+            piece.back = back;
+        }
+    }
+}

@@ -1,0 +1,493 @@
+//! The motion itself: a cycle at a time along the pieces, never faster than look-ahead says.
+//!
+//! Within a piece and a cycle the acceleration of the parameter is constant, so that the speed has no jumps and each
+//! axis keeps its limits at every instant. Differences of samples are means of such accelerations, whatever their
+//! period.
+
+use crate::ahead::exit;
+use crate::limits::{Limits, PLANNED, squared};
+use crate::math;
+use crate::piece::{Circle, Law, Pace, Piece};
+use crate::reach::along;
+use crate::ring::Ring;
+
+/// The share of an axis in a direction below which it takes no part.
+pub(crate) const SMALL: f64 = 1e-9;
+/// By so much what is left of a piece may be too short by rounding for a motion that is to come to rest at its end.
+const ROUNDED: f64 = 1.0 + 1e-6;
+/// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
+pub(crate) const TOUCHED: u32 = 12;
+/// What a part of a cycle on a bend is worth of [`Motion::effort`].
+pub(crate) const BEND: u32 = 2;
+/// What costs much in a cycle is left out, or to the next one, where this much has been done.
+pub(crate) const ENOUGH: u32 = 5;
+/// For how many cycles a bend must still last at the present speed where another acceleration is looked for than one
+/// that can be kept up to its end.
+pub(crate) const LASTING: f64 = 2.0;
+
+/// What is asked for in a cycle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wish {
+    /// Share of the programmed feed.
+    pub(crate) feed: f64,
+    /// Share of the rapid speed.
+    pub(crate) rapid: f64,
+    /// Turns of the spindle per second, times the share of the programmed feed.
+    pub(crate) turns: f64,
+    /// Whether to come to rest.
+    pub(crate) rest: bool,
+    /// Whether look-ahead has planned for just these shares.
+    pub(crate) planned: bool,
+    /// What speeds of look-ahead are multiplied by, squared, where it has planned for more than is asked for.
+    pub(crate) ease: f64,
+}
+
+/// Where the motion is.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Motion {
+    /// The piece.
+    pub(crate) at: u64,
+    /// Its parameter.
+    pub(crate) x: f64,
+    /// Speed of the parameter, never negative.
+    pub(crate) speed: f64,
+    /// Its acceleration in the last part of the cycle, along the direction of motion.
+    pub(crate) acceleration: f64,
+    /// Whether it runs back.
+    pub(crate) backwards: bool,
+    /// The piece to whose beginning it may run back.
+    pub(crate) back_to: u64,
+    /// Seconds of a dwell that are over.
+    pub(crate) dwelt: f64,
+    /// The segment under way: planner's number and caller's.
+    pub(crate) begun: u64,
+    pub(crate) number: u64,
+    /// How much work this cycle has been, in parts of it on a line; one on a bend counts as two, one on an arc as
+    /// three, and where all is easy each piece that is passed as one.
+    pub(crate) effort: u32,
+    /// Whether the least acceleration on an arc has been found in it.
+    pub(crate) braked: bool,
+    /// Seconds that the rest at the end of the cycle before begins late.
+    pub(crate) owed: f64,
+}
+
+/// Least and greatest acceleration, and the square of the speed that look-ahead allows: `bound`, and `slope` more per
+/// unit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ramp {
+    low: f64,
+    high: f64,
+    bound: f64,
+    slope: f64,
+}
+
+/// The end of a piece in the direction of motion.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct End {
+    /// Square of the speed at which the piece may be left there.
+    pub(crate) exit: f64,
+    /// How far it is.
+    pub(crate) remaining: f64,
+    /// Whether the path goes on without rest there, so that only an override can ask for one.
+    pub(crate) open: bool,
+}
+
+impl Motion {
+    /// Moves on by a cycle.
+    #[inline]
+    pub(crate) fn cycle(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) {
+        self.acceleration = 0.0;
+        (self.effort, self.braked) = (0, false);
+        let easy = wish.planned && wish.rapid >= 1.0 && !wish.rest && !self.backwards;
+        let mut left = limits.cycle - core::mem::take(&mut self.owed);
+        if easy {
+            left = self.cruise(ring, limits, wish, left);
+        }
+        if left > 0.0 {
+            // What is not easy has been looked at twice.
+            self.effort = self.effort.saturating_add(u32::from(easy));
+            self.run(ring, limits, wish, left);
+        }
+    }
+
+    #[inline(never)]
+    fn run(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish, mut left: f64) {
+        let Some(mut piece) = ring.get(self.at) else { return };
+        for _ in 0..TOUCHED {
+            let mut remaining = self.remaining(piece);
+            if remaining <= 0.0 {
+                let Some(next) = self.over(ring, piece, &mut left) else { return };
+                piece = next;
+                remaining = self.remaining(piece);
+            }
+            if let Law::Dwell(_) = piece.law {
+                if left > 0.0 && !wish.rest {
+                    continue;
+                }
+                return;
+            }
+            self.effort = self.effort.saturating_add(match piece.law {
+                Law::Even { .. } | Law::Dwell(_) => 1,
+                Law::Bent { .. } => BEND,
+                Law::Round { .. } | Law::Shared { .. } => 3,
+            });
+            let end = self.end(ring, piece, remaining, wish);
+            let from = self.x;
+            left -= self.within(piece, end, (limits, wish), left);
+            if !self.backwards {
+                self.note(piece, from);
+            }
+            if left <= 0.0 || self.remaining(piece) > 0.0 {
+                return;
+            }
+        }
+    }
+
+    /// What is left of the piece in the direction of motion.
+    pub(crate) fn remaining(&self, piece: &Piece) -> f64 {
+        if self.backwards { self.x } else { piece.length - self.x }
+    }
+
+    /// The end of the piece in the direction of motion. An override makes no more of its exit than the next piece is
+    /// asked to have, where that is planned for more.
+    #[inline]
+    fn end(&self, ring: &Ring<Piece>, piece: &Piece, remaining: f64, wish: &Wish) -> End {
+        if self.backwards {
+            let before = ring.get(self.at.wrapping_sub(1));
+            let reach = |before: &Piece| before.back * squared(before.exit);
+            let exit = before.map_or(0.0, |before| math::lesser(reach(before), piece.entry));
+            return End { exit, remaining, open: false };
+        }
+        let Some(next) = ring.get(self.at.wrapping_add(1)) else {
+            return End { exit: 0.0, remaining, open: false };
+        };
+        let mut exit = next.reach / squared(piece.exit);
+        if wish.ease < 1.0 {
+            let asked = wanted(next, next.fastest, wish);
+            exit = math::lesser(exit, squared(asked / piece.exit) / wish.ease);
+        }
+        End { exit, remaining, open: next.entry > 0.0 }
+    }
+
+    /// The square of the speed at which a piece is left where an override asks for rest at its end when the motion
+    /// can no more come to it, since `late`.
+    #[inline]
+    pub(crate) fn opened(&self, piece: &Piece, end: End, late: impl Fn(f64) -> bool) -> f64 {
+        let far = end.remaining * ROUNDED + 8.0 * f64::EPSILON * piece.length;
+        if end.open && end.exit <= 0.0 && late(far) { f64::MIN_POSITIVE } else { end.exit }
+    }
+
+    /// Goes over to the next piece; none where there is none, or where a dwell uses up the cycle.
+    fn over<'a>(
+        &mut self,
+        ring: &'a Ring<Piece>,
+        piece: &Piece,
+        left: &mut f64,
+    ) -> Option<&'a Piece> {
+        if self.backwards {
+            let before = self.at.checked_sub(1).filter(|before| *before >= self.back_to)?;
+            let earlier = ring.get(before)?;
+            self.at = before;
+            self.speed /= earlier.exit;
+            self.x = earlier.length;
+            return Some(earlier);
+        }
+        if let Law::Dwell(seconds) = piece.law {
+            let rest = seconds - self.dwelt;
+            if rest > *left {
+                self.dwelt += *left;
+                *left = 0.0;
+                return None;
+            }
+            *left -= math::greater(0.0, rest);
+            self.dwelt = seconds;
+        }
+        let after = self.at.wrapping_add(1);
+        let Some(later) = ring.get(after) else {
+            // Rounding may have brought the motion to the end of all with a little speed left.
+            self.speed = 0.0;
+            return None;
+        };
+        self.enter(piece);
+        Some(later)
+    }
+
+    /// Goes over to the piece after this one.
+    #[inline]
+    pub(crate) fn enter(&mut self, before: &Piece) {
+        self.at = self.at.wrapping_add(1);
+        self.speed *= before.exit;
+        self.x = 0.0;
+        self.dwelt = 0.0;
+    }
+
+    /// Who is held at the start of a segment has not begun it.
+    fn note(&mut self, piece: &Piece, from: f64) {
+        if self.x > from {
+            self.begin(piece, from);
+        }
+    }
+
+    /// A segment has begun if its start was passed.
+    #[inline]
+    pub(crate) fn begin(&mut self, piece: &Piece, from: f64) {
+        if piece.begins.is_some_and(|begins| from <= begins && begins <= self.x) {
+            self.begun = self.begun.max(piece.index);
+            self.number = piece.number;
+        }
+    }
+
+    /// Moves within a piece for as long as there is time and path; how long that was.
+    #[inline]
+    fn within(&mut self, piece: &Piece, end: End, asked: (&Limits, &Wish), left: f64) -> f64 {
+        match piece.law {
+            Law::Bent { .. } if piece.axes <= 3 => self.bend::<3>(piece, end, asked, left),
+            Law::Bent { .. } => self.bend::<9>(piece, end, asked, left),
+            Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
+                self.along(piece, end, asked, left)
+            }
+        }
+    }
+
+    #[inline]
+    fn along(
+        &mut self,
+        piece: &Piece,
+        end: End,
+        (limits, wish): (&Limits, &Wish),
+        left: f64,
+    ) -> f64 {
+        let mut low = self.lowest(piece, limits.cycle);
+        let mut wanted = f64::NEG_INFINITY;
+        if !wish.rest {
+            wanted = self::wanted(piece, piece.fastest, wish);
+        }
+        let most = low;
+        if self.speed + low * left > wanted {
+            // Whoever lowers an override wants all of the brakes, as for a hold.
+            low = math::lesser(low, self.hardest(piece, limits, left));
+        }
+        let mut acceleration = low;
+        if (wanted - self.speed) / left > low {
+            let ramp = self.ramp(piece, end, wish.ease, (left, limits.cycle), most);
+            acceleration = self.kept(&Ramp { low, ..ramp }, wanted, end, (wish.ease, left));
+        }
+        self.go(piece, acceleration, end, left)
+    }
+
+    /// The acceleration towards a speed that a ramp allows.
+    #[inline]
+    pub(crate) fn kept(
+        &self,
+        ramp: &Ramp,
+        wanted: f64,
+        End { exit, remaining, .. }: End,
+        (ease, left): (f64, f64),
+    ) -> f64 {
+        // The speed at the end of the cycle at which look-ahead's bound is just met.
+        let half = 0.5 * ramp.slope * left;
+        let met = half * half + 4.0 * (ramp.bound + half * self.speed);
+        let met = if met > 0.0 { 0.5 * (half + math::sqrt(met)) } else { 0.0 };
+        let acceleration = within_bounds((math::lesser(wanted, met) - self.speed) / left, ramp);
+        let travel = (self.speed + 0.5 * acceleration * left) * left;
+        if met > 0.0 && travel < remaining {
+            return acceleration;
+        }
+        if self.speed <= 0.0 && exit <= 0.0 {
+            // So little is left from rest to rest that rounding hides how it is come to: within the cycle.
+            return within_bounds(2.0 * remaining / squared(left), ramp);
+        }
+        // The end comes first.
+        let y = squared(self.speed);
+        let mut most = (ease * exit - y) / (2.0 * remaining);
+        if self.speed > wanted {
+            most = math::lesser(most, (wanted - self.speed) / left);
+        } else {
+            most = math::lesser(most, (squared(wanted) - y) / (2.0 * remaining));
+        }
+        within_bounds(most, ramp)
+    }
+
+    /// The least acceleration that the law of a piece without a bend allows.
+    #[inline]
+    fn lowest(&self, piece: &Piece, cycle: f64) -> f64 {
+        match (piece.law, &piece.circle) {
+            (Law::Round { acceleration, .. }, Some(circle)) => {
+                -left_along(acceleration, circle, squared(self.speed))
+            }
+            (Law::Shared { most, less }, _) => {
+                -math::greater(0.0, most - less * squared(self.speed)) * all(piece, less, cycle)
+            }
+            (Law::Even { acceleration }, _) => -acceleration / PLANNED,
+            (Law::Round { .. } | Law::Bent { .. } | Law::Dwell(_), _) => 0.0,
+        }
+    }
+
+    fn ramp(
+        &self,
+        piece: &Piece,
+        end: End,
+        ease: f64,
+        (left, cycle): (f64, f64),
+        lowest: f64,
+    ) -> Ramp {
+        match (piece.law, &piece.circle) {
+            (Law::Round { acceleration, .. }, Some(circle)) => {
+                let rest = |y: f64| left_along(acceleration, circle, y);
+                self.curved(piece, end, (ease, left), lowest, rest)
+            }
+            (Law::Shared { most, less }, _) => {
+                let all = all(piece, less, cycle);
+                let rest = |y: f64| math::greater(0.0, most - less * y) * all;
+                self.curved(piece, end, (ease, left), lowest, rest)
+            }
+            (Law::Even { acceleration }, _) => even_ramp(acceleration, end, ease),
+            (Law::Round { .. } | Law::Bent { .. } | Law::Dwell(_), _) => {
+                Ramp { low: 0.0, high: 0.0, bound: 0.0, slope: 0.0 }
+            }
+        }
+    }
+
+    /// The ramp where the acceleration that is left depends on the square of the speed: less where that is higher.
+    fn curved(
+        &self,
+        piece: &Piece,
+        End { exit, remaining, .. }: End,
+        (ease, left): (f64, f64),
+        lowest: f64,
+        rest: impl Fn(f64) -> f64,
+    ) -> Ramp {
+        let (y, most) = (squared(self.speed), -lowest);
+        let far = math::lesser((self.speed + 0.5 * most * left) * left, remaining);
+        let high = rest(math::lesser(y + 2.0 * most * far, piece.ceiling));
+        let bound = ease * along(piece.law, &piece.circle, exit, remaining);
+        let later = ease * along(piece.law, &piece.circle, exit, remaining - far);
+        let slope = if far > 0.0 { (later - bound) / far } else { 0.0 };
+        Ramp { low: lowest, high, bound, slope }
+    }
+
+    /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
+    #[inline(always)]
+    pub(crate) fn go(&mut self, piece: &Piece, acceleration: f64, ahead: End, left: f64) -> f64 {
+        let remaining = ahead.remaining;
+        self.acceleration = acceleration;
+        let end = self.speed + acceleration * left;
+        let travel = 0.5 * (self.speed + end) * left;
+        if end > 0.0 && travel < remaining {
+            self.travel(travel);
+            self.speed = end;
+            // Rounding may bring it to the end all the same.
+            if ahead.exit <= 0.0 && self.remaining(piece) <= 0.0 {
+                self.rest(end, left);
+            }
+            return left;
+        }
+        let y = squared(self.speed);
+        let exit = self.opened(piece, ahead, |far| y > along(piece.law, &piece.circle, 0.0, far));
+        let (mut last, mut brakes) = (y + 2.0 * acceleration * remaining, 0.0);
+        if exit <= 0.0 && last >= -1e-6 * y {
+            // The square of the last speed is the difference of two numbers that should be equal. Less is left of it
+            // by braking a little harder than by resting all of a sudden.
+            last = 0.0;
+            // What is left of a long piece is rounded, and so how long that takes; how long the brakes take is not.
+            if acceleration < 0.0 {
+                brakes = -self.speed / acceleration;
+            }
+        }
+        if last >= 0.0 {
+            let end = math::sqrt(last);
+            let both = self.speed + end;
+            let time = if remaining > 0.0 { 2.0 * remaining / both } else { 0.0 };
+            let time = math::greater(time, brakes);
+            if time <= left {
+                self.x = if self.backwards { 0.0 } else { piece.length };
+                self.speed = if exit > 0.0 { end } else { 0.0 };
+                return time;
+            }
+        } else if end <= 0.0 {
+            let travel = -0.5 * y / acceleration;
+            self.travel(math::lesser(travel, remaining));
+            self.speed = 0.0;
+            return left;
+        }
+        self.travel(math::lesser(travel, remaining));
+        self.speed = math::greater(0.0, end);
+        if exit <= 0.0 && travel >= remaining {
+            self.rest(end, left);
+        }
+        left
+    }
+
+    /// Comes to rest at the end of a piece with the end of a cycle, where rounding leaves a speed of it. What that
+    /// would still take is less than the place can show, but an axis that turns round needs the time.
+    #[cold]
+    fn rest(&mut self, end: f64, left: f64) {
+        let takes = -end / self.acceleration;
+        self.owed = math::lesser(math::greater(0.0, takes), left);
+        self.speed = 0.0;
+    }
+
+    fn travel(&mut self, distance: f64) {
+        self.x += if self.backwards { -distance } else { distance };
+    }
+
+    /// Whether a piece that was changed at its end can still be kept to from here.
+    pub(crate) fn permits(&self, ring: &Ring<Piece>, limits: &Limits) -> bool {
+        let Some(piece) = ring.get(self.at) else { return true };
+        self.comes_to(piece, exit(ring, piece, self.at), limits)
+    }
+
+    /// Whether the motion can come to the end of its piece at the square of a speed, or slower.
+    pub(crate) fn comes_to(&self, piece: &Piece, exit: f64, limits: &Limits) -> bool {
+        let y = squared(self.speed);
+        if y <= 0.0 || self.backwards {
+            return true;
+        }
+        let remaining = self.remaining(piece);
+        match piece.law {
+            Law::Bent { .. } => {
+                let low = self.least_on(piece, remaining, limits);
+                let high = self.greatest_on(piece, remaining, limits);
+                let high = high.min((exit - y) / (2.0 * remaining));
+                low <= high + 1e-9 * (1.0 - low)
+            }
+            Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
+                y <= along(piece.law, &piece.circle, exit, remaining) * (1.0 + 1e-9)
+            }
+        }
+    }
+}
+
+/// The ramp where the acceleration is the same everywhere.
+#[inline]
+pub(crate) fn even_ramp(acceleration: f64, end: End, ease: f64) -> Ramp {
+    let slope = -2.0 * acceleration * ease;
+    let bound = ease * end.exit - slope * end.remaining;
+    Ramp { low: -acceleration / PLANNED, high: acceleration, bound, slope }
+}
+
+/// The acceleration along an arc that what is needed towards its centre leaves of one, at the square of a speed.
+#[inline]
+fn left_along(acceleration: f64, circle: &Circle, y: f64) -> f64 {
+    math::sqrt((squared(acceleration) - squared(circle.turn * y)).max(0.0))
+}
+
+/// What the axes can do on an arc that is bent, over what is planned with.
+#[inline]
+fn all(piece: &Piece, less: f64, cycle: f64) -> f64 {
+    1.0 / (PLANNED - less * piece.fastest * cycle)
+}
+
+fn within_bounds(acceleration: f64, ramp: &Ramp) -> f64 {
+    math::greater(math::lesser(acceleration, ramp.high), ramp.low)
+}
+
+/// The speed that a piece is asked to have where its axes allow so much.
+pub(crate) fn wanted(piece: &Piece, fastest: f64, wish: &Wish) -> f64 {
+    let axes = if piece.rapid { fastest * wish.rapid } else { fastest };
+    match piece.pace {
+        Pace::Rapid => fastest * wish.rapid,
+        Pace::Second => math::lesser(axes, piece.feed * wish.feed),
+        Pace::Turn => math::lesser(axes, piece.feed * wish.turns),
+    }
+}

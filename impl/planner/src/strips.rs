@@ -1,0 +1,313 @@
+//! How fast a bend may be entered: what each axis allows of entry and exit.
+//!
+//! On a bend the acceleration of an axis is p'·u + p''·y, which runs evenly where the square of the speed y does:
+//! within limits at both ends it is within limits between. So each axis keeps the squares of the speeds at entry and
+//! exit in two strips, one for each end, and the highest entry is a linear programme in two variables.
+
+use crate::limits::Limits;
+use crate::math;
+use crate::parameters::Axes;
+use crate::piece::Piece;
+
+/// The most corners of the set that are looked at before a simpler answer is taken.
+const CORNERS: u32 = 5;
+/// An axis with less of the entry than this at an end of a bend limits the exit alone.
+const FLAT: f64 = 1e-12;
+
+/// What the axes allow at both ends of a bend: |entering·entry + leaving·exit| ≤ limit.
+#[derive(Clone, Copy, Debug)]
+struct Ends<const N: usize> {
+    entering: [[f64; N]; 2],
+    leaving: [[f64; N]; 2],
+    limit: [f64; N],
+}
+
+/// The same as |entry + slope·exit| ≤ limit, which is infinite where an axis does not limit the entry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Strips<const N: usize> {
+    slopes: [[f64; N]; 2],
+    limits: [[f64; N]; 2],
+    /// The highest exit that axes allow which do not limit the entry.
+    most: f64,
+    /// Whether no slope is above 0, so that a lower exit never allows a higher entry.
+    falls: bool,
+    /// Up to this exit there is an entry that all axes allow, for certain.
+    agreed: f64,
+}
+
+impl<const N: usize> Default for Strips<N> {
+    fn default() -> Self {
+        let none = [[0.0; N]; 2];
+        Self { slopes: none, limits: none, most: 0.0, falls: false, agreed: 0.0 }
+    }
+}
+
+/// The highest entry on a bend that leads to an exit of at most so much, and is itself no more than a cap; run
+/// forward, or back from its end.
+#[inline]
+pub(crate) fn highest(piece: &Piece, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
+    if forward && piece.axes <= 3 {
+        piece.strips.highest(piece, most, limits)
+    } else {
+        looked_at(piece, forward, most, limits)
+    }
+}
+
+#[inline(never)]
+fn looked_at(piece: &Piece, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
+    if piece.axes > 3 {
+        Ends::<9>::new(piece, forward, limits).highest(piece, most, limits)
+    } else {
+        Ends::<3>::new(piece, forward, limits).highest(piece, most, limits)
+    }
+}
+
+/// Walks the edge of what is allowed from the highest exit down, to where the entry is highest.
+#[inline]
+fn walk<const N: usize>(strips: &Strips<N>, mut exit: f64) -> Option<f64> {
+    for _ in 0..CORNERS {
+        // The entry is at most limit - slope·exit, and no less than -(limit + slope·exit) and 0.
+        let highs = strips.bounds(|limit, slope| limit - slope * exit);
+        let lows = strips.bounds(|limit, slope| limit + slope * exit);
+        let high = least(&highs);
+        let slope = strips.slope_of(high, &highs);
+        let lowest = least(&lows);
+        let low = math::greater(0.0, -lowest);
+        if low > high * (1.0 + 1e-13) {
+            let lower = if low > 0.0 { strips.slope_of(lowest, &lows) } else { 0.0 };
+            let step = (low - high) / (lower - slope);
+            exit += step;
+            if !(step < 0.0 && exit >= 0.0) {
+                return None;
+            }
+            continue;
+        }
+        if slope <= 0.0 || exit <= 0.0 {
+            return Some(math::greater(high, 0.0));
+        }
+        // A lower exit allows a higher entry, down to where the next bound crosses.
+        let (step, next) = strips.next_crossing(&highs, (high, slope));
+        if exit + step <= 0.0 {
+            return Some(math::greater(high + slope * exit, 0.0));
+        }
+        exit += step;
+        if next <= 0.0 {
+            return Some(math::greater(high - slope * step, 0.0));
+        }
+    }
+    None
+}
+
+impl<const N: usize> Ends<N> {
+    #[inline]
+    fn new(piece: &Piece, forward: bool, limits: &Limits) -> Self {
+        let (rate, bend) = (leading(&piece.rate), leading(&piece.bend));
+        let last = each(&rate, &bend, |rate, bend| rate + piece.length * bend);
+        let (first, last) =
+            if forward { (rate, last) } else { (last.map(|rate| -rate), rate.map(|rate| -rate)) };
+        let double = 2.0 * piece.length;
+        Self {
+            entering: [each(&first, &last, |f, l| 2.0 * l - 3.0 * f), last.map(|l| -l)],
+            leaving: [first, each(&first, &last, |f, l| 3.0 * l - 2.0 * f)],
+            limit: leading(&limits.planned).map(|limit| double * limit),
+        }
+    }
+
+    /// What is mostly asked for is allowed, and known to be so without a division.
+    #[inline]
+    fn highest(&self, piece: &Piece, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+        if self.allow(cap, exit) {
+            return cap;
+        }
+        let mut strips = Strips::default();
+        self.strips(&mut strips);
+        strips.along_edge(piece, exit, limits)
+    }
+
+    /// Whether they allow an entry and an exit.
+    #[inline]
+    fn allow(&self, entry: f64, exit: f64) -> bool {
+        self.entering.iter().zip(&self.leaving).all(|(entering, leaving)| {
+            let used =
+                each(entering, leaving, |entering, leaving| entering * entry + leaving * exit);
+            used.iter().zip(&self.limit).all(|(used, limit)| used.abs() <= *limit)
+        })
+    }
+
+    #[inline]
+    fn strips(&self, strips: &mut Strips<N>) {
+        strips.most = f64::INFINITY;
+        let ends = self.entering.iter().zip(&self.leaving);
+        for ((entering, leaving), (slopes, limits)) in
+            ends.zip(strips.slopes.iter_mut().zip(&mut strips.limits))
+        {
+            let inverse = entering.map(|entering| 1.0 / entering);
+            *slopes = each(leaving, &inverse, |leaving, inverse| leaving * inverse);
+            *limits = each(&self.limit, &inverse, |limit, inverse| (limit * inverse).abs());
+        }
+        if self.entering.as_flattened().iter().any(|entering| entering.abs() < FLAT) {
+            self.take_out_flat(strips);
+        }
+    }
+
+    /// Takes out what limits no entry, but the exit.
+    #[inline(never)]
+    fn take_out_flat(&self, strips: &mut Strips<N>) {
+        let slopes = strips.slopes.as_flattened_mut().iter_mut();
+        let rows = slopes.zip(strips.limits.as_flattened_mut());
+        let ends = self.entering.as_flattened().iter().zip(self.leaving.as_flattened());
+        for ((row, (entering, leaving)), limit) in rows.zip(ends).zip(self.limit.iter().cycle()) {
+            if entering.abs() < FLAT {
+                let most = limit / math::greater(leaving.abs(), FLAT);
+                strips.most = math::lesser(strips.most, most);
+                (*row.0, *row.1) = (0.0, f64::INFINITY);
+            }
+        }
+    }
+}
+
+impl Strips<3> {
+    /// Looks at a bend of up to three axes, run forward.
+    pub(crate) fn lay(piece: &mut Piece, limits: &Limits) {
+        let ends = Ends::new(piece, true, limits);
+        let strips = &mut piece.strips;
+        ends.strips(strips);
+        let (mut falls, mut rises, mut limit) = (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY);
+        let rows = strips.slopes.as_flattened().iter().zip(strips.limits.as_flattened());
+        for (slope, least) in rows {
+            (falls, rises) = (math::lesser(falls, *slope), math::greater(rises, *slope));
+            limit = math::lesser(limit, *least);
+        }
+        strips.falls = rises <= 0.0;
+        // Whatever the exit, the middles of two strips are no farther apart than their slopes times it.
+        strips.agreed = math::lesser(strips.most, 2.0 * limit / (rises - falls));
+    }
+
+    /// Mostly the highest exit has the highest entry.
+    #[inline]
+    fn highest(&self, piece: &Piece, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+        if exit <= self.agreed {
+            // Two at a time, whichever axes and ends these are.
+            let mut high = [cap; 2];
+            let (bounds, _) = self.limits.as_flattened().as_chunks::<2>();
+            let (slopes, _) = self.slopes.as_flattened().as_chunks::<2>();
+            for (limits, slopes) in bounds.iter().zip(slopes) {
+                for ((limit, slope), high) in limits.iter().zip(slopes).zip(&mut high) {
+                    *high = math::lesser(*high, limit - slope * exit);
+                }
+            }
+            let [one, other] = high;
+            let high = math::lesser(one, other);
+            if self.falls || high >= cap {
+                return high;
+            }
+        }
+        self.looked_at(piece, (exit, cap), limits)
+    }
+
+    #[inline(never)]
+    fn looked_at(&self, piece: &Piece, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+        let exit = math::lesser(exit, self.most);
+        let low = least(&self.bounds(|limit, slope| limit + slope * exit));
+        let high = least(&self.bounds(|limit, slope| limit - slope * exit));
+        let high = math::lesser(high, cap);
+        if -low <= high && (self.falls || high >= cap) {
+            return high;
+        }
+        self.along_edge(piece, exit, limits)
+    }
+}
+
+impl<const N: usize> Strips<N> {
+    #[inline]
+    fn along_edge(&self, piece: &Piece, exit: f64, limits: &Limits) -> f64 {
+        let exit = math::lesser(exit, self.most);
+        walk(self, exit).unwrap_or_else(|| {
+            // As fast at the end as at the start is possible, if that is slow enough.
+            let balanced = limits.planned.iter().zip(&piece.bend).take(N);
+            balanced.fold(exit, |least, (limit, bend)| math::lesser(least, limit / bend.abs()))
+        })
+    }
+
+    #[inline]
+    fn bounds(&self, bound: impl Fn(f64, f64) -> f64) -> [[f64; N]; 2] {
+        let mut bounds = [[0.0; N]; 2];
+        for ((bounds, limits), slopes) in bounds.iter_mut().zip(&self.limits).zip(&self.slopes) {
+            *bounds = each(limits, slopes, &bound);
+        }
+        bounds
+    }
+
+    /// The slope of the first strip, axis by axis, whose bound is so little.
+    #[inline]
+    fn slope_of(&self, least: f64, bounds: &[[f64; N]; 2]) -> f64 {
+        let ([here, there], [slopes, slopes_there]) = (bounds, &self.slopes);
+        let axes = here.iter().zip(there).zip(slopes.iter().zip(slopes_there));
+        for ((here, there), (slope, slope_there)) in axes {
+            if *here <= least {
+                return *slope;
+            }
+            if *there <= least {
+                return *slope_there;
+            }
+        }
+        0.0
+    }
+
+    /// How far below an exit another upper bound becomes the lowest, and its slope.
+    fn next_crossing(&self, highs: &[[f64; N]; 2], (high, slope): (f64, f64)) -> (f64, f64) {
+        let (mut step, mut next) = (f64::NEG_INFINITY, 0.0);
+        let mut look_at = |bound: f64, other: f64| {
+            if other < slope {
+                let crossing = (bound - high) / (other - slope);
+                if crossing > step {
+                    (step, next) = (math::lesser(crossing, 0.0), other);
+                }
+            }
+        };
+        let ([here, there], [slopes, slopes_there]) = (highs, &self.slopes);
+        let axes = here.iter().zip(there).zip(slopes.iter().zip(slopes_there));
+        for ((here, there), (slope, slope_there)) in axes {
+            look_at(*here, *slope);
+            look_at(*there, *slope_there);
+        }
+        (step, next)
+    }
+}
+
+/// The least of some bounds: two at a time, whichever axes and ends these are.
+#[inline]
+fn least<const N: usize>(bounds: &[[f64; N]; 2]) -> f64 {
+    let mut least = [f64::INFINITY; 2];
+    for pair in bounds.as_flattened().as_chunks::<2>().0 {
+        for (least, bound) in least.iter_mut().zip(pair) {
+            *least = math::lesser(*least, *bound);
+        }
+    }
+    let [one, other] = least;
+    math::lesser(one, other)
+}
+
+/// The leading axes.
+#[inline]
+fn leading<const N: usize>(axes: &Axes) -> [f64; N] {
+    let mut leading = [0.0; N];
+    for (leading, axis) in leading.iter_mut().zip(axes) {
+        *leading = *axis;
+    }
+    leading
+}
+
+/// Combines two numbers of each axis.
+#[inline]
+fn each<const N: usize>(
+    one: &[f64; N],
+    other: &[f64; N],
+    combined: impl Fn(f64, f64) -> f64,
+) -> [f64; N] {
+    let mut result = [0.0; N];
+    for ((result, one), other) in result.iter_mut().zip(one).zip(other) {
+        *result = combined(*one, *other);
+    }
+    result
+}

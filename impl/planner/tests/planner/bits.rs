@@ -1,0 +1,37 @@
+//! Samples are the same to the last bit on every platform and in every build.
+
+use gaugeblock_planner::{Axes, Blend, Segment};
+
+use super::check::{Feeding, run};
+use super::programs::{arcs, arcs_with_corners, helix, square, zig};
+
+/// Of all bits of all samples, one after the other (FNV-1a, 64 bits).
+fn digest(start: Axes, program: &[Segment]) -> u64 {
+    let samples = run(start, program, Feeding::Full).samples;
+    let bytes = samples.iter().flatten().flat_map(|value| value.to_bits().to_le_bytes());
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+#[test]
+fn samples_are_the_same_everywhere() {
+    let origin = [0.0; 9];
+    let (start, corners) = arcs_with_corners(Blend::Within(0.1));
+    let digests = [
+        digest(origin, &zig(Blend::Within(0.1))),
+        digest(origin, &square(Blend::BetweenMidpoints)),
+        digest(origin, &arcs(Blend::ExactPath)),
+        digest(origin, &helix(Blend::Within(0.01))),
+        digest(start, &corners),
+    ];
+    // Who changes what the planner does, writes the new ones here; who changes a platform or a compiler, must not.
+    let same = [
+        0x4698_ae9e_2e1e_8970,
+        0x3fed_e253_afb1_b9cb,
+        0x1fee_a9a9_cd04_58f2,
+        0xb1a0_23fc_4379_2c09,
+        0x158b_954f_3a91_831d,
+    ];
+    assert_eq!(digests, same, "{digests:#018x?}");
+}

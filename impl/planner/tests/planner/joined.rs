@@ -1,0 +1,193 @@
+//! Segments of which several are over within a cycle become one leg, within their tolerance.
+
+use gaugeblock_planner::{
+    Axes, Blend, Feed, InputParameter, OutputParameter, OutputSwitch, Phase, Planner, Segment,
+};
+use libm::{cos, sin};
+
+use super::check::{Feeding, Run, dynamics, farthest, programmed, run};
+use super::programs::{FEED, at, distance, line};
+use super::table::FEEDINGS;
+
+const ORIGIN: Axes = [0.0; 9];
+const RADIUS: f64 = 6.0;
+
+/// An arc of so many chords of a length, numbered from 1.
+fn chords(count: u32, length: f64, blend: Blend) -> Vec<Segment> {
+    let end = |chord: u32| {
+        let angle = f64::from(chord) * length / RADIUS;
+        at(RADIUS * sin(angle), RADIUS * (1.0 - cos(angle)), 0.0)
+    };
+    let chord = |i: u32| Segment { number: u64::from(i), ..line(end(i), blend) };
+    (1..=count).map(chord).collect()
+}
+
+/// What is asked for: the way at the feed, and coming to it and to rest at the accelerations of two axes.
+fn least_time(count: u32, length: f64) -> f64 {
+    f64::from(count) * length / FEED + FEED / 2000.0
+}
+
+/// The numbers of segments that are told to be executed, in order.
+fn told(program: &[Segment], before: impl Fn(&mut Planner, &Segment)) -> Vec<u64> {
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    // So slow that no leg is over within a cycle.
+    let input = InputParameter { feed_override: 0.05, ..InputParameter::default() };
+    let mut output = OutputParameter::default();
+    for segment in program {
+        before(&mut planner, segment);
+        planner.queue(segment).expect("room");
+    }
+    let mut told = Vec::new();
+    while planner.update(&input, &mut output) != Phase::Idle {
+        if told.last() != Some(&output.segment) {
+            told.push(output.segment);
+        }
+    }
+    told
+}
+
+#[track_caller]
+fn is_lawful(run: &Run, program: &[Segment], tolerance: f64) {
+    let (speed, change) = run.worst(&dynamics());
+    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+    let (path, vertices) = programmed(ORIGIN, program);
+    assert_eq!(run.samples.last(), vertices.last());
+    let between = 2000.0 * 1.5 * 1e-6 / 8.0;
+    let far = farthest(&run.samples, &path);
+    assert!(far <= tolerance, "{far}");
+    let missed = farthest(&vertices, &run.samples);
+    // Samples are up to a tenth of a millimetre from one another.
+    assert!(missed <= tolerance + between + 0.06, "{missed}");
+}
+
+#[test]
+fn a_row_of_short_chords_is_as_fast_as_its_feed() {
+    for length in [0.002, 0.01, 0.03, 0.045] {
+        let program = chords(1500, length, Blend::Within(0.01));
+        let run = run(ORIGIN, &program, Feeding::Full);
+        is_lawful(&run, &program, 0.01);
+        let least = least_time(1500, length);
+        assert!(run.time() < least * 1.03 + 0.01, "{length}: {} s of {least} s", run.time());
+    }
+}
+
+#[test]
+fn it_is_lawful_at_any_feeding_and_tolerance() {
+    for tolerance in [0.0, 1e-6, 1e-5, 1e-4, 1e-3, 0.1] {
+        let program = chords(600, 0.01, Blend::Within(tolerance));
+        for feeding in FEEDINGS {
+            is_lawful(&run(ORIGIN, &program, feeding), &program, tolerance + 1e-9);
+        }
+    }
+}
+
+#[test]
+fn samples_do_not_depend_on_how_its_segments_come() {
+    let program = chords(1500, 0.04, Blend::Within(0.01));
+    let all = run(ORIGIN, &program, Feeding::Full);
+    // Two and a half are over within a cycle.
+    for feeding in [Feeding::Every(1000, 1), Feeding::Every(1400, 2)] {
+        assert!(run(ORIGIN, &program, feeding).samples == all.samples, "{feeding:?}");
+    }
+}
+
+#[test]
+fn a_segment_that_is_kept_apart_is_told() {
+    let program = chords(200, 0.01, Blend::Within(0.01));
+    let together = told(&program, |_, _| ());
+    assert!(together.len() < 60, "{together:?}");
+    // The last of a leg is told, and so is not the one before.
+    let apart = together[together.len() / 2] - 1;
+    let alone = told(&program, |planner, segment| {
+        if segment.number == apart + 1 {
+            planner.keep_apart();
+        }
+    });
+    assert!(!together.contains(&apart) && alone.contains(&apart), "{alone:?}");
+}
+
+#[test]
+fn an_output_switches_where_a_chord_begins() {
+    let program = chords(400, 0.01, Blend::Within(0.01));
+    let waits = |segment: &Segment| segment.number > 40 && segment.number.is_multiple_of(7);
+    let told = told(&program, |planner, segment| {
+        if waits(segment) {
+            let output = u16::try_from(segment.number).expect("small");
+            planner.switch(OutputSwitch { output, value: 1.0 }).expect("room");
+        }
+    });
+    for segment in program.iter().filter(|segment| waits(segment)) {
+        // The one before ends a leg.
+        assert!(told.contains(&(segment.number - 1)), "{}", segment.number);
+    }
+}
+
+#[test]
+fn a_blend_between_middles_does_not_pass_the_middle_of_the_last_segment() {
+    // A row that is straight, and one that is not.
+    for straight in [true, false] {
+        let mut program = chords(60, 0.01, Blend::Within(0.01));
+        if straight {
+            program = (1..=60)
+                .map(|i| line(at(0.01 * f64::from(i), 0.0, 0.0), Blend::Within(0.01)))
+                .collect();
+        }
+        let (_, vertices) = programmed(ORIGIN, &program);
+        let corner = vertices[vertices.len() - 1];
+        program.push(line(at(corner[0], 5.0, 0.0), Blend::BetweenMidpoints));
+        let run = run(ORIGIN, &program, Feeding::Full);
+        let missed = farthest(&[corner], &run.samples);
+        assert!(missed <= 0.0025, "{missed}");
+    }
+}
+
+#[test]
+fn a_feed_without_bound_is_no_other_ones() {
+    let mut program: Vec<Segment> =
+        (1..=400).map(|i| line(at(0.02 * f64::from(i), 0.0, 0.0), Blend::Within(0.01))).collect();
+    for (place, segment) in program.iter_mut().enumerate() {
+        let unbounded = place % 20 == 0;
+        segment.feed = if unbounded { Feed::InTime(1e-312) } else { Feed::PerSecond(10.0) };
+    }
+    let run = run(ORIGIN, &program, Feeding::Full);
+    let fastest = run.outputs.iter().map(|output| output.speed).fold(0.0, f64::max);
+    assert!(fastest < 16.0, "{fastest}");
+}
+
+#[test]
+fn what_rounding_leaves_of_a_segment_leads_nowhere() {
+    // The third of these kept the motion at rest for ever.
+    for tiny in [1e-16, 1e-13, 1.3e-12, 2.1e-12, 1e-11, 9e-11, 2e-10, 1e-9] {
+        for blend in [Blend::Within(0.18), Blend::ExactStop, Blend::BetweenMidpoints] {
+            let mut x = 0.0;
+            let mut next = |length: f64| {
+                x += length;
+                line(at(x, 0.5 * x, 0.0), blend)
+            };
+            let lengths = [0.016, 0.016, tiny, 0.016, tiny, tiny, 0.003, 0.5];
+            let program: Vec<Segment> = lengths.iter().map(|length| next(*length)).collect();
+            let run = run(ORIGIN, &program, Feeding::Full);
+            let (speed, change) = run.worst(&dynamics());
+            assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{tiny}: {speed} {change}");
+            assert!(run.time() < 0.2, "{tiny}: {}", run.time());
+        }
+    }
+}
+
+#[test]
+fn chords_whose_ends_are_rounded_are_as_fast_as_their_feed() {
+    // From 0.03 to 0.06 mm: some become one leg, some do not.
+    let end = |chord: u32| {
+        let angle = f64::from(chord) * 0.003;
+        let radius = 14.0 + 4.0 * sin(3.0 * angle);
+        let grid = |value: f64| libm::round(value * 1e4) / 1e4;
+        at(grid(radius * sin(angle)), grid(14.0 - radius * cos(angle)), 0.0)
+    };
+    let chord = |i: u32| line(end(i), Blend::Within(0.005));
+    let program: Vec<Segment> = (1..=2000).map(chord).collect();
+    let way: f64 = (1..2000).map(|i| distance(&end(i), &end(i + 1))).sum();
+    let run = run(ORIGIN, &program, Feeding::Full);
+    is_lawful(&run, &program, 0.005);
+    let least = 1.05 * way / FEED + FEED / 2000.0;
+    assert!(run.time() < least, "{} s of {least} s", run.time());
+}

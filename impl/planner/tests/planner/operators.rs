@@ -1,0 +1,438 @@
+//! What an operator does to a motion, and what else is asked of it while it runs.
+
+use gaugeblock_planner::{
+    Axes, Blend, Dynamics, Feed, Hold, InputParameter, OutputParameter, OutputSwitch, Path, Phase,
+    Planner, Segment,
+};
+use proptest::prelude::*;
+
+use super::check::{Feeding, Run, dynamics, farthest, programmed, run_with};
+use super::programs::{FEED, at, dense, distance, line, segment, zig};
+use super::random::{Chance, chance, restless};
+
+const ORIGIN: Axes = [0.0; 9];
+
+fn operated(program: &[Segment], wants: impl FnMut(usize) -> InputParameter) -> Run {
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    run_with(&mut planner, ORIGIN, program, Feeding::Full, wants)
+}
+
+#[track_caller]
+fn keeps_limits(run: &Run) {
+    let (speed, change) = run.worst(&dynamics());
+    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+}
+
+#[test]
+fn hold_stops_within_the_stopping_distance_and_goes_on() {
+    let program = [line(at(100.0, 0.0, 0.0), Blend::ExactStop)];
+    let run = operated(&program, |cycle| InputParameter {
+        hold: if (500..700).contains(&cycle) { Hold::Hold } else { Hold::Run },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    let (before, after) = (run.samples[500][0], run.samples[699][0]);
+    let stopping = FEED * FEED / (2.0 * 2000.0);
+    assert!(after - before <= stopping + 2.0 * FEED * 0.001, "{}", after - before);
+    assert_eq!(run.outputs[698].phase, Phase::Holding);
+    assert_eq!(run.samples.last(), Some(&at(100.0, 0.0, 0.0)));
+}
+
+#[test]
+fn adaptive_feed_below_zero_retraces_the_path() {
+    let program = zig(Blend::Within(0.1));
+    let run = operated(&program, |cycle| InputParameter {
+        adaptive_feed: if (400..700).contains(&cycle) { -1.0 } else { 1.0 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    let (turning, back) = (run.samples[400], run.samples[690]);
+    assert!(back[0] < turning[0] - 4.0, "{} {}", turning[0], back[0]);
+    let (path, _) = programmed(ORIGIN, &program);
+    assert!(farthest(&run.samples, &path) <= 0.1);
+    assert_eq!(run.samples.last(), Some(&at(100.0, 0.0, 0.0)));
+}
+
+/// What lies near behind the motion is planned first: it is not to wait at rest until all that is remembered is
+/// planned.
+#[test]
+fn a_long_path_is_run_back_at_once_and_to_its_beginning() {
+    let program = dense(Blend::Within(0.01));
+    let run = operated(&program, |cycle| InputParameter {
+        adaptive_feed: if (1500..3400).contains(&cycle) { -1.0 } else { 1.0 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    let rests =
+        run.samples[1500..1700].windows(2).filter(|two| distance(&two[0], &two[1]) <= 0.0).count();
+    assert!(rests <= 40, "it rests for {rests} cycles");
+    // Not much longer than the way there.
+    let start = run.samples[1500..].iter().position(|sample| distance(sample, &ORIGIN) <= 0.0);
+    assert!(start.is_some_and(|cycles| cycles <= 1800), "{start:?}");
+    let (path, _) = programmed(ORIGIN, &program);
+    assert!(farthest(&run.samples, &path) <= 0.01);
+    assert_eq!(run.samples.last(), path.last());
+}
+
+/// What an earlier run back has left behind what is planned for this one is worth nothing: once it broke a limit 3.4
+/// times over.
+#[test]
+fn a_path_is_run_back_again_after_somebody_has_asked_for_it_for_a_moment() {
+    let quick = Dynamics { velocity: [500.0; 9], acceleration: [20_000.0; 9], ..dynamics() };
+    let mut planner = Planner::new(quick, ORIGIN).expect("limits");
+    let mut next = ORIGIN;
+    for number in 1..=700 {
+        next[0] += 0.05;
+        planner.keep_apart();
+        let feed = Feed::PerSecond(150.0);
+        let chord = Segment { number, feed, ..line(next, Blend::ExactPath) };
+        planner.queue(&chord).expect("room");
+    }
+    let run = run_with(&mut planner, ORIGIN, &[], Feeding::Full, |cycle| InputParameter {
+        adaptive_feed: match cycle {
+            170..270 | 280 | 284..584 => -1.0,
+            _ => 1.0,
+        },
+        ..InputParameter::default()
+    });
+    let (speed, change) = run.worst(&quick);
+    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+    assert!(run.samples[583][0] < 10.0, "{}", run.samples[583][0]);
+}
+
+/// A bend that was planned for another override, and is passed again behind a piece that has been planned anew: its
+/// plan holds no more.
+#[test]
+fn bend_is_run_through_again_at_a_lower_override() {
+    let corner = at(50.0037, 0.0, 0.0);
+    let (sine, cosine) = libm::sincos(0.003);
+    let end = at(corner[0] + 50.0 * cosine, 50.0 * sine, 0.0);
+    let slow = Segment { feed: Feed::PerSecond(25.0), ..line(end, Blend::Within(3e-6)) };
+    let program = [line(corner, Blend::Within(3e-6)), slow];
+    let run = operated(&program, |cycle| InputParameter {
+        feed_override: if cycle < 369 { 2.0 } else { 0.5 },
+        adaptive_feed: if (498..1039).contains(&cycle) { -1.0 } else { 1.0 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    assert!(run.samples[1030][0] < corner[0] - 5.0, "{}", run.samples[1030][0]);
+}
+
+/// What has been planned for a higher override, and is passed again, is planned anew: once a slower segment was
+/// entered four times too fast.
+#[test]
+fn slower_segment_is_entered_at_its_own_feed_after_running_back() {
+    let to = |x: f64| line(at(x, 0.0, 0.0), Blend::ExactPath);
+    let slow = |x: f64| Segment { feed: Feed::PerSecond(20.0), ..to(x) };
+    let program = [to(100.0), slow(120.0), slow(140.0), slow(200.0)];
+    let run = operated(&program, |cycle| InputParameter {
+        feed_override: if cycle < 1250 { 2.0 } else { 0.5 },
+        adaptive_feed: if (1300..6000).contains(&cycle) { -1.0 } else { 1.0 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    assert!(run.samples[1250][0] > 110.0 && run.samples[6000][0] < 80.0);
+    for output in run.outputs[6000..].iter().filter(|output| output.position[0] > 100.0) {
+        assert!(output.speed <= 10.0 + 1e-9, "{} at {}", output.speed, output.position[0]);
+    }
+}
+
+/// What a new segment makes of the path ahead counts behind the motion, too, which may run back and come again: once
+/// it came to the end of all at its full speed.
+#[test]
+fn path_that_changes_is_kept_to_from_behind_after_running_back() {
+    let (mut here, mut heading, mut program) = (ORIGIN, 0.3, Vec::new());
+    for place in 1..=30_u32 {
+        heading += if place % 7 == 0 { 1.5 } else { 0.02 };
+        here[0] += 0.5 * libm::cos(heading);
+        here[1] += 0.5 * libm::sin(heading);
+        program.push(line(here, Blend::Within(0.1)));
+    }
+    for begun in 10..200 {
+        let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+        let every = Feeding::Every(1, 10);
+        let run = run_with(&mut planner, ORIGIN, &program, every, |cycle| InputParameter {
+            adaptive_feed: if (begun..begun + 60).contains(&cycle) { -1.0 } else { 1.0 },
+            ..InputParameter::default()
+        });
+        keeps_limits(&run);
+    }
+}
+
+/// What lies next is kept to as soon as it is planned for a lowered override: once the motion crept, for as long as a
+/// long queue took.
+#[test]
+fn a_lowered_override_is_kept_to_at_once_on_a_long_queue() {
+    let run = operated(&dense(Blend::Within(0.01)), |cycle| InputParameter {
+        feed_override: if (300..700).contains(&cycle) { 0.3 } else { 1.0 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    for output in &run.outputs[345..700] {
+        assert!((output.speed - 0.3 * FEED).abs() < 0.01 * FEED, "{}", output.speed);
+    }
+}
+
+/// What lies far ahead is planned for a lowered override before the motion comes to it, however short it is: once a
+/// slower row was entered at 9 times its feed.
+#[test]
+fn a_lowered_override_is_kept_to_where_a_slower_row_of_short_segments_begins() {
+    let program: Vec<Segment> = (1..=1500_u32)
+        .map(|place| {
+            let feed = Feed::PerSecond(if place <= 750 { 150.0 } else { 15.0 });
+            Segment { feed, ..line(at(0.005 * f64::from(place), 0.0, 0.0), Blend::ExactPath) }
+        })
+        .collect();
+    for falls in (150..240).step_by(3) {
+        let run = operated(&program, |cycle| InputParameter {
+            feed_override: if cycle < falls { 1.0 } else { 0.1 },
+            ..InputParameter::default()
+        });
+        keeps_limits(&run);
+        // The row is so short that it is passed at 15 mm/s, from which it takes 8 cycles to stop.
+        let late = run.outputs.iter().skip(falls + 20);
+        for output in late.filter(|output| output.position[0] > 0.005 * 750.0) {
+            assert!(output.speed <= 1.5 + 1e-9, "{falls}: {}", output.speed);
+        }
+    }
+}
+
+/// The same where a segment that moves nothing is queued in the cycle after the change.
+#[test]
+fn corner_that_is_queued_as_soon_as_an_override_falls_can_be_kept_to() {
+    let slow = |end: Axes, blend| Segment { feed: Feed::PerSecond(50.0), ..line(end, blend) };
+    let row =
+        (1..=60_u32).map(|place| slow(at(0.2 * f64::from(place), 0.0, 0.0), Blend::ExactPath));
+    let last = slow(at(13.0, 0.0, 0.0), Blend::Within(1.0));
+    let (sine, cosine) = libm::sincos(3.0);
+    let corner = slow(at(13.0 + cosine, sine, 0.0), Blend::Within(1.0));
+    for falls in 80..140 {
+        let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+        for segment in row.clone().chain([last]) {
+            planner.queue(&segment).expect("room");
+        }
+        let (mut output, mut run) =
+            (OutputParameter::default(), Run { samples: vec![ORIGIN], outputs: vec![] });
+        for cycle in 0..2000 {
+            let later = [(falls + 1, last), (falls + 2, corner)];
+            for (_, segment) in later.iter().filter(|(queued, _)| *queued == cycle) {
+                planner.queue(segment).expect("room");
+            }
+            let feed_override = if cycle < falls { 2.0 } else { 0.1 };
+            planner.update(
+                &InputParameter { feed_override, ..InputParameter::default() },
+                &mut output,
+            );
+            run.samples.push(output.position);
+            run.outputs.push(output);
+        }
+        keeps_limits(&run);
+    }
+}
+
+/// A corner is no narrower than the motion can come to that is still faster than a lowered override asks for: once it
+/// was made for the override.
+#[test]
+fn corner_that_is_queued_while_an_override_falls_can_be_kept_to() {
+    let mut chance = chance(151_772, false);
+    chance.dynamics.queue = 7;
+    chance.feeding = Feeding::Every(3, 40);
+    let changes = [
+        (18, 0.1),
+        (26, 0.0),
+        (35, 0.5),
+        (53, 2.0),
+        (68, 0.0),
+        (83, 1.3),
+        (85, 0.1),
+        (104, 1.0),
+        (106, 0.5),
+        (118, 0.97),
+        (150, 0.0),
+    ];
+    for (until, feed_override) in changes {
+        let input = InputParameter { feed_override, ..InputParameter::default() };
+        chance.operator.resize(until, input);
+    }
+    let used = used(&chance).0;
+    assert!(used <= 1.0 + 1e-9, "{used}");
+}
+
+/// A corner that is queued while the motion slows down for a lower override is one like all others: once these became
+/// stops.
+#[test]
+fn corners_queued_while_an_override_falls_are_passed() {
+    let mut planner = Planner::new(Dynamics { queue: 10, ..dynamics() }, ORIGIN).expect("limits");
+    let program = &dense(Blend::Within(0.01))[..800];
+    let run = run_with(&mut planner, ORIGIN, program, Feeding::Full, |cycle| InputParameter {
+        feed_override: if cycle / 150 % 2 == 0 { 1.0 } else { 0.2 },
+        ..InputParameter::default()
+    });
+    keeps_limits(&run);
+    let within = &run.outputs[100..run.outputs.len() - 100];
+    let slowest = within.iter().map(|output| output.speed).fold(f64::INFINITY, f64::min);
+    assert!(slowest > 0.19 * FEED, "{slowest}");
+}
+
+#[test]
+fn abort_forgets_the_queue_at_rest() {
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    let mut output = OutputParameter::default();
+    for segment in zig(Blend::Within(0.1)) {
+        planner.queue(&segment).expect("room");
+    }
+    let mut samples = vec![ORIGIN];
+    for cycle in 0..400 {
+        let hold = if cycle == 300 { Hold::Abort } else { Hold::Run };
+        planner.update(&InputParameter { hold, ..InputParameter::default() }, &mut output);
+        samples.push(output.position);
+    }
+    assert_eq!(output.phase, Phase::Idle);
+    let rest = output.position;
+    let end = at(rest[0] + 10.0, 0.0, 0.0);
+    let rest_of =
+        run_with(&mut planner, rest, &[line(end, Blend::ExactStop)], Feeding::Full, |_| {
+            InputParameter::default()
+        });
+    samples.extend(rest_of.samples);
+    let run = Run { samples, outputs: Vec::new() };
+    keeps_limits(&run);
+    assert_eq!(run.samples.last(), Some(&end));
+}
+
+#[test]
+fn feed_override_scales_the_speed() {
+    for (feed_override, speed) in [(0.5, 50.0), (1.0, 100.0), (2.0, 200.0)] {
+        let program = [line(at(100.0, 0.0, 0.0), Blend::ExactStop)];
+        let input = InputParameter { feed_override, ..InputParameter::default() };
+        let run = operated(&program, |_| input);
+        let most = run.outputs.iter().map(|output| output.speed).fold(0.0, f64::max);
+        assert!((most - speed).abs() < 1e-6, "{most}");
+    }
+}
+
+#[test]
+fn feed_does_not_wait_for_the_rapid_override() {
+    let program = zig(Blend::Within(0.1));
+    let input = InputParameter { rapid_override: 0.0, ..InputParameter::default() };
+    let run = operated(&program, |_| input);
+    keeps_limits(&run);
+    assert!(run.time() < 5.2, "{}", run.time());
+}
+
+#[test]
+fn slower_segment_is_entered_at_its_own_feed() {
+    for feed_override in [0.3, 1.0, 1.7] {
+        let mut program = vec![
+            line(at(20.0, 0.0, 0.0), Blend::Within(0.01)),
+            line(at(40.0, 0.0, 0.0), Blend::ExactStop),
+        ];
+        program[1].feed = Feed::PerSecond(10.0);
+        let input = InputParameter { feed_override, ..InputParameter::default() };
+        let run = operated(&program, |_| input);
+        let late = run.outputs.iter().filter(|output| output.position[0] > 20.0);
+        let most = late.map(|output| output.speed).fold(0.0, f64::max);
+        assert!(most <= 10.0 * feed_override + 1e-6, "{most}");
+    }
+}
+
+#[test]
+fn dwell_rests_to_the_cycle() {
+    let program = [
+        line(at(10.0, 0.0, 0.0), Blend::Within(0.1)),
+        segment(Path::Dwell { seconds: 0.25 }, Blend::Within(0.1)),
+        line(at(20.0, 0.0, 0.0), Blend::Within(0.1)),
+    ];
+    let run = operated(&program, |_| InputParameter::default());
+    let rests = run.samples.windows(2).filter(|two| distance(&two[0], &two[1]) <= 0.0).count();
+    assert!((249..=251).contains(&rests), "{rests}");
+}
+
+#[test]
+fn outputs_switch_in_order_where_their_segment_begins() {
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    let mut output = OutputParameter::default();
+    let mut seen = Vec::new();
+    for number in 0..3_u16 {
+        for value in [0.0, 1.0] {
+            planner.switch(OutputSwitch { output: number, value }).expect("room");
+        }
+        let x = 10.0 * f64::from(number + 1);
+        planner.queue(&line(at(x, 0.0, 0.0), Blend::Within(0.01))).expect("room");
+    }
+    planner.switch(OutputSwitch { output: 9, value: 1.0 }).expect("room");
+    for _ in 0..1000 {
+        planner.update(&InputParameter::default(), &mut output);
+        while let Some(switch) = planner.switched() {
+            seen.push((switch.output, switch.value.to_bits(), output.position[0]));
+        }
+    }
+    let order: Vec<_> = seen.iter().map(|(output, value, _)| (*output, *value)).collect();
+    let one = 1.0_f64.to_bits();
+    assert_eq!(order, [(0, 0), (0, one), (1, 0), (1, one), (2, 0), (2, one)]);
+    for (output, _, x) in seen {
+        let begins = 10.0 * f64::from(output);
+        assert!((begins..=begins + 0.1).contains(&x), "{output} at {x}");
+    }
+}
+
+#[test]
+fn probe_ends_the_motion() {
+    let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
+    let mut output = OutputParameter::default();
+    let mut probing = line(at(0.0, 0.0, -50.0), Blend::ExactStop);
+    probing.probing = true;
+    planner.queue(&probing).expect("room");
+    let mut tripped = 0;
+    for cycle in 0..400 {
+        let input = InputParameter { probe: cycle >= 200, ..InputParameter::default() };
+        planner.update(&input, &mut output);
+        tripped += u32::from(output.tripped);
+    }
+    assert_eq!((tripped, output.phase), (1, Phase::Idle));
+    assert!(output.position[2] > -25.0, "{}", output.position[2]);
+}
+
+fn last_end(chance: &Chance) -> Axes {
+    let ends = chance.program.iter().rev().filter_map(|segment| match segment.path {
+        Path::Straight { end } | Path::Arc { end, .. } => Some(end),
+        Path::Dwell { .. } => None,
+    });
+    ends.into_iter().next().unwrap_or(chance.start)
+}
+
+/// How far a run comes to the limits, in samples and in what it tells.
+fn used(chance: &Chance) -> (f64, Run) {
+    let mut planner = Planner::new(chance.dynamics, chance.start).expect("limits");
+    let wants = |cycle: usize| chance.operator.get(cycle).copied().unwrap_or_default();
+    let run = run_with(&mut planner, chance.start, &chance.program, chance.feeding, wants);
+    let (speed, change) = run.worst(&chance.dynamics);
+    (speed.max(change).max(run.told(&chance.dynamics)), run)
+}
+
+/// Each of these programs has broken a limit once, or came to no end, a little before that of a segment.
+#[test]
+fn no_limit_is_broken_by_somebody_who_never_rests() {
+    for seed in [13_122, 19_056, 21_361, 21_517, 21_648, 21_999, 22_208, 29_000, 29_418, 222_037] {
+        let used = used(&restless(seed)).0;
+        assert!(used <= 1.0 + 1e-9, "{seed}: {used}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(150) })]
+
+    #[test]
+    fn no_limit_is_broken_by_anything(seed in any::<u64>(), with_operator in any::<bool>()) {
+        let chance = chance(seed, with_operator);
+        let (used, run) = used(&chance);
+        prop_assert!(used <= 1.0 + 1e-9, "{}", used);
+        prop_assert_eq!(run.samples.last(), Some(&last_end(&chance)));
+    }
+
+    #[test]
+    fn no_limit_is_broken_by_whoever_never_rests(seed in any::<u64>()) {
+        let used = used(&restless(seed)).0;
+        prop_assert!(used <= 1.0 + 1e-9, "{}", used);
+    }
+}
