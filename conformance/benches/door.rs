@@ -19,12 +19,12 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::Mutex;
 use std::time::Duration;
 
-use gaugeblock::adapters::production::Production;
 use gaugeblock::certify::{Plan, certify};
 use gaugeblock_adapter::exec::{Exec, Limits};
 use gaugeblock_adapter::protocol::{Answer, Operation, Reply, Request, Ways};
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
+use gaugeblock_controllers::Production;
 use gaugeblock_suite::{Edition, Suite, scenario_of};
 use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 use mimalloc::MiMalloc;

@@ -2,25 +2,22 @@
 //!
 //! Data flows one way: the [suite](gaugeblock_suite) gives scenarios, an [adapter](gaugeblock_adapter) runs each on a
 //! controller, the reference model runs it too, both outcomes are [folded, compared and
-//! judged](gaugeblock_compare), and [`certify`] makes a verdict of it, which a [`report`] shows and [`expectations`] hold against
-//! what is known.
+//! judged](gaugeblock_compare), and [`certify`] makes a verdict of it, which a [`report`] shows and [`expectations`]
+//! hold against what is known.
 //!
 //! **Invariants.** The referee trusts no controller. What was not run, not understood or not shown is never a pass. The
 //! order in which cases run changes nothing.
 
-pub mod adapters;
 pub mod catalogue;
 pub mod certify;
 pub mod check;
 pub mod command;
-pub mod drive;
 pub mod expectations;
 pub mod explain;
 pub mod fingerprint;
 pub mod fuzz;
 pub mod journal;
 pub mod motion_programs;
-pub mod offline;
 pub mod report;
 pub mod rs274;
 pub mod shard;

@@ -12,7 +12,7 @@ use gaugeblock_reference::motion::path::programmed;
 use gaugeblock_vocabulary::motion::{MotionAction, MotionEvent, MotionScript};
 use gaugeblock_vocabulary::{End, Outcome};
 
-use crate::drive::{Circumstances, Planned, Stopped, plan_under};
+use gaugeblock_controllers::drive::{Circumstances, Planned, Stopped, plan_under};
 
 /// How many cycles a program may take more where it should take as many, and which share where more is allowed.
 const CYCLES: f64 = 2.0;

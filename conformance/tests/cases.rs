@@ -1,7 +1,7 @@
 //! Each rule, under each edition, held against the model: a test per rule and edition.
 
-use gaugeblock::adapters::reference::Reference;
 use gaugeblock::certify::{Plan, Verdict, certify};
+use gaugeblock_controllers::Reference;
 use gaugeblock_suite::Suite;
 use libtest_mimic::{Arguments, Failed, Trial};
 

@@ -6,14 +6,14 @@ use std::collections::BTreeSet;
 use std::num::NonZero;
 use std::sync::atomic::AtomicBool;
 
-use gaugeblock::adapters::production::Production;
-use gaugeblock::adapters::reference::Reference;
 use gaugeblock::fuzz::groups::{Finding, Groups, merged, shrunk};
 use gaugeblock::fuzz::journal::Chunk;
 use gaugeblock::fuzz::statistics::Statistics;
 use gaugeblock::fuzz::{Extent, FuzzResult, Plan, Shard, run};
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
+use gaugeblock_controllers::Production;
+use gaugeblock_controllers::Reference;
 use gaugeblock_fuzz::generate::nct::{Counted, Pair, count, locals};
 use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_fuzz::generate::{Entropy, GeneratorConfig, Setups};

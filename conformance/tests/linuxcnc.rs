@@ -8,9 +8,9 @@ use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-use gaugeblock::adapters::linuxcnc::LinuxCnc;
 use gaugeblock::certify::{Plan, Verdict, certify};
 use gaugeblock_adapter::Adapter;
+use gaugeblock_linuxcnc::LinuxCnc;
 use gaugeblock_suite::Suite;
 
 /// The command, unless the controller cannot be used here.

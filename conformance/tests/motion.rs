@@ -4,9 +4,9 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use gaugeblock::adapters::production::Production;
-use gaugeblock::drive::{Circumstances, plan_under};
 use gaugeblock_adapter::Adapter;
+use gaugeblock_controllers::Production;
+use gaugeblock_controllers::drive::{Circumstances, plan_under};
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 

@@ -8,8 +8,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use common::gaugeblock;
-use gaugeblock::adapters::rs274::Rs274;
-use gaugeblock::offline::Manifest;
+use gaugeblock_linuxcnc::Rs274;
+use gaugeblock_offline::Manifest;
 use gaugeblock_suite::Suite;
 use serde_json::Value;
 

@@ -9,10 +9,10 @@ use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-use gaugeblock::adapters::production::Production;
-use gaugeblock::adapters::reference::Reference;
-use gaugeblock::adapters::rs274::Rs274;
 use gaugeblock_adapter::Adapter;
+use gaugeblock_controllers::Production;
+use gaugeblock_controllers::Reference;
+use gaugeblock_linuxcnc::Rs274;
 use gaugeblock_suite::{Edition, Suite, scenario_of};
 use gaugeblock_vocabulary::{End, LengthUnit, Machine, Options, Scenario};
 

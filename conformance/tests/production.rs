@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 use std::num::NonZero;
 
-use gaugeblock::adapters::production::Production;
 use gaugeblock::certify::{Plan, Run, Verdict, certify};
 use gaugeblock::fingerprint::{Shown, shown};
 use gaugeblock_adapter::Adapter;
+use gaugeblock_controllers::Production;
 use gaugeblock_suite::{ChoiceKind, Edition, Suite};
 
 /// Why cases are unsupported: they are about what another controller only stubs.

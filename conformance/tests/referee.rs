@@ -2,7 +2,6 @@
 
 use std::num::NonZero;
 
-use gaugeblock::adapters::reference::Reference;
 use gaugeblock::certify::{CaseResult, Plan, Run, Verdict, certify};
 use gaugeblock::expectations::{Expectations, Trouble};
 use gaugeblock::fingerprint::{Shown, fingerprint};
@@ -14,6 +13,7 @@ use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Capabilities, compare};
+use gaugeblock_controllers::Reference;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{BlockLocation, Effect, End, Event, Outcome, Program, Scenario};
 

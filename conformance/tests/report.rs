@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use common::gaugeblock;
-use gaugeblock::adapters::reference::Reference;
 use gaugeblock::certify::{CaseResult, Course, Plan, Run, Twice, certify, certify_in};
 use gaugeblock::report::causes::groups;
 use gaugeblock::report::merge::Stored;
@@ -16,6 +15,7 @@ use gaugeblock::report::{Header, Report, html, json, junit, markdown, terminal};
 use gaugeblock::shard::Shard;
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
+use gaugeblock_controllers::Reference;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{Channel, Effect, End, Event, Outcome, Scenario};
 use serde_json::Value;

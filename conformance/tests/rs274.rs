@@ -3,7 +3,7 @@
 use std::io::Write as _;
 use std::process::{Command, Output};
 
-use gaugeblock::adapters::rs274::Rs274;
+use gaugeblock_linuxcnc::Rs274;
 use gaugeblock_suite::Suite;
 
 const EXPECTATIONS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/expectations/rs274-2.9.toml");

@@ -7,12 +7,13 @@ use std::collections::BTreeMap;
 use std::io::Write as _;
 
 use common::gaugeblock;
-use gaugeblock::adapters::rs274::Rs274;
+use gaugeblock_linuxcnc::Rs274;
 use serde_json::Value;
 
-const ADAPTER: &str = include_str!("../adapters/rs274.py");
+const ADAPTER: &str = include_str!("../linuxcnc/python/rs274.py");
 const TEMPLATE: &str = include_str!("../adapter/templates/template.py");
-const COMMAND: &str = concat!("exec:python3 ", env!("CARGO_MANIFEST_DIR"), "/adapters/rs274.py");
+const COMMAND: &str =
+    concat!("exec:python3 ", env!("CARGO_MANIFEST_DIR"), "/linuxcnc/python/rs274.py");
 
 /// Chapters that the gate compares; with this variable set, the nightly run compares all.
 const SAMPLE: &[&str] =

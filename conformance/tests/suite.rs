@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock::adapters::reference::Reference;
 use gaugeblock::catalogue;
 use gaugeblock::fingerprint::{Shown, fingerprint};
+use gaugeblock_controllers::Reference;
 use gaugeblock_suite::{ChoiceKind, Suite};
 
 fn suite() -> Suite {

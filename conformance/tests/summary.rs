@@ -2,12 +2,12 @@
 
 use std::num::NonZero;
 
-use gaugeblock::adapters::reference::Reference;
 use gaugeblock::certify::{Departure, Plan, Run, Verdict, certify};
 use gaugeblock::expectations::Trouble;
 use gaugeblock::report::markdown::markdown;
 use gaugeblock::report::{Header, Report};
 use gaugeblock::shard::Shard;
+use gaugeblock_controllers::Reference;
 use gaugeblock_suite::Suite;
 
 /// Most characters of a comment on GitHub.

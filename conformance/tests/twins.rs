@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
-use gaugeblock::adapters::reference::Reference;
 use gaugeblock::catalogue::{editions_of, model_run};
 use gaugeblock::certify::{Plan, Verdict, certify};
+use gaugeblock_controllers::Reference;
 use gaugeblock_suite::{Case, Edition, Rule, RuleOutcome, Setup, Suite, files};
 
 /// The chapters, and for each the document whose sentences its page goes through.

@@ -1,11 +1,11 @@
 //! The smallest program that departs as a case does.
 
 use gaugeblock_adapter::Adapter;
+use gaugeblock_controllers::Reference;
 use gaugeblock_fuzz::generate::GeneratorConfig;
 use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_vocabulary::Scenario;
 
-use crate::adapters::reference::Reference;
 use crate::fuzz::groups::{Finding, shrunk};
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{FuzzResult, Plan};

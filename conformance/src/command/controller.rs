@@ -4,16 +4,16 @@ use std::path::Path;
 
 use gaugeblock_adapter::exec::{Exec, Limits};
 use gaugeblock_adapter::{Adapter, ControllerError};
+use gaugeblock_controllers::Narrowed;
+use gaugeblock_controllers::Production;
+use gaugeblock_controllers::Reference;
+use gaugeblock_linuxcnc::LinuxCnc;
+use gaugeblock_linuxcnc::Rs274;
+use gaugeblock_offline::Offline;
 use gaugeblock_suite::{Edition, Suite};
 use gaugeblock_vocabulary::{Language, Options, Scenario};
 
 use super::Refused;
-use crate::adapters::linuxcnc::LinuxCnc;
-use crate::adapters::narrowed::Narrowed;
-use crate::adapters::offline::Offline;
-use crate::adapters::production::Production;
-use crate::adapters::reference::Reference;
-use crate::adapters::rs274::Rs274;
 
 /// The names, as the help tells them.
 pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`); tcp:HOST:PORT: one whose adapter listens there; offline:DIR: a control that was asked on paper (`gaugeblock suite --help`)";
@@ -56,7 +56,7 @@ pub(super) fn controller_within(
 
 #[cfg(feature = "faulty")]
 fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
-    use crate::adapters::faulty::{Faulty, named};
+    use gaugeblock_controllers::faulty::{Faulty, named};
     let fault = named(fault).ok_or_else(|| {
         Refused::wrong(
             format!("there is no planted fault `{fault}`"),

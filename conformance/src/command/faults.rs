@@ -3,13 +3,13 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use gaugeblock_controllers::faulty::Faulty;
 use gaugeblock_interpreter::faults::Fault;
 use gaugeblock_suite::Suite;
 use serde_json::json;
 
 use super::certify::progress;
 use super::{Format, Refused, write_out};
-use crate::adapters::faulty::Faulty;
 use crate::certify::{CaseResult, Plan, certify};
 
 /// The editions that notice what is wrong with post-processors and with custom macros.

@@ -11,6 +11,7 @@ use std::time::Duration;
 use clap::Args;
 use gaugeblock_adapter::Adapter;
 use gaugeblock_adapter::clock::now;
+use gaugeblock_controllers::Production;
 use gaugeblock_fuzz::motion::MotionProgram;
 use gaugeblock_fuzz::motion::transformation::Transformation;
 use gaugeblock_suite::Suite;
@@ -18,7 +19,6 @@ use gaugeblock_vocabulary::motion::MotionScript;
 use gaugeblock_vocabulary::{Axis, End, Outcome, Scenario, Settings};
 
 use super::{Refused, place, write_out};
-use crate::adapters::production::Production;
 use crate::motion_programs::{MotionResult, broken_by, compared, judged, motion_program, shrunk};
 use crate::report::inert;
 

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use gaugeblock_controllers::Reference;
 use gaugeblock_suite::Suite;
 use gaugeblock_suite::ledger::Ledger;
 
 use super::{Format, Refused, place, write_out};
-use crate::adapters::reference::Reference;
 use crate::certify::{Plan, certify};
 use crate::report::Header;
 use crate::report::Report;

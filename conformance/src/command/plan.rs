@@ -3,20 +3,20 @@
 use std::path::{Path, PathBuf};
 
 use gaugeblock_adapter::{Adapter, NotMoved};
+use gaugeblock_controllers::Production;
+use gaugeblock_controllers::Reference;
 use gaugeblock_motion::Summary;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 use gaugeblock_vocabulary::scenario::Program;
 use gaugeblock_vocabulary::{End, Outcome, Position, Scenario};
 
-use crate::drive::{Circumstances, plan_under};
 use clap::Args;
+use gaugeblock_controllers::drive::{Circumstances, plan_under};
 
 use super::controller::linuxcnc;
 use super::pictures::Drawing;
 use super::{Refused, judge, place, run, write_error_in_colours, write_out};
-use crate::adapters::production::Production;
-use crate::adapters::reference::Reference;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock plan part.ngc --machine mill.toml

@@ -7,13 +7,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::{Args, Subcommand};
 use gaugeblock_adapter::Adapter;
-use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite};
-
-use super::{Refused, certify, controller, place, write_error, write_out};
-use crate::offline::{
+use gaugeblock_offline::{
     Answer, BLOCKS, CONTROL, FORMAT, MANIFEST, Manifest, OPERATOR, Question, SAMPLES, SHEET,
     answer, blank, can_ask, control_text, operator, questions, read_blocks, readme,
 };
+use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite};
+
+use super::{Refused, certify, controller, place, write_error, write_out};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock suite export --profile modal-save --edition linuxcnc-2.9 --out campaign

@@ -13,9 +13,9 @@ use std::cell::Cell;
 use std::io::Write as _;
 use std::sync::LazyLock;
 
-use gaugeblock::adapters::rs274::Rs274;
 use gaugeblock_fuzz::generate::{self, BUDGET, GeneratorConfig};
 use gaugeblock_fuzz_targets::{Agreement, agree, agree_with};
+use gaugeblock_linuxcnc::Rs274;
 use gaugeblock_suite::{Choice, ChoiceKind, Suite};
 use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, When};
 use gaugeblock_vocabulary::{BlockLocation, Language, Options, Program, Scenario};

@@ -1,0 +1,235 @@
+//! A controller that shows no more than another one, and runs no more than that one can: so that two get their
+//! verdicts on the same ground.
+
+use std::num::NonZero;
+
+use gaugeblock_adapter::{Adapter, Expected, HarnessError, Motion, NotMoved};
+use gaugeblock_compare::Capabilities;
+use gaugeblock_vocabulary::motion::Samples;
+use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Step};
+
+/// A controller, narrowed to what another one declares.
+#[derive(Debug)]
+pub struct Narrowed {
+    controller: Box<dyn Adapter>,
+    like: Box<dyn Adapter>,
+    capabilities: Capabilities,
+}
+
+impl Narrowed {
+    /// This controller, as far as the other one goes.
+    pub fn new(controller: Box<dyn Adapter>, like: Box<dyn Adapter>) -> Self {
+        let capabilities = controller.capabilities().and(like.capabilities());
+        Self { controller, like, capabilities }
+    }
+}
+
+impl Adapter for Narrowed {
+    fn capabilities(&self) -> &Capabilities {
+        &self.capabilities
+    }
+
+    fn shows(&self, scenario: &Scenario) -> Capabilities {
+        self.controller.shows(scenario).and(&self.like.shows(scenario))
+    }
+
+    fn shows_less_of_some(&self) -> bool {
+        self.controller.shows_less_of_some() || self.like.shows_less_of_some()
+    }
+
+    fn honours(&self, options: &Options) -> Result<(), String> {
+        self.controller.honours(options)
+    }
+
+    fn awaited(&self, scenario: &Scenario) -> Option<String> {
+        self.like.awaited(scenario).or_else(|| self.controller.awaited(scenario))
+    }
+
+    fn supports(&self, scenario: &Scenario) -> Result<(), String> {
+        self.like.supports(scenario)?;
+        self.controller.supports(scenario)
+    }
+
+    fn order_key(&self, scenario: &Scenario) -> String {
+        self.controller.order_key(scenario)
+    }
+
+    fn best_jobs(&self) -> Option<NonZero<usize>> {
+        self.controller.best_jobs()
+    }
+
+    fn check_observation(&mut self) {
+        self.controller.check_observation();
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let like = self.like.capabilities();
+        let mut notes = self.controller.notes();
+        notes.push(format!("held to no more than {} {} declares", like.name, like.version));
+        notes
+    }
+
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        let shows = self.shows(scenario);
+        Ok(narrowed(self.controller.run(scenario)?, &shows))
+    }
+
+    fn is_within(&self) -> bool {
+        self.controller.is_within()
+    }
+
+    fn runs_beside(&self) -> bool {
+        self.controller.runs_beside()
+    }
+
+    fn run_expecting(
+        &self,
+        scenario: &Scenario,
+        expected: &Expected<'_>,
+    ) -> Result<Outcome, HarnessError> {
+        let shows = self.shows(scenario);
+        Ok(narrowed(self.controller.run_expecting(scenario, expected)?, &shows))
+    }
+
+    fn ahead(&self, scenario: &Scenario) {
+        self.controller.ahead(scenario);
+    }
+
+    fn options(&self) -> Options {
+        self.controller.options()
+    }
+
+    fn own_edition(&self) -> Option<&str> {
+        self.like.own_edition().or(self.controller.own_edition())
+    }
+
+    /// What is known of the controller explains nothing that the other one does not know of itself.
+    fn observed_edition(&self) -> Option<&str> {
+        self.like.observed_edition()
+    }
+
+    fn belongs_to(&self) -> Option<(&str, &str)> {
+        self.like.belongs_to().or(self.controller.belongs_to())
+    }
+
+    fn has_laws_of_motion(&self) -> bool {
+        self.controller.has_laws_of_motion()
+    }
+
+    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
+        self.like.moves(motion)?;
+        self.controller.moves(motion)
+    }
+
+    fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
+        let outcome = self.controller.run_anew(scenario)?;
+        Some(outcome.map(|outcome| narrowed(outcome, &self.shows(scenario))))
+    }
+}
+
+/// Without what a fault tells and may not be seen. What is not judged otherwise is left: it is masked.
+fn narrowed(mut outcome: Outcome, shows: &Capabilities) -> Outcome {
+    let End::Fault(fault) = &mut outcome.end else { return outcome };
+    if !shows.faults_have_kinds {
+        fault.kind = None;
+    }
+    if let Some(block) = fault.block.take_if(|_| !shows.faults_have_blocks) {
+        // What a refused block did before is open, and without its place nobody would know that.
+        let is_refused = |step: &mut Step| step.block == block && step.state.is_none();
+        outcome.steps.pop_if(is_refused);
+    }
+    outcome
+}
+
+#[cfg(test)]
+mod tests {
+    use gaugeblock_vocabulary::{BlockLocation, Effect, Event, Position, Rs274State, State};
+
+    use super::*;
+    use crate::reference::Reference;
+    use gaugeblock_compare::observe::Observed;
+    use gaugeblock_compare::{Comparison, compare};
+
+    /// What a controller shows that tells no blocks.
+    fn blockless() -> Capabilities {
+        Capabilities {
+            blocks: false,
+            faults_have_blocks: false,
+            faults_have_kinds: false,
+            effects: ["straight_traverse".to_owned()].into(),
+            tells_all_fields: false,
+            ..Capabilities::everything("a control", "1")
+        }
+    }
+
+    /// An outcome with moves along X in one step, and the point at the end.
+    fn told(moves: &[f64], at: f64, end: End) -> Outcome {
+        let point = |x| Position { x, ..Position::default() };
+        let step = Step {
+            block: BlockLocation::new("", 0),
+            events: moves
+                .iter()
+                .map(|x| Event::Do(Effect::StraightTraverse { end: point(*x) }))
+                .collect(),
+            state: Some(State::Rs274(Rs274State {
+                position: Some(point(at)),
+                ..Rs274State::default()
+            })),
+        };
+        Outcome {
+            steps: vec![step],
+            end,
+            parameters: None,
+            ..gaugeblock_reference::run(&Scenario::of("m2\n")).0
+        }
+    }
+
+    fn compared(program: &str, found: &Outcome) -> Comparison {
+        let expected = gaugeblock_reference::run(&Scenario::of(program)).0;
+        compare(&Observed::of(&expected), &Observed::of(found), &blockless())
+    }
+
+    fn fault(program: &str) -> End {
+        gaugeblock_reference::run(&Scenario::of(program)).0.end
+    }
+
+    #[test]
+    fn without_blocks_effects_and_the_end_are_compared() {
+        let program = "g0 x1\nx2\nm2\n";
+        let right = compared(program, &told(&[1.0, 2.0], 2.0, End::ProgramEnd));
+        assert_eq!(right.divergence, None);
+        assert!(right.masked.contains("blocks"), "{:?}", right.masked);
+        let field = |found: &Outcome| compared(program, found).divergence.map(|found| found.field);
+        assert_eq!(field(&told(&[1.0, 2.0], 3.0, End::ProgramEnd)).as_deref(), Some("position"));
+        assert_eq!(field(&told(&[1.0], 2.0, End::ProgramEnd)).as_deref(), Some("effect"));
+    }
+
+    #[test]
+    fn without_blocks_what_a_refused_block_did_is_open_and_nothing_else() {
+        let program = "g0 x1\nx2 x3\nm2\n";
+        let more = compared(program, &told(&[1.0, 2.0], 2.0, fault(program)));
+        assert_eq!(more.divergence, None);
+        assert!(more.masked.contains("effects of a refused block"), "{:?}", more.masked);
+        assert!(compared(program, &told(&[], 0.0, fault(program))).divergence.is_some());
+        assert!(compared(program, &told(&[1.0, 2.0], 2.0, End::ProgramEnd)).divergence.is_some());
+    }
+
+    #[test]
+    fn a_fault_loses_what_the_other_does_not_tell() {
+        let scenario = Scenario::of("g0 x1\nx2 x3\nm2\n");
+        let of = |shows: &Capabilities| narrowed(gaugeblock_reference::run(&scenario).0, shows).end;
+        let End::Fault(bare) = of(&blockless()) else { panic!("accepted") };
+        assert_eq!((bare.kind, bare.block), (None, None));
+        let End::Fault(whole) = of(&Capabilities::everything("a", "1")) else { panic!("accepted") };
+        assert!(whole.kind.is_some() && whole.block == Some(BlockLocation::new("main.ngc", 2)));
+    }
+
+    #[test]
+    fn it_shows_what_both_show() {
+        let boxed = || Box::new(Reference::default()) as Box<dyn Adapter>;
+        let both = Narrowed::new(boxed(), boxed());
+        let scenario = Scenario::of("g0 x1\nm2\n");
+        assert_eq!(both.shows(&scenario).fields, Reference::default().capabilities().fields);
+        assert_eq!(both.run(&scenario), Reference::default().run(&scenario));
+    }
+}

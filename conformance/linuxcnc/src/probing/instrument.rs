@@ -1,0 +1,456 @@
+//! Makes a program tell where it is: probe lines after each line, tags on lines that a jump can reach.
+//!
+//! A probe line prints; it says file and line, and shows what parameters can show. What happens between two probes was
+//! done by the block between them. (DEBUG,…) would do as well, but a program can switch it off.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use super::source::{Form, Source, form, has_slash, without_number};
+
+/// Highest parameter number that a parameter file may list.
+pub(crate) const LAST_PARAMETER: u32 = 5601;
+
+/// Longest line that the interpreter reads.
+pub(crate) const LONGEST_LINE: usize = 252;
+
+/// How many parameters a probe line shows: a message that has more than about 500 characters, once its values are in
+/// it, makes the interpreter crash, and large numbers are long.
+const MOST_VALUES: usize = 12;
+
+/// Characters that binding an end to a parameter may take.
+const ROOM_TO_BIND: usize = 40;
+
+/// Parameters that show a mode, printed as whole numbers.
+pub(crate) const MODES: [&[&str]; 2] = [
+    &[
+        "_motion_mode",
+        "_plane",
+        "_metric",
+        "_absolute",
+        "_inverse_time",
+        "_units_per_minute",
+        "_ccomp",
+        "_coord_system",
+        "_retract_old_z",
+        "_ijk_absolute_mode",
+        "_lathe_diameter_mode",
+    ],
+    &[
+        "_mist",
+        "_flood",
+        "_feed_override",
+        "_speed_override",
+        "_adaptive_feed",
+        "_feed_hold",
+        "_spindle_css_mode",
+        "_spindle_on",
+        "_spindle_cw",
+        "_selected_tool",
+        "_selected_pocket",
+        "_call_level",
+    ],
+];
+
+/// Parameters that show a number, printed with nine decimals.
+pub(crate) const NUMBERS: &[&str] = &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c"];
+
+/// How a program is observed.
+#[derive(Clone, Debug)]
+pub(crate) struct Plan {
+    /// What each probe line begins with; it stands nowhere in the program.
+    pub(crate) marker: String,
+    /// Parameters that are shown after each block, as they are written behind `#`.
+    pub(crate) parameters: Vec<String>,
+    /// Where a controller reads ahead: marks that pass through its queue, so that they tell what has been executed.
+    pub(crate) marks: Option<Marks>,
+}
+
+/// Messages that pass through a controller's queue in their place: after each block, and before some.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Marks {
+    /// File and line of blocks before which there is one too.
+    pub(crate) before: BTreeSet<(usize, u32)>,
+    /// Those of them that wait a moment, so that something can be switched before they begin.
+    pub(crate) gates: BTreeSet<(usize, u32)>,
+}
+
+/// Seconds that such a block waits.
+pub(crate) const GATE: &str = "0.15";
+
+impl Plan {
+    /// A plan for a program: it shows the parameters that the text names, #1 to #30, and `more`.
+    pub(crate) fn new(source: &Source, more: &BTreeSet<u32>) -> Self {
+        let named = source.parameters();
+        let mut numbers: BTreeSet<u32> =
+            (1..=30).chain(named.numbered).chain(more.iter().copied()).collect();
+        numbers.retain(|number| is_plain(*number));
+        let is_word = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
+        let own = |name: &&String| !PREDEFINED.contains(&name.as_str()) && is_word(name);
+        let names = named.named.iter().filter(own).map(|name| format!("<{name}>"));
+        // Where line numbers matter, what blocks compute under observation is not what they compute.
+        let parameters = if source.names_line() {
+            Vec::new()
+        } else {
+            numbers.iter().map(u32::to_string).chain(names).collect()
+        };
+        Self { marker: unused_marker(source), parameters, marks: None }
+    }
+
+    /// The text of a file with probes and tags, and with an error before each line of `ends`: the program stops there,
+    /// its state alive.
+    pub(crate) fn probed(&self, file: usize, lines: &[String], ends: &Ends) -> String {
+        let mut text = String::new();
+        let begins_with_percent = lines
+            .iter()
+            .find(|line| !line.trim().is_empty())
+            .is_some_and(|line| form(line) == Form::Percent);
+        if file == 0 && !begins_with_percent {
+            text.push_str(&self.probe(file, 0));
+            text.push_str(&self.marks(file, 0));
+        }
+        let mut begun = !begins_with_percent;
+        for (number, line) in (1_u32..).zip(lines) {
+            if self.marks.as_ref().is_some_and(|marks| marks.before.contains(&(file, number))) {
+                text.push_str(&format!("(MSG,{})\n", self.mark_before(file, number)));
+                text.push_str(&self.gate(file, number));
+            }
+            if let Some(block) = ends.block(line) {
+                let _never = writeln!(text, "#<{}>=1\n{}", self.reached(block), self.stop());
+            }
+            text.push_str(line);
+            text.push_str(&self.tag(file, number, line));
+            text.push('\n');
+            begun |= !line.trim().is_empty();
+            if begun {
+                text.push_str(&self.probe(file, number));
+                text.push_str(&self.marks(file, number));
+            }
+        }
+        text
+    }
+
+    /// The text of the mark after a block.
+    pub(crate) fn mark_after(&self, file: usize, line: u32) -> String {
+        format!("{}{file}.{line}", self.marker)
+    }
+
+    /// The text of the mark before a block.
+    pub(crate) fn mark_before(&self, file: usize, line: u32) -> String {
+        format!("{}>{file}.{line}", self.marker)
+    }
+
+    fn gate(&self, file: usize, line: u32) -> String {
+        let waits = self.marks.as_ref().is_some_and(|marks| marks.gates.contains(&(file, line)));
+        if waits { format!("G4 P{GATE} ({})\n", self.marker) } else { String::new() }
+    }
+
+    /// The marks after a block: two, so that the first one has passed before a controller that reads one command ahead
+    /// reads the next block.
+    fn marks(&self, file: usize, line: u32) -> String {
+        if self.marks.is_none() {
+            return String::new();
+        }
+        format!("(MSG,{})\n(MSG,{}+)\n", self.mark_after(file, line), self.marker)
+    }
+
+    /// The number that each line of a probed file has in the file without probes; none for those that were put in.
+    pub(crate) fn own_lines(&self, probed: &str) -> Vec<Option<u32>> {
+        let put_in = [
+            format!("(PRINT,{} ", self.marker),
+            format!("(MSG,{}", self.marker),
+            format!("G4 P{GATE} ({}", self.marker),
+        ];
+        let mut own = 0;
+        let number = |line: &str| {
+            let is_own = !put_in.iter().any(|start| line.starts_with(start));
+            own += u32::from(is_own);
+            is_own.then_some(own)
+        };
+        probed.lines().map(number).collect()
+    }
+
+    /// What is entered by hand once the program has stopped: a sign, the end before which it stopped, and a probe.
+    ///
+    /// An end is bound to a parameter that is set before it, so that none is executed where an error stopped the
+    /// program; one that leaves no room for that is entered as it is ([`Ends::are_bound`]).
+    pub(crate) fn by_hand(&self, ends: &Ends) -> String {
+        let mut text = format!("(PRINT,{})\n", self.by_hand_sign());
+        for (block, end) in ends.blocks.iter().enumerate() {
+            let reached = self.reached(block);
+            let bound = format!("#<{reached}>=[1/#<{reached}>] {end}");
+            let has_room = end.len() <= LONGEST_LINE - ROOM_TO_BIND;
+            text.push_str(if has_room { &bound } else { end });
+            text.push('\n');
+        }
+        text + &self.probe(0, 0) + "quit\n"
+    }
+
+    /// The block that stops the program.
+    pub(crate) fn stop(&self) -> String {
+        format!("(ABORT,{})", self.marker)
+    }
+
+    /// What is printed when manual input begins.
+    pub(crate) fn by_hand_sign(&self) -> String {
+        format!("{}by hand", self.marker)
+    }
+
+    /// The parameter that says before which end the program stopped.
+    fn reached(&self, block: usize) -> String {
+        format!("_{}{block}", self.marker.trim_matches('@'))
+    }
+
+    /// The probe lines that stand after a line.
+    pub(crate) fn probe(&self, file: usize, line: u32) -> String {
+        let mut text = String::new();
+        let shown =
+            |names: &[&str]| names.iter().map(|name| format!(" #<{name}>")).collect::<String>();
+        let mut part = 0;
+        let mut put = |format: &str, values: &str| {
+            let _never =
+                writeln!(text, "(PRINT,{} {file} {line} {part} {format}{values})", self.marker);
+            part += 1;
+        };
+        for names in MODES {
+            put("%d", &shown(names));
+        }
+        put("%.9f", &shown(NUMBERS));
+        for parameters in self.parameter_groups() {
+            put("%.9f", &parameters.iter().map(|name| format!(" #{name}")).collect::<String>());
+        }
+        text
+    }
+
+    /// The parameters that one probe line after another shows.
+    pub(crate) fn parameter_groups(&self) -> Vec<&[String]> {
+        let mut groups = Vec::new();
+        let mut rest = self.parameters.as_slice();
+        while !rest.is_empty() {
+            let mut room = LONGEST_LINE - 60;
+            let fits = rest.iter().take(MOST_VALUES).take_while(|name| {
+                let fits = room > name.len() + 2;
+                room = room.saturating_sub(name.len() + 2);
+                fits
+            });
+            let count = fits.count().max(1);
+            let (group, others) = rest.split_at(count);
+            groups.push(group);
+            rest = others;
+        }
+        groups
+    }
+
+    /// A tag that an error message shows, on lines that a jump can reach. It stands in a comment; comments of O-word
+    /// lines are never executed, so that it hides nothing.
+    fn tag(&self, file: usize, number: u32, line: &str) -> String {
+        if form(line) != Form::Control {
+            return String::new();
+        }
+        let tag = format!(";{}{file}.{number}", self.marker);
+        if line.len() + tag.len() > LONGEST_LINE { String::new() } else { tag }
+    }
+
+    /// Which line an error message's echo names by its tag.
+    pub(crate) fn tagged(&self, echo: &str) -> Option<(usize, u32)> {
+        let at = echo.rfind(&format!(";{}", self.marker))?;
+        let tag = echo[at + 1..].strip_prefix(&self.marker)?;
+        let (file, line) = tag.trim().split_once('.')?;
+        Some((file.parse().ok()?, line.parse().ok()?))
+    }
+
+    /// A text without the tags and probes in it.
+    pub(crate) fn untagged<'a>(&self, text: &'a str) -> &'a str {
+        text.find(&format!(";{}", self.marker)).map_or(text, |at| &text[..at])
+    }
+}
+
+/// The blocks that end a program, each different one once, as they can be entered by hand.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Ends {
+    blocks: Vec<String>,
+    block_delete: bool,
+}
+
+impl Ends {
+    /// The ends of a program.
+    pub(crate) fn new(source: &Source, block_delete: bool) -> Self {
+        let mut ends = Self { blocks: Vec::new(), block_delete };
+        for (_, _, line) in source.all() {
+            if let Some(block) = ends.entered(line).filter(|block| !ends.blocks.contains(block)) {
+                ends.blocks.push(block);
+            }
+        }
+        ends
+    }
+
+    /// Those that are not the block at this line.
+    pub(crate) fn without(&self, line: &str) -> Self {
+        let block = self.block(line);
+        let others = (0..).zip(&self.blocks).filter(|(number, _)| Some(*number) != block);
+        Self { blocks: others.map(|(_, block)| block.clone()).collect(), ..self.clone() }
+    }
+
+    /// How many different ones there are.
+    pub(crate) fn count(&self) -> usize {
+        self.blocks.len()
+    }
+
+    /// Whether each of them is executed by hand only if the program stopped before it.
+    pub(crate) fn are_bound(&self) -> bool {
+        self.blocks.iter().all(|block| block.len() <= LONGEST_LINE - ROOM_TO_BIND)
+    }
+
+    /// Which of the blocks a line is.
+    fn block(&self, line: &str) -> Option<usize> {
+        let block = self.entered(line)?;
+        self.blocks.iter().position(|known| *known == block)
+    }
+
+    /// A line that ends a program, without slash and line number; nothing for any other.
+    fn entered(&self, line: &str) -> Option<String> {
+        let is_skipped = self.block_delete && has_slash(line);
+        // A line that holds a carriage return is more than one line to a person's input.
+        let is_one = !line.contains('\r');
+        (form(line) == Form::End && is_one && !is_skipped).then(|| without_number(line).to_owned())
+    }
+}
+
+/// Whether a numbered parameter is only written by the program: not offsets and predefined positions, whose unit is
+/// that of stored data, and not the position and the tool, which other fields show.
+pub(crate) fn is_plain(number: u32) -> bool {
+    (1..=LAST_PARAMETER).contains(&number) && !(5161..=5428).contains(&number)
+}
+
+/// Named parameters that the interpreter provides.
+const PREDEFINED: &[&str] = &[
+    "_vmajor",
+    "_vminor",
+    "_metric_machine",
+    "_line",
+    "_motion_mode",
+    "_plane",
+    "_ccomp",
+    "_metric",
+    "_imperial",
+    "_absolute",
+    "_incremental",
+    "_inverse_time",
+    "_units_per_minute",
+    "_units_per_rev",
+    "_coord_system",
+    "_tool_offset",
+    "_retract_r_plane",
+    "_retract_old_z",
+    "_spindle_rpm_mode",
+    "_spindle_css_mode",
+    "_ijk_absolute_mode",
+    "_lathe_diameter_mode",
+    "_lathe_radius_mode",
+    "_spindle_on",
+    "_spindle_cw",
+    "_speed_override",
+    "_mist",
+    "_flood",
+    "_feed_override",
+    "_adaptive_feed",
+    "_feed_hold",
+    "_feed",
+    "_rpm",
+    "_current_tool",
+    "_current_pocket",
+    "_selected_pocket",
+    "_selected_tool",
+    "_x",
+    "_y",
+    "_z",
+    "_a",
+    "_b",
+    "_c",
+    "_u",
+    "_v",
+    "_w",
+    "_abs_x",
+    "_abs_y",
+    "_abs_z",
+    "_abs_a",
+    "_abs_b",
+    "_abs_c",
+    "_abs_u",
+    "_abs_v",
+    "_abs_w",
+    "_value",
+    "_value_returned",
+    "_task",
+    "_call_level",
+    "_remap_level",
+];
+
+fn unused_marker(source: &Source) -> String {
+    let text: String = source.all().map(|(_, _, line)| line.to_lowercase() + "\n").collect();
+    (0_u32..)
+        .map(|salt| format!("@gb{salt}@"))
+        .find(|marker| !text.contains(marker.trim_end_matches('@').trim_start_matches('@')))
+        .expect("a finite text does not hold every marker")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gaugeblock_vocabulary::Program;
+
+    fn plan(main: &str) -> (Plan, Source) {
+        let source = Source::new(&Program { main: main.to_owned(), ..Program::default() });
+        (Plan::new(&source, &BTreeSet::new()), source)
+    }
+
+    fn without_probes(main: &str) -> String {
+        let (plan, source) = plan(main);
+        let text = plan.probed(0, &source.files()[0].1, &Ends::default());
+        let own = |line: &&str| !line.starts_with("(PRINT,@gb") || line.contains(" 0 %d");
+        let short = |line: &str| {
+            if line.starts_with("(PRINT") { "probe".to_owned() } else { line.to_owned() }
+        };
+        text.lines().filter(own).map(short).collect::<Vec<_>>().join("|")
+    }
+
+    #[test]
+    fn probes_stand_after_each_line_and_tags_on_control_lines() {
+        assert_eq!(
+            without_probes("o1 if [1] (c)\nx1 (msg,hi)\n"),
+            "probe|o1 if [1] (c);@gb0@0.1|probe|x1 (msg,hi)|probe"
+        );
+    }
+
+    #[test]
+    fn nothing_stands_before_or_on_a_percent_sign() {
+        assert_eq!(without_probes("\n%\nm2\n%"), "|%|probe|m2|probe|%|probe");
+    }
+
+    #[test]
+    fn no_line_becomes_too_long() {
+        let long = format!("o1 if [1{}]", " ".repeat(235));
+        let names: String =
+            (0..40).map(|n| format!("#<some_rather_long_name_{n}>=#{}\n", 4000 + n)).collect();
+        let (plan, source) = plan(&format!("{long}\n{names}"));
+        let text = plan.probed(99, &source.files()[0].1, &Ends::default());
+        assert!(text.lines().all(|line| line.len() <= LONGEST_LINE), "{text}");
+        assert!(text.contains(&format!("{long}\n")));
+    }
+
+    #[test]
+    fn no_probe_becomes_too_long_with_its_values() {
+        let (plan, _) = plan("#1=1e30 #5000=2\n");
+        assert_eq!(plan.parameters.len(), 31);
+        assert!(plan.parameter_groups().iter().all(|group| group.len() <= MOST_VALUES));
+        assert_eq!(plan.parameter_groups().concat(), plan.parameters);
+    }
+
+    #[test]
+    fn the_marker_stands_nowhere_in_the_program() {
+        let (plan, _) = plan("(print,@GB0@)\n");
+        assert_eq!(plan.marker, "@gb1@");
+        assert_eq!(plan.tagged("o1 endif;@gb1@2.17"), Some((2, 17)));
+        assert_eq!(plan.tagged("o1 endif;@gb0@2.17"), None);
+    }
+}

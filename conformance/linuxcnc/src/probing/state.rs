@@ -1,0 +1,186 @@
+//! What a probe shows, in the fields of the vocabulary.
+
+use gaugeblock_adapter::HarnessError;
+use gaugeblock_vocabulary::{
+    Compensation, Distance, Event, FeedMode, Indexed, Lathe, LengthUnit, Motion, Plane, Position,
+    Retract, Rs274State, Settings, SpindleMode, SpindleTurn, Switch,
+};
+
+use super::instrument::Plan;
+use super::probe::Probe;
+
+/// Takes over a setting: an event only where it changes something, and one for what changes between two effects.
+pub(crate) fn set(now: &mut Settings, events: &mut Vec<Event>, change: &Settings) {
+    let before = now.clone();
+    now.overlay(change);
+    let change = now.since(&before);
+    if change.is_empty() {
+        return;
+    }
+    match events.last_mut() {
+        Some(Event::Set(last)) => last.overlay(&change),
+        Some(Event::Do(_)) | None => events.push(Event::Set(change.into())),
+    }
+}
+
+/// Settings that canonical calls do not show, or show only in part. `was` is what was in force before, `block` the code
+/// of the block: the parameters do not tell dynamic compensation from static.
+///
+/// # Errors
+/// A mode that is not known.
+pub(crate) fn modes(probe: &Probe, was: &Settings, block: &str) -> Result<Settings, HarnessError> {
+    let absolute = |on| if on { Distance::Absolute } else { Distance::Incremental };
+    let side = |side| compensation(side, was.compensation, block);
+    let compensation = match probe.mode("_ccomp") {
+        400 => Compensation::Off,
+        410 | 411 => side(Compensation::Left),
+        420 | 421 => side(Compensation::Right),
+        other => return Err(unknown("_ccomp", other)),
+    };
+    Ok(Settings {
+        plane: Some(plane(probe)?),
+        distance: Some(absolute(probe.is("_absolute"))),
+        arc_distance: Some(absolute(probe.is("_ijk_absolute_mode"))),
+        feed_mode: Some(feed_mode(probe)),
+        retract: Some(if probe.is("_retract_old_z") { Retract::OldZ } else { Retract::RPlane }),
+        lathe: Some(if probe.is("_lathe_diameter_mode") { Lathe::Diameter } else { Lathe::Radius }),
+        compensation: Some(compensation),
+        ..Settings::default()
+    })
+}
+
+/// Compensation on a side, static or dynamic by the block's code or by what was in force before it.
+pub(crate) fn compensation(
+    side: Compensation,
+    was: Option<Compensation>,
+    block: &str,
+) -> Compensation {
+    let dynamic = block.contains("g41.1") || block.contains("g42.1");
+    match (side, was) {
+        (Compensation::Left, Some(Compensation::DynamicLeft)) => Compensation::DynamicLeft,
+        (Compensation::Right, Some(Compensation::DynamicRight)) => Compensation::DynamicRight,
+        (Compensation::Left, _) if dynamic => Compensation::DynamicLeft,
+        (Compensation::Right, _) if dynamic => Compensation::DynamicRight,
+        (side, _) => side,
+    }
+}
+
+/// Settings that parameters show of the first spindle and of the rest, beside the modes: all that is known before the
+/// first block.
+pub(crate) fn others(probe: &Probe) -> Settings {
+    let switch = |name| Some(if probe.is(name) { Switch::On } else { Switch::Off });
+    let turn = match (probe.is("_spindle_on"), probe.is("_spindle_cw")) {
+        (false, _) => SpindleTurn::Stopped,
+        (true, true) => SpindleTurn::Clockwise,
+        (true, false) => SpindleTurn::Counterclockwise,
+    };
+    let surface = probe.is("_spindle_css_mode");
+    let mode = if surface { SpindleMode::SurfaceSpeed } else { SpindleMode::Rpm };
+    let speed_override = if probe.is("_speed_override") { Switch::On } else { Switch::Off };
+    Settings {
+        units: Some(if probe.is("_metric") { LengthUnit::Millimetre } else { LengthUnit::Inch }),
+        feed_rate: Some(probe.number("_feed")),
+        mist: switch("_mist"),
+        flood: switch("_flood"),
+        feed_override: switch("_feed_override"),
+        adaptive_feed: switch("_adaptive_feed"),
+        feed_stop: switch("_feed_hold"),
+        speed_override: Some(Indexed::one(0, speed_override)),
+        spindle: Some(Indexed::one(0, turn)),
+        spindle_mode: Some(Indexed::one(0, mode)),
+        spindle_speed: Some(Indexed::one(0, probe.number("_rpm"))),
+        ..Settings::default()
+    }
+}
+
+/// The state after a block, as far as it is shown. The tool comes from the calls: its parameter keeps an old value.
+pub(crate) fn state(probe: &Probe, tool: i32, plan: &Plan) -> Result<Rs274State, HarnessError> {
+    let whole = |name| i32::try_from(probe.mode(name)).map_err(|_| unknown(name, probe.mode(name)));
+    let prepared = if probe.mode("_selected_pocket") == -1 { -1 } else { whole("_selected_tool")? };
+    Ok(Rs274State {
+        motion: Some(motion(probe)?),
+        position: Some(position(probe)),
+        tool: Some(tool),
+        prepared_tool: Some(prepared),
+        controller_mode: None,
+        call_level: Some(whole("_call_level")?.unsigned_abs()),
+        parameter: Some(parameters(probe, plan)),
+    })
+}
+
+fn parameters(probe: &Probe, plan: &Plan) -> Indexed<String, f64> {
+    let names = plan.parameters.iter().map(|name| name.trim_matches(['<', '>']).to_owned());
+    let values = names.zip(&probe.parameters);
+    values.filter_map(|(name, value)| Some((name, (*value)?))).collect()
+}
+
+/// The controlled point; U, V and W do not exist on this controller.
+pub(crate) fn position(probe: &Probe) -> Position {
+    Position {
+        x: probe.number("_x"),
+        y: probe.number("_y"),
+        z: probe.number("_z"),
+        a: probe.number("_a"),
+        b: probe.number("_b"),
+        c: probe.number("_c"),
+        ..Position::default()
+    }
+}
+
+fn unknown(name: &str, value: i64) -> HarnessError {
+    HarnessError::Unreadable { what: "mode".to_owned(), line: format!("#<{name}> = {value}") }
+}
+
+fn feed_mode(probe: &Probe) -> FeedMode {
+    match (probe.is("_inverse_time"), probe.is("_units_per_minute")) {
+        (true, _) => FeedMode::InverseTime,
+        (false, true) => FeedMode::PerMinute,
+        (false, false) => FeedMode::PerRevolution,
+    }
+}
+
+fn plane(probe: &Probe) -> Result<Plane, HarnessError> {
+    match probe.mode("_plane") {
+        170 => Ok(Plane::Xy),
+        180 => Ok(Plane::Zx),
+        190 => Ok(Plane::Yz),
+        171 => Ok(Plane::Uv),
+        181 => Ok(Plane::Wu),
+        191 => Ok(Plane::Vw),
+        other => Err(unknown("_plane", other)),
+    }
+}
+
+fn motion(probe: &Probe) -> Result<Motion, HarnessError> {
+    let motion = match probe.mode("_motion_mode") {
+        0 => Motion::Traverse,
+        10 => Motion::Feed,
+        20 => Motion::ArcClockwise,
+        30 => Motion::ArcCounterclockwise,
+        50 => Motion::CubicSpline,
+        51 => Motion::QuadraticSpline,
+        52 => Motion::Nurbs,
+        330 => Motion::SpindleSynchronised,
+        331 => Motion::RigidTap,
+        382 => Motion::ProbeTowardError,
+        383 => Motion::ProbeToward,
+        384 => Motion::ProbeAwayError,
+        385 => Motion::ProbeAway,
+        730 => Motion::Cycle73,
+        740 => Motion::Cycle74,
+        760 => Motion::Thread76,
+        // After G5.3 no code is active.
+        800 | -1 => Motion::None,
+        810 => Motion::Cycle81,
+        820 => Motion::Cycle82,
+        830 => Motion::Cycle83,
+        840 => Motion::Cycle84,
+        850 => Motion::Cycle85,
+        860 => Motion::Cycle86,
+        870 => Motion::Cycle87,
+        880 => Motion::Cycle88,
+        890 => Motion::Cycle89,
+        other => return Err(unknown("_motion_mode", other)),
+    };
+    Ok(motion)
+}

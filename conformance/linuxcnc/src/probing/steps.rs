@@ -1,0 +1,256 @@
+//! Executed blocks, made of one probe after the other.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_adapter::HarnessError;
+use gaugeblock_compare::observe::is_local_name;
+use gaugeblock_vocabulary::scenario::Budget;
+use gaugeblock_vocabulary::{
+    BlockLocation, Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State,
+    Step,
+};
+
+use super::instrument::Plan;
+use super::probe::Probe;
+use super::source::{Form, Source, code, form, has_slash, opens_probe_log};
+use super::state;
+
+/// The blocks that were executed so far.
+#[derive(Debug)]
+pub(crate) struct Steps<'a> {
+    source: &'a Source,
+    plan: &'a Plan,
+    block_delete: bool,
+    known: Rs274State,
+    /// Depth of calls where the last probe stood.
+    level: i64,
+    at: Option<(usize, u32)>,
+    /// Whether the tool was changed since the last T: then none is selected, though parameters may keep the old one.
+    changed: bool,
+    /// Whether a file for probed points is open.
+    probe_log: bool,
+    /// Mode of the controller, where it has modes.
+    pub(crate) mode: Option<ControllerMode>,
+    /// The blocks with what they did.
+    pub(crate) taken: Vec<Step>,
+}
+
+impl<'a> Steps<'a> {
+    /// None yet.
+    pub(crate) fn new(source: &'a Source, plan: &'a Plan, block_delete: bool) -> Self {
+        let known = Rs274State::default();
+        Self {
+            source,
+            plan,
+            block_delete,
+            known,
+            level: 0,
+            at: None,
+            changed: false,
+            probe_log: false,
+            mode: None,
+            taken: Vec::new(),
+        }
+    }
+
+    /// Whether a probe was seen.
+    pub(crate) fn begun(&self) -> bool {
+        self.at.is_some()
+    }
+
+    /// The block that is executed next if nothing jumps.
+    pub(crate) fn next(&self) -> Option<(usize, u32)> {
+        self.at.map(|(file, line)| (file, line + 1))
+    }
+
+    /// What kind of block that is.
+    pub(crate) fn next_form(&self) -> Form {
+        self.next().map_or(Form::Other, |(file, line)| form(self.source.line(file, line)))
+    }
+
+    /// The first probe: parameters that the program does not name are taken as they are, only their changes are of
+    /// interest.
+    ///
+    /// # Errors
+    /// A mode that is not known.
+    pub(crate) fn begin(&mut self, probe: &Probe) -> Result<(), HarnessError> {
+        let numbered = self.source.parameters().numbered;
+        let is_named = |name: &str| name.parse().is_ok_and(|number| numbered.contains(&number));
+        let shown = state::state(probe, 0, self.plan)?.parameter.unwrap_or_default();
+        let unnamed: Indexed<String, f64> =
+            shown.0.into_iter().filter(|(name, _)| !is_named(name)).collect();
+        self.known.parameter = Some(unnamed);
+        self.at = Some((probe.file, probe.line));
+        Ok(())
+    }
+
+    /// A block was executed; the run is now behind it, or where it jumped to.
+    ///
+    /// # Errors
+    /// A mode that is not known.
+    pub(crate) fn passed(
+        &mut self,
+        probe: &Probe,
+        events: Vec<Event>,
+        tool: i32,
+    ) -> Result<(), HarnessError> {
+        self.tool_codes(&events);
+        let here = (probe.file, probe.line);
+        let Some(next) = self.next() else { return Ok(()) };
+        let jumped = here != next;
+        let level = std::mem::replace(&mut self.level, probe.mode("_call_level"));
+        if level != self.level || self.next_form() == Form::Return {
+            self.led_elsewhere();
+        }
+        let closes_nothing = self.closes_nothing(next);
+        match self.next_form() {
+            Form::Other if closes_nothing && events.is_empty() => {}
+            Form::Call if jumped => {
+                // The call counts when it returns; what its block did, it did before the sub.
+                if !events.is_empty() {
+                    self.step(next, events, None);
+                }
+            }
+            Form::Call | Form::Control | Form::Return => self.step(next, events, None),
+            Form::Empty | Form::Percent if events.is_empty() => {}
+            // A block with M2 that is passed did not execute it.
+            Form::Empty | Form::Percent | Form::End | Form::Other => {
+                let line = self.source.line(next.0, next.1);
+                if !(self.block_delete && has_slash(line)) {
+                    let shown = self.shown(probe, tool)?;
+                    let changes = shown.since(&self.known);
+                    self.known.overlay(&changes);
+                    self.step(next, events, Some(State::Rs274(changes)));
+                }
+            }
+        }
+        if jumped && form(self.source.line(here.0, here.1)) == Form::Call {
+            self.step(here, Vec::new(), None);
+        }
+        self.at = Some(here);
+        Ok(())
+    }
+
+    /// Whether a line is a (PROBECLOSE) alone, and no file is open: a comment that does nothing is no block.
+    fn closes_nothing(&mut self, (file, line): (usize, u32)) -> bool {
+        let line = self.source.line(file, line);
+        let is_skipped = self.block_delete && has_slash(line);
+        let Some(opens) = opens_probe_log(line).filter(|_| !is_skipped) else { return false };
+        let was_open = std::mem::replace(&mut self.probe_log, opens);
+        !opens && !was_open && matches!(code(line).as_str(), "" | "/")
+    }
+
+    /// After a call or return the level is recorded anew, and with it the local names that exist.
+    fn led_elsewhere(&mut self) {
+        self.known.call_level = None;
+        if let Some(parameters) = &mut self.known.parameter {
+            parameters.0.retain(|name, _| !is_local_name(name));
+        }
+    }
+
+    /// The program ended with the next block; what was shown afterwards, and all numbered parameters that are not zero.
+    ///
+    /// # Errors
+    /// A mode that is not known.
+    pub(crate) fn ended(
+        &mut self,
+        probe: &Probe,
+        parameters: Option<&BTreeMap<u32, f64>>,
+        events: Vec<Event>,
+        tool: i32,
+    ) -> Result<(), HarnessError> {
+        self.tool_codes(&events);
+        let mut shown = self.shown(probe, tool)?;
+        if self.level != 0 {
+            self.led_elsewhere();
+            arguments_at_end(&mut shown, parameters);
+        }
+        let changes = shown.since(&self.known);
+        self.known.overlay(&changes);
+        self.step(self.next().unwrap_or((0, 1)), events, Some(State::Rs274(changes)));
+        Ok(())
+    }
+
+    /// A block was entered by hand while no program ran.
+    ///
+    /// # Errors
+    /// A mode that is not known.
+    pub(crate) fn entered(
+        &mut self,
+        block: BlockLocation,
+        probe: &Probe,
+        events: Vec<Event>,
+        tool: i32,
+    ) -> Result<(), HarnessError> {
+        self.tool_codes(&events);
+        let changes = self.shown(probe, tool)?.since(&self.known);
+        self.known.overlay(&changes);
+        self.taken.push(Step { block, events, state: Some(State::Rs274(changes)) });
+        Ok(())
+    }
+
+    /// The run goes on behind this probe: the program again, or the next block after one that was broken off.
+    pub(crate) fn stands_at(&mut self, probe: &Probe) {
+        self.at = Some((probe.file, probe.line));
+    }
+
+    fn tool_codes(&mut self, events: &[Event]) {
+        for event in events {
+            match event {
+                Event::Do(Effect::PrepareTool { .. }) => self.changed = false,
+                Event::Do(Effect::ChangeTool { .. }) => self.changed = true,
+                Event::Set(_) | Event::Do(_) => {}
+            }
+        }
+    }
+
+    fn shown(&self, probe: &Probe, tool: i32) -> Result<Rs274State, HarnessError> {
+        let shown = state::state(probe, tool, self.plan)?;
+        let prepared_tool = if self.changed { Some(-1) } else { shown.prepared_tool };
+        Ok(Rs274State { controller_mode: self.mode, prepared_tool, ..shown })
+    }
+
+    /// A block of which only its events are known.
+    pub(crate) fn step(
+        &mut self,
+        (file, line): (usize, u32),
+        events: Vec<Event>,
+        state: Option<State>,
+    ) {
+        self.taken.push(Step { block: self.source.block(file, line), events, state });
+    }
+}
+
+/// Where a run ended in a sub, it was not the end but the stop before it that showed #1 to #30: the list at the end has
+/// what they are.
+fn arguments_at_end(shown: &mut Rs274State, parameters: Option<&BTreeMap<u32, f64>>) {
+    let shown = shown.parameter.iter_mut().flat_map(|shown| shown.0.iter_mut());
+    for (name, value) in shown {
+        if let (Some(list), Ok(number @ 1..=30)) = (parameters, name.parse()) {
+            *value = list.get(&number).copied().unwrap_or_default();
+        }
+    }
+}
+
+/// Cuts an outcome off where the budget ends; tells which bound did.
+pub(crate) fn limit(outcome: &mut Outcome, budget: Budget) -> Option<Bound> {
+    let steps = usize::try_from(budget.steps).unwrap_or(usize::MAX);
+    let mut effects = 0;
+    let is_effect = |event: &&Event| matches!(event, Event::Do(_));
+    let keep = outcome.steps.iter().take_while(|step| {
+        effects += step.events.iter().filter(is_effect).count();
+        u32::try_from(effects).is_ok_and(|effects| effects <= budget.effects)
+    });
+    let keep = keep.count();
+    let bound = if keep.min(steps) == outcome.steps.len() {
+        return None;
+    } else if keep < steps {
+        Bound::Effects
+    } else {
+        Bound::Steps
+    };
+    outcome.steps.truncate(keep.min(steps));
+    outcome.end = End::BudgetExhausted { bound };
+    outcome.parameters = None;
+    Some(bound)
+}

@@ -1,0 +1,253 @@
+//! Puts calls, probes and the error message together to an outcome.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_adapter::HarnessError;
+use gaugeblock_vocabulary::{
+    Bound, End, Indexed, Language, Outcome, Position, Scenario, Settings, State, Step,
+};
+
+use super::canon::{Canon, Mark};
+use super::output::Line;
+use crate::probing::instrument::Plan;
+use crate::probing::probe::Probe;
+use crate::probing::source::{Form, Source};
+use crate::probing::steps::{self, Steps};
+use crate::probing::{refusal, state};
+
+/// What was seen of a run.
+#[derive(Debug)]
+pub(super) struct Seen<'a> {
+    /// Standard output.
+    pub(super) lines: &'a [Line],
+    /// Standard error.
+    pub(super) stderr: &'a str,
+    /// Standard error of the run without probes.
+    pub(super) plain_stderr: &'a str,
+    /// Whether the program exited with the status of a refusal.
+    pub(super) refused: bool,
+    /// Whether it was ended because it ran too long or wrote too much.
+    pub(super) cut_off: bool,
+    /// What was shown after the end, if the program reached its end.
+    pub(super) after_end: Option<&'a Probe>,
+    /// Numbered parameters that are not zero at the end.
+    pub(super) parameters: Option<&'a BTreeMap<u32, f64>>,
+}
+
+/// An outcome in the making.
+#[derive(Debug)]
+struct Assembly<'a> {
+    source: &'a Source,
+    plan: &'a Plan,
+    canon: Canon,
+    start: Settings,
+    steps: Steps<'a>,
+    end: Option<End>,
+}
+
+/// The outcome of a run.
+///
+/// # Errors
+/// The output does not make sense, or an error message is unknown.
+pub(super) fn outcome(
+    scenario: &Scenario,
+    source: &Source,
+    plan: &Plan,
+    seen: &Seen<'_>,
+    parameters: Option<BTreeMap<u32, f64>>,
+) -> Result<Outcome, HarnessError> {
+    let mut assembly = Assembly {
+        source,
+        plan,
+        canon: Canon::new(&scenario.machine),
+        start: Settings::default(),
+        steps: Steps::new(source, plan, scenario.program.block_delete),
+        end: None,
+    };
+    for line in seen.lines {
+        assembly.line(line, seen)?;
+        if assembly.end.is_some() {
+            break;
+        }
+    }
+    let end = assembly.end(seen)?;
+    assembly.steps.taken.iter_mut().for_each(select_none);
+    let mut outcome = Outcome {
+        language: Language::Rs274,
+        start: assembly.start,
+        steps: assembly.steps.taken,
+        end,
+        parameters: parameters.map(|parameters| parameters.into_iter().collect::<Indexed<_, _>>()),
+        pins: Vec::new(),
+        samples: Vec::new(),
+    };
+    if steps::limit(&mut outcome, scenario.budget).is_none() && seen.cut_off {
+        return Err(HarnessError::Unreadable {
+            what: "output cut off within the budget".to_owned(),
+            line: String::new(),
+        });
+    }
+    Ok(outcome)
+}
+
+/// Of a program that does something else under observation, since the number of a line decides what it does.
+pub(super) fn decided_by_line(source: &Source) -> Outcome {
+    let what = "#<_line> decides what is done, and probes are lines, too".to_owned();
+    Outcome {
+        language: Language::Rs274,
+        start: Settings::default(),
+        steps: Vec::new(),
+        end: End::Unsupported { block: source.block(0, 1), what },
+        parameters: None,
+        pins: Vec::new(),
+        samples: Vec::new(),
+    }
+}
+
+/// Why a block is not judged that has a spline and a tool change or the program end.
+const HIDDEN_SPLINE: &str = "where a spline ends beside a tool change or the program end";
+
+/// T0 selects no tool, since tools do not change places here; once a tool was selected, or the table written, it
+/// shows as tool 0.
+fn select_none(step: &mut Step) {
+    if let Some(State::Rs274(state)) = &mut step.state
+        && state.prepared_tool == Some(0)
+    {
+        state.prepared_tool = Some(-1);
+    }
+}
+
+impl Assembly<'_> {
+    fn line(&mut self, line: &Line, seen: &Seen<'_>) -> Result<(), HarnessError> {
+        match line {
+            Line::Text(text) => self.canon.print(text),
+            Line::Probe(probe) => self.probe(probe)?,
+            Line::Call(call) => match self.canon.call(call)? {
+                Mark::None => {}
+                Mark::ProgramEnd => self.program_end(seen)?,
+                // It is called too where a label was sought up to the percent sign, which is an error.
+                Mark::PercentEnd if seen.refused => {}
+                Mark::PercentEnd => self.end = Some(End::PercentEnd),
+                Mark::Unsupported(what) => self.unsupported(what),
+            },
+        }
+        Ok(())
+    }
+
+    fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
+        if !self.steps.begun() {
+            self.canon.settle(probe)?;
+            self.canon
+                .set(Settings { tool_offset: Some(Position::default()), ..state::others(probe) });
+            self.canon.take_events();
+            self.start = self.canon.now.clone();
+            self.steps.begin(probe)?;
+        } else if self.canon.hides_spline(false) {
+            self.unsupported(HIDDEN_SPLINE.to_owned());
+        } else {
+            self.canon.settle(probe)?;
+            self.canon.arrived(state::position(probe));
+            let events = self.canon.take_events();
+            self.steps.passed(probe, events, self.canon.tool)?;
+        }
+        self.canon.position = state::position(probe);
+        self.canon.block(self.source.line(probe.file, probe.line + 1));
+        Ok(())
+    }
+
+    fn program_end(&mut self, seen: &Seen<'_>) -> Result<(), HarnessError> {
+        if self.steps.next_form() == Form::Return {
+            self.unsupported(
+                "M99 in the main program: it ends here, though it should begin again".to_owned(),
+            );
+            return Ok(());
+        }
+        let Some(probe) = seen.after_end else {
+            self.unsupported("an end whose state cannot be asked for".to_owned());
+            return Ok(());
+        };
+        if self.canon.hides_spline(true) {
+            self.unsupported(HIDDEN_SPLINE.to_owned());
+            return Ok(());
+        }
+        self.canon.end(|canon| canon.settle(probe))?;
+        let events = self.canon.take_events();
+        self.steps.ended(probe, seen.parameters, events, self.canon.tool)?;
+        self.end = Some(End::ProgramEnd);
+        Ok(())
+    }
+
+    fn unsupported(&mut self, what: String) {
+        let (file, line) = self.steps.next().unwrap_or((0, 1));
+        self.end = Some(End::Unsupported { block: self.source.block(file, line), what });
+    }
+
+    fn end(&mut self, seen: &Seen<'_>) -> Result<End, HarnessError> {
+        if let Some(end) = self.end.take() {
+            return Ok(end);
+        }
+        if !self.steps.begun() {
+            self.start = self.canon.now.clone();
+        }
+        if seen.refused {
+            let next = self.steps.next().or(Some((0, 1)));
+            let mut fault = refusal::fault(seen.stderr, self.source, self.plan, next)?;
+            if let Some(words) = refusal::message(seen.plain_stderr) {
+                words.clone_into(&mut fault.message);
+            }
+            return Ok(End::Fault(fault));
+        }
+        if seen.cut_off {
+            return Ok(End::BudgetExhausted { bound: Bound::Steps });
+        }
+        let line = seen.stderr.lines().last().unwrap_or_default().to_owned();
+        Err(HarnessError::Unreadable { what: "a run without an end".to_owned(), line })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::super::output;
+    use super::*;
+
+    /// What the program printed for one of our own programs, and the outcome that it comes to.
+    #[test]
+    fn a_captured_run_is_put_together() {
+        let scenario = Scenario::of(include_str!("captured/repeat.ngc"));
+        let source = Source::new(&scenario.program);
+        let plan = Plan::new(&source, &BTreeSet::new());
+        let lines = output::lines(include_str!("captured/repeat.stdout"), &plan, false).unwrap();
+        let stderr = include_str!("captured/repeat.stderr");
+        let seen = Seen {
+            lines: &lines,
+            stderr,
+            plain_stderr: "",
+            refused: true,
+            cut_off: false,
+            after_end: None,
+            parameters: None,
+        };
+        let parameters = BTreeMap::from([(2, 7.0), (5220, 1.0), (5599, 1.0)]);
+        let outcome = outcome(&scenario, &source, &plan, &seen, Some(parameters)).unwrap();
+        assert_eq!(outcome.to_text(), include_str!("captured/repeat.outcome"));
+    }
+
+    #[test]
+    fn a_run_without_an_end_is_an_error() {
+        let scenario = Scenario::of("g4 p1\nm2\n");
+        let source = Source::new(&scenario.program);
+        let plan = Plan::new(&source, &BTreeSet::new());
+        let seen = Seen {
+            lines: &[],
+            stderr: "",
+            plain_stderr: "",
+            refused: false,
+            cut_off: false,
+            after_end: None,
+            parameters: None,
+        };
+        assert!(outcome(&scenario, &source, &plan, &seen, None).is_err());
+    }
+}

@@ -1,0 +1,259 @@
+//! LinuxCNC's stand-alone interpreter `rs274`, version 2.9.
+//!
+//! It prints canonical calls, and what an error is, but neither blocks nor modes. The program is therefore run with a
+//! probe line after each line (`instrument`), which prints the place and the modes. A sample of programs, or all, are
+//! run once more without, to see that observing changed nothing (`session`). A run is a fork of a controller that has
+//! started (`fork`); those of the sample are started each, so that forking is checked with observing. Calls become
+//! settings and effects (`canon`), probes the rest of the state (`state`), the error message a fault (`refusal`,
+//! `faults`).
+//!
+//! What it cannot show: the tool length mode apart from the offset, F under inverse time (had back from the moves), and
+//! anything that it stubs: pins, inputs, probing, user-defined codes, pauses, M99 in the main program.
+
+mod assemble;
+mod canon;
+mod fork;
+mod hal;
+mod output;
+mod process;
+mod python;
+mod session;
+mod streams;
+mod supports;
+mod version;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use gaugeblock_adapter::{Adapter, ControllerError, HarnessError};
+use gaugeblock_compare::Capabilities;
+use gaugeblock_vocabulary::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settings};
+
+use crate::probing::source::Source;
+use assemble::Seen;
+use fork::Servers;
+use hal::Hal;
+use process::{Limits, Started, Stop};
+use python::Home;
+use session::{Session, Unprobed};
+
+/// Wall time and output of one run; ordinary ones take ten milliseconds and some kilobytes.
+const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 };
+
+/// Calls have four decimals, and probes show a value below a ten-thousandth as zero.
+const RESOLUTION: f64 = 1.0e-4;
+
+/// Lengths that are printed when they are set and not when the length unit changes: set in inches, they are shown
+/// with the error of inches.
+const CARRIED: &[&str] = &[
+    "feed_rate",
+    "blend_tolerance",
+    "naive_cam_tolerance",
+    "g5x_offset",
+    "g92_offset",
+    "tool_offset",
+];
+
+/// Exit status of a refused program.
+const REFUSED: i32 = 1;
+
+/// Fields that the output does not show.
+const HIDDEN_FIELDS: &[&str] = &["tool_length", "controller_mode"];
+
+/// Effects that the output does not show, or not all of.
+const HIDDEN_EFFECTS: &[&str] = &[
+    "set_tool_entry",
+    "prompt_tool",
+    "wait_input",
+    "user_code",
+    "controller_mode",
+    "request_refused",
+    "probe_log_open",
+    "probe_log_close",
+];
+
+/// The controller.
+#[derive(Debug)]
+pub struct Rs274 {
+    binary: PathBuf,
+    python: Option<Home>,
+    servers: Servers,
+    capabilities: Capabilities,
+    limits: Limits,
+    unprobed: Unprobed,
+}
+
+impl Rs274 {
+    /// Finds the binary, at `path` or on the search path, and asks for its version.
+    ///
+    /// # Errors
+    /// It is missing, does not run, or is not of version 2.9.
+    pub fn find(path: Option<&Path>) -> Result<Self, ControllerError> {
+        let binary = version::find(path)?;
+        let (version, python) = version::ask(&binary, LIMITS)?;
+        let capabilities = capabilities(version);
+        Ok(Self {
+            binary,
+            python,
+            servers: Servers::new(),
+            capabilities,
+            limits: LIMITS,
+            unprobed: Unprobed::Sample,
+        })
+    }
+
+    /// What is started.
+    fn program(&self) -> Started<'_> {
+        Started { binary: &self.binary, python: self.python.as_ref().map(Home::path) }
+    }
+}
+
+impl Adapter for Rs274 {
+    fn capabilities(&self) -> &Capabilities {
+        &self.capabilities
+    }
+
+    /// Stored data of a millimetre machine stay hidden: this controller stores inches. Where a program asks for the
+    /// number of a line, probes change what it computes, and where its moves lead. F under inverse time is had from
+    /// the text, or back from the moves, if they lead anywhere.
+    fn shows(&self, scenario: &Scenario) -> Capabilities {
+        let mut shows = self.capabilities.clone();
+        let source = Source::new(&scenario.program);
+        if source.names_line() {
+            shows.fields.remove("position");
+        }
+        if source.has_g_code(&["g93"]) && source.computes_word('f') {
+            shows.fields.remove("feed_rate");
+            shows.fields_at_effects.remove("feed_rate");
+        }
+        if source.has_g_code(&["g20"]) {
+            let coarser = shows.resolution * 25.4;
+            shows.carried.extend(CARRIED.iter().map(|field| ((*field).to_owned(), coarser)));
+        }
+        if scenario.machine.length_unit == LengthUnit::Millimetre {
+            shows.hidden_parameters.extend([5161..=5219, 5221..=5390]);
+        }
+        shows
+    }
+
+    fn supports(&self, scenario: &Scenario) -> Result<(), String> {
+        supports::supports(scenario)
+    }
+
+    fn shows_less_of_some(&self) -> bool {
+        true
+    }
+
+    fn own_edition(&self) -> Option<&str> {
+        Some("linuxcnc-2.9")
+    }
+
+    fn observed_edition(&self) -> Option<&str> {
+        Some("rs274-2.9-observed")
+    }
+
+    fn check_observation(&mut self) {
+        self.unprobed = Unprobed::All;
+    }
+
+    fn notes(&self) -> Vec<String> {
+        self.servers.trouble().into_iter().collect()
+    }
+
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        // What is refused here could reach the host: it must not run even if nobody asked before.
+        self.supports(scenario).map_err(HarnessError::NotRun)?;
+        let source = Source::new(&scenario.program);
+        let hal = Hal::of(&source).map_err(|error| HarnessError::NotRun(error.to_string()))?;
+        let machine = hal.machine(&scenario.machine);
+        let session = Session {
+            program: self.program(),
+            servers: &self.servers,
+            limits: self.limits,
+            unprobed: self.unprobed,
+            scenario,
+            machine: &machine,
+            source: &source,
+        };
+        let observed = match session.observe() {
+            Err(HarnessError::ObservationDisturbs { .. }) if source.names_line() => {
+                return Ok(assemble::decided_by_line(&source));
+            }
+            observed => observed?,
+        };
+        let status = match observed.output.stop {
+            Stop::Exited(status) => Some(status),
+            Stop::TimedOut | Stop::Flooded => None,
+        };
+        if let Some(status) = status.filter(|status| ![0, REFUSED].contains(status)) {
+            return Err(HarnessError::Crashed {
+                status: format!("exit status {status}"),
+                stderr: observed.output.stderr_tail(),
+            });
+        }
+        let seen = Seen {
+            lines: &observed.lines,
+            stderr: &observed.output.stderr,
+            plain_stderr: &observed.plain_stderr,
+            refused: observed.refused,
+            cut_off: status.is_none(),
+            after_end: observed.after_end.as_ref(),
+            parameters: status.is_some().then_some(&observed.parameters),
+        };
+        let parameters = status.is_some().then(|| shown_parameters(scenario, &observed.parameters));
+        let outcome = assemble::outcome(scenario, &source, &observed.plan, &seen, parameters);
+        match (outcome, observed.output.stop) {
+            (Err(_), Stop::TimedOut) => {
+                Err(HarnessError::TimedOut { seconds: self.limits.time.as_secs() })
+            }
+            (Err(_), Stop::Flooded) => Err(HarnessError::Flooded { bytes: self.limits.bytes }),
+            (outcome, _) => outcome,
+        }
+    }
+}
+
+/// Parameters at the end, without those of probing, which are not stored, those that only repeat position and tool,
+/// and without stored lengths on a machine whose unit is not the one in which this controller stores them.
+fn shown_parameters(scenario: &Scenario, parameters: &BTreeMap<u32, f64>) -> BTreeMap<u32, f64> {
+    let inch = scenario.machine.length_unit == LengthUnit::Inch;
+    let shown = |number: &u32| match *number {
+        5061..=5070 | 5400..=5428 => false,
+        5220 => true,
+        5161..=5390 => inch,
+        _ => true,
+    };
+    parameters
+        .iter()
+        .filter(|(number, _)| shown(number))
+        .map(|(number, value)| (*number, *value))
+        .collect()
+}
+
+fn capabilities(version: String) -> Capabilities {
+    let owned = |names: &[&str], hidden: &[&str]| -> BTreeSet<String> {
+        names.iter().filter(|name| !hidden.contains(name)).map(|name| (*name).to_owned()).collect()
+    };
+    let fields = [Settings::FIELDS, Rs274State::FIELDS].concat();
+    Capabilities {
+        name: "rs274".to_owned(),
+        version,
+        resolution: RESOLUTION,
+        carried: BTreeMap::new(),
+        fields: owned(&fields, HIDDEN_FIELDS),
+        tells_all_fields: false,
+        effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
+        moves_in_place: true,
+        blocks: true,
+        faults_have_blocks: true,
+        faults_have_kinds: true,
+        final_parameters: true,
+        fields_at_effects: owned(Settings::FIELDS, HIDDEN_FIELDS),
+        hidden_parameters: vec![5061..=5070, 5400..=5428],
+        pins: BTreeSet::new(),
+        pin_period: 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,281 @@
+//! The runs that one outcome takes: one under observation and beyond the end, and one without where it is needed.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsString;
+
+use gaugeblock_adapter::HarnessError;
+use gaugeblock_vocabulary::{FaultKind, Machine, Program, Scenario};
+
+use super::fork::{Servers, Start};
+use super::output::{self, Line};
+use super::process::{Limits, Output, Started, Stop};
+use crate::probing::instrument::{Ends, Plan, is_plain};
+use crate::probing::probe::Probe;
+use crate::probing::source::{DEBUG_SWITCH, Source};
+use crate::probing::workspace::{INI, PARAMETERS, TOOLS, Workspace, tool_table};
+use crate::probing::{faults, refusal};
+
+/// What the program says when an error has stopped it and it takes blocks from standard input.
+const BY_HAND: &str = "starting MDI";
+
+/// Stop at an error and take blocks from standard input.
+pub(super) const MANUAL_INPUT: &[&str] = &["-n", "1"];
+
+/// Every so many programs one is also run without probes, on a controller started for it, unless all are.
+const SAMPLE: u64 = 32;
+
+/// One scenario on one binary.
+#[derive(Debug)]
+pub(super) struct Session<'a> {
+    /// The binary, and how it is started.
+    pub(super) program: Started<'a>,
+    /// Those that have started already.
+    pub(super) servers: &'a Servers,
+    /// What each run may cost.
+    pub(super) limits: Limits,
+    /// Which programs are also run without probes.
+    pub(super) unprobed: Unprobed,
+    /// What is run.
+    pub(super) scenario: &'a Scenario,
+    /// The machine it runs on: the scenario's, with HAL or without.
+    pub(super) machine: &'a Machine,
+    /// Its files.
+    pub(super) source: &'a Source,
+}
+
+/// Which programs are also run without probes, to see that both do the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unprobed {
+    /// One in [`SAMPLE`], always the same ones, and those whose outcome cannot be told otherwise.
+    Sample,
+    /// All.
+    All,
+}
+
+/// What a run's process comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum From {
+    /// A start of its own.
+    Start,
+    /// A fork of one that has started; a start of its own where that cannot be.
+    Fork,
+}
+
+/// What the runs showed.
+#[derive(Debug)]
+pub(super) struct Observed {
+    /// What the probes print.
+    pub(super) plan: Plan,
+    /// How the run under observation stopped, and its error output.
+    pub(super) output: Output,
+    /// Its calls, texts and probes.
+    pub(super) lines: Vec<Line>,
+    /// Whether an error stopped the program.
+    pub(super) refused: bool,
+    /// Error output of the run without probes, whose line numbers are those of the program; empty without such a run.
+    pub(super) plain_stderr: String,
+    /// Numbered parameters that are not zero at the end.
+    pub(super) parameters: BTreeMap<u32, f64>,
+    /// What was shown after the program's end, if it reached its end.
+    pub(super) after_end: Option<Probe>,
+    /// Whether the program was stopped before an end that was none when it was entered by hand.
+    pub(super) stopped_in_vain: bool,
+}
+
+impl Session<'_> {
+    /// Runs the program under observation and, where it is needed or asked for, without; both must do the same.
+    ///
+    /// # Errors
+    /// It could not be run, was not understood, or did something else under observation.
+    pub(super) fn observe(&self) -> Result<Observed, HarnessError> {
+        let mut ends = Ends::new(self.source, self.scenario.program.block_delete);
+        let mut observed = self.run_probed(&ends)?;
+        // A block that looks like an end and is none must show what it does where it stands.
+        while observed.stopped_in_vain && ends.count() > 0 {
+            let last = last_probe(&observed.lines).map_or((0, 0), |last| (last.file, last.line));
+            let others = ends.without(self.source.line(last.0, last.1 + 1));
+            ends = if others.count() < ends.count() { others } else { Ends::default() };
+            observed = self.run_probed(&ends)?;
+        }
+        let end_entered_anyway = observed.refused && !ends.are_bound();
+        let exited = matches!(observed.output.stop, Stop::Exited(_));
+        if exited && (end_entered_anyway || self.needs_plain(&observed)) {
+            self.run_plain(&mut observed)?;
+        }
+        Ok(observed)
+    }
+
+    /// Whether the run without probes is needed: parameters of a sub are gone once an error has stopped the program,
+    /// and line numbers count probe lines too.
+    fn needs_plain(&self, observed: &Observed) -> bool {
+        let in_sub = last_probe(&observed.lines).is_some_and(|last| last.mode("_call_level") > 0);
+        let message = refusal::message(&observed.output.stderr).unwrap_or_default();
+        let may_tell_line = message.contains(|c: char| c.is_ascii_digit());
+        self.unprobed == Unprobed::All
+            || in_sub
+            || self.source.names_line()
+            || (observed.refused && may_tell_line)
+            || self.is_sampled()
+    }
+
+    /// Whether this program is one of the sample.
+    fn is_sampled(&self) -> bool {
+        let bytes = self.source.all().flat_map(|(_, _, line)| line.bytes());
+        let digest =
+            bytes.fold(0_u64, |sum, byte| sum.wrapping_mul(31).wrapping_add(u64::from(byte)));
+        digest.is_multiple_of(SAMPLE)
+    }
+
+    /// The run with probes, and beyond the program's end: there no probe is reached, so that the program is stopped
+    /// by an error before its last block, with its state alive, and that block and a probe are entered by hand.
+    ///
+    /// Once more where it turns out that a parameter was written that no probe showed.
+    fn run_probed(&self, ends: &Ends) -> Result<Observed, HarnessError> {
+        let mut more = BTreeSet::new();
+        loop {
+            let plan = Plan::new(self.source, &more);
+            let input = plan.by_hand(ends);
+            let text = |file: usize, lines: &[String]| plan.probed(file, lines, ends);
+            let (output, workspace) = self.run(From::Fork, MANUAL_INPUT, &input, text)?;
+            let exited = matches!(output.stop, Stop::Exited(_));
+            let parameters =
+                if exited { workspace.read_parameters(PARAMETERS)? } else { BTreeMap::new() };
+            let is_unseen = |number: &u32| {
+                let shown = plan.parameters.contains(&number.to_string());
+                is_plain(*number) && *number != DEBUG_SWITCH && !shown
+            };
+            let unseen: BTreeSet<_> = parameters.keys().copied().filter(is_unseen).collect();
+            if !self.source.parameters().indirect || unseen.is_subset(&more) {
+                return observed(plan, output, parameters);
+            }
+            more.extend(unseen);
+        }
+    }
+
+    /// The run as the program stands. What it leaves in the parameters counts.
+    fn run_plain(&self, observed: &mut Observed) -> Result<(), HarnessError> {
+        let plain =
+            |_: usize, lines: &[String]| lines.iter().map(|line| format!("{line}\n")).collect();
+        let sampled = self.unprobed == Unprobed::All || self.is_sampled();
+        let from = if sampled { From::Start } else { From::Fork };
+        let (output, workspace) = self.run(from, &[], "", plain)?;
+        let exited = matches!(output.stop, Stop::Exited(_));
+        let lines = output::lines(&output.stdout, &observed.plan, !exited)?;
+        if self.source.names_line() {
+            output::adopt(&mut observed.lines, &lines);
+        }
+        if exited {
+            observed.parameters = workspace.read_parameters(PARAMETERS)?;
+        }
+        let end = |refused: bool, stderr: &str| [format!("{refused} {:?}", kinds(stderr))];
+        let with = output::doings(&observed.lines)
+            .into_iter()
+            .chain(end(observed.refused, &observed.output.stderr));
+        let refused = matches!(output.stop, Stop::Exited(status) if status != 0);
+        let without = output::doings(&lines).into_iter().chain(end(refused, &output.stderr));
+        match with.zip(without).find(|(with, without)| with != without) {
+            None => {
+                observed.plain_stderr = output.stderr;
+                Ok(())
+            }
+            Some((observed, unobserved)) => {
+                Err(HarnessError::ObservationDisturbs { observed, unobserved })
+            }
+        }
+    }
+
+    /// One run of the files that `text` makes of the program's.
+    pub(super) fn run(
+        &self,
+        from: From,
+        how: &[&str],
+        input: &str,
+        text: impl Fn(usize, &[String]) -> String,
+    ) -> Result<(Output, Workspace), HarnessError> {
+        let workspace = Workspace::in_memory("rs274")?;
+        workspace.write_machine(self.machine, &self.source.listed())?;
+        for (file, (name, lines)) in self.source.files().iter().enumerate() {
+            workspace.write(name, &text(file, lines))?;
+        }
+        let start = self.start(how);
+        let forked = match from {
+            From::Fork => self.servers.run(self.program, &start, workspace.path()),
+            From::Start => None,
+        };
+        let is_forked = forked.is_some();
+        let run = match forked {
+            Some(run) => run,
+            None => self.program.run(&start.arguments, workspace.path())?,
+        };
+        match run.watch(input, self.limits) {
+            Err(HarnessError::NotRun(_)) if is_forked => self.run(From::Start, how, input, text),
+            output => Ok((output?, workspace)),
+        }
+    }
+
+    /// What the controller is started with.
+    fn start(&self, how: &[&str]) -> Start {
+        let mut arguments: Vec<OsString> = vec!["-g".into()];
+        arguments.extend(["-i", INI, "-t", TOOLS, "-v", PARAMETERS].map(OsString::from));
+        if self.scenario.program.block_delete {
+            arguments.push("-b".into());
+        }
+        arguments.extend(how.iter().map(OsString::from));
+        arguments.push(Program::MAIN.into());
+        Start { arguments, tools: tool_table(self.machine) }
+    }
+}
+
+/// Takes apart what the program did itself and what was entered by hand.
+fn observed(
+    plan: Plan,
+    mut output: Output,
+    parameters: BTreeMap<u32, f64>,
+) -> Result<Observed, HarnessError> {
+    let exited = matches!(output.stop, Stop::Exited(_));
+    let errors: Vec<_> = output.stderr.lines().collect();
+    let stopped = errors.iter().rposition(|line| *line == BY_HAND);
+    let own_stop = plan.stop();
+    let at_end = stopped.is_some_and(|at| errors[..at].last() == Some(&own_stop.as_str()));
+    if let Some(at) = stopped {
+        output.stderr = errors[..at].join("\n");
+    }
+    let sign = plan.by_hand_sign();
+    let is_sign = |line: &&str| line.trim_end() == sign;
+    let printed = output.stdout.split_inclusive('\n');
+    let kept: String = match stopped {
+        None => printed.collect(),
+        Some(_) if at_end => printed.filter(|line| !is_sign(line)).collect(),
+        Some(_) => printed.take_while(|line| !is_sign(line)).collect(),
+    };
+    let mut lines = output::lines(&kept, &plan, !exited)?;
+    let last = lines.iter().rposition(|line| matches!(line, Line::Probe(_)));
+    let after_end = match last.filter(|_| at_end).map(|at| lines.remove(at)) {
+        Some(Line::Probe(probe)) => Some(*probe),
+        _ => None,
+    };
+    let is_end = |line: &Line| matches!(line, Line::Call(call) if call.name == "PROGRAM_END");
+    Ok(Observed {
+        stopped_in_vain: at_end && !lines.iter().any(is_end),
+        refused: stopped.is_some() && !at_end,
+        plain_stderr: String::new(),
+        plan,
+        output,
+        lines,
+        parameters,
+        after_end,
+    })
+}
+
+/// The last probe of a run.
+fn last_probe(lines: &[Line]) -> Option<&Probe> {
+    lines.iter().rev().find_map(|line| match line {
+        Line::Probe(probe) => Some(probe.as_ref()),
+        Line::Call(_) | Line::Text(_) => None,
+    })
+}
+
+/// The kinds of fault that an error output names: its words may hold a line number, which probes change.
+fn kinds(stderr: &str) -> Vec<FaultKind> {
+    stderr.lines().take(2).filter_map(faults::kind).collect()
+}

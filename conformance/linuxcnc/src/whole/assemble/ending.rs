@@ -1,0 +1,158 @@
+//! How a run ends, and what the block did that it ended with.
+
+use gaugeblock_adapter::HarnessError;
+use gaugeblock_vocabulary::{Bound, Effect, End, Event, Fault, FaultKind};
+
+use super::{Assembly, is_end, unreadable};
+use crate::probing::faults;
+use crate::probing::probe::Probe;
+use crate::probing::source::{Form, form};
+
+impl Assembly<'_> {
+    /// How the run ended, and its last block.
+    ///
+    /// # Errors
+    /// Nothing tells how it ended, or an error message is unknown.
+    pub(super) fn end(&mut self, after_end: Option<&Probe>) -> Result<End, HarnessError> {
+        if let Some(end) = self.seen_from_outside()? {
+            return Ok(end);
+        }
+        if let Some(fault) = self.refused.take() {
+            return Ok(End::Fault(fault));
+        }
+        if self.aborted || self.has_ended {
+            self.over_before(after_end)?;
+            return Ok(if self.aborted { End::Aborted } else { End::ProgramEnd });
+        }
+        if self.issued.iter().any(is_end) {
+            let Some(probe) = after_end else {
+                return Err(unreadable("an end whose state was not shown"));
+            };
+            let (printed, issued) =
+                (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
+            let events = self.events(printed, &issued, probe)?;
+            self.ended(probe, events)?;
+            return Ok(End::ProgramEnd);
+        }
+        if let Some(message) = self.stopped.take() {
+            self.unfinished(after_end)?;
+            return self.machine_fault(message);
+        }
+        if self.steps.next_form() == Form::Percent {
+            return Ok(End::PercentEnd);
+        }
+        // By hand there is always another block to wait for.
+        let waits = self.by_hand && self.read.is_empty() && self.marked.is_empty();
+        if self.asked_for_mode || waits {
+            self.over_before(after_end)?;
+            return Ok(if self.asked_for_mode { End::Aborted } else { End::Paused });
+        }
+        Err(unreadable("a run without an end"))
+    }
+
+    /// How a run ended that the controller does not end itself.
+    fn seen_from_outside(&mut self) -> Result<Option<End>, HarnessError> {
+        Ok(match self.ends.as_deref() {
+            Some("budget") => Some(End::BudgetExhausted { bound: Bound::Steps }),
+            Some("endless") => Some(End::Endless),
+            Some(word @ ("paused" | "held")) => {
+                self.paused(word == "held")?;
+                Some(End::Paused)
+            }
+            _ => None,
+        })
+    }
+
+    /// The program ended, in the mode that the controller was in then.
+    pub(super) fn ended(&mut self, probe: &Probe, events: Vec<Event>) -> Result<(), HarnessError> {
+        let mode = self.steps.mode;
+        self.steps.mode = self.mode_at_end.or(mode);
+        self.steps.ended(probe, None, events, self.canon.tool)?;
+        self.steps.mode = mode;
+        Ok(())
+    }
+
+    /// The block at which the run pauses: what it did, and no state, since it is not over. A move that is held has not
+    /// been made.
+    fn paused(&mut self, is_held: bool) -> Result<(), HarnessError> {
+        let Some(next) = self.steps.next() else { return Ok(()) };
+        let issued = std::mem::take(&mut self.issued);
+        let events = if let Some((printed, probe)) = self.read.pop_front() {
+            self.events(printed, &issued, &probe)?
+        } else {
+            for effect in std::mem::take(&mut self.printed) {
+                self.canon.push(effect);
+            }
+            for issued in &issued {
+                self.canon.issue(issued)?;
+            }
+            self.canon.take_events()
+        };
+        let is_move = |event: &Event| matches!(event, Event::Do(effect) if matches!(effect.name(), "straight_traverse" | "straight_feed" | "arc_feed"));
+        let made = events.into_iter().filter(|event| !(is_held && is_move(event)));
+        self.steps.step(next, made.collect(), None);
+        Ok(())
+    }
+
+    /// An abort broke a block off. What it did itself is not recorded; what was in force afterwards is, and what the
+    /// controller refused meanwhile.
+    pub(super) fn broken_off(&mut self, events: Vec<Event>) {
+        let stays = |event: &Event| {
+            matches!(
+                event,
+                Event::Set(_)
+                    | Event::Do(
+                        Effect::RequestRefused { .. } | Effect::ChangeControllerMode { .. }
+                    )
+            )
+        };
+        let events = events.into_iter().filter(stays);
+        match self.steps.taken.last_mut() {
+            Some(last) => last.events.extend(events),
+            None => {
+                let next = self.steps.next().unwrap_or((0, 1));
+                let events: Vec<_> = events.collect();
+                if !events.is_empty() {
+                    self.steps.step(next, events, None);
+                }
+            }
+        }
+    }
+
+    /// The run was aborted, has ended before, or waits for another block by hand; what a probe showed afterwards.
+    fn over_before(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
+        let Some(probe) = after_end else { return Ok(()) };
+        let issued = std::mem::take(&mut self.issued);
+        let events = self.events(Vec::new(), &issued, probe)?;
+        self.broken_off(events);
+        Ok(())
+    }
+
+    /// The block that was being carried out when the run stopped: its events and what was in force afterwards; no
+    /// state.
+    fn unfinished(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
+        let (Some(next), Some(probe)) = (self.steps.next(), after_end) else { return Ok(()) };
+        let read = self.read.pop_front().map(|(printed, _)| printed);
+        let printed = read.unwrap_or_else(|| std::mem::take(&mut self.printed));
+        let issued = std::mem::take(&mut self.issued);
+        let events = self.events(printed, &issued, probe)?;
+        if !matches!(form(self.source.line(next.0, next.1)), Form::Empty) && !events.is_empty() {
+            self.steps.step(next, events, None);
+        }
+        Ok(())
+    }
+
+    fn machine_fault(&self, message: String) -> Result<End, HarnessError> {
+        let kind = if message.starts_with("user program") {
+            FaultKind::UserCode
+        } else if message.starts_with("wait for orient complete")
+            || message.ends_with("during orient in progress")
+        {
+            FaultKind::Orient
+        } else {
+            faults::kind(&message).ok_or_else(|| HarnessError::UnknownMessage(message.clone()))?
+        };
+        let block = self.steps.taken.last().map(|step| step.block.clone());
+        Ok(End::Fault(Fault { kind: Some(kind), block, span: None, message }))
+    }
+}

@@ -1,0 +1,76 @@
+//! Blocks that a person enters by hand while no program runs.
+//!
+//! The driver shows what is in force before such a block and after it: the first probe ends what came before, the
+//! program's end among it.
+
+use gaugeblock_adapter::HarnessError;
+use gaugeblock_vocabulary::BlockLocation;
+use serde_json::Value;
+
+use super::{Assembly, is_end};
+use crate::probing::probe::Probe;
+
+/// The file that blocks entered besides a program are recorded in.
+const FILE: &str = "mdi";
+
+/// Where the driver is with a block.
+#[derive(Clone, Debug)]
+pub(super) enum Entering {
+    /// The next probe shows what is in force before it.
+    Before { line: u32, text: String },
+    /// The block itself comes.
+    Block { line: u32, text: String },
+    /// The next probe shows what is in force after it.
+    After { line: u32, text: String },
+}
+
+/// The block of this number among those that are entered.
+pub(super) fn block(line: u32) -> BlockLocation {
+    BlockLocation::new(FILE, line)
+}
+
+impl Assembly<'_> {
+    /// The driver's word on a block that is entered.
+    pub(super) fn entry(&mut self, moment: &str, told: &Value) {
+        if moment == "begins" {
+            let line =
+                told.get("line").and_then(Value::as_u64).and_then(|line| line.try_into().ok());
+            let text = told.get("text").and_then(Value::as_str).unwrap_or_default().to_owned();
+            self.entering = line.map(|line| Entering::Before { line, text });
+        } else if moment == "is over"
+            && let Some(Entering::Block { line, text }) = self.entering.take()
+        {
+            self.entering = Some(Entering::After { line, text });
+        }
+    }
+
+    /// A probe before or after a block that is entered.
+    pub(super) fn shown_around_entry(
+        &mut self,
+        entering: Entering,
+        probe: &Probe,
+    ) -> Result<(), HarnessError> {
+        let (printed, issued) =
+            (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
+        match entering {
+            Entering::Before { line, text } => {
+                // What was read ahead is never carried out.
+                self.read.clear();
+                self.marked.clear();
+                let events = self.events(printed, &issued, probe)?;
+                if issued.iter().any(is_end) {
+                    self.ended(probe, events)?;
+                    self.has_ended = true;
+                } else {
+                    self.broken_off(events);
+                }
+                self.entering = Some(Entering::Block { line, text });
+            }
+            Entering::Block { line, text } | Entering::After { line, text } => {
+                let events = self.events_of(&text, printed, &issued, probe)?;
+                self.steps.entered(block(line), probe, events, self.canon.tool)?;
+            }
+        }
+        Ok(())
+    }
+}

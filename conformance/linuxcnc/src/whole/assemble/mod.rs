@@ -1,0 +1,371 @@
+//! Puts blocks, issued commands and probes together to an outcome.
+//!
+//! The controller reads ahead: probes tell what the interpreter did, marks in the queue what has been carried out
+//! since. Both come in the order of the program, so that the n-th probe and the n-th mark belong together. A block
+//! whose mark never came was read, and not executed.
+
+mod ending;
+mod entries;
+
+use std::collections::{BTreeMap, VecDeque};
+
+use gaugeblock_adapter::HarnessError;
+use gaugeblock_vocabulary::scenario::Start;
+use gaugeblock_vocabulary::{
+    Channel, ControllerMode, Effect, End, Event, Fault, Indexed, Language, Outcome, PinChange,
+    Scenario, Settings,
+};
+use serde_json::Value;
+
+use entries::Entering;
+
+use super::canon::Canon;
+use super::stream::{Issued, Item};
+use super::trace::Trace;
+use crate::probing::instrument::Plan;
+use crate::probing::probe::Probe;
+use crate::probing::refusal;
+use crate::probing::source::Source;
+use crate::probing::steps::{self, Steps};
+
+/// A block as it was read: what was printed meanwhile, and the probe after it.
+type ReadBlock = (Vec<Effect>, Probe);
+
+/// An outcome in the making.
+#[derive(Debug)]
+pub(super) struct Assembly<'a> {
+    source: &'a Source,
+    plan: &'a Plan,
+    canon: Canon,
+    steps: Steps<'a>,
+    trace: Trace,
+    start: Settings,
+    /// What was printed since the last probe.
+    printed: Vec<Effect>,
+    /// Blocks that were read and not yet carried out.
+    read: VecDeque<ReadBlock>,
+    /// What was issued before the run, by the reset.
+    reset: Vec<Issued>,
+    /// What was issued since the last mark.
+    issued: Vec<Issued>,
+    /// What was issued up to each mark whose probe is still to come.
+    marked: VecDeque<Vec<Issued>>,
+    /// Where the interpreter is.
+    reading_at: Option<(usize, u32)>,
+    log_is_open: bool,
+    /// Whether the next wait is one of ours.
+    at_gate: bool,
+    refused: Option<Fault>,
+    /// A fault of the machine, told by the error channel.
+    stopped: Option<String>,
+    aborted: bool,
+    /// Whether another mode was asked for, which a controller may take as an abort.
+    asked_for_mode: bool,
+    /// Whether the operator has asked for a pause that the controller has not been told yet.
+    asked_to_pause: bool,
+    /// Whether each line of the program is entered by hand.
+    by_hand: bool,
+    /// What the next probe has to do with a block that a person enters besides the program.
+    entering: Option<Entering>,
+    /// The mode in which the program ended.
+    mode_at_end: Option<ControllerMode>,
+    /// Whether its end has become a step.
+    has_ended: bool,
+    /// How often the operator started the program again, and how often it was seen to begin again.
+    starts: usize,
+    restarts: usize,
+    pins: Vec<PinChange>,
+    ends: Option<String>,
+}
+
+impl<'a> Assembly<'a> {
+    /// The outcome of a run, from what was printed from its reset on.
+    ///
+    /// # Errors
+    /// The output does not make sense, or an error message is unknown.
+    pub(super) fn outcome(
+        scenario: &Scenario,
+        source: &'a Source,
+        plan: &'a Plan,
+        items: &[Item],
+        parameters: Option<BTreeMap<u32, f64>>,
+    ) -> Result<Outcome, HarnessError> {
+        let mut assembly = Self {
+            source,
+            plan,
+            canon: Canon::new(&scenario.machine),
+            steps: Steps::new(source, plan, scenario.program.block_delete),
+            trace: Trace::new(source, plan),
+            start: Settings::default(),
+            printed: Vec::new(),
+            read: VecDeque::new(),
+            reset: Vec::new(),
+            issued: Vec::new(),
+            marked: VecDeque::new(),
+            reading_at: None,
+            log_is_open: false,
+            at_gate: false,
+            refused: None,
+            stopped: None,
+            aborted: false,
+            asked_for_mode: false,
+            asked_to_pause: false,
+            by_hand: scenario.program.start == Start::Mdi,
+            entering: None,
+            has_ended: false,
+            mode_at_end: None,
+            starts: 0,
+            restarts: 0,
+            pins: Vec::new(),
+            ends: None,
+        };
+        let end = items.iter().position(Item::is_end).map_or(items.len(), |place| place + 1);
+        let (run, after) = items.split_at(end);
+        for item in run {
+            assembly.item(item)?;
+        }
+        let after_end = after.iter().find_map(Item::probe);
+        let end = assembly.end(after_end)?;
+        let mut outcome = Outcome {
+            language: Language::Rs274,
+            start: assembly.start,
+            steps: assembly.steps.taken,
+            end,
+            parameters: parameters.map(|all| all.into_iter().collect::<Indexed<_, _>>()),
+            pins: assembly.pins,
+            samples: Vec::new(),
+        };
+        let is_exhausted = matches!(outcome.end, End::BudgetExhausted { .. });
+        if steps::limit(&mut outcome, scenario.budget).is_none() && is_exhausted {
+            return Err(HarnessError::Unreadable {
+                what: "run cut off within the budget".to_owned(),
+                line: String::new(),
+            });
+        }
+        Ok(outcome)
+    }
+
+    fn item(&mut self, item: &Item) -> Result<(), HarnessError> {
+        let print = |channel, text: &String| Effect::Message { channel, text: text.clone() };
+        match item {
+            Item::Block(text, line) => self.trace.block(text, *line),
+            Item::Executed => self.trace.executed(),
+            Item::Line(line) => self.trace.line(*line),
+            Item::Issued(issued) => self.issued(issued)?,
+            Item::Refused(message) if self.refused.is_none() => self.refused(message)?,
+            Item::Refused(_) => {}
+            Item::UserProgramFailed(status) => {
+                self.stopped = Some(format!("user program: exit status {status}"));
+            }
+            Item::Probe(probe) => self.probe(probe)?,
+            Item::Text(text) => self.printed.push(print(Channel::Print, text)),
+            Item::Log(text) if self.log_is_open => self.printed.push(print(Channel::Log, text)),
+            Item::Log(_) => {}
+            Item::LogOpen(file, append) => {
+                self.log_is_open = true;
+                self.printed.push(Effect::LogOpen { file: file.clone(), append: *append });
+            }
+            // It prints the word of a program that closes what is not open.
+            Item::LogClose if !self.log_is_open => {}
+            Item::LogClose => {
+                self.log_is_open = false;
+                self.printed.push(Effect::LogClose {});
+            }
+            Item::Driver(told) => self.driver(told)?,
+        }
+        Ok(())
+    }
+
+    fn driver(&mut self, told: &Value) -> Result<(), HarnessError> {
+        if told.get("begins").is_some() {
+            // What the reset issued is the state before the first block.
+            self.reset = std::mem::take(&mut self.issued);
+            self.steps.mode = mode(told);
+        } else if let Some(action) = told.get("operator").and_then(Value::as_str) {
+            self.aborted = action == "abort" || self.aborted && action != "cycle_start";
+            self.asked_for_mode |= action == "mode";
+            self.asked_to_pause |= action == "pause";
+        } else if told.get("starts_again").is_some() {
+            self.starts += 1;
+            self.has_ended = false;
+        } else if let Some(moment) = told.get("entry").and_then(Value::as_str) {
+            self.entry(moment, told);
+        } else if let Some(mode) = mode(told) {
+            self.steps.mode = Some(mode);
+            self.issued.push(Issued::own("CONTROLLER_MODE", mode.to_string()));
+        } else if let Some(request) = told.get("request_refused").and_then(Value::as_str) {
+            // What the controller says about a request is no fault of the program.
+            self.stopped = None;
+            self.issued.push(Issued::own("REQUEST_REFUSED", request.to_owned()));
+        } else if told.get("error").and_then(Value::as_bool) == Some(true) && self.refused.is_none()
+        {
+            let message = told.get("message").and_then(Value::as_str).unwrap_or_default();
+            self.stopped.get_or_insert(message.to_owned());
+        } else if let Some(ends) = told.get("ends").and_then(Value::as_str) {
+            self.ends = Some(ends.to_owned());
+            self.pins = pins(told.get("pins"))?;
+        }
+        Ok(())
+    }
+
+    fn issued(&mut self, issued: &Issued) -> Result<(), HarnessError> {
+        let text = if issued.name == "OPERATOR_DISPLAY" { issued.text(1) } else { String::new() };
+        if let Some(mark) = text.strip_prefix(&self.plan.marker) {
+            self.at_gate = mark.strip_prefix('>').is_some_and(|place| self.is_gate(place));
+            if !mark.starts_with(['+', '>']) {
+                self.marked.push_back(std::mem::take(&mut self.issued));
+                self.carried_out()?;
+            }
+            return Ok(());
+        }
+        if issued.name == "TRAJ_DELAY" && std::mem::take(&mut self.at_gate) {
+            return Ok(());
+        }
+        // The operator's pause has the name of the program's, and is no effect of a block.
+        if issued.name == "TASK_PLAN_PAUSE" && std::mem::take(&mut self.asked_to_pause) {
+            return Ok(());
+        }
+        if is_end(issued) {
+            self.mode_at_end = self.steps.mode;
+        }
+        self.issued.push(issued.clone());
+        Ok(())
+    }
+
+    /// Whether the mark before a block is followed by a wait of ours.
+    fn is_gate(&self, place: &str) -> bool {
+        let place = place
+            .split_once('.')
+            .and_then(|(file, line)| Some((file.parse().ok()?, line.parse().ok()?)));
+        let gates = self.plan.marks.as_ref().map(|marks| &marks.gates);
+        gates.zip(place).is_some_and(|(gates, place)| gates.contains(&place))
+    }
+
+    fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
+        if let Some(entering) = self.entering.take() {
+            return self.shown_around_entry(entering, probe);
+        }
+        if (probe.file, probe.line) == (0, 0)
+            && self.reading_at.is_some()
+            && self.restarts < self.starts
+        {
+            // What was read ahead before the program was started again is never carried out.
+            self.read.clear();
+        }
+        self.reading_at = Some((probe.file, probe.line));
+        self.trace.stands_in(probe.file);
+        self.read.push_back((std::mem::take(&mut self.printed), probe.clone()));
+        self.carried_out()
+    }
+
+    /// Blocks that are both read and carried out become steps.
+    fn carried_out(&mut self) -> Result<(), HarnessError> {
+        while !self.marked.is_empty() && !self.read.is_empty() {
+            let (Some(issued), Some((printed, probe))) =
+                (self.marked.pop_front(), self.read.pop_front())
+            else {
+                break;
+            };
+            if !self.steps.begun() {
+                self.canon.begin("", &probe, None);
+                for issued in std::mem::take(&mut self.reset) {
+                    self.canon.issue(&issued)?;
+                }
+                self.canon.finish(&probe)?;
+                self.start = self.canon.now.clone();
+                self.steps.begin(&probe)?;
+                continue;
+            }
+            let events = self.events(printed, &issued, &probe)?;
+            if (probe.file, probe.line) == (0, 0) && self.restarts < self.starts {
+                self.restarts += 1;
+                if issued.iter().any(is_end) {
+                    self.ended(&probe, events)?;
+                } else {
+                    self.broken_off(events);
+                }
+                self.steps.stands_at(&probe);
+                continue;
+            }
+            if self.by_hand && std::mem::take(&mut self.aborted) {
+                // The block was broken off; the next one is entered all the same.
+                self.broken_off(events);
+                self.steps.stands_at(&probe);
+                continue;
+            }
+            self.steps.passed(&probe, events, self.canon.tool)?;
+        }
+        Ok(())
+    }
+
+    /// What a block did, told under the settings that its probe shows.
+    fn events(
+        &mut self,
+        printed: Vec<Effect>,
+        issued: &[Issued],
+        probe: &Probe,
+    ) -> Result<Vec<Event>, HarnessError> {
+        let (file, line) = self.steps.next().unwrap_or((0, 1));
+        self.events_of(self.source.line(file, line), printed, issued, probe)
+    }
+
+    /// What a block of this text did.
+    fn events_of(
+        &mut self,
+        text: &str,
+        printed: Vec<Effect>,
+        issued: &[Issued],
+        probe: &Probe,
+    ) -> Result<Vec<Event>, HarnessError> {
+        let read = self.plan.parameters.iter().position(|name| name == "5399");
+        let read = read.and_then(|place| probe.parameters.get(place).copied().flatten());
+        self.canon.begin(text, probe, read);
+        for effect in printed {
+            self.canon.push(effect);
+        }
+        for issued in issued {
+            self.canon.issue(issued)?;
+        }
+        self.canon.finish(probe)
+    }
+
+    fn refused(&mut self, message: &str) -> Result<(), HarnessError> {
+        let next = self.reading_at.map(|(file, line)| (file, line + 1)).or(Some((0, 1)));
+        let echo = self.trace.refused_line();
+        let stderr = format!("{message}\n{}\n", echo.unwrap_or_default());
+        let mut fault = refusal::fault(&stderr, self.source, self.plan, next)?;
+        if let Some(Entering::Block { line, .. }) = &self.entering {
+            fault.block = Some(entries::block(*line));
+        }
+        self.refused = Some(fault);
+        Ok(())
+    }
+}
+
+/// Whether a command ends the program.
+fn is_end(issued: &Issued) -> bool {
+    issued.name == "TASK_PLAN_END"
+}
+
+fn mode(told: &Value) -> Option<ControllerMode> {
+    match told.get("mode")?.as_str()? {
+        "auto" => Some(ControllerMode::Auto),
+        "mdi" => Some(ControllerMode::Mdi),
+        "manual" => Some(ControllerMode::Manual),
+        _ => None,
+    }
+}
+
+fn pins(told: Option<&Value>) -> Result<Vec<PinChange>, HarnessError> {
+    let changes = told.and_then(Value::as_array).into_iter().flatten();
+    let change = |change: &Value| {
+        let pin = change.get(1)?.as_str()?.parse().ok()?;
+        Some(PinChange { time: change.get(0)?.as_f64()?, pin, value: change.get(2)?.as_f64()? })
+    };
+    let read = changes.map(|told| change(told).ok_or_else(|| unreadable(&told.to_string())));
+    read.collect()
+}
+
+fn unreadable(what: &str) -> HarnessError {
+    HarnessError::Unreadable { what: what.to_owned(), line: String::new() }
+}

@@ -1,0 +1,160 @@
+//! What is asked of a controller for a scenario: how its program is observed, what the driver is to do meanwhile, and
+//! the way back to where the next program begins.
+
+use std::collections::BTreeSet;
+
+use gaugeblock_vocabulary::scenario::{Action, OperatorEvent};
+use gaugeblock_vocabulary::{LengthUnit, Scenario};
+use serde_json::{Value, json};
+
+use super::reuse::has;
+use super::setup;
+use crate::probing::instrument::{GATE, Marks, Plan};
+use crate::probing::source::{Source, code, has_slash};
+
+/// Feed override under which programs run whose pace nobody looks at.
+const HURRY: f64 = 10_000.0;
+
+/// The parameter that holds what M66 has read.
+const INPUT_READ: &str = "5399";
+
+/// How a program is observed, with `more` parameters than it names.
+pub(super) fn plan(scenario: &Scenario, source: &Source, more: &BTreeSet<u32>) -> Plan {
+    let names = source.files().iter().map(|(name, _)| name);
+    let file = |name: &str| names.clone().position(|known| known == name);
+    let places = |wanted: fn(&OperatorEvent) -> bool| -> BTreeSet<(usize, u32)> {
+        let events = scenario.operator.iter().filter(|event| wanted(event));
+        let place =
+            |event: &OperatorEvent| Some((file(&event.when.block.file)?, event.when.block.line));
+        events.filter_map(place).collect()
+    };
+    let mut plan = Plan::new(source, more);
+    // What an M66 reads; no effect but this one needs it.
+    if source.all().any(|(_, _, line)| code(line).contains('m')) && !source.names_line() {
+        plan.parameters.retain(|name| name != INPUT_READ);
+        plan.parameters.push(INPUT_READ.to_owned());
+    }
+    plan.marks = Some(Marks { before: places(|_| true), gates: places(is_switched_before) });
+    plan
+}
+
+/// Whether an event sets a switch before its block begins.
+fn is_switched_before(event: &OperatorEvent) -> bool {
+    let is_switch = matches!(
+        event.action,
+        Action::OptionalStop(_)
+            | Action::FeedOverride(_)
+            | Action::RapidOverride(_)
+            | Action::SpindleOverride { .. }
+            | Action::FeedHold(_)
+    );
+    is_switch && event.when.offset <= 0.0
+}
+
+/// What the driver is to do; the blocks that are entered `by_hand`, if they are.
+pub(super) fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: Value) -> Value {
+    let inputs = scenario.environment.inputs.iter().filter_map(|change| {
+        let pin = setup::input_pin(&change.input)?;
+        let is_bit = pin.contains("digital") || pin.ends_with("feed-hold");
+        let value = if is_bit {
+            u8::from(change.value > 0.5).to_string()
+        } else {
+            change.value.to_string()
+        };
+        Some(json!([change.time, pin, value]))
+    });
+    let file = |name: &str| source.files().iter().position(|(known, _)| known == name);
+    let mut entered = 0;
+    let events = scenario.operator.iter().filter_map(|event| {
+        let mut told = action(&event.action);
+        if matches!(event.action, Action::Mdi(_)) {
+            entered += 1;
+            told["line"] = entered.into();
+        }
+        let place = file(&event.when.block.file)?;
+        told["marker"] = plan.mark_before(place, event.when.block.line).into();
+        told["execution"] = event.when.execution.into();
+        // A block has begun once its command has gone out.
+        let has_gate = plan
+            .marks
+            .as_ref()
+            .is_some_and(|marks| marks.gates.contains(&(place, event.when.block.line)));
+        let begins = if has_gate { GATE.parse().unwrap_or_default() } else { 0.0 };
+        let begins = if is_switched_before(event) { 0.0 } else { begins + 0.004 };
+        told["offset"] = (event.when.offset + begins).into();
+        Some(told)
+    });
+    let may_stop = source.all().any(|(_, _, line)| {
+        let code = code(line);
+        code.contains("m1") || code.contains("m01") || code.contains("m#") || code.contains("m[")
+    });
+    json!({
+        "marker": plan.marker,
+        "first": plan.mark_after(0, 0),
+        "steps": scenario.budget.steps,
+        "optional_stop": may_stop.then_some(false),
+        "block_delete": source.all().any(|(_, _, line)| has_slash(line)).then_some(scenario.program.block_delete),
+        "feed_override": if setup::has_own_pace(scenario) { 1.0 } else { HURRY },
+        "inputs": inputs.collect::<Vec<_>>(),
+        "events": events.collect::<Vec<_>>(),
+        "by_hand": by_hand,
+        "probe": plan.probe(0, 0).lines().collect::<Vec<_>>(),
+        "program": "programs/main.ngc",
+        "after": "after.ngc",
+        "linger": true,
+    })
+}
+
+fn action(action: &Action) -> Value {
+    match action {
+        Action::CycleStart => json!({ "action": "cycle_start" }),
+        Action::Pause => json!({ "action": "pause" }),
+        Action::Resume => json!({ "action": "resume" }),
+        Action::Abort => json!({ "action": "abort" }),
+        Action::Mode(mode) => json!({ "action": "mode", "value": mode.to_string() }),
+        Action::Mdi(block) => json!({ "action": "mdi", "value": block }),
+        Action::OptionalStop(on) => json!({ "action": "optional_stop", "value": on }),
+        Action::FeedOverride(factor) => json!({ "action": "feed_override", "value": factor }),
+        Action::RapidOverride(factor) => json!({ "action": "rapid_override", "value": factor }),
+        Action::SpindleOverride { spindle, factor } => {
+            json!({ "action": "spindle_override", "value": factor, "spindle": spindle })
+        }
+        Action::FeedHold(on) => json!({ "action": "feed_hold", "value": on }),
+    }
+}
+
+/// What is run after each program: a probe of what it left, and the way back to where the next one begins.
+pub(super) fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String {
+    let machine = &scenario.machine;
+    let switches = (2..=8).any(|code| has(source, &format!("m6{code}")))
+        || has(source, "m[")
+        || has(source, "m#");
+    let mut outputs = String::new();
+    if switches {
+        let digital = (0..machine.digital_io).map(|output| format!("M65 P{output}\n"));
+        let analog = (0..machine.analog_io).map(|output| format!("M68 E{output} Q0\n"));
+        outputs = digital.chain(analog).collect();
+    }
+
+    let axes: String = scenario
+        .machine
+        .axes
+        .iter()
+        .map(|axis| format!(" {}0", axis.word().to_uppercase()))
+        .collect();
+    // The angle that was asked for last stays at the pins.
+    let turns_back = has(source, "m19") && scenario.environment.orient.is_empty();
+    let spindles = (0..machine.spindles).filter(|_| turns_back);
+    outputs.extend(spindles.map(|spindle| format!("M19 R0 Q1 ${spindle}\nM5 ${spindle}\n")));
+    // The last motion is one in the initial modes: an abort of the next program may bring them back.
+    let unit = match machine.length_unit {
+        LengthUnit::Millimetre => "G21",
+        LengthUnit::Inch => "G20",
+    };
+    // The controller stands off a corner that it has rounded: a wait parts the two ways.
+    let tool = if scenario.machine.random_tool_changer { "" } else { "M61 Q0\n" };
+    format!(
+        "{}M71\nG40\nG17 {unit} G90 G94 G99 G49 G53 G0 X1\nG4 P0.001\nG53 G0{axes}\n{tool}{outputs}M2\n",
+        plan.probe(0, 0)
+    )
+}

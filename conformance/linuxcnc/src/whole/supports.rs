@@ -1,0 +1,196 @@
+//! Which scenarios the controller can run.
+
+use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, Start};
+use gaugeblock_vocabulary::{Axis, Language, Machine, Program, Scenario};
+
+use super::setup::input_pin;
+use crate::probing::instrument::LAST_PARAMETER;
+use crate::probing::source::{Source, is_sub_file};
+
+/// Most digital and most analog inputs and outputs.
+const MOST_SIGNALS: u16 = 64;
+
+/// Latest change of an input or answer, seconds: environments run in real time.
+const LATEST: f64 = 30.0;
+
+/// The environment that is built around this controller.
+const OWN_ENVIRONMENT: &str = "whole controller";
+
+/// Whether the controller can run a scenario.
+///
+/// # Errors
+/// The reason why not.
+pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
+    program(&scenario.program)?;
+    machine(&scenario.machine)?;
+    environment(&scenario.environment)?;
+    if let Some(event) = scenario.operator.iter().find(|event| event.when.offset > LATEST) {
+        return Err(format!("an operator who waits {} s", event.when.offset));
+    }
+    let starts_something = |event: &OperatorEvent| {
+        matches!(event.action, Action::CycleStart | Action::Mode(_) | Action::Mdi(_))
+    };
+    if scenario.program.start == Start::Mdi && scenario.operator.iter().any(starts_something) {
+        return Err("an operator besides the one who enters blocks".to_owned());
+    }
+    by_hand(scenario)?;
+    at_one_time(scenario)
+}
+
+/// What it does not tell of blocks by hand.
+fn by_hand(scenario: &Scenario) -> Result<(), String> {
+    let program = &scenario.program;
+    let lines = program.language.lines(&program.main).filter(|_| program.start == Start::Mdi);
+    let entered: Vec<&str> = lines
+        .chain(scenario.operator.iter().filter_map(|event| match &event.action {
+            Action::Mdi(text) => Some(text.as_str()),
+            Action::CycleStart
+            | Action::Pause
+            | Action::Resume
+            | Action::Abort
+            | Action::Mode(_)
+            | Action::OptionalStop(_)
+            | Action::FeedHold(_)
+            | Action::FeedOverride(_)
+            | Action::RapidOverride(_)
+            | Action::SpindleOverride { .. } => None,
+        }))
+        .collect();
+    let calls = |text: &str| text.trim_start().starts_with(['o', 'O']) && text.contains("call");
+    if !program.files.is_empty() && entered.iter().copied().any(calls) {
+        return Err("it does not tell what a file does that is called by hand".to_owned());
+    }
+    let mut from_end = entered.iter().skip_while(|text| !matches!(text.trim(), "m2" | "m30"));
+    if program.start == Start::Mdi && from_end.next().is_some() && from_end.next().is_some() {
+        return Err("it enters nothing after a block by hand that ends a program".to_owned());
+    }
+    Ok(())
+}
+
+/// Its clock is that of the wall, and blocks that do nothing go by unseen: what happens there, or when something else
+/// does, happens in some order.
+fn at_one_time(scenario: &Scenario) -> Result<(), String> {
+    let events = &scenario.operator;
+    let text = |event: &OperatorEvent| {
+        let text = scenario.program.line(&event.when.block);
+        text.filter(|_| event.when.block.file == Program::MAIN).unwrap_or_default()
+    };
+    let does_nothing = |event: &OperatorEvent| {
+        let text = text(event);
+        text.starts_with('o') && (text.contains(" else") || text.contains(" endif"))
+    };
+    if events.iter().any(does_nothing) {
+        return Err("it does not tell when a line begins that does nothing".to_owned());
+    }
+    let ends = |event: &OperatorEvent| {
+        let at = |duration: f64| (duration - event.when.offset).abs() < 0.05;
+        scenario.environment.user_programs.iter().any(|program| at(program.duration))
+    };
+    // A block that only sets parameters is over before anybody can act.
+    let begins = |event: &OperatorEvent| {
+        event.action == Action::Abort && event.when.offset <= 0.0 && text(event).starts_with('#')
+    };
+    let twice = events.iter().enumerate().any(|(place, event)| {
+        events.iter().take(place).any(|other| {
+            other.when == event.when && matches!(event.action, Action::Abort | Action::Mdi(_))
+        })
+    });
+    if twice || events.iter().any(|event| ends(event) || begins(event)) {
+        return Err("its clock is that of the wall: nothing happens at one time".to_owned());
+    }
+    let pauses = events.iter().rposition(|event| event.action == Action::Pause);
+    let goes_on =
+        |event: &OperatorEvent| matches!(event.action, Action::Resume | Action::CycleStart);
+    let stays = pauses.is_some_and(|place| !events.iter().skip(place).any(goes_on));
+    if stays && Source::new(&scenario.program).has_g_code(&["g4"]) {
+        return Err("it does not tell that a dwell has ended before it goes on".to_owned());
+    }
+    Ok(())
+}
+
+fn program(program: &Program) -> Result<(), String> {
+    if program.language != Language::Rs274 {
+        return Err(format!("it does not speak {}", program.language));
+    }
+    for name in program.files.keys() {
+        if !is_sub_file(name) || name == Program::MAIN {
+            return Err(format!("{name:?} is no file name for a sub"));
+        }
+    }
+    let source = Source::new(program);
+    if source.has_g_code(&["g38.2", "g38.3", "g38.4", "g38.5"]) {
+        return Err("its environment has no probe".to_owned());
+    }
+    if source.has_g_code(&["g33", "g33.1", "g76"]) {
+        return Err("its spindles have no encoder".to_owned());
+    }
+    if source.has_g_code(&["g5", "g5.1", "g5.2", "g5.3"]) {
+        return Err("it shows a spline as the arcs that it makes of it".to_owned());
+    }
+    if source.has_g_code(&["g17.1", "g18.1", "g19.1"]) && source.has_g_code(&["g81"]) {
+        return Err("it does not show where U, V and W are".to_owned());
+    }
+    if source.goes_far() {
+        return Err("it would be on its way for longer than anybody waits".to_owned());
+    }
+    if source.names_line() {
+        return Err("probes would change the line numbers that it asks for".to_owned());
+    }
+    match source.reaches_host() {
+        Some(block) => {
+            Err(format!("{block} would reach beyond the program's files, or run Python"))
+        }
+        None => Ok(()),
+    }
+}
+
+fn machine(machine: &Machine) -> Result<(), String> {
+    let is_cartesian = [Axis::X, Axis::Y, Axis::Z].iter().all(|axis| machine.axes.contains(axis));
+    let in_order = machine.axes.is_sorted_by_key(|axis| axis.place());
+    if !is_cartesian || !in_order || machine.axes.len() > 9 {
+        return Err("its axes are X Y Z and others, in order".to_owned());
+    }
+    if !(1..=8).contains(&machine.spindles) {
+        return Err("1 to 8 spindles".to_owned());
+    }
+    if machine.digital_io > MOST_SIGNALS || machine.analog_io > MOST_SIGNALS {
+        return Err(format!("at most {MOST_SIGNALS} inputs and outputs of each kind"));
+    }
+    if machine.random_tool_changer && machine.tools.iter().any(|tool| tool.pocket == Some(0)) {
+        return Err("it is given a tool table while it runs, which puts no tool into the spindle"
+            .to_owned());
+    }
+    let cannot_be_stored = |number: &&u32| !(1..=LAST_PARAMETER).contains(*number);
+    if let Some(number) = machine.parameters.0.keys().find(cannot_be_stored) {
+        return Err(format!("#{number} cannot be stored"));
+    }
+    let is_plain = |name: &str| {
+        name.starts_with('[') && name.contains(']') && !name.contains(char::is_control)
+    };
+    match machine.ini.keys().find(|name| !is_plain(name)) {
+        Some(name) => Err(format!("{name:?} is no [SECTION]NAME")),
+        None => Ok(()),
+    }
+}
+
+fn environment(environment: &Environment) -> Result<(), String> {
+    if let Some(name) = environment.name.as_ref().filter(|name| *name != OWN_ENVIRONMENT) {
+        return Err(format!("the environment {name:?} is another controller's"));
+    }
+    if environment.probe.is_some() {
+        return Err("its environment has no probe".to_owned());
+    }
+    for change in &environment.inputs {
+        if input_pin(&change.input).is_none() || change.time > LATEST {
+            return Err(format!("no input {} at {} s", change.input, change.time));
+        }
+    }
+    let is_user_program = |name: &str| {
+        let digits = name.strip_prefix(['M', 'm']).unwrap_or_default();
+        digits.chars().all(|c| c.is_ascii_alphanumeric() || c == '.') && !digits.is_empty()
+    };
+    match environment.user_programs.iter().find(|program| !is_user_program(&program.file)) {
+        Some(program) => Err(format!("{:?} is no file name for a user program", program.file)),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,346 @@
+//! A control that was asked on paper: its answers are read from the folder of a campaign ([`crate`]).
+//!
+//! What a sheet leaves empty is masked, and what has no sheet was not run: a claim is as large as what was written
+//! down.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
+use gaugeblock_compare::Capabilities;
+use gaugeblock_vocabulary::motion::Samples;
+use gaugeblock_vocabulary::{
+    BlockLocation, Bound, Effect, End, Event, Fault, Language, Outcome, Program, Rs274State,
+    Scenario, Settings, State, Step,
+};
+use serde::Deserialize;
+
+use crate::{
+    Answer, Asked, BLOCKS, Blocks, CONTROL, Manifest, SAMPLES, SHEET, Sheet, digest,
+    digest_of_motion, read_blocks,
+};
+
+/// What a control says of itself.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Control {
+    name: String,
+    version: String,
+    resolution: f64,
+}
+
+/// A program of the campaign, and what was read of its folder.
+#[derive(Debug)]
+struct Entry {
+    asked: Asked,
+    /// The answer, or what is wrong with it, with its place.
+    answer: Result<Told, (String, String)>,
+}
+
+/// What was written down.
+#[derive(Debug)]
+enum Told {
+    Nothing,
+    NotPossible(String),
+    Ran(Box<Sheet>, Option<Blocks>),
+}
+
+/// A campaign's folder.
+#[derive(Debug)]
+pub struct Offline {
+    folder: PathBuf,
+    manifest: Manifest,
+    entries: BTreeMap<String, Entry>,
+    capabilities: Capabilities,
+}
+
+impl Offline {
+    /// Reads a campaign's folder. A sheet that cannot be read is not judged, and no error.
+    ///
+    /// # Errors
+    /// It is no such folder, or it does not say what control it is of.
+    pub fn open(folder: &Path) -> Result<Self, String> {
+        let manifest = Manifest::read(folder)?;
+        let path = folder.join(CONTROL);
+        let name = path.display();
+        let text = std::fs::read_to_string(&path).map_err(|error| format!("{name}: {error}"))?;
+        let control: Control = toml::from_str(&text)
+            .map_err(|error| format!("{name}: {}", error.to_string().trim()))?;
+        if control.name.trim().is_empty() || control.name.chars().any(char::is_control) {
+            return Err(format!("{name}: `name` is empty, so nothing says what was certified"));
+        }
+        if !(control.resolution >= 0.0 && control.resolution.is_finite()) {
+            return Err(format!("{name}: `resolution` is no error that a number can have"));
+        }
+        let mut capabilities = nothing(&control);
+        let mut entries = BTreeMap::new();
+        for asked in &manifest.programs {
+            let entry = Entry { asked: asked.clone(), answer: told(folder, asked) };
+            if let Ok(Told::Ran(sheet, blocks)) = &entry.answer {
+                let shows = shows(&nothing(&control), sheet, blocks.as_ref());
+                capabilities.fields.extend(shows.fields);
+                capabilities.effects.extend(shows.effects);
+                capabilities.final_parameters |= shows.final_parameters;
+                capabilities.blocks |= shows.blocks;
+                capabilities.faults_have_blocks |= shows.faults_have_blocks;
+            }
+            entries.insert(asked.scenario.clone(), entry);
+        }
+        Ok(Self { folder: folder.to_owned(), manifest, entries, capabilities })
+    }
+
+    fn entry(&self, scenario: &Scenario) -> Option<&Entry> {
+        self.entries.get(&digest(scenario))
+    }
+
+    /// Whether the program in the folder is the one that was asked for, if it was sent back at all.
+    fn is_untouched(&self, entry: &Entry, program: &Program) -> Result<(), HarnessError> {
+        let mains = std::iter::once((Program::MAIN, &program.main));
+        let files = program.files.iter().map(|(name, text)| (name.as_str(), text));
+        for (name, text) in mains.chain(files) {
+            let place = format!("{}/{name}", entry.asked.folder);
+            let Ok(found) = std::fs::read(self.folder.join(&place)) else { continue };
+            let plain = |bytes: &[u8]| String::from_utf8_lossy(bytes).replace("\r\n", "\n");
+            if plain(&found) != plain(text.as_bytes()) {
+                return Err(HarnessError::Unreadable {
+                    what: place,
+                    line: "it is not the program that was asked for any more".to_owned(),
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Adapter for Offline {
+    fn capabilities(&self) -> &Capabilities {
+        &self.capabilities
+    }
+
+    fn shows(&self, scenario: &Scenario) -> Capabilities {
+        let plain = Capabilities { blocks: false, ..self.capabilities.clone() };
+        match self.entry(scenario).map(|entry| &entry.answer) {
+            Some(Ok(Told::Ran(sheet, blocks))) => shows(&plain, sheet, blocks.as_ref()),
+            _ => plain,
+        }
+    }
+
+    fn shows_less_of_some(&self) -> bool {
+        true
+    }
+
+    fn awaited(&self, scenario: &Scenario) -> Option<String> {
+        let entry = self.entry(scenario)?;
+        matches!(entry.answer, Ok(Told::Nothing))
+            .then(|| format!("{}/{SHEET} is not filled in", entry.asked.folder))
+    }
+
+    fn supports(&self, scenario: &Scenario) -> Result<(), String> {
+        match self.entry(scenario).map(|entry| &entry.answer) {
+            None => Err("it was not asked".to_owned()),
+            Some(Ok(Told::NotPossible(why))) => Err(why.clone()),
+            Some(Ok(Told::Nothing | Told::Ran(..)) | Err(_)) => Ok(()),
+        }
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let has_samples = |entry: &Entry| {
+            entry.asked.samples && self.folder.join(&entry.asked.folder).join(SAMPLES).exists()
+        };
+        let is_told =
+            |entry: &&Entry| !matches!(entry.answer, Ok(Told::Nothing)) || has_samples(entry);
+        let told = self.entries.values().filter(is_told).count();
+        let left_out: usize = self.manifest.left_out.values().sum();
+        vec![format!(
+            "{told} of {} programs were answered; {left_out} cases could not be asked on paper",
+            self.entries.len()
+        )]
+    }
+
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        let Some(entry) = self.entry(scenario) else {
+            return Err(HarnessError::NotRun("it was not asked".to_owned()));
+        };
+        match &entry.answer {
+            Err((place, why)) => {
+                Err(HarnessError::Unreadable { what: place.clone(), line: why.clone() })
+            }
+            Ok(Told::Nothing) => Err(HarnessError::NotRun("nothing is filled in".to_owned())),
+            Ok(Told::NotPossible(why)) => Err(HarnessError::NotRun(why.clone())),
+            Ok(Told::Ran(sheet, blocks)) => {
+                self.is_untouched(entry, &scenario.program)?;
+                outcome(sheet, blocks.as_ref())
+            }
+        }
+    }
+
+    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
+        let unsupported = |why: &str| Err(NotMoved::Unsupported(why.to_owned()));
+        let failed = |error: HarnessError| Err(NotMoved::Failed(error));
+        let unreadable = |what: &str, why: &str| {
+            failed(HarnessError::Unreadable { what: what.to_owned(), line: why.to_owned() })
+        };
+        let is_plain = motion.script.events.is_empty();
+        let key = digest_of_motion(motion.scenario, motion.limits);
+        let Some(entry) = self.entries.get(&key).filter(|_| is_plain) else {
+            return unsupported("it was not asked");
+        };
+        match &entry.answer {
+            Ok(Told::NotPossible(why)) => return unsupported(why),
+            Err((place, why)) => return unreadable(place, why),
+            Ok(Told::Nothing | Told::Ran(..)) => {}
+        }
+        let place = format!("{}/{SAMPLES}", entry.asked.folder);
+        if let Err(error) = self.is_untouched(entry, &motion.scenario.program) {
+            return failed(error);
+        }
+        match std::fs::read_to_string(self.folder.join(&place)) {
+            Ok(text) => {
+                Samples::from_csv(&text).or_else(|error| unreadable(&place, &error.to_string()))
+            }
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+                failed(HarnessError::Absent(format!("{place} is not there")))
+            }
+            Err(error) => unreadable(&place, &error.to_string()),
+        }
+    }
+
+    fn own_edition(&self) -> Option<&str> {
+        Some(&self.manifest.edition)
+    }
+
+    fn belongs_to(&self) -> Option<(&str, &str)> {
+        Some((&self.manifest.suite, &self.manifest.edition))
+    }
+}
+
+/// What was written down of a program.
+fn told(folder: &Path, asked: &Asked) -> Result<Told, (String, String)> {
+    let read = |file: &str| {
+        let place = format!("{}/{file}", asked.folder);
+        match std::fs::read_to_string(folder.join(&place)) {
+            Ok(text) => Ok((place, text)),
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+                Ok((place, String::new()))
+            }
+            Err(error) => Err((place, error.to_string())),
+        }
+    };
+    let (place, text) = read(SHEET)?;
+    let answer = Answer::read(&text, asked).map_err(|why| (place.clone(), why))?;
+    let (of_blocks, text) = read(BLOCKS)?;
+    let blocks = read_blocks(&text, &asked.axes).map_err(|why| (of_blocks.clone(), why))?;
+    match answer {
+        Answer::Blank if blocks.is_some() => {
+            Err((place, "`ended` is empty, but blocks were written down".to_owned()))
+        }
+        Answer::Blank => Ok(Told::Nothing),
+        Answer::NotPossible(why) => Ok(Told::NotPossible(why)),
+        Answer::Ran(sheet) => Ok(Told::Ran(sheet, blocks)),
+    }
+}
+
+/// A control of which nothing is known but its name.
+fn nothing(control: &Control) -> Capabilities {
+    Capabilities {
+        name: control.name.trim().to_owned(),
+        version: control.version.trim().to_owned(),
+        resolution: control.resolution,
+        carried: BTreeMap::new(),
+        fields: BTreeSet::new(),
+        fields_at_effects: BTreeSet::new(),
+        tells_all_fields: false,
+        effects: BTreeSet::new(),
+        moves_in_place: true,
+        blocks: false,
+        faults_have_blocks: false,
+        faults_have_kinds: false,
+        final_parameters: false,
+        hidden_parameters: Vec::new(),
+        pins: BTreeSet::new(),
+        pin_period: 0.0,
+    }
+}
+
+/// What a sheet shows: what is filled in.
+fn shows(plain: &Capabilities, sheet: &Sheet, blocks: Option<&Blocks>) -> Capabilities {
+    let position = sheet.position.is_some() || blocks.is_some();
+    let mut fields = sheet.modes.clone();
+    fields.extend(position.then(|| "position".to_owned()));
+    let effects = sheet.messages.as_ref().map(|_| "message".to_owned()).into_iter().collect();
+    let mut hidden = Vec::new();
+    let mut next = 0;
+    for number in sheet.variables.keys() {
+        hidden.extend((next < *number).then(|| next..=number - 1));
+        next = number + 1;
+    }
+    hidden.push(next..=u32::MAX);
+    Capabilities {
+        fields,
+        effects,
+        blocks: blocks.is_some(),
+        faults_have_blocks: sheet.block.is_some(),
+        final_parameters: !sheet.variables.is_empty(),
+        hidden_parameters: hidden,
+        ..plain.clone()
+    }
+}
+
+/// What a sheet says, as an outcome.
+fn outcome(sheet: &Sheet, blocks: Option<&Blocks>) -> Result<Outcome, HarnessError> {
+    let end = match sheet.ended.as_str() {
+        "program end" => End::ProgramEnd,
+        "percent sign" => End::PercentEnd,
+        "alarm" => End::Fault(Fault {
+            kind: None,
+            block: sheet.block.clone(),
+            span: None,
+            message: sheet.alarm.clone(),
+        }),
+        "waiting" => End::Paused,
+        "aborted" => End::Aborted,
+        "endless" => End::Endless,
+        "did not end" => End::BudgetExhausted { bound: Bound::Time },
+        _ => {
+            return Err(HarnessError::Crashed {
+                status: "as its sheet says".to_owned(),
+                stderr: sheet.alarm.clone(),
+            });
+        }
+    };
+    let mut steps: Vec<Step> = Vec::new();
+    for (block, position) in blocks.into_iter().flatten() {
+        let state = position.map(|position| {
+            State::Rs274(Rs274State { position: Some(position), ..Rs274State::default() })
+        });
+        steps.push(Step { block: block.clone(), events: Vec::new(), state });
+    }
+    let mut events = Vec::new();
+    if sheet.settings != Settings::default() {
+        events.push(Event::Set(sheet.settings.clone().into()));
+    }
+    for (channel, text) in sheet.messages.iter().flatten() {
+        events.push(Event::Do(Effect::Message { channel: *channel, text: text.clone() }));
+    }
+    let last = sheet.last_state();
+    match steps.iter_mut().rev().find(|step| step.state.is_some()) {
+        Some(step) => {
+            step.events = events;
+            if let (Some(state), Some(last)) = (&mut step.state, &last) {
+                state.overlay(last);
+            }
+        }
+        // No block is told: this is no line of a program.
+        None => steps.push(Step { block: BlockLocation::new("", 0), events, state: last }),
+    }
+    Ok(Outcome {
+        language: Language::Rs274,
+        start: Settings::default(),
+        steps,
+        end,
+        parameters: (!sheet.variables.is_empty())
+            .then(|| sheet.variables.clone().into_iter().collect()),
+        pins: Vec::new(),
+        samples: Vec::new(),
+    })
+}

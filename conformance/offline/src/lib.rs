@@ -1,0 +1,144 @@
+//! The offline route: programs for a control that cannot host a process, and the answers that a person brings back.
+//!
+//! A campaign is a folder: a manifest, a page for the operator, and for each program a folder with its files, what to
+//! set up, and an answer sheet. **Invariant:** nothing that is exported says what is expected, nor the names of rules
+//! and cases, which often do: whoever fills in a sheet writes down what was seen and not what should have been.
+//!
+//! A case finds its sheet by the digest of its scenario, and cases with the same scenario share one.
+
+mod adapter;
+mod answer;
+mod blocks;
+mod carried;
+mod form;
+mod instructions;
+mod questions;
+mod sheet;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use gaugeblock_vocabulary::motion::MotionLimits;
+use gaugeblock_vocabulary::{Axis, Options, Scenario};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest as _, Sha256};
+
+pub use adapter::Offline;
+pub use answer::answer;
+pub use blocks::{Blocks, read_blocks};
+pub use instructions::{operator, readme};
+pub use questions::{Question, can_ask, questions};
+use sheet::Values;
+pub use sheet::{Answer, Sheet, control_text};
+
+/// The manifest of a campaign.
+pub const MANIFEST: &str = "manifest.json";
+/// What is said of the control, once for all.
+pub const CONTROL: &str = "control.toml";
+/// The answer sheet of a program.
+pub const SHEET: &str = "answer.toml";
+/// Where the tool stood after each block, if somebody ran it block by block.
+pub const BLOCKS: &str = "blocks.csv";
+/// Recorded samples, where they are asked for.
+pub const SAMPLES: &str = "samples.csv";
+/// What a person sets up and does for a program.
+pub const OPERATOR: &str = "operator.md";
+/// The version of a campaign's form.
+pub const FORMAT: u32 = 1;
+
+/// What a campaign asks, and by what.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Manifest {
+    /// Version of the form: 1.
+    pub format: u32,
+    /// Version of gaugeblock that wrote it.
+    pub gaugeblock_version: String,
+    /// Digest of the suite.
+    pub suite: String,
+    /// The edition that the answers are held to.
+    pub edition: String,
+    /// The profiles that were asked for; all where there are none.
+    pub profiles: Vec<String>,
+    /// The programs, in the order of their folders.
+    pub programs: Vec<Asked>,
+    /// What the route cannot carry: how many cases, by the reason.
+    pub left_out: BTreeMap<String, usize>,
+}
+
+/// A program that is asked for.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Asked {
+    /// Its folder.
+    pub folder: String,
+    /// Digest of its scenario.
+    pub scenario: String,
+    /// What it is about.
+    pub chapter: String,
+    /// How many cases it serves.
+    pub cases: usize,
+    /// Axes whose positions are asked for.
+    pub axes: Vec<Axis>,
+    /// Variables that are asked for.
+    pub variables: Vec<u32>,
+    /// Whether it may show messages.
+    pub messages: bool,
+    /// Whether recorded samples are asked for, and nothing else.
+    pub samples: bool,
+}
+
+impl Manifest {
+    /// Reads the manifest of a folder.
+    ///
+    /// # Errors
+    /// There is none, or none of this form, with its place.
+    pub fn read(folder: &Path) -> Result<Self, String> {
+        let path = folder.join(MANIFEST);
+        let name = path.display();
+        let text = std::fs::read_to_string(&path).map_err(|error| format!("{name}: {error}"))?;
+        let manifest: Self =
+            serde_json::from_str(&text).map_err(|error| format!("{name}: {error}"))?;
+        if manifest.format != FORMAT {
+            return Err(format!("{name}: it is of form {}, not {FORMAT}", manifest.format));
+        }
+        let plain = |name: &str| {
+            !name.is_empty() && name.chars().all(|character| character.is_ascii_digit())
+        };
+        match manifest.programs.iter().find(|asked| !plain(&asked.folder)) {
+            None => Ok(manifest),
+            Some(asked) => Err(format!("{name}: {:?} is no folder of a program", asked.folder)),
+        }
+    }
+}
+
+/// The files of a program's folder that a person fills in, by name, with nothing filled in.
+pub fn blank(asked: &Asked) -> Vec<(&'static str, String)> {
+    let sheet = (SHEET, sheet::text(asked, &Values::default()));
+    if asked.samples {
+        return vec![sheet];
+    }
+    vec![sheet, (BLOCKS, blocks::blocks_text(&asked.axes, &Vec::new()))]
+}
+
+/// What a scenario is found by: all of it but how the documents are read, which a control does not depend on.
+pub fn digest(scenario: &Scenario) -> String {
+    of_json(&plain(scenario))
+}
+
+/// What a scenario is found by whose samples are asked for on a machine of these limits.
+pub fn digest_of_motion(scenario: &Scenario, limits: &MotionLimits) -> String {
+    of_json(&(plain(scenario), limits))
+}
+
+fn plain(scenario: &Scenario) -> Scenario {
+    let mut plain = Scenario { options: Options::default(), ..scenario.clone() };
+    plain.environment.name.take_if(|name| name == carried::USUAL);
+    plain
+}
+
+fn of_json(value: &impl Serialize) -> String {
+    // A scenario holds nothing that JSON cannot.
+    let text = serde_json::to_string(value).unwrap_or_default();
+    Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+}

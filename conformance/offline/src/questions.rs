@@ -1,0 +1,171 @@
+//! Which programs are asked for, and in which order: those with the same set-up one after the other.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock_suite::assertion::Claim;
+use gaugeblock_suite::{Case, Edition, MotionCase, Rule, Suite, applies, scenario_of};
+use gaugeblock_vocabulary::motion::MotionLimits;
+use gaugeblock_vocabulary::scenario::Environment;
+use gaugeblock_vocabulary::{Language, Options, Program, Scenario};
+
+use super::carried::carried;
+use super::{Asked, digest, digest_of_motion};
+
+/// A program with all that it depends on, and what is asked of it.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// What is asked.
+    pub asked: Asked,
+    /// What is run.
+    pub scenario: Scenario,
+    /// What the axes can do, where samples are asked for.
+    pub limits: Option<MotionLimits>,
+}
+
+/// What a suite asks under an edition of the rules of some profiles, all where there are none; and what cannot be
+/// carried, counted by the reason.
+pub fn questions(
+    suite: &Suite,
+    edition: &Edition,
+    profiles: &[String],
+) -> (Vec<Question>, BTreeMap<String, usize>) {
+    let options = suite.options(edition);
+    let mut left_out = BTreeMap::new();
+    let mut found: BTreeMap<String, Question> = BTreeMap::new();
+    let wanted = |rule: &&Rule| {
+        rule.language == edition.language
+            && !rule.void.contains_key(&edition.id)
+            && (profiles.is_empty() || profiles.contains(&rule.profile))
+    };
+    let runs = |case: &&Case| case.editions.is_empty() || case.editions.contains(&edition.id);
+    for rule in suite.rules.iter().filter(wanted) {
+        for case in rule.motion.iter().filter(|case| !case.is_recorded()) {
+            match moved(rule, case, &options, edition) {
+                Ok(question) => {
+                    let key = question.asked.scenario.clone();
+                    found.entry(key).or_insert(question).asked.cases += 1;
+                }
+                Err(why) => *left_out.entry(why.to_owned()).or_default() += 1,
+            }
+        }
+        for case in rule.cases.iter().filter(runs) {
+            let scenario = scenario_of(case, &options, edition);
+            let expected = gaugeblock_reference::run(&scenario).0;
+            if let Err(why) = carried(&scenario, &expected) {
+                *left_out.entry(why.to_owned()).or_default() += 1;
+                continue;
+            }
+            let variables = case.parsed().into_iter();
+            let variables = variables.filter(|claim| applies(claim, &options, &edition.id));
+            let asserted: BTreeSet<u32> =
+                variables.flat_map(|claim| asserted(&claim.claim)).collect();
+            let key = digest(&scenario);
+            let question = found.entry(key.clone()).or_insert_with(|| begun(key, rule, &scenario));
+            question.asked.cases += 1;
+            let all: BTreeSet<u32> =
+                question.asked.variables.iter().copied().chain(asserted).collect();
+            question.asked.variables = all.into_iter().collect();
+        }
+    }
+    let mut questions: Vec<Question> = found.into_values().collect();
+    questions.sort_by_cached_key(|question| {
+        (set_up(question), question.asked.chapter.clone(), question.asked.scenario.clone())
+    });
+    for (question, number) in questions.iter_mut().zip(1_u32..) {
+        question.asked.folder = format!("{number:04}");
+    }
+    (questions, left_out)
+}
+
+fn begun(scenario_digest: String, rule: &Rule, scenario: &Scenario) -> Question {
+    let asked = Asked {
+        folder: String::new(),
+        scenario: scenario_digest,
+        chapter: rule.chapter().to_owned(),
+        cases: 0,
+        axes: scenario.machine.axes.clone(),
+        variables: named(&scenario.program).into_iter().collect(),
+        messages: shows_messages(&scenario.program),
+        samples: false,
+    };
+    Question { asked, scenario: scenario.clone(), limits: None }
+}
+
+/// A program whose samples are asked for.
+fn moved(
+    rule: &Rule,
+    case: &MotionCase,
+    options: &Options,
+    edition: &Edition,
+) -> Result<Question, &'static str> {
+    if !case.script().events.is_empty() {
+        return Err("somebody has to act at an exact moment of the run");
+    }
+    let asked = gaugeblock_motion::asked(case, options, edition.environment.as_ref());
+    let (scenario, _) = asked.map_err(|_| "the specification does not say it yet")?;
+    let expected = gaugeblock_reference::run(&scenario).0;
+    carried(&scenario, &expected)?;
+    let limits = case.limits().map_err(|_| "its machine is not known")?;
+    let begun = begun(digest_of_motion(&scenario, &limits), rule, &scenario);
+    let asked = Asked { variables: Vec::new(), messages: false, samples: true, ..begun.asked };
+    Ok(Question { asked, scenario, limits: Some(limits) })
+}
+
+/// What has to be set up, as a text that sorts: the usual first.
+fn set_up(question: &Question) -> (bool, bool, String) {
+    let Question { scenario, limits, asked: _ } = question;
+    let usual = Scenario::default();
+    let Program { block_delete, start, .. } = &scenario.program;
+    let is_usual = scenario.machine == usual.machine
+        && Environment { name: None, ..scenario.environment.clone() } == usual.environment
+        && !block_delete
+        && *start == usual.program.start;
+    let environment = Environment { name: None, ..scenario.environment.clone() };
+    let text =
+        serde_json::to_string(&(&scenario.machine, &environment, block_delete, start, limits));
+    (limits.is_some(), !is_usual, text.unwrap_or_default())
+}
+
+fn texts(program: &Program) -> impl Iterator<Item = &str> {
+    std::iter::once(program.main.as_str()).chain(program.files.values().map(String::as_str))
+}
+
+/// The numbers that stand behind a `#` somewhere.
+fn named(program: &Program) -> BTreeSet<u32> {
+    let mut numbers = BTreeSet::new();
+    for rest in texts(program).flat_map(|text| text.split('#').skip(1)) {
+        let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+        numbers.extend(rest[..digits].parse::<u32>());
+    }
+    numbers.retain(|number| (1..=9999).contains(number));
+    numbers
+}
+
+/// The variables that are asserted of the end.
+fn asserted(claim: &Claim) -> Vec<u32> {
+    let Claim::AtEnd(fields) = claim else { return Vec::new() };
+    let parameters = fields.iter().filter(|field| field.field == "parameter");
+    parameters.filter_map(|field| field.index.as_deref()?.parse().ok()).collect()
+}
+
+/// Whether a comment of the program may show something.
+fn shows_messages(program: &Program) -> bool {
+    texts(program).any(|text| {
+        let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+        let compact = compact.to_lowercase();
+        ["(msg,", "(debug,", "(print,", "(log,"].iter().any(|words| compact.contains(words))
+    })
+}
+
+/// Whether an edition's programs can be asked for.
+///
+/// # Errors
+/// The reason why not.
+pub fn can_ask(edition: &Edition) -> Result<(), String> {
+    match edition.language {
+        Language::Rs274 => Ok(()),
+        Language::Nct | Language::Gpp => {
+            Err(format!("{} is of another language than RS-274", edition.id))
+        }
+    }
+}
