@@ -20,7 +20,7 @@ struct Listening {
 impl Listening {
     fn new(more: &[&str]) -> Self {
         let mut child = Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
-            .args([&["serve", "production", "--tcp", "0"], more].concat())
+            .args([&["serve", "--controller", "production", "--tcp", "0"], more].concat())
             .stdout(Stdio::piped())
             .spawn()
             .expect("it starts");
@@ -40,7 +40,8 @@ impl Drop for Listening {
 
 /// Rule, case and verdict, out of a report in JSON.
 fn verdicts(controller: &str, only: &[&str]) -> Vec<String> {
-    let output = gaugeblock(&[&["certify", controller, "--format", "json"], only].concat());
+    let output =
+        gaugeblock(&[&["certify", "--controller", controller, "--format", "json"], only].concat());
     let report = String::from_utf8_lossy(&output.stdout);
     let report: serde_json::Value = serde_json::from_str(&report).unwrap_or_else(|error| {
         panic!("{error}: {report}{}", String::from_utf8_lossy(&output.stderr))

@@ -43,13 +43,13 @@ fn wrong_input_is_told_with_its_place() {
     refused(&["run", &binary], 2, &["line 2", "hint:"]);
     let program = file(&here, "good.ngc", b"g21\nm2\n");
     refused(&["run", &program, "--edition", "linuxcnc-9"], 2, &["linuxcnc-9", "linuxcnc-2.8"]);
-    refused(&["run", &program, "--option", "no.such=thing"], 2, &["no.such", "--choices"]);
+    refused(&["run", &program, "--option", "no.such=thing"], 2, &["no.such", "gaugeblock choices"]);
     refused(
         &["run", &program, "--option", "saved-state.motion-mode=maybe"],
         2,
         &["maybe", "restored"],
     );
-    refused(&["run", &program, "--iut", "mill"], 2, &["mill", "reference"]);
+    refused(&["run", &program, "--controller", "mill"], 2, &["mill", "reference"]);
     let scenario = file(&here, "scenario.toml", b"[machine]\nspindels = 2\n");
     refused(&["run", &program, "--scenario", &scenario], 2, &["scenario.toml: line 2", "spindels"]);
     let procedures = file(&here, "post.gpp", b"START:\n");
@@ -57,8 +57,13 @@ fn wrong_input_is_told_with_its_place() {
     let output = gaugeblock(&["run", &procedures]);
     let told = String::from_utf8_lossy(&output.stderr);
     assert!(told.contains("post.toolpath:2:"), "{told}");
-    refused(&["certify", "reference", "--only", "no-such-rule"], 2, &["no-such-rule", "rules"]);
-    let one_of_two = ["certify", "reference", "--only", "text", "--only", "no-such-rule"];
+    refused(
+        &["certify", "--controller", "reference", "--only", "no-such-rule"],
+        2,
+        &["no-such-rule", "rules"],
+    );
+    let one_of_two =
+        ["certify", "--controller", "reference", "--only", "text", "--only", "no-such-rule"];
     refused(&one_of_two, 2, &["no-such-rule"]);
 }
 
@@ -95,7 +100,7 @@ fn a_hint_says_what_an_absent_file_is() {
     absent(&["run", &program, "--scenario", "nofile.toml"], "scenario (--scenario)");
     absent(&["fuzz", "--known", "nofile"], "earlier report (--known)");
     absent(&["fuzz", "--options", "from:nofile"], "fingerprint (--options from:FILE)");
-    absent(&["rules", "--matrix", "--judged", "nofile"], "report (--judged)");
+    absent(&["suite", "matrix", "--report", "nofile"], "report (--report)");
 }
 
 /// Runs the command where no file may be longer than some blocks, as on a disk that is nearly full.
@@ -118,8 +123,8 @@ fn output_that_is_cut_off_is_told() {
         &["adapter", "protocol"],
         &["run", &program],
         &["serve", "--tcp", "0"],
-        &["certify", "reference", "--only", "coolant"],
-        &["certify", "reference", "--only", "coolant", "--format", "json"],
+        &["certify", "--controller", "reference", "--only", "coolant"],
+        &["certify", "--controller", "reference", "--only", "coolant", "--format", "json"],
     ];
     for arguments in calls {
         let out = std::fs::File::create(here.join("out")).expect("a file for the test");
@@ -157,7 +162,15 @@ fn nothing_stays_of_a_file_that_cannot_be_written() {
 
     let directory = folder("cut-off/directory");
     let directory = directory.to_str().expect("UTF-8");
-    let call = ["certify", "reference", "--only", "coolant", "--write-expectations", directory];
+    let call = [
+        "certify",
+        "--controller",
+        "reference",
+        "--only",
+        "coolant",
+        "--write-expectations",
+        directory,
+    ];
     refused(&call, 2, &["directory: ", "hint:"]);
     assert_eq!(names(), ["directory"]);
     std::fs::remove_dir(directory).expect("for the next time");
@@ -183,7 +196,7 @@ fn options_and_files_of_a_scenario_count() {
         "{called_otherwise}"
     );
     let wrong = file(&here, "wrong.toml", b"[options]\n\"no.such\" = \"thing\"\n");
-    refused(&["run", &program, "--scenario", &wrong], 2, &["no.such", "--choices"]);
+    refused(&["run", &program, "--scenario", &wrong], 2, &["no.such", "gaugeblock choices"]);
 }
 
 #[test]
@@ -192,7 +205,11 @@ fn a_wrong_suite_is_told_with_its_page() {
     std::fs::create_dir_all(here.join("feed")).expect("a folder for the test");
     file(&here.join("feed"), "odd.toml", b"id = \"feed.odd\"\nsentence = \"x\"\ncolour = 3\n");
     let path = here.to_str().expect("UTF-8");
-    refused(&["--suite", path, "certify", "reference"], 2, &["feed/odd.toml", "colour", "hint:"]);
+    refused(
+        &["--suite", path, "certify", "--controller", "reference"],
+        2,
+        &["feed/odd.toml", "colour", "hint:"],
+    );
     refused(&["--suite", "no-such-folder", "rules"], 2, &["no-such-folder", "hint:"]);
 }
 
@@ -210,7 +227,7 @@ fn a_ledger_that_names_no_page_is_told_with_its_line() {
             std::fs::write(&file, text).expect("a page");
         }
     }
-    let output = gaugeblock(&["--suite", here.to_str().expect("UTF-8"), "rules", "--check"]);
+    let output = gaugeblock(&["--suite", here.to_str().expect("UTF-8"), "suite", "check"]);
     let said = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(1), "{said}");
     let told = said.lines().filter(|line| line.ends_with(": there is no rule `coolant.off`"));
@@ -228,7 +245,7 @@ fn a_ledger_that_names_no_page_is_told_with_its_line() {
 
 #[test]
 fn a_day_that_is_none_is_a_wrong_call() {
-    let call = ["certify", "reference", "--only", "coolant"];
+    let call = ["certify", "--controller", "reference", "--only", "coolant"];
     refused(&[&call[..], &["--today", "2026-02-30"]].concat(), 2, &["2026-02-30", "is no day"]);
     let waiver = b"[[waiver]]\nrule = \"coolant.off\"\nreason = \"a\"\nowner = \"b\"\nexpires = \"2027-02-31\"\n";
     let waivers = file(&folder("no-day"), "waivers.toml", waiver);
@@ -238,16 +255,20 @@ fn a_day_that_is_none_is_a_wrong_call() {
 
 #[test]
 fn an_absent_controller_could_not_finish() {
-    refused(&["certify", "rs274:/no/such/rs274"], 3, &["/no/such/rs274", "hint:"]);
-    refused(&["certify", "exec:./no-such-adapter"], 3, &["no-such-adapter: not found", "hint:"]);
-    refused(&["certify", "exec:"], 2, &["names no command", "hint:"]);
+    refused(&["certify", "--controller", "rs274:/no/such/rs274"], 3, &["/no/such/rs274", "hint:"]);
+    refused(
+        &["certify", "--controller", "exec:./no-such-adapter"],
+        3,
+        &["no-such-adapter: not found", "hint:"],
+    );
+    refused(&["certify", "--controller", "exec:"], 2, &["missing command", "hint:"]);
 }
 
 #[test]
 fn production_is_held_to_no_quirks() {
     let observed = ["--edition", "rs274-2.9-observed"];
     for command in ["certify", "fingerprint"] {
-        let call = [command, "production", observed[0], observed[1]];
+        let call = [command, "--controller", "production", observed[0], observed[1]];
         refused(&call, 2, &["no quirk of other controllers: rs274.", "hint:"]);
     }
 }
@@ -258,7 +279,7 @@ fn a_report_folder_that_cannot_be_written_is_told_before_anything_runs() {
     let blocked = file(&here, "a-file", b"");
     let inside = format!("{blocked}/report");
     refused(
-        &["certify", "reference", "--only", "coolant", "--report", &inside],
+        &["certify", "--controller", "reference", "--only", "coolant", "--report", &inside],
         2,
         &["a-file", "--report"],
     );
@@ -268,7 +289,15 @@ fn a_report_folder_that_cannot_be_written_is_told_before_anything_runs() {
 fn a_report_is_written_whole() {
     let here = folder("written").join("new");
     let path = here.to_str().expect("UTF-8");
-    let output = gaugeblock(&["certify", "reference", "--only", "coolant", "--report", path]);
+    let output = gaugeblock(&[
+        "certify",
+        "--controller",
+        "reference",
+        "--only",
+        "coolant",
+        "--report",
+        path,
+    ]);
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let read = |name: &str| std::fs::read_to_string(here.join(name)).expect("written");
     let report: serde_json::Value = serde_json::from_str(&read("report.json")).expect("JSON");
@@ -318,9 +347,34 @@ fn a_run_is_the_same_each_time_in_both_forms() {
 
 #[test]
 fn each_command_has_help_with_examples() {
-    for command in ["certify", "run", "rs274", "compare", "fingerprint", "rules", "schema"] {
-        let output = gaugeblock(&[command, "--help"]);
-        assert_eq!(output.status.code(), Some(0));
+    let commands = [
+        "adapter",
+        "adapter check",
+        "certify",
+        "choices",
+        "compare",
+        "explain",
+        "fingerprint",
+        "fuzz",
+        "motion check",
+        "motion fuzz",
+        "offline",
+        "offline answer",
+        "offline export",
+        "plan",
+        "report merge",
+        "rs274",
+        "rules",
+        "run",
+        "schema",
+        "serve",
+        "shrink",
+        "suite",
+    ];
+    for command in commands {
+        let call: Vec<&str> = command.split(' ').chain(["--help"]).collect();
+        let output = gaugeblock(&call);
+        assert_eq!(output.status.code(), Some(0), "{command}");
         assert!(String::from_utf8_lossy(&output.stdout).contains("Example"), "{command}");
     }
 }
@@ -354,20 +408,52 @@ fn what_rs274_would_load_is_refused() {
 fn the_matrix_has_a_column_for_each_report() {
     let here = folder("matrix");
     let directory = here.to_str().expect("UTF-8");
-    let arguments = ["certify", "reference", "--only", "coolant", "--report", directory];
+    let arguments =
+        ["certify", "--controller", "reference", "--only", "coolant", "--report", directory];
     assert_eq!(gaugeblock(&arguments).status.code(), Some(0));
     let report = here.join("report.json");
     let report = report.to_str().expect("UTF-8");
-    let output = gaugeblock(&["rules", "--matrix", "--judged", report]);
+    let output = gaugeblock(&["suite", "matrix", "--report", report]);
     let text = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{text}");
     let section = text.lines().find(|line| line.starts_with("M7, M8, M9")).expect("the section");
     // The model's column and the report's, both judged by more than acceptance.
     assert_eq!(section.matches(" haest").count(), 2, "{section}");
-    let json = gaugeblock(&["rules", "--matrix", "--judged", report, "--format", "json"]).stdout;
+    let json = gaugeblock(&["suite", "matrix", "--report", report, "--format", "json"]).stdout;
     let json: serde_json::Value = serde_json::from_slice(&json).expect("JSON");
     assert_eq!(json["controllers"][0]["edition"], "linuxcnc-2.8");
     let other = file(&here, "other.json", b"{}");
-    refused(&["rules", "--matrix", "--judged", &other], 2, &["other.json", "--report"]);
-    refused(&["rules", "--judged", report], 2, &["--matrix"]);
+    refused(&["suite", "matrix", "--report", &other], 2, &["other.json", "--report"]);
+}
+
+#[test]
+fn an_id_and_a_code_are_explained() {
+    let output = gaugeblock(&["explain", "saved-state.feed"]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    for part in ["saved-state.feed\n", "linuxcnc-2.9, 11.6.19", "   2 | m70", "assert "] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let output = gaugeblock(&["explain", "m73"]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(text.starts_with("M73\n\nrules from the sections of this code:\n"), "{text}");
+    assert!(text.contains("saved-state.autorestore"), "{text}");
+    refused(&["explain", "saved-state.fed"], 2, &["unknown", "saved-state.feed"]);
+}
+
+#[test]
+fn a_misspelt_controller_gets_a_suggestion() {
+    refused(
+        &["certify", "--controller", "rs27"],
+        2,
+        &["unknown controller", "did you mean `rs274`?"],
+    );
+}
+
+#[test]
+fn a_prefix_selects_choices() {
+    let output = gaugeblock(&["choices", "saved-state."]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(text.contains("saved-state.motion-mode"), "{text}");
+    assert!(!text.contains("abort."), "{text}");
+    refused(&["choices", "no-such."], 2, &["no choice or quirk", "hint:"]);
 }

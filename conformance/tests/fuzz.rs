@@ -240,7 +240,8 @@ mod command {
         assert!(message.contains(word), "{arguments:?}: {word:?} is not in: {message}");
     }
 
-    const SELF: &[&str] = &["fuzz", "--iut", "reference", "--programs", "200", "--format", "json"];
+    const SELF: &[&str] =
+        &["fuzz", "--controller", "reference", "--programs", "200", "--format", "json"];
 
     #[test]
     fn wrong_calls_are_told() {
@@ -277,7 +278,8 @@ mod command {
         let here = folder("fuzz-longer");
         let report = here.to_str().expect("UTF-8");
         let of = |programs, more: &[&str]| {
-            let call = ["fuzz", "--iut", "reference", "--spliced", "10", "--programs", programs];
+            let call =
+                ["fuzz", "--controller", "reference", "--spliced", "10", "--programs", programs];
             let output = gaugeblock(&[&call, ["--report", report].as_slice(), more].concat());
             output.status.code()
         };
@@ -291,7 +293,7 @@ mod command {
         let program = folder("shrink").join("good.ngc");
         std::fs::write(&program, "g21\ng0 x1\nm2\n").unwrap();
         let program = program.to_str().expect("UTF-8");
-        let output = gaugeblock(&["shrink", program, "--iut", "reference"]);
+        let output = gaugeblock(&["shrink", program, "--controller", "reference"]);
         assert_eq!(output.status.code(), Some(1));
         assert!(String::from_utf8_lossy(&output.stdout).contains("do not differ"));
     }

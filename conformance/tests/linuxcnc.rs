@@ -103,7 +103,7 @@ fn assert_all_gone(family: &[(u32, String)]) {
 #[test]
 fn a_task_controller_that_dies_is_told_and_leaves_nothing_behind() {
     let file = waiting("dies.ngc");
-    let arguments = ["run", file.to_str().expect("UTF-8"), "--iut", "linuxcnc"];
+    let arguments = ["run", file.to_str().expect("UTF-8"), "--controller", "linuxcnc"];
     let Some(mut command) = gaugeblock("a controller that dies", &arguments) else { return };
     let child = command.spawn().expect("the command runs");
     let family = when_running(&child);
@@ -118,7 +118,7 @@ fn a_task_controller_that_dies_is_told_and_leaves_nothing_behind() {
 #[test]
 fn a_killed_referee_leaves_nothing_behind() {
     let file = waiting("killed.ngc");
-    let arguments = ["run", file.to_str().expect("UTF-8"), "--iut", "linuxcnc"];
+    let arguments = ["run", file.to_str().expect("UTF-8"), "--controller", "linuxcnc"];
     let Some(mut command) = gaugeblock("a referee that dies", &arguments) else { return };
     let mut child = command.spawn().expect("the command runs");
     let family = when_running(&child);
@@ -129,7 +129,7 @@ fn a_killed_referee_leaves_nothing_behind() {
 
 #[test]
 fn it_does_what_is_known_of_it() {
-    let edition = ["certify", "linuxcnc", "--edition", "linuxcnc-2.9-observed"];
+    let edition = ["certify", "--controller", "linuxcnc", "--edition", "linuxcnc-2.9-observed"];
     let sample = ["--only", "outputs", "--only", "dwell"];
     let arguments = [&edition[..], &sample[..]].concat();
     let Some(mut command) = gaugeblock("a sample under linuxcnc-2.9-observed", &arguments) else {
@@ -185,7 +185,7 @@ fn its_servo_samples_are_recorded_and_judged() {
         return;
     };
     let samples = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("line.csv");
-    command.current_dir(recorded).args(["--machine", "mill.toml", "--iut", "linuxcnc"]);
+    command.current_dir(recorded).args(["--machine", "mill.toml", "--controller", "linuxcnc"]);
     let output = command.arg("--samples").arg(&samples).output().expect("gaugeblock runs");
     let text = ends_with(&output, 0);
     assert!(text.contains("holds       trajectory.acceleration (at most 50.00 % of it)"), "{text}");
@@ -201,7 +201,11 @@ fn a_program_that_it_refuses_leaves_no_samples() {
     let machine = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("recorded/mill.toml");
     let Some(mut command) = gaugeblock("a refused program", &["plan"]) else { return };
     let samples = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("refused.csv");
-    command.arg(program).arg("--machine").arg(machine).args(["--iut", "linuxcnc", "--samples"]);
+    command.arg(program).arg("--machine").arg(machine).args([
+        "--controller",
+        "linuxcnc",
+        "--samples",
+    ]);
     let output = command.arg(&samples).output().expect("gaugeblock runs");
     let text = ends_with(&output, 2);
     assert!(text.contains("does not come to its end"), "{text}");

@@ -1,4 +1,4 @@
-//! `gaugeblock plan` and `gaugeblock judge`: samples of our planner keep the laws, broken ones are found, wrong calls
+//! `gaugeblock plan` and `gaugeblock motion check`: samples of our planner keep the laws, broken ones are found, wrong calls
 //! are told.
 
 use std::path::{Path, PathBuf};
@@ -68,14 +68,14 @@ fn a_long_rest_between_segments_is_none_that_nobody_ends() {
     let folder = folder("nowhere");
     let part = format!("g21 g90 g94 g64 p0.01 f600\ng1 x1\n{}m2\n", "g1 x1\n".repeat(300));
     std::fs::write(folder.join("part.ngc"), part).expect("a file for the test");
-    let output = gaugeblock(&folder, "plan part.ngc --machine mill.toml --every 80");
+    let output = gaugeblock(&folder, "plan part.ngc --machine mill.toml --feed-interval 80");
     says(&output, 0, &["holds       trajectory.order"]);
 }
 
 #[test]
 fn a_planned_program_keeps_the_laws_however_it_is_fed() {
     let folder = folder("planned");
-    for every in ["", "--every 1", "--every 31", "--every 80"] {
+    for every in ["", "--feed-interval 1", "--feed-interval 31", "--feed-interval 80"] {
         let planned = gaugeblock(&folder, &format!("plan part.ngc --machine mill.toml {every}"));
         says(&planned, 0, &["holds       trajectory.acceleration", "holds       trajectory.ends"]);
         says(&planned, 0, &["holds       trajectory.outputs", "holds       trajectory.dwell"]);
@@ -129,9 +129,9 @@ fn the_feed_that_is_asked_for_has_overrides_in_it() {
 #[test]
 fn random_motions_keep_the_laws() {
     let folder = folder("random");
-    let call = "fuzz-motion --seed 4 --first 2100 --programs 40 --jobs 2 --report fuzzed";
+    let call = "motion fuzz --seed 4 --first 2100 --programs 40 --jobs 2 --report fuzzed";
     let fuzzed = gaugeblock(&folder, call);
-    says(&fuzzed, 0, &["40 programs", "0 kinds of breaches"]);
+    says(&fuzzed, 0, &["40 programs", "0 kinds of violations"]);
     let report = std::fs::read(folder.join("fuzzed/report.txt")).expect("a report");
     assert_eq!(report, fuzzed.stdout);
 }
@@ -139,10 +139,10 @@ fn random_motions_keep_the_laws() {
 #[test]
 fn no_random_motions_show_nothing() {
     let folder = folder("none");
-    let none = gaugeblock(&folder, "fuzz-motion --programs 0");
+    let none = gaugeblock(&folder, "motion fuzz --programs 0");
     says(&none, 3, &["0 programs", "nothing was judged"]);
     // The folder is tried first.
-    let unwritable = gaugeblock(&folder, "fuzz-motion --programs 0 --report part.ngc/report");
+    let unwritable = gaugeblock(&folder, "motion fuzz --programs 0 --report part.ngc/report");
     says(&unwritable, 2, &["part.ngc/report", "hint: --report"]);
     assert!(unwritable.stdout.is_empty());
 }
@@ -174,7 +174,7 @@ fn what_is_read_is_not_written_over() {
     says(
         &gaugeblock(
             &folder,
-            "judge script.toml --program part.ngc --machine mill.toml --svg mill.toml",
+            "motion check script.toml --program part.ngc --machine mill.toml --svg mill.toml",
         ),
         2,
         &["mill.toml: --svg would write over"],
@@ -205,8 +205,10 @@ fn samples_come_back_in_both_forms_and_one_wrong_number_is_found() {
     for file in ["part.csv", "part.bin"] {
         let plan = format!("plan part.ngc --machine mill.toml --samples {file} --svg part.svg");
         let planned = gaugeblock(&folder, &plan);
-        let judged =
-            gaugeblock(&folder, &format!("judge {file} --program part.ngc --machine mill.toml"));
+        let judged = gaugeblock(
+            &folder,
+            &format!("motion check {file} --program part.ngc --machine mill.toml"),
+        );
         assert_eq!(planned.stdout, judged.stdout);
     }
     let svg = std::fs::read_to_string(folder.join("part.svg")).expect("a picture");
@@ -219,7 +221,8 @@ fn samples_come_back_in_both_forms_and_one_wrong_number_is_found() {
     let x: f64 = x.parse().expect("a number");
     lines[middle] = format!("{},{rest}", x + 0.01);
     std::fs::write(folder.join("bent.csv"), lines.join("\n") + "\n").expect("a file");
-    let judged = gaugeblock(&folder, "judge bent.csv --program part.ngc --machine mill.toml");
+    let judged =
+        gaugeblock(&folder, "motion check bent.csv --program part.ngc --machine mill.toml");
     says(&judged, 1, &["broken      trajectory.acceleration", "trajectory.acceleration at cycle"]);
 }
 
@@ -246,19 +249,18 @@ fn wrong_calls_are_told_with_their_place() {
     std::fs::write(folder.join("zero.csv"), "# gaugeblock samples 0 period=0 resolution=0\nx\n1\n")
         .expect("a file");
     says(
-        "judge zero.csv --program part.ngc --machine mill.toml",
+        "motion check zero.csv --program part.ngc --machine mill.toml",
         2,
         &["zero.csv: line 1: a period"],
     );
     std::fs::write(folder.join("empty.ngc"), "").expect("a file");
-    let ends =
-        "empty.ngc does not come to its end: empty.ngc:1: the file ends without a program end";
+    let ends = "empty.ngc does not reach its end: empty.ngc:1: the file ends without a program end";
     says("plan empty.ngc --machine mill.toml", 2, &[ends]);
     for start in ["nan,0,0", "0,inf", "1,2,3,4,5,6,7,8,9,10"] {
         says(&format!("plan part.ngc --machine mill.toml --start {start}"), 2, &["--start"]);
     }
     says("plan far.ngc --machine mill.toml", 3, &["far.ngc", "main.ngc:1", "limits are not known"]);
-    says("plan torn.ngc --machine mill.toml", 2, &["torn.ngc", "does not come to its end"]);
+    says("plan torn.ngc --machine mill.toml", 2, &["torn.ngc", "does not reach its end"]);
     for (action, words) in [
         ("{ feed_override = -3.0 }", "odd.toml: event 1: an override of -3"),
         ("{ feed_override = inf }", "odd.toml: line 2: not a finite number"),
@@ -268,11 +270,11 @@ fn wrong_calls_are_told_with_their_place() {
         std::fs::write(folder.join("odd.toml"), script).expect("a file");
         says("plan part.ngc --machine mill.toml --script odd.toml", 2, &[words, "hint: "]);
     }
-    says("judge bad.csv --program part.ngc --machine mill.toml", 2, &["bad.csv", "line 3"]);
+    says("motion check bad.csv --program part.ngc --machine mill.toml", 2, &["bad.csv", "line 3"]);
     let head = "# gaugeblock samples 0 period=0.001 resolution=0\nx,y,z,line\n";
     std::fs::write(folder.join("empty.csv"), head).expect("a file");
     let words = ["empty.csv", "no sample", "hint"];
-    says("judge empty.csv --program part.ngc --machine mill.toml", 2, &words);
+    says("motion check empty.csv --program part.ngc --machine mill.toml", 2, &words);
 }
 
 #[test]
@@ -282,7 +284,8 @@ fn an_axis_without_a_limit_leaves_a_law_open_and_the_others_are_judged() {
     std::fs::write(folder.join("open.toml"), open).expect("a file");
     std::fs::write(folder.join("line.ngc"), "g21 g90 f600\ng1 x1\nm2\n").expect("a file");
     says(&gaugeblock(&folder, "plan line.ngc --machine mill.toml --samples line.csv"), 0, &[]);
-    let judged = gaugeblock(&folder, "judge line.csv --program line.ngc --machine open.toml");
+    let judged =
+        gaugeblock(&folder, "motion check line.csv --program line.ngc --machine open.toml");
     let open = "not judged  trajectory.acceleration: x moves and no limit of it is stated";
     says(&judged, 0, &[open, "holds       trajectory.velocity"]);
 }

@@ -220,7 +220,7 @@ fn where_nobody_listens_the_command_says_what_to_do() {
         ("tcp:127.0.0.1".to_owned(), 2, "names no host and port"),
         ("tcp:no-such-host.invalid:1".to_owned(), 3, "no connection to"),
     ] {
-        let output = gaugeblock(&["certify", &controller]);
+        let output = gaugeblock(&["certify", "--controller", &controller]);
         let said = text(&output.stderr);
         assert_eq!(output.status.code(), Some(status), "{said}");
         assert!(said.contains(words) && said.contains("hint:"), "{said}");

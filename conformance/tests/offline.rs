@@ -37,7 +37,7 @@ fn campaign(name: &str, profile: &str) -> PathBuf {
     let _none_yet = fs::remove_dir_all(&folder);
     let out = format!("{}/", path(&folder));
     let asked = ["--edition", "linuxcnc-2.9", "--profile", profile, "--out", &out];
-    ends_with(0, &[&["suite", "export"], asked.as_slice()].concat());
+    ends_with(0, &[&["offline", "export"], asked.as_slice()].concat());
     folder
 }
 
@@ -69,7 +69,8 @@ fn name_control(folder: &Path) {
 
 /// What came of each case: the verdict, what was found, and why it was not judged, by rule and case.
 fn verdicts(arguments: &[&str]) -> BTreeMap<(String, String), (String, Value)> {
-    let output = gaugeblock(&[&["certify", "--format", "json"], arguments].concat());
+    let output =
+        gaugeblock(&[&["certify", "--format", "json", "--controller"], arguments].concat());
     let report: Value = serde_json::from_slice(&output.stdout)
         .unwrap_or_else(|error| panic!("{error}: {}", text(&output.stderr)));
     let cases = report["cases"].as_array().expect("cases").iter();
@@ -89,10 +90,10 @@ fn count(verdicts: &BTreeMap<(String, String), (String, Value)>, word: &str) -> 
 /// Fills a campaign in from a controller, and holds what comes back to what the controller gets directly, shown no
 /// more.
 fn there_and_back(folder: &Path, name: &str, more: &[&str], (chapter, least): (&str, usize)) {
-    ends_with(0, &[&["suite", "answer", path(folder), name], more].concat());
+    ends_with(0, &[&["offline", "answer", path(folder), "--controller", name], more].concat());
     let paper = controller(folder);
     let back = verdicts(&[&paper, "--only", chapter]);
-    let direct = verdicts(&[name, "--as", &paper, "--only", chapter]);
+    let direct = verdicts(&[name, "--restrict-to", &paper, "--only", chapter]);
     let other = back.iter().find(|(case, verdict)| direct.get(*case) != Some(verdict));
     assert_eq!(other, None, "directly: {:?}", other.and_then(|(case, _)| direct.get(case)));
     assert_eq!(back.len(), direct.len());
@@ -156,7 +157,7 @@ fn nothing_that_is_expected_is_exported() {
 fn what_did_not_come_back_was_not_run_and_what_is_left_empty_is_not_judged() {
     let folder = campaign("partial", PROFILE);
     let paper = controller(&folder);
-    ends_with(2, &["certify", &paper]);
+    ends_with(2, &["certify", "--controller", &paper]);
     name_control(&folder);
     let asked = manifest(&folder).programs;
     let none = verdicts(&[&paper, "--only", CHAPTER]);
@@ -165,7 +166,7 @@ fn what_did_not_come_back_was_not_run_and_what_is_left_empty_is_not_judged() {
     // A case of another profile may have a program of this one.
     let open = count(&none, "not run");
     assert!(open >= cases, "{open} of {cases}");
-    let said = ends_with(3, &["certify", &paper]);
+    let said = ends_with(3, &["certify", "--controller", &paper]);
     assert!(said.contains("0 of "), "{said}");
     // How it ended says nothing of what this rule demands.
     change(&folder, "answer.toml", "ended = \"\"", "ended = \"program end\"");
@@ -197,7 +198,8 @@ fn what_cannot_be_read_is_not_judged_and_is_told_with_its_place() {
         if !new.contains("end") {
             change(&folder, "answer.toml", "ended = \"\"", "ended = \"alarm\"");
         }
-        let said = ends_with(3, &["certify", &controller(&folder), "--only", CHAPTER]);
+        let said =
+            ends_with(3, &["certify", "--controller", &controller(&folder), "--only", CHAPTER]);
         assert!(said.contains(words), "{name}: {words} is not in\n{said}");
     }
 }
@@ -205,9 +207,9 @@ fn what_cannot_be_read_is_not_judged_and_is_told_with_its_place() {
 #[test]
 fn a_program_that_was_changed_is_not_judged() {
     let folder = campaign("changed", PROFILE);
-    ends_with(0, &["suite", "answer", path(&folder), "production"]);
+    ends_with(0, &["offline", "answer", path(&folder), "--controller", "production"]);
     change(&folder, "main.ngc", "m2", "m30");
-    let said = ends_with(3, &["certify", &controller(&folder), "--only", CHAPTER]);
+    let said = ends_with(3, &["certify", "--controller", &controller(&folder), "--only", CHAPTER]);
     assert!(said.contains("0001/main.ngc): it is not the program that was asked for"), "{said}");
 }
 
@@ -216,26 +218,31 @@ fn sheets_of_another_suite_or_edition_are_refused() {
     let folder = campaign("other", PROFILE);
     name_control(&folder);
     let paper = controller(&folder);
-    let said = ends_with(2, &["certify", &paper, "--edition", "linuxcnc-2.8"]);
+    let said = ends_with(2, &["certify", "--controller", &paper, "--edition", "linuxcnc-2.8"]);
     assert!(said.contains("was asked by linuxcnc-2.9") && said.contains("hint:"), "{said}");
     let file = folder.join("manifest.json");
     let before = fs::read_to_string(&file).expect("the manifest");
     let suite = manifest(&folder).suite;
     fs::write(&file, before.replace(&suite, &"0".repeat(64))).expect("it can be written");
-    for call in [vec!["certify", &paper], vec!["suite", "answer", path(&folder), "production"]] {
+    for call in [
+        vec!["certify", "--controller", &paper],
+        vec!["offline", "answer", path(&folder), "--controller", "production"],
+    ] {
         let said = ends_with(2, &call);
         assert!(said.contains("another suite") && said.contains("hint:"), "{said}");
     }
     fs::write(&file, before.replace("\"0001\"", "\"../0001\"")).expect("it can be written");
-    assert!(ends_with(2, &["certify", &paper]).contains("is no folder of a program"));
+    assert!(
+        ends_with(2, &["certify", "--controller", &paper]).contains("is no folder of a program")
+    );
     fs::remove_file(&file).expect("it can be removed");
-    assert!(ends_with(2, &["certify", &paper]).contains("manifest.json"));
+    assert!(ends_with(2, &["certify", "--controller", &paper]).contains("manifest.json"));
 }
 
 #[test]
 fn nothing_is_overwritten_and_nothing_half_written() {
     let folder = campaign("kept", PROFILE);
-    let export = |more: &[&str]| ends_with(2, &[&["suite", "export"], more].concat());
+    let export = |more: &[&str]| ends_with(2, &[&["offline", "export"], more].concat());
     let said = export(&["--out", path(&folder)]);
     assert!(said.contains("it is not empty") && said.contains("hint:"), "{said}");
     let new = folder.join("new");
@@ -250,7 +257,7 @@ fn nothing_is_overwritten_and_nothing_half_written() {
     }
     // A sheet that is filled in stays as it is.
     change(&folder, "answer.toml", "not_possible = \"\"", "not_possible = \"no such machine\"");
-    let said = ends_with(0, &["suite", "answer", path(&folder), "production"]);
+    let said = ends_with(0, &["offline", "answer", path(&folder), "--controller", "production"]);
     assert!(said.contains("1 were filled in before"), "{said}");
     let sheet = fs::read_to_string(folder.join("0001/answer.toml")).expect("the sheet");
     assert!(sheet.contains("no such machine"), "{sheet}");

@@ -158,8 +158,13 @@ fn a_controller_that_answers_otherwise_the_second_time_is_told_from_one_that_doe
 fn a_controller_that_crashes_is_no_pass() {
     let meddled = format!("{LOOP}    request['op'] == 'run' and sys.exit(3)\n");
     let controller = format!("exec:{}", changed("crashes.py", &[(LOOP, &meddled)]));
-    let output =
-        gaugeblock(&["certify", &controller, "--only", "modal-groups.g-code-out-of-range"]);
+    let output = gaugeblock(&[
+        "certify",
+        "--controller",
+        &controller,
+        "--only",
+        "modal-groups.g-code-out-of-range",
+    ]);
     assert_eq!(output.status.code(), Some(3), "{}", text(&output.stdout));
     let said = text(&output.stdout);
     assert!(said.contains("crashed (exit status 3, asked to `run`)"), "{said}");
@@ -199,7 +204,7 @@ fn a_controller_that_cannot_be_asked_is_told_before_anything_runs() {
         let controller = format!("exec:{}", changed(name, &changes));
         // Whoever answers may take as long as a busy machine lets it.
         let limit = if name == "silent.py" { "1" } else { "60" };
-        let output = gaugeblock(&["certify", &controller, "--time-limit", limit]);
+        let output = gaugeblock(&["certify", "--controller", &controller, "--time-limit", limit]);
         let message = text(&output.stderr);
         let status = if name == "edition.py" { 2 } else { 3 };
         assert_eq!(output.status.code(), Some(status), "{name}: {message}");
@@ -231,9 +236,9 @@ fn nothing_that_a_controller_says_moves_a_cursor() {
         let only = "modal-groups.g-code-out-of-range";
         for call in [
             vec!["adapter", "check", &command],
-            vec!["certify", &controller, "-v", "--only", only],
-            vec!["run", &program, "--iut", &controller],
-            vec!["compare", &program, "--iut", &controller],
+            vec!["certify", "--controller", &controller, "-v", "--only", only],
+            vec!["run", &program, "--controller", &controller],
+            vec!["compare", &program, "--controller", &controller],
         ] {
             let output = gaugeblock(&call);
             for said in [text(&output.stdout), text(&output.stderr)] {

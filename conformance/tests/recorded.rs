@@ -19,11 +19,11 @@ fn recordings() -> Vec<String> {
     names
 }
 
-/// What `gaugeblock judge` prints of a recording.
+/// What `gaugeblock motion check` prints of a recording.
 fn judged(name: &str) -> String {
     let output = Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
         .current_dir(folder())
-        .args(["judge", &format!("{name}.csv"), "--program", &format!("{name}.ngc")])
+        .args(["motion", "check", &format!("{name}.csv"), "--program", &format!("{name}.ngc")])
         .args(["--machine", "mill.toml"])
         .output()
         .expect("gaugeblock runs");

@@ -215,9 +215,10 @@ fn a_report_of_another_version_is_refused() {
     ] {
         std::fs::write(here.join("report.json"), text).expect("a file");
         let path = here.to_str().expect("UTF-8");
-        for call in
-            [vec!["report", "merge", path], vec!["certify", "reference", "--baseline", path]]
-        {
+        for call in [
+            vec!["report", "merge", path],
+            vec!["certify", "--controller", "reference", "--baseline", path],
+        ] {
             let output = gaugeblock(&call);
             let message = String::from_utf8_lossy(&output.stderr);
             assert_eq!(output.status.code(), Some(2), "{message}");
@@ -248,7 +249,15 @@ fn what_is_known_or_waived_is_named_so_and_does_not_fail() {
     assert!(text.contains(alarm));
     std::fs::write(&toy, text.replace(alarm, "{\"end\": \"program_end\"}")).expect("a toy");
     let toy = format!("exec:python3 {}", toy.display());
-    let call = ["certify", &toy, "--edition", "linuxcnc-2.9", "--only", "modal-groups.g-code-out"];
+    let call = [
+        "certify",
+        "--controller",
+        &toy,
+        "--edition",
+        "linuxcnc-2.9",
+        "--only",
+        "modal-groups.g-code-out",
+    ];
     let status = |more: &[&str]| gaugeblock(&[&call[..], more].concat()).status.code();
     assert_eq!(status(&["--report", before_path]), Some(1));
     let departing: Vec<_> =
@@ -293,7 +302,7 @@ fn template(name: &str, mute: bool) -> String {
 fn certified(controller: &str, into: &Path, more: &[&str]) -> (Option<i32>, String, [String; 3]) {
     let into_path = into.to_str().expect("UTF-8");
     let only = "modal-groups.g-code-out-of-range";
-    let call = ["certify", controller, "--edition", "linuxcnc-2.9", "--only", only];
+    let call = ["certify", "--controller", controller, "--edition", "linuxcnc-2.9", "--only", only];
     let output = gaugeblock(&[&call[..], &["--report", into_path], more].concat());
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     let read = |name: &str| std::fs::read_to_string(into.join(name)).expect("a report");
@@ -380,7 +389,7 @@ fn a_baseline_is_of_the_same_controller_and_edition_in_any_version() {
 fn what_a_run_cannot_be_held_against_is_a_wrong_call() {
     let (here, now) = (folder("coolant"), folder("coolant-now"));
     let [path, now_path] = [&here, &now].map(|folder| folder.to_str().expect("UTF-8"));
-    let call = ["certify", "reference", "--only", "coolant"];
+    let call = ["certify", "--controller", "reference", "--only", "coolant"];
     let certify = |more: &[&str]| {
         let output = gaugeblock(&[&call[..], more].concat());
         let [said, why] =

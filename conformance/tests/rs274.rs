@@ -33,7 +33,14 @@ fn ends_with(output: &Output, status: i32) -> String {
 
 #[test]
 fn it_does_what_is_known_of_it() {
-    let arguments = ["certify", "rs274", "--edition", "rs274-2.9-observed", "--check-observation"];
+    let arguments = [
+        "certify",
+        "--controller",
+        "rs274",
+        "--edition",
+        "rs274-2.9-observed",
+        "--check-observation",
+    ];
     if let Some(output) = gaugeblock("the whole suite under rs274-2.9-observed", &arguments) {
         ends_with(&output, 0);
     }
@@ -41,7 +48,7 @@ fn it_does_what_is_known_of_it() {
 
 #[test]
 fn it_departs_from_its_document_exactly_as_expected() {
-    let arguments = ["certify", "rs274", "--expectations", EXPECTATIONS];
+    let arguments = ["certify", "--controller", "rs274", "--expectations", EXPECTATIONS];
     if let Some(output) = gaugeblock("the whole suite under linuxcnc-2.9", &arguments) {
         ends_with(&output, 0);
     }
@@ -49,7 +56,7 @@ fn it_departs_from_its_document_exactly_as_expected() {
 
 #[test]
 fn without_expectations_its_departures_are_told_with_document_and_program() {
-    let arguments = ["certify", "rs274", "--only", "saved-state.feed"];
+    let arguments = ["certify", "--controller", "rs274", "--only", "saved-state.feed"];
     if let Some(output) = gaugeblock("departures from the 2.9 manual", &arguments) {
         let text = ends_with(&output, 1);
         for words in ["linuxcnc-2.9", "m72", "expected", "found", "rs274.feed-speed-rounded"] {
@@ -84,7 +91,8 @@ fn one_entry_less_or_one_too_many_is_named() {
     std::fs::write(&file, listed.to_text().expect("TOML")).expect("written");
     let path = file.to_str().expect("UTF-8");
     let rules = ["--only", &taken.rule, "--only", &rule.id];
-    let arguments = [["certify", "rs274", "--expectations", path], rules].concat();
+    let call = ["certify", "--controller", "rs274", "--expectations", path];
+    let arguments = [call.as_slice(), &rules].concat();
     if let Some(output) = gaugeblock("strict expectations", &arguments) {
         let text = ends_with(&output, 1);
         assert!(text.contains(&format!("not listed: {} / {}", taken.rule, taken.case)), "{text}");
@@ -94,7 +102,7 @@ fn one_entry_less_or_one_too_many_is_named() {
 
 #[test]
 fn its_options_are_recovered_from_behaviour() {
-    let arguments = ["fingerprint", "rs274", "--format", "json"];
+    let arguments = ["fingerprint", "--controller", "rs274", "--format", "json"];
     if let Some(output) = gaugeblock("the fingerprint", &arguments) {
         let text = ends_with(&output, 0);
         let shown: serde_json::Value = serde_json::from_str(&text).expect("JSON");

@@ -27,7 +27,8 @@ type Cases = BTreeMap<(String, String), (String, Value)>;
 
 /// What came of each case: the verdict, and what was found, or why it was not judged.
 fn cases(arguments: &[&str]) -> Cases {
-    let output = gaugeblock(&[&["certify", "--format", "json"], arguments].concat());
+    let output =
+        gaugeblock(&[&["certify", "--format", "json", "--controller"], arguments].concat());
     let report: Value = serde_json::from_slice(&output.stdout).unwrap_or_else(|error| {
         panic!("{error}: {}", String::from_utf8_lossy(&output.stderr));
     });

@@ -9,7 +9,7 @@ use std::time::Duration;
 use common::gaugeblock;
 
 const REFERENCE: &[&str] =
-    &["certify", "reference", "--only", "saved-state", "--only", "units-planes"];
+    &["certify", "--controller", "reference", "--only", "saved-state", "--only", "units-planes"];
 
 /// An empty folder.
 fn folder(name: &str) -> PathBuf {
@@ -59,7 +59,7 @@ fn sixteen_parts_merged_are_the_whole_byte_for_byte() {
 
 #[test]
 fn parts_that_are_missing_there_twice_or_of_another_run_are_refused() {
-    let call = ["certify", "reference", "--only", "saved-state.feed"];
+    let call = ["certify", "--controller", "reference", "--only", "saved-state.feed"];
     let parts = parts("third", &call, 3);
     let other = folder("other");
     let edition = ["--edition", "linuxcnc-2.9", "--shard", "3/3", "--report", text(&other)];
@@ -92,7 +92,7 @@ fn parts_that_are_missing_there_twice_or_of_another_run_are_refused() {
 #[test]
 fn a_run_that_is_killed_again_and_again_comes_to_the_same_report() {
     let whole = folder("uninterrupted");
-    let call = ["certify", "reference", "--jobs", "2"];
+    let call = ["certify", "--controller", "reference", "--jobs", "2"];
     gaugeblock(&[&call[..], &["--report", text(&whole)]].concat());
     let here = folder("killed");
     let resumed = [&call[..], &["--report", text(&here), "--resume"]].concat();
@@ -117,7 +117,15 @@ fn a_run_that_is_killed_again_and_again_comes_to_the_same_report() {
 fn a_run_that_was_broken_off_is_neither_lost_nor_mixed_up() {
     let here = folder("broken-off");
     let journal = here.join("journal.jsonl");
-    let call = ["certify", "reference", "--only", "saved-state.feed", "--report", text(&here)];
+    let call = [
+        "certify",
+        "--controller",
+        "reference",
+        "--only",
+        "saved-state.feed",
+        "--report",
+        text(&here),
+    ];
     gaugeblock(&call);
     assert!(!journal.exists(), "all of it is in the report");
     std::fs::write(&journal, "{\"controller\":\"another\"}\n").expect("a journal");

@@ -22,8 +22,17 @@ fn asked(edition: &str, only: &str) -> Vec<(Scenario, usize)> {
         wire.display(),
         env!("CARGO_BIN_EXE_gaugeblock")
     );
-    let output =
-        gaugeblock(&["certify", &controller, "--edition", edition, "--only", only, "--jobs", "1"]);
+    let output = gaugeblock(&[
+        "certify",
+        "--controller",
+        &controller,
+        "--edition",
+        edition,
+        "--only",
+        only,
+        "--jobs",
+        "1",
+    ]);
     let said = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{said}{}", String::from_utf8_lossy(&output.stderr));
     let wire = std::fs::read_to_string(&wire).expect("what was told");

@@ -57,7 +57,7 @@ You need not do them all. What is not filled in counts as not run: neither for n
 ## Then
 
 ```sh
-gaugeblock certify offline:THIS-FOLDER --report report
+gaugeblock certify --controller offline:THIS-FOLDER --report report
 ```
 
 tells what was judged, rule by rule. Do not change the programs or `manifest.json`: an answer to another program is not judged.

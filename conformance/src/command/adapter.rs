@@ -11,60 +11,60 @@ use super::{Refused, check, place, write_out};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock adapter new --lang python > adapter.py
-      an adapter that works, of a controller that knows G0 and G1: put yours in its place
+      write a working adapter of a toy controller (G0 and G1); replace the controller by yours
   gaugeblock adapter check \"python3 adapter.py\"
-      what is wrong with it, before anything is certified
-  gaugeblock certify \"exec:python3 adapter.py\" --only modal-groups
-      what the controller behind it does
+      find errors of the adapter before you certify
+  gaugeblock certify --controller \"exec:python3 adapter.py\" --only modal-groups
+      certify the controller behind it on one chapter
   gaugeblock adapter protocol
-      the page that tells how it is spoken";
+      print the protocol description";
 
-/// Connect a controller
+/// Write an adapter for a controller: template, self-check, protocol
 #[derive(Debug, Subcommand)]
 #[command(after_help = EXAMPLES)]
 pub(super) enum Adapter {
-    /// Print an adapter to begin with
+    /// Print a template of an adapter
     New(New),
-    /// Tell what is wrong with an adapter, before anything is certified
+    /// Find errors of an adapter
     Check(check::Arguments),
-    /// Print the page that tells the protocol
+    /// Print the protocol description
     Protocol,
-    /// Print the words that a declaration can have, place by place
+    /// Print the words of a declaration
     Vocabulary,
-    /// Print the JSON schema of what is asked or answered
+    /// Print the JSON schema of requests or answers
     Schema(Schema),
 }
 
 #[derive(Debug, Args)]
 pub(super) struct New {
-    /// Its language
+    /// Programming language
     #[arg(long, value_enum, default_value_t = Lang::Python)]
     lang: Lang,
-    /// Write it into this file, which is not there yet, instead of standard output
+    /// Write it to this new file instead of standard output
     #[arg(value_name = "FILE")]
     file: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Lang {
-    /// Python 3.8 or later, nothing else
+    /// Python 3.8 or later, no packages
     Python,
-    /// C99 with POSIX, nothing else
+    /// C99 with POSIX
     C,
 }
 
 #[derive(Debug, Args)]
 pub(super) struct Schema {
-    /// Of what
+    /// The message
     #[arg(value_enum)]
     what: What,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum What {
-    /// What the referee asks
+    /// Requests of the referee
     Request,
-    /// What the adapter answers
+    /// Answers of the adapter
     Answer,
 }
 
@@ -103,8 +103,8 @@ fn new(arguments: &New) -> Result<u8, Refused> {
         None => write_out(template),
         Some(file) if file.exists() => {
             return Err(Refused::wrong(
-                format!("{}: it is there already, and is not overwritten", file.display()),
-                "name another file",
+                format!("{}: the file exists", file.display()),
+                "choose another file; existing files are never overwritten",
             ));
         }
         Some(file) => place::write_whole(file, template)?,

@@ -1,4 +1,4 @@
-//! What a run is held against beside the documents: what is known of the controller, and what somebody answers for.
+//! What a run is compared with besides the documents: expectations, a baseline, waivers.
 
 use std::path::{Path, PathBuf};
 
@@ -14,17 +14,17 @@ use crate::waivers::{Day, Waivers};
 
 #[derive(Debug, Args)]
 pub(super) struct Against {
-    /// What the controller is known to do otherwise; anything else fails
+    /// File of known divergences; any other divergence fails
     #[arg(long, value_name = "FILE")]
     expectations: Option<PathBuf>,
-    /// An earlier report of this controller and edition, in any version: only what is new or has changed since fails,
-    /// such as a case that passed and is not judged now
+    /// Earlier report of this controller and edition; only new or changed results fail, such as a case that passed then
+    /// and is not judged now
     #[arg(long, value_name = "REPORT", conflicts_with = "expectations")]
     baseline: Option<PathBuf>,
-    /// Divergences that somebody answers for until a day: rule, case, reason, owner, expires (TOML)
+    /// Time-limited waivers, a TOML file: rule, case, reason, owner, expires
     #[arg(long, value_name = "FILE")]
     waivers: Option<PathBuf>,
-    /// The day on which waivers are held to be [default: today]
+    /// Date on which waivers are checked for expiry [default: today]
     #[arg(long, value_name = "YYYY-MM-DD")]
     today: Option<Day>,
 }
@@ -52,18 +52,18 @@ impl Against {
 }
 
 impl Known {
-    /// Refuses what is of another controller, and a waiver of what the suite does not have. A note where a baseline
-    /// is of another version.
+    /// Refuses files of another controller or edition, and waivers for unknown rules. Returns a note where the
+    /// baseline belongs to another version.
     pub(super) fn fits(&self, header: &Header, suite: &Suite) -> Result<Option<String>, Refused> {
         let waivers = self.waivers.as_ref();
         if let Some(unknown) = waivers.and_then(|(waivers, _)| waivers.unknown(suite)) {
             return Err(Refused::wrong(
                 unknown,
-                "`gaugeblock rules` lists the rules' ids, and with --format json their cases",
+                "`gaugeblock rules` lists the rules, and with --format json their cases",
             ));
         }
         if let Some(baseline) = &self.baseline {
-            let hint = "name the report.json of this controller, held to this edition";
+            let hint = "choose the report.json of an earlier run of this controller and edition";
             return baseline.fits(header).map_err(|why| Refused::wrong(why, hint));
         }
         let Some(expectations) = &self.expectations else { return Ok(None) };
@@ -71,26 +71,26 @@ impl Known {
         if expectations.controller != *controller || expectations.edition != *edition {
             return Err(Refused::wrong(
                 format!(
-                    "these expectations are of {} held to {}, not of {controller} held to {edition}",
+                    "the expectations are for {}/{}, this run is {controller}/{edition}",
                     expectations.controller, expectations.edition
                 ),
-                "name the expectations of this controller and edition",
+                "choose the expectations of this controller and edition",
             ));
         }
         if expectations.version != *version {
             return Err(Refused::unfinished(
                 format!(
-                    "these expectations are of version {}, the controller is of {version}",
+                    "the expectations are for version {}, the controller has version {version}",
                     expectations.version
                 ),
-                "look at what the new version does, then --write-expectations",
+                "review the results of the new version, then write them with --write-expectations",
             ));
         }
         Ok(None)
     }
 
-    /// Where a run disagrees with what is known of it, and a note for each divergence that is mended. In the run what
-    /// is known or waived is named so. `whole` says that every case was selected.
+    /// Mismatches with the expectations or the baseline, and a note for each divergence that is fixed. Marks known and
+    /// waived divergences in the run. `whole` says that every case was selected.
     pub(super) fn hold(
         &self,
         run: &mut Run<'_>,
@@ -133,12 +133,15 @@ fn today() -> Day {
 fn read(path: &Path) -> Result<Expectations, Refused> {
     let name = path.display();
     let text = std::fs::read_to_string(path).map_err(|error| {
-        Refused::wrong(format!("{name}: {error}"), "--write-expectations makes such a file")
+        Refused::wrong(
+            format!("{name}: {error}"),
+            "`gaugeblock certify --write-expectations FILE` writes such a file",
+        )
     })?;
     Expectations::read(&text).map_err(|error| {
         Refused::wrong(
             format!("{name}: {}", error.trim_end()),
-            "--write-expectations makes such a file",
+            "`gaugeblock certify --write-expectations FILE` writes such a file",
         )
     })
 }

@@ -23,99 +23,97 @@ use crate::shard::Shard;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock certify
-      hold the interpreter of this project to the manual of its edition: about a second
-  gaugeblock certify rs274
-      hold LinuxCNC's interpreter to its own manual: each deviating rule, with its program
-  gaugeblock certify rs274 --expectations conformance/expectations/rs274-2.9.toml
-      only what is new or has changed
-  gaugeblock certify rs274 --edition rs274-2.9-observed --report out
-      hold it to what is known of it; write out/report.html, report.json, junit.xml, report.txt, summary.md
-  gaugeblock certify rs274 --baseline main/report.json --waivers waivers.toml --report now
-      in a pull request: only what is new or has changed, but for what somebody answers for until a day
-  gaugeblock certify linuxcnc --shard 3/8 --report shard-3
-      one of eight machines; after a kill: the same call with --resume
-  gaugeblock certify rs274 --profile modal-save --profile subroutines
-      fail unless it passes every rule of these profiles
-  gaugeblock certify linuxcnc --only outputs --only inputs
-      hold LinuxCNC's whole controller, with a simulated machine, to two chapters of its manual
-  gaugeblock certify \"exec:python3 adapter.py\" --profile modal-save
-      hold a controller behind an adapter (`gaugeblock adapter --help`)
-  gaugeblock certify rs274 --as offline:campaign
-      hold it to no more than those sheets of paper tell, so that the verdicts of both can be compared
-  gaugeblock certify reference --edition m70-draft --only saved-state
-      hold the specification to one chapter of an edition
+      certify the production interpreter: about a second
+  gaugeblock certify --controller rs274
+      certify LinuxCNC's stand-alone interpreter against its own manual
+  gaugeblock certify --controller rs274 --expectations conformance/expectations/rs274-2.9.toml
+      fail only on divergences that are new or changed
+  gaugeblock certify --controller rs274 --edition rs274-2.9-observed --report out
+      certify it against its recorded behaviour; write out/report.html and the other report files
+  gaugeblock certify --controller rs274 --baseline main/report.json --waivers waivers.toml --report now
+      in a pull request: fail only on what is new or changed and not waived
+  gaugeblock certify --controller linuxcnc --shard 3/8 --report shard-3
+      run one of eight shards; after an interruption, repeat the call with --resume
+  gaugeblock certify --controller rs274 --profile modal-save --profile subroutines
+      fail unless every rule of these profiles passes
+  gaugeblock certify --controller linuxcnc --only outputs --only inputs
+      certify the whole LinuxCNC controller, with a simulated machine, on two chapters
+  gaugeblock certify --controller \"exec:python3 adapter.py\" --profile modal-save
+      certify a controller through an adapter (`gaugeblock adapter --help`)
+  gaugeblock certify --controller rs274 --restrict-to offline:campaign
+      judge rs274 only on what these answer sheets report, so that both verdicts can be compared
 
-Exit status: 0 where at least one case is judged, and each that is comes to what the documents say, or to what is known or waived; 1 where one
-does not, or a claimed profile is not passed; 2 for a wrong call; 3 where a case could not be judged, or all that was asked is unsupported: of a
-controller of which nothing was judged nothing is certified.";
+Exit status: 0 at least one case was judged, and every judged case passes, is known or is waived; 1 a divergence, a stale
+expectation, or a claimed profile that is not passed; 2 wrong call or input; 3 a case could not be judged, or every selected
+case is unsupported.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The controller under test
-    #[arg(value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
+    /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
-    /// Hold it to no more than this other controller declares: to compare the two case by case
-    #[arg(long = "as", value_name = "CONTROLLER")]
-    like: Option<String>,
-    /// The edition of the documents that it is held to [default: its own]
+    /// Compare only the observables that this other controller also reports
+    #[arg(long, value_name = "CONTROLLER")]
+    restrict_to: Option<String>,
+    /// Edition of the documents [default: the controller's own]
     #[arg(long, value_name = "EDITION")]
     edition: Option<String>,
-    /// Only rules whose id begins so, such as `saved-state` or `feed.zero`; may be repeated
+    /// Run only rules whose id begins with this, such as `saved-state` or `feed.zero`; may be repeated
     #[arg(long, value_name = "PREFIX")]
     only: Vec<String>,
-    /// A profile that is claimed: an unsupported or unjudged rule of it fails, too; may be repeated
+    /// Claim this profile: its unsupported and unjudged rules fail too; may be repeated
     #[arg(long, value_name = "PROFILE")]
     profile: Vec<String>,
     #[command(flatten)]
     against: Against,
-    /// Write what it does otherwise as a file of expectations, to be read before it is used
+    /// Write the divergences as a file for --expectations; read it before you use it
     #[arg(long, value_name = "FILE")]
     write_expectations: Option<PathBuf>,
-    /// Write report.html, report.json, junit.xml, report.txt, summary.md (for a pull request) and cost.json into this
-    /// folder, and a journal while it runs
+    /// Write report.html, report.json, junit.xml, report.txt, summary.md and cost.json into this folder; keep a journal
+    /// there while the run lasts
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
-    /// Go on with the journal in the folder of --report
+    /// Resume an interrupted run from the journal in --report
     #[arg(long, requires = "report")]
     resume: bool,
-    /// A part: I of N, from 1; together the parts run every case once, and `gaugeblock report merge` makes one report
-    /// of theirs
+    /// Run part I of N, counted from 1; all parts together run every case once (`gaugeblock report merge`)
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: Shard,
-    /// What to print
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// How many cases of a hundred are run twice, to see that they come to the same
+    /// Percentage of cases that run a second time, to detect nondeterminism
     #[arg(long, value_name = "PERCENT", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=100))]
-    twice: u8,
-    /// Look for the smallest program of each divergence that no quirk explains, trying so many [default: 300]
-    #[arg(long, value_name = "ATTEMPTS", num_args = 0..=1, default_value_t = 0, default_missing_value = "300")]
+    repeat_percent: u8,
+    /// Minimise the program of each divergence that no quirk explains, with at most ATTEMPTS runs each [without a
+    /// value: 300]
+    #[arg(long, value_name = "ATTEMPTS", num_args = 0..=1, default_value_t = 0, default_missing_value = "300", hide_default_value = true)]
     shrink: u32,
-    /// What the report says of each choice and quirk that the controller shows [default: where time is virtual and
-    /// there is a report]
+    /// Whether to detect the option of each choice and quirk for the report [default: always with --report, unless the
+    /// controller runs in real time]
     #[arg(long, value_name = "WHEN", value_enum)]
     fingerprint: Option<When>,
-    /// Run each program also unobserved, to see that observing changes nothing [default: a sample]
+    /// Run every program a second time without instrumentation, to check that it changes nothing [default: a sample]
     #[arg(long)]
     check_observation: bool,
-    /// Seconds that a controller behind an adapter has for an answer
-    #[arg(long, value_name = "SECONDS", default_value_t = 10)]
+    /// Time limit of an adapter's answer, seconds
+    #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..))]
     time_limit: u64,
-    /// How many cases run at once [default: one more than there are processors]
+    /// Number of cases that run at once [default: number of processors + 1]
     #[arg(long, short, value_name = "N")]
     jobs: Option<NonZero<usize>>,
-    /// Show known divergences too, and count what was not shown
+    /// Print known divergences and the number of masked observables too
     #[arg(long, short)]
     verbose: bool,
 }
 
-/// Whether something is done.
+/// Whether the fingerprint is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum When {
-    /// It is
+    /// Take it
     Always,
-    /// It is not
+    /// Do not take it
     Never,
 }
 
@@ -132,7 +130,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let limits = Limits { time, start: time, ..Limits::default() };
     let mut controller =
         controller::controller_within(&arguments.controller, limits, suite.defaults())?;
-    if let Some(like) = &arguments.like {
+    if let Some(like) = &arguments.restrict_to {
         controller = controller::narrowed(controller, like)?;
     }
     let own = controller::own_edition(controller.as_ref());
@@ -153,17 +151,17 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
         |only: &&String| !suite.rules.iter().any(|rule| rule.id.starts_with(only.as_str()));
     if let Some(only) = arguments.only.iter().find(is_unknown) {
         return Err(Refused::wrong(
-            format!("no rule begins with `{only}`"),
-            "`gaugeblock rules` lists the rules' ids",
+            format!("invalid `--only {only}`: no rule has an id that begins with it"),
+            "`gaugeblock rules` lists the ids",
         ));
     }
     if cases(plan, laws, Shard::WHOLE).is_empty() {
         return Err(Refused::wrong(
             "no case is selected",
-            "`gaugeblock rules` lists the rules' ids",
+            "`gaugeblock rules` lists the rules; remove --only, or choose another edition",
         ));
     }
-    let twice = arguments.twice;
+    let twice = arguments.repeat_percent;
     let header = Header { twice, ..Header::of(plan, controller.as_ref(), shard) };
     let newer = known.fits(&header, suite)?;
     let mut run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
@@ -177,7 +175,7 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let mut notes = controller.notes();
     notes.extend(newer);
     notes.extend(mended);
-    // What a profile comes to is known of the whole alone.
+    // Only a whole run can pass a profile.
     let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };
     let profiles = profiles::profiles(suite, &run, claimed);
     if let Some(file) = &arguments.write_expectations {
@@ -186,14 +184,14 @@ pub(super) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let report = Report { run: &run, header, notes, profiles, troubles };
     if let Some(folder) = &arguments.report {
         write_report(folder, &report)?;
-        // What it was for is in the report.
+        // The report has all that the journal had.
         let _gone = std::fs::remove_file(folder.join(journal::FILE));
     }
     print(&report, arguments.format, arguments.verbose);
     Ok(report.exit_status())
 }
 
-/// A controller in real time may need minutes for it, another one a second at most.
+/// A fingerprint takes minutes on a controller in real time, and a second at most on others.
 fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
     match arguments.fingerprint {
         Some(when) => when == When::Always,
@@ -201,15 +199,15 @@ fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
     }
 }
 
-/// Refuses a profile that there is not.
+/// Refuses an unknown profile.
 pub(super) fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), Refused> {
     match profiles.iter().find(|id| suite.profile(id).is_none()) {
         None => Ok(()),
         Some(unknown) => {
             let known: Vec<_> = suite.profiles.iter().map(|profile| profile.id.as_str()).collect();
             Err(Refused::wrong(
-                format!("there is no profile `{unknown}`"),
-                format!("one of: {}", known.join(", ")),
+                format!("unknown profile `{unknown}`"),
+                format!("expected one of: {}", known.join(", ")),
             ))
         }
     }
@@ -222,7 +220,7 @@ pub(super) fn print(report: &Report<'_>, format: Format, verbose: bool) {
     }
 }
 
-/// Runs what is left of a plan. Where there is a folder for reports each case is written down there when it is done.
+/// Runs the open cases of a plan. With a report folder, each finished case is written to its journal.
 fn run_with_journal<'a>(
     arguments: &Arguments,
     plan: Plan<'a>,
@@ -268,13 +266,10 @@ fn begun<'a>(
     let mut done = Vec::new();
     let journal = Journal::open(folder, header, resume, &mut |case: JournalCase| done.push(case));
     let journal = journal.map_err(|why| {
-        Refused::wrong(
-            why,
-            "--resume goes on with a run that was broken off; or name another folder",
-        )
+        Refused::wrong(why, "--resume continues an interrupted run; or choose another folder")
     })?;
     let done = done.iter().map(|case| case.result(suite)).collect::<Result<Vec<_>, _>>();
-    let done = done.map_err(|why| Refused::wrong(why, "the journal is of another suite"))?;
+    let done = done.map_err(|why| Refused::wrong(why, "the journal belongs to another suite"))?;
     Ok((journal, done))
 }
 
@@ -290,17 +285,19 @@ pub(super) fn progress(cases: usize) -> indicatif::ProgressBar {
 }
 
 fn write_expectations(file: &Path, run: &Run<'_>, shows: &Capabilities) -> Result<(), Refused> {
-    let text = Expectations::of(run, &shows.name, &shows.version)
-        .to_text()
-        .map_err(|error| Refused::unfinished(error, "this is a fault of gaugeblock"))?;
+    let text = Expectations::of(run, &shows.name, &shows.version).to_text().map_err(|error| {
+        Refused::unfinished(error, "this is a bug in gaugeblock; please report it")
+    })?;
     place::write_whole(file, &text)
 }
 
 pub(super) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Refused> {
-    let xml = junit::junit(report)
-        .map_err(|error| Refused::unfinished(error, "this is a fault of gaugeblock"))?;
-    let page = html::html(report)
-        .map_err(|error| Refused::unfinished(error, "this is a fault of gaugeblock"))?;
+    let xml = junit::junit(report).map_err(|error| {
+        Refused::unfinished(error, "this is a bug in gaugeblock; please report it")
+    })?;
+    let page = html::html(report).map_err(|error| {
+        Refused::unfinished(error, "this is a bug in gaugeblock; please report it")
+    })?;
     let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();
     place::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
     place::write_whole(&folder.join("report.html"), &page)?;

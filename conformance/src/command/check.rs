@@ -13,9 +13,9 @@ use crate::check::{Came, checks};
   gaugeblock adapter check ./adapter
   gaugeblock adapter check tcp:127.0.0.1:4100
 
-Exit status: 0 nothing is wrong, 1 something is, 3 it cannot be asked at all.")]
+Exit status: 0 no errors; 1 errors; 2 wrong call; 3 the adapter cannot be started or does not answer.")]
 pub(super) struct Arguments {
-    /// The adapter, as a command of the shell, or tcp:HOST:PORT where it listens
+    /// Shell command that starts the adapter, or tcp:HOST:PORT
     #[arg(value_name = "COMMAND")]
     command: String,
 }
@@ -34,12 +34,12 @@ pub(super) fn check(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused>
     let mut text = String::new();
     for check in &found {
         let (mark, says) = match &check.came {
-            Came::Fine(says) => ("fine", says),
+            Came::Fine(says) => ("ok", says),
             Came::Wrong(says) => {
                 wrong += 1;
-                ("WRONG", says)
+                ("ERROR", says)
             }
-            Came::LeftOut(says) => ("left out", says),
+            Came::LeftOut(says) => ("skipped", says),
         };
         let mut lines = says.lines();
         let first = lines.next().unwrap_or_default();
@@ -47,10 +47,9 @@ pub(super) fn check(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused>
         lines.for_each(|line| text.push_str(&format!("{:31}{line}\n", "")));
     }
     text.push_str(&match wrong {
-        0 => format!("\nnothing is wrong with it: gaugeblock certify {named:?}\n"),
-        _ => format!(
-            "\n{wrong} to be mended; `gaugeblock adapter protocol` tells how it should be\n"
-        ),
+        0 => format!("\nno errors; next: gaugeblock certify --controller {named:?}\n"),
+        1 => "\n1 error; `gaugeblock adapter protocol` describes the protocol\n".to_owned(),
+        _ => format!("\n{wrong} errors; `gaugeblock adapter protocol` describes the protocol\n"),
     });
     write_out(&text);
     Ok(u8::from(wrong > 0))

@@ -16,12 +16,12 @@ use super::run::How;
 use super::{Format, Refused, controller, write_out};
 
 const EXAMPLES: &str = "Examples:
-  gaugeblock compare part.ngc --iut rs274
-  gaugeblock compare *.ngc --iut rs274 --edition rs274-2.9-observed
-  gaugeblock compare part.ngc --iut rs274 --against reference --format json";
+  gaugeblock compare part.ngc --controller rs274
+  gaugeblock compare *.ngc --controller rs274 --edition rs274-2.9-observed
+  gaugeblock compare part.ngc --controller rs274 --against reference --format json";
 
-/// What is said where effects differ, and what they ask of the axes does not.
-const SAME_PATH: &str = "\n  the path is the same: it is divided into other moves";
+/// The remark where effects differ and the commanded path does not.
+const SAME_PATH: &str = "\n  the path is the same, divided into different moves";
 
 /// How far points of the same path may be apart, millimetres.
 const PATH_TOLERANCE: f64 = 1e-6;
@@ -32,15 +32,15 @@ pub(super) struct Arguments {
     /// The programs
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
-    /// The controller under test
-    #[arg(long, value_name = "CONTROLLER", long_help = controller::NAMES)]
-    iut: String,
-    /// The controller that it is compared with
+    /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
+    controller: String,
+    /// The controller to compare it with
     #[arg(long, value_name = "CONTROLLER", default_value = "reference")]
     against: String,
     #[command(flatten)]
     how: How,
-    /// What to print
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }
@@ -51,7 +51,7 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
         .iter()
         .map(|file| Ok((file, arguments.how.scenario(suite, file)?)))
         .collect::<Result<Vec<_>, Refused>>()?;
-    let mut found_by = controller::controller(&arguments.iut)?;
+    let mut found_by = controller::controller(&arguments.controller)?;
     found_by.check_observation();
     let mut expected_by = controller::controller(&arguments.against)?;
     expected_by.check_observation();
@@ -65,7 +65,7 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
                 results.push(
                     json!({ "file": name, "equal": true, "compared": compared, "masked": masked }),
                 );
-                format!("{name}: no difference in {} values", compared.total())
+                format!("{name}: no difference ({} values compared)", compared.total())
             }
             Ok((Comparison { divergence: Some(divergence), .. }, same_path)) => {
                 status = status.max(1);
@@ -80,11 +80,11 @@ pub(super) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
                     .block
                     .as_ref()
                     .map_or_else(String::new, |block| format!(":{}", block.line));
-                let (against, iut) = (&arguments.against, &arguments.iut);
-                let width = against.len().max(iut.len());
+                let (against, controller) = (&arguments.against, &arguments.controller);
+                let width = against.len().max(controller.len());
                 let remark = if same_path { SAME_PATH } else { "" };
                 format!(
-                    "{name}{place}: {}\n      | {}\n  {against:width$}  {}\n  {iut:width$}  {}{remark}",
+                    "{name}{place}: {}\n      | {}\n  {against:width$}  {}\n  {controller:width$}  {}{remark}",
                     divergence.field,
                     source.unwrap_or("(the end)"),
                     divergence.expected,
@@ -115,7 +115,7 @@ fn both(
 ) -> Result<(Comparison, bool), String> {
     let run = |controller: &dyn Adapter| {
         let name = controller.capabilities().name.clone();
-        controller.supports(scenario).map_err(|why| format!("{name} does not run this: {why}"))?;
+        controller.supports(scenario).map_err(|why| format!("{name} cannot run this: {why}"))?;
         let outcome = controller.run(scenario).map_err(|error| format!("{name}: {error}"))?;
         match outcome.end.undetermined() {
             Some(Undetermined::Unsupported(what)) => {
@@ -133,10 +133,10 @@ fn both(
     Ok((comparison, effects_differ && is_same_path(&expected, &found)))
 }
 
-/// Whether two runs that came to their ends ask for the same path, however it is divided into moves.
+/// Whether two finished runs command the same path, however it is divided into moves.
 ///
-/// It is a remark and no verdict: the documents say which move each block makes, and a controller that shows moves is
-/// held to that. Who shows the path alone is to declare so.
+/// The result is a remark, not a verdict: the documents say which move each block makes. A controller that reports
+/// only its path declares so.
 fn is_same_path(expected: &Outcome, found: &Outcome) -> bool {
     let path = |outcome: &Outcome| {
         let ended = matches!(outcome.end, End::ProgramEnd | End::PercentEnd);

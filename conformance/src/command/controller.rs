@@ -1,4 +1,4 @@
-//! A controller by the name that a person writes.
+//! Finds a controller by its name on the command line.
 
 use std::path::Path;
 
@@ -15,8 +15,26 @@ use gaugeblock_vocabulary::{Language, Options, Scenario};
 
 use super::Refused;
 
-/// The names, as the help tells them.
-pub(super) const NAMES: &str = "reference: the specification itself; production: the interpreter of this project for embedding; rs274: LinuxCNC's stand-alone interpreter, or rs274:PATH for its binary; linuxcnc: LinuxCNC's whole controller with a simulated machine; exec:COMMAND: any controller behind an adapter (`gaugeblock adapter --help`); tcp:HOST:PORT: one whose adapter listens there; offline:DIR: a control that was asked on paper (`gaugeblock suite --help`)";
+/// The names of controllers, for the long help.
+pub(super) const NAMES: &str = "The controller:
+  reference      the executable specification
+  production     the production interpreter of this project
+  rs274          LinuxCNC's stand-alone interpreter; rs274:PATH names its binary
+  linuxcnc       the whole LinuxCNC controller with a simulated machine
+  exec:COMMAND   a controller behind an adapter (`gaugeblock adapter --help`)
+  tcp:HOST:PORT  a controller whose adapter listens there
+  offline:DIR    answer sheets of a control (`gaugeblock offline --help`)";
+
+/// The forms of a controller's name.
+const FORMS: [&str; 7] = [
+    "reference",
+    "production",
+    "rs274",
+    "linuxcnc",
+    "exec:COMMAND",
+    "tcp:HOST:PORT",
+    "offline:DIR",
+];
 
 /// The controller of a name.
 pub(super) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
@@ -42,15 +60,24 @@ pub(super) fn controller_within(
         Some(("faulty", fault)) => faulty(fault),
         Some(("offline", folder)) => Ok(Box::new(offline(Path::new(folder))?)),
         None if Path::new(name).is_file() => Err(Refused::wrong(
-            format!("there is no controller `{name}`, but a file"),
+            format!("unknown controller `{name}`"),
             format!(
-                "an adapter is named by the command that starts it, as in \"exec:./{name}\" or \"exec:python3 {name}\""
+                "to run this file as an adapter write \"exec:./{name}\" or \"exec:python3 {name}\""
             ),
         )),
-        _ => Err(Refused::wrong(
-            format!("there is no controller `{name}`"),
-            format!("one of {NAMES}"),
-        )),
+        _ => Err(Refused::wrong(format!("unknown controller `{name}`"), expected(name))),
+    }
+}
+
+/// The name that was probably meant, or all forms of a name.
+fn expected(name: &str) -> String {
+    let near = FORMS.iter().find(|form| {
+        let form = form.split(':').next().unwrap_or_default();
+        strsim::damerau_levenshtein(form, name.split(':').next().unwrap_or_default()) <= 2
+    });
+    match near {
+        Some(form) => format!("did you mean `{form}`?"),
+        None => format!("expected one of: {}", FORMS.join(", ")),
     }
 }
 
@@ -59,15 +86,15 @@ fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
     use gaugeblock_controllers::faulty::{Faulty, named};
     let fault = named(fault).ok_or_else(|| {
         Refused::wrong(
-            format!("there is no planted fault `{fault}`"),
-            "`gaugeblock rules --faults` lists them",
+            format!("unknown planted fault `{fault}`"),
+            "`gaugeblock suite faults` lists them",
         )
     })?;
     match Faulty::new(fault) {
         Some(faulty) => Ok(Box::new(faulty)),
         None => Err(Refused::wrong(
-            "two planted faults at once",
-            "compare one of them with another controller",
+            "only one planted fault can be active",
+            "compare it with another controller",
         )),
     }
 }
@@ -75,8 +102,8 @@ fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
 #[cfg(not(feature = "faulty"))]
 fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
     Err(Refused::wrong(
-        format!("the planted fault `{fault}` is not in this build"),
-        "build one that has them: cargo build --release --features faulty",
+        format!("this build has no planted fault `{fault}`"),
+        "build with planted faults: cargo build --release --features faulty",
     ))
 }
 
@@ -85,11 +112,11 @@ fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, Refused> {
         Ok(found) => Ok(Box::new(found)),
         Err(error @ ControllerError::Missing { .. }) => Err(Refused::unfinished(
             error.to_string(),
-            "install it (Debian: apt-get install linuxcnc-uspace), or name its binary: rs274:PATH",
+            "install it (Debian: apt-get install linuxcnc-uspace), or give the path of its binary: rs274:PATH",
         )),
         Err(error @ ControllerError::WrongVersion { .. }) => Err(Refused::unfinished(
             error.to_string(),
-            "results of another version would be charged to the wrong documents",
+            "this edition documents version 2.9; results of another version would be compared with the wrong manual",
         )),
         Err(error @ ControllerError::Broken(_)) => {
             Err(Refused::unfinished(error.to_string(), "run it by hand: rs274 -g FILE"))
@@ -110,14 +137,14 @@ pub(super) fn behind(name: &str, limits: Limits) -> Option<Result<Exec, Refused>
 pub(super) fn exec(command: &str, limits: Limits) -> Result<Exec, Refused> {
     if command.trim().is_empty() {
         return Err(Refused::wrong(
-            "`exec:` names no command",
-            "as in exec:./my-adapter, or \"exec:python3 adapter.py\"",
+            "missing command after `exec:`",
+            "for example exec:./my-adapter or \"exec:python3 adapter.py\"",
         ));
     }
     Exec::start(command, limits).map_err(|error| {
         Refused::unfinished(
             format!("exec:{command}: {error}"),
-            "`gaugeblock adapter vocabulary` lists the words of a declaration, `gaugeblock adapter protocol` tells the rest",
+            "`gaugeblock adapter check` finds errors of an adapter; `gaugeblock adapter protocol` prints the protocol",
         )
     })
 }
@@ -127,21 +154,21 @@ fn tcp(address: &str, limits: Limits) -> Result<Exec, Refused> {
     let port = address.rsplit_once(':').and_then(|(_, port)| port.parse::<u16>().ok());
     if port.is_none() {
         return Err(Refused::wrong(
-            format!("`tcp:{address}` names no host and port"),
-            "as in tcp:127.0.0.1:4100",
+            format!("invalid controller `tcp:{address}`: expected tcp:HOST:PORT"),
+            "for example tcp:127.0.0.1:4100",
         ));
     }
     Exec::connect(address, limits).map_err(|error| {
         Refused::unfinished(
             format!("tcp:{address}: {error}"),
-            "start the adapter there first; one of ours: gaugeblock serve production --tcp HOST:PORT",
+            "start the adapter first, for example: gaugeblock serve --controller production --tcp HOST:PORT",
         )
     })
 }
 
-/// A control that was asked on paper.
+/// A control whose answer sheets are in a folder.
 fn offline(folder: &Path) -> Result<Offline, Refused> {
-    Offline::open(folder).map_err(super::suite::not_a_campaign)
+    Offline::open(folder).map_err(super::offline::not_a_campaign)
 }
 
 /// LinuxCNC's whole controller.
@@ -154,11 +181,11 @@ pub(super) fn linuxcnc() -> Result<LinuxCnc, Refused> {
         )),
         Err(error @ ControllerError::WrongVersion { .. }) => Err(Refused::unfinished(
             error.to_string(),
-            "results of another version would be charged to the wrong documents",
+            "this edition documents version 2.9; results of another version would be compared with the wrong manual",
         )),
         Err(error @ ControllerError::Broken(_)) => Err(Refused::unfinished(
             error.to_string(),
-            "it needs process, mount, network and message spaces: run as root, or where the system lets users have them",
+            "it needs process, mount, network and IPC namespaces: run as root, or allow user namespaces",
         )),
     }
 }
@@ -181,17 +208,17 @@ pub(super) fn belongs(
     let name = &controller.capabilities().name;
     if asked != edition.id {
         return Err(Refused::wrong(
-            format!("{name} was asked by {asked}, and cannot be held to {}", edition.id),
-            "leave --edition out, or export again for the other edition",
+            format!("{name}: the answers were collected for edition {asked}, not {}", edition.id),
+            "remove --edition, or export again for the other edition",
         ));
     }
     if digest != suite.digest {
         return Err(Refused::wrong(
             format!(
-                "{name} was asked by another suite than this one: digest {digest}, not {}",
+                "{name}: the answers were exported from another suite (digest {digest}, this suite {})",
                 suite.digest
             ),
-            "judge it with the gaugeblock that exported it (and its --suite), or export again",
+            "use the gaugeblock (and --suite) that exported them, or export again",
         ));
     }
     Ok(())
@@ -202,8 +229,8 @@ pub(super) fn honours(controller: &dyn Adapter, options: &Options) -> Result<(),
     controller.honours(options).map_err(|why| {
         let name = &controller.capabilities().name;
         Refused::wrong(
-            format!("{name} cannot be held to this edition: {why}"),
-            "an edition of what a real controller does is for that controller; name one of the documents'",
+            format!("{name} does not support this edition: {why}"),
+            "an edition that ends in -observed describes one real controller; choose an edition of documents",
         )
     })
 }
@@ -219,10 +246,10 @@ pub(super) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Resul
         None => Ok(()),
         Some((id, option)) => Err(Refused::unfinished(
             format!(
-                "{} declares an option that there is not: {id} = {option}",
+                "{} declares an unknown option `{option}` for choice `{id}`",
                 controller.capabilities().name
             ),
-            "`gaugeblock rules --choices` lists them",
+            "`gaugeblock choices` lists them",
         )),
     }
 }
@@ -238,8 +265,8 @@ pub(super) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), 
     controller.supports(&scenario).map_err(|why| {
         let name = &controller.capabilities().name;
         Refused::unfinished(
-            format!("unsupported: {name} cannot be held to {}: {why}", edition.id),
-            "nothing was run and nothing is certified; `reference` speaks this language",
+            format!("unsupported: {name} does not run edition {}: {why}", edition.id),
+            "no program was run; `--controller reference` supports this language",
         )
     })
 }

@@ -1,4 +1,4 @@
-//! `gaugeblock rules --faults`: which planted faults the suite catches, and what catches them.
+//! `gaugeblock suite faults`: which planted faults the suite catches, and by which cases.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

@@ -10,20 +10,22 @@ use super::{Format, Refused, controller, write_out};
 use crate::fingerprint::{Shown, fingerprint as take, nearest};
 
 const EXAMPLES: &str = "Examples:
-  gaugeblock fingerprint rs274
-  gaugeblock fingerprint reference --edition m70-draft
-  gaugeblock fingerprint rs274 --format json";
+  gaugeblock fingerprint --controller rs274
+  gaugeblock fingerprint --controller reference --edition m70-draft
+  gaugeblock fingerprint --controller rs274 --format json
+
+Exit status: 0 every option was detected; 2 wrong call; 3 some could not be detected.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The controller
-    #[arg(value_name = "CONTROLLER", long_help = controller::NAMES)]
+    /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
-    /// The edition whose options a controller that takes options is given
+    /// Edition whose options are passed to a controller that accepts options [default: the controller's own]
     #[arg(long, value_name = "EDITION")]
     edition: Option<String>,
-    /// What to print
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }
@@ -60,7 +62,7 @@ pub(super) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Re
             }
             if let Some((id, agree)) = nearest.first() {
                 let _infallible =
-                    writeln!(text, "\nnearest edition: {id} ({agree} of {known} shown options)");
+                    writeln!(text, "\nnearest edition: {id} ({agree} of {known} detected options)");
             }
             write_out(&text);
         }

@@ -28,80 +28,81 @@ const NOT_JUDGED: usize = 10;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock fuzz
-      production against the reference, a minute long
-  gaugeblock fuzz --iut rs274 --edition rs274-2.9-observed --programs 30000
-      is anything of LinuxCNC's interpreter not explained yet?
+      compare production with the reference model for a minute
+  gaugeblock fuzz --controller rs274 --edition rs274-2.9-observed --programs 30000
+      find behaviour of LinuxCNC's interpreter that no quirk explains
   gaugeblock fuzz --options random --seconds 36000 --report nightly
-      every reading of the documents, with a journal; after a kill: the same call with --resume
+      try every option of the documents, with a journal; after an interruption, repeat the call with --resume
   gaugeblock fuzz --edition gpp2 --programs 300000
-      programs of a post-processor
+      generate programs of a post-processor
   gaugeblock fuzz --edition nct-99m --programs 300000 --verbose
-      custom macros, and how often each rule was reached
-  gaugeblock fuzz --iut rs274 --known nightly/report.json --report tonight
-      only what an earlier report does not tell
+      generate custom macros; print how often each rule was reached
+  gaugeblock fuzz --controller rs274 --known nightly/report.json --report tonight
+      report only divergences that are not in an earlier report
   gaugeblock fuzz --shard 3/8 --seed 20 --programs 1000000 --report shard-3
-      one of eight machines
+      run one of eight shards
   gaugeblock fuzz --only io. --programs 10000
-      programs of one kind of block
-  gaugeblock fingerprint rs274 --format json > shown.json; gaugeblock fuzz --iut rs274 --options from:shown.json
-      under the options that a controller shows, so that what is known does not hide what is new
+      generate only statements of one kind
+  gaugeblock fingerprint --controller rs274 --format json > options.json
+  gaugeblock fuzz --controller rs274 --options from:options.json
+      compare under the options that the controller has, so that known differences do not hide new ones
 
-Exit status: 0 no divergence, 1 divergences, 2 the call is wrong, 3 it could not finish or something was not judged.";
+Exit status: 0 no divergence; 1 divergences; 2 wrong call or input; 3 a program could not be judged, or none was.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The controller under test
-    #[arg(long, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
-    iut: String,
-    /// The controller that it is compared with
+    /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
+    controller: String,
+    /// The controller to compare it with
     #[arg(long, value_name = "CONTROLLER", default_value = "reference")]
     against: String,
-    /// The edition of the documents that applies [default: the controller's own]
+    /// Edition of the documents [default: the controller's own]
     #[arg(long, value_name = "EDITION")]
     edition: Option<String>,
-    /// `edition`, `random` (other options of choices every eight programs), or `from:FILE` (what a controller shows:
+    /// Options of choices: `edition`, `random` (new options every eight programs), or `from:FILE` (the output of
     /// `gaugeblock fingerprint --format json`)
     #[arg(long, value_name = "HOW", default_value = "edition")]
     options: String,
-    /// What all programs follow from
+    /// Random seed
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// A part: I of N, from 1; together the parts run every program once
+    /// Run part I of N, counted from 1; all parts together run every program once
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: Shard,
-    /// How many programs, all shards together [default: no end; without --seconds too: a minute]
+    /// Number of programs of all shards together [default: until --seconds have passed]
     #[arg(long, value_name = "N")]
     programs: Option<u64>,
-    /// How long
-    #[arg(long, value_name = "S")]
+    /// Duration, seconds [default: 60, or unlimited with --programs]
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..))]
     seconds: Option<u64>,
-    /// How many run at once [default: as many as there are processors, or as the controller is best run]
+    /// Number of programs that run at once [default: number of processors, or what suits the controller]
     #[arg(long, short, value_name = "N")]
     jobs: Option<NonZero<usize>>,
-    /// Only blocks of these kinds, by the beginning of a row's name, such as `io.` or `saved`; may be repeated
-    #[arg(long, value_name = "ROW")]
+    /// Generate only statements whose name begins with this, such as `io.` or `saved`; may be repeated
+    #[arg(long, value_name = "PREFIX")]
     only: Vec<String>,
-    /// In how many of a hundred programs something is slightly wrong
+    /// Percentage of programs with a deliberate error
     #[arg(long, value_name = "PERCENT", default_value_t = GeneratorConfig::default().mutated_programs, value_parser = clap::value_parser!(u32).range(0..=100))]
-    wrong: u32,
-    /// How many of a hundred programs are put together from the suite's cases [default: so many that each outcome of
-    /// a rule should be reached 20 times, 10 to 32]
+    error_rate: u32,
+    /// Percentage of programs that are spliced from cases of the suite [default: 10 to 32, enough to reach each outcome
+    /// of each rule about 20 times]
     #[arg(long, value_name = "PERCENT", value_parser = clap::value_parser!(u32).range(0..=100))]
     spliced: Option<u32>,
-    /// Write the journal, the report and each smallest program into this folder
+    /// Write the journal, the report and each minimised program into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
-    /// Go on with the journal in the folder of --report
+    /// Resume an interrupted run from the journal in --report
     #[arg(long, requires = "report")]
     resume: bool,
-    /// A report.json of an earlier run: what is in it is known, and only what is new is shown and counts
+    /// Report.json of an earlier run; its divergences are known, and only new ones are reported
     #[arg(long, value_name = "FILE")]
     known: Option<PathBuf>,
-    /// Attempts at shrinking each divergence; 0 leaves the programs as they were generated
+    /// Attempts to minimise each divergence; 0 keeps the generated programs
     #[arg(long, value_name = "N", default_value_t = 2000)]
     shrink: u32,
-    /// What to print
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     /// Print how often each rule, code and fault was reached
@@ -110,7 +111,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
-    let iut = controller::controller(&arguments.iut)?;
+    let iut = controller::controller(&arguments.controller)?;
     let own = controller::own_edition(iut.as_ref());
     let edition = super::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
     let (options, random) = options(arguments, suite, edition)?;
@@ -158,7 +159,7 @@ pub(super) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
             Some(journal.map_err(|why| {
                 Refused::wrong(
                     why,
-                    "--resume goes on with the same call; another run needs another folder",
+                    "--resume continues the same call; another run needs another folder",
                 )
             })?)
         }
@@ -253,7 +254,7 @@ fn generate(
     match trouble {
         Some(why) => Err(Refused::unfinished(
             format!("the journal: {why}"),
-            "free the disk, then the same call with --resume",
+            "free space on the disk, then repeat the call with --resume",
         )),
         None => Ok(()),
     }
@@ -282,11 +283,11 @@ fn shrink_all(plan: &Plan<'_>, mut findings: Vec<Finding>, attempts: u32) -> Vec
 
 fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, Refused> {
     if edition.language != Language::Rs274 && !arguments.only.is_empty() {
-        let message = format!("the generator of programs in {} has no rows", edition.language);
-        return Err(Refused::wrong(message, "leave out --only"));
+        let message = format!("--only is not available for {}", edition.language);
+        return Err(Refused::wrong(message, "remove --only"));
     }
     let stand_alone = |name: &str| name.starts_with("rs274");
-    let setups = if stand_alone(&arguments.iut) || stand_alone(&arguments.against) {
+    let setups = if stand_alone(&arguments.controller) || stand_alone(&arguments.against) {
         Setups::StandAlone
     } else {
         Setups::Operated
@@ -296,13 +297,13 @@ fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, R
         if !rows().any(|row| row.name.starts_with(only.as_str())) {
             let known: Vec<&str> = rows().map(|row| row.name).collect();
             return Err(Refused::wrong(
-                format!("no row of the generator begins with `{only}`"),
-                format!("rows: {}", known.join(", ")),
+                format!("invalid `--only {only}`: no statement of the generator begins with it"),
+                format!("expected one of: {}", known.join(", ")),
             ));
         }
     }
     Ok(GeneratorConfig {
-        mutated_programs: arguments.wrong,
+        mutated_programs: arguments.error_rate,
         only: arguments.only.clone(),
         setups,
         ..GeneratorConfig::default()
@@ -325,8 +326,8 @@ fn options(
                 Ok((options, false))
             }
             None => Err(Refused::wrong(
-                format!("`{how}` is no way to choose options"),
-                "one of: edition, random, from:FILE",
+                format!("invalid `--options {how}`"),
+                "expected edition, random or from:FILE",
             )),
         },
     }
@@ -347,16 +348,16 @@ fn without_defaults(mut options: Options, suite: &Suite) -> Options {
     options
 }
 
-/// Takes over what a fingerprint says for sure.
+/// Takes over the options that a fingerprint determined.
 fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), Refused> {
     let name = file.display();
-    let hint = "`gaugeblock fingerprint CONTROLLER --format json` writes such a file";
+    let hint = "`gaugeblock fingerprint --controller CONTROLLER --format json` writes such a file";
     let text = place::text(file, "fingerprint (--options from:FILE)")?;
     let document: serde_json::Value = serde_json::from_str(&text)
         .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
     let shown = document["options"]
         .as_object()
-        .ok_or_else(|| Refused::wrong(format!("{name}: no `options` in it"), hint))?;
+        .ok_or_else(|| Refused::wrong(format!("{name}: it has no member `options`"), hint))?;
     for (id, shown) in shown {
         if let Some(option) = shown["option"].as_str() {
             let choice = suite.choices.iter().find(|choice| choice.id == *id);
@@ -364,8 +365,8 @@ fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), Refuse
                 choice.is_some_and(|choice| choice.options.iter().any(|o| o.name == option));
             if !known {
                 return Err(Refused::wrong(
-                    format!("{name}: the suite has no choice `{id}` with an option `{option}`"),
-                    "take the fingerprint anew, with this version",
+                    format!("{name}: unknown option `{option}` for choice `{id}`"),
+                    "run `gaugeblock fingerprint` again with this version",
                 ));
             }
             options.0.insert(id.clone(), option.to_owned());
@@ -378,8 +379,8 @@ fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
     let named = |side: &dyn Adapter| {
         format!("{} {}", side.capabilities().name, side.capabilities().version)
     };
-    if arguments.iut == arguments.against {
-        write_error("note: a controller is compared with itself");
+    if arguments.controller == arguments.against {
+        write_error("note: the controller is compared with itself");
     }
     Header {
         journal: 0,
@@ -389,7 +390,7 @@ fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
         options: format!("{}, {}", edition.id, arguments.options),
         config: format!(
             "wrong {}, spliced {} for a {} run, only {:?}, options of {ALIKE}",
-            arguments.wrong,
+            arguments.error_rate,
             plan.spliced,
             if is_long(arguments.programs) { "long" } else { "short" },
             arguments.only

@@ -1,4 +1,4 @@
-//! What `gaugeblock fuzz` tells: on a terminal, as JSON, as files.
+//! The report of `gaugeblock fuzz`: text, JSON and files.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -223,9 +223,9 @@ fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), Refused> {
     for (name, text) in files.filter(|(name, _)| !name.contains(['/', '\\'])) {
         place::write_whole(&folder.join(name), text)?;
     }
-    let text = scenario
-        .to_text()
-        .map_err(|error| Refused::unfinished(error.message, "this is a fault of gaugeblock"))?;
+    let text = scenario.to_text().map_err(|error| {
+        Refused::unfinished(error.message, "this is a bug in gaugeblock; please report it")
+    })?;
     place::write_whole(&folder.join("scenario.toml"), &text)
 }
 

@@ -1,4 +1,4 @@
-//! `gaugeblock rules --matrix`.
+//! `gaugeblock suite matrix`.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use crate::report::Report;
 use crate::report::matrix::{Judged, Matrix};
 use crate::shard::Shard;
 
-/// Prints what became of each section of each document, and what the model and the reports say of its rules.
+/// Prints, per document and section, its rules and their verdicts in the model and in each report.
 pub(super) fn matrix(
     suite: &Suite,
     ledgers: &[Ledger],
@@ -33,16 +33,16 @@ pub(super) fn matrix(
 }
 
 fn read(path: &Path) -> Result<Judged, Refused> {
-    let text = place::text(path, "report (--judged)")?;
+    let text = place::text(path, "report (--report)")?;
     Judged::read(&text).map_err(|error| {
         Refused::wrong(
             format!("{}: {error}", path.display()),
-            "`gaugeblock certify CONTROLLER --report DIR` writes DIR/report.json",
+            "`gaugeblock certify --controller CONTROLLER --report DIR` writes DIR/report.json",
         )
     })
 }
 
-/// The model held to the edition of each document.
+/// The model's verdicts for the edition of each document.
 fn model(suite: &Suite, ledgers: &[Ledger]) -> BTreeMap<String, Judged> {
     let controller = Reference::default();
     let mut model = BTreeMap::new();

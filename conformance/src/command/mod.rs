@@ -6,15 +6,17 @@ mod certify;
 mod check;
 mod compare;
 mod controller;
+mod explain;
 #[cfg(feature = "faulty")]
 mod faults;
 mod fingerprint;
 mod fuzz;
 mod fuzz_cases;
-mod fuzz_motion;
 mod fuzz_report;
-mod judge;
 mod matrix;
+mod motion_check;
+mod motion_fuzz;
+mod offline;
 mod pictures;
 mod place;
 mod plan;
@@ -37,10 +39,10 @@ use streams::{write_error, write_error_in_colours, write_out, write_out_in_colou
 
 use crate::report::inert;
 
-/// Why a command does not go on, in one message.
+/// Why a command ends without a result: message, hint and exit status.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refused {
-    /// 2: the call or its input is wrong. 3: it could not finish.
+    /// 2: the call or its input is wrong. 3: the command could not finish.
     pub status: u8,
     /// What is wrong, with its place.
     pub message: String,
@@ -60,76 +62,92 @@ impl Refused {
     }
 }
 
-/// The exit statuses, as the help tells them.
+/// The exit statuses, for the help.
 const EXIT: &str = "Exit status:
-  0  every case passes, is a known divergence, or is unsupported by what the controller declared before
+  0  every judged case passes or is a known divergence
   1  a divergence, a stale expectation, or a known divergence that changed
-  2  the call or its input is wrong
-  3  could not finish: controller missing or of an unknown version, crash, time-out, two runs that differ, inconclusive";
+  2  wrong call or wrong input
+  3  could not finish: controller missing or of an unknown version, crash, timeout, nondeterministic or inconclusive
+     result, or nothing could be judged";
 
-/// Holds a CNC controller to the documents of its language, rule by rule.
+/// Checks CNC controllers against the documents of their language, rule by rule.
 #[derive(Debug, Parser)]
 #[command(name = "gaugeblock", version, after_help = EXIT, arg_required_else_help = true, max_term_width = 110)]
 struct Call {
-    /// A folder of suite pages instead of the suite that is built in
+    /// Read the suite from this folder instead of the built-in one
     #[arg(long, global = true, value_name = "DIR")]
     suite: Option<PathBuf>,
     #[command(subcommand)]
     command: Command,
 }
 
-/// What to print.
+/// Output format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Format {
-    /// For a person
+    /// Plain text
     Text,
     /// One JSON document
     Json,
 }
 
+/// Check motion against the motion rules
+#[derive(Debug, Subcommand)]
+enum Motion {
+    /// Check recorded servo samples of any controller against the motion rules
+    Check(motion_check::Arguments),
+    /// Plan generated programs; minimise each program that breaks a motion rule
+    Fuzz(motion_fuzz::Arguments),
+}
+
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Run the suite against a controller: a verdict per rule
+    /// Run the suite on a controller and print a verdict per rule
     Certify(certify::Arguments),
-    /// Show what a program does on a controller: effects, settings, states
+    /// Run a program and print its effects, settings and states
     Run(run::Arguments),
-    /// Print a program's canonical calls as LinuxCNC's rs274 prints them
+    /// Print a program's canonical calls in the format of LinuxCNC's rs274
     Rs274(rs274::Arguments),
-    /// Show where two controllers first differ on programs
+    /// Find the first difference between two controllers on programs
     Compare(compare::Arguments),
-    /// Run generated programs on two controllers: what differs, with the smallest program of each
+    /// Compare two controllers on generated programs; minimise each divergence
     Fuzz(fuzz::Arguments),
-    /// Plan generated programs: what breaks a law of motion, with the smallest program of each
-    FuzzMotion(fuzz_motion::Arguments),
-    /// Make a program on which two controllers differ as small as it can be
+    /// Minimise a program on which two controllers differ
     Shrink(shrink::Arguments),
-    /// Turn a program into servo samples: time, laws, picture
+    /// Plan a program's motion: servo samples, time, motion rules, picture
     Plan(plan::Arguments),
-    /// Hold recorded servo samples of any controller to the laws of motion
-    Judge(judge::Arguments),
-    /// Tell which option of each choice, and which quirk, a controller shows
+    /// Check recorded servo samples, or fuzz the planner, against the motion rules
+    #[command(subcommand)]
+    Motion(Motion),
+    /// Detect the option of each choice, and the quirks, of a controller
     Fingerprint(fingerprint::Arguments),
-    /// Work with reports that were written before: merge those of shards
+    /// Merge the reports of shards
     #[command(subcommand)]
     Report(report::Reports),
-    /// List the rules: sentences, sources, cases; check or bless the suite
+    /// List the rules with their sentences
     Rules(rules::Arguments),
-    /// Take the suite to a control that cannot host a process, on paper: export it, fill it in
+    /// List the choices and quirks with their options
+    Choices(rules::ChoiceArguments),
+    /// Explain a rule, a choice, a quirk, or a code such as M73
+    Explain(explain::Arguments),
+    /// Maintain the suite: check it, bless goldens, list what became of each document
     #[command(subcommand)]
-    Suite(suite::Offline),
-    /// Connect a controller: a template, a check, the words and schemas of the protocol
+    Suite(suite::Maintenance),
+    /// Test a control that cannot host a process: export programs and answer sheets
+    #[command(subcommand)]
+    Offline(offline::Offline),
+    /// Write an adapter for a controller: template, self-check, protocol
     #[command(subcommand)]
     Adapter(adapter::Adapter),
-    /// Speak the adapter protocol for a controller, on standard input and output
+    /// Serve a controller of this project over the adapter protocol
     Serve(serve::Arguments),
     /// Print the JSON schema of a scenario, an outcome or a report
     Schema(schema::Arguments),
 }
 
-/// Whether these words, without the name of the command, are a call of it: scripts are held to that.
+/// Checks that these arguments are a valid call; tests check the calls in scripts and pages with it.
 ///
 /// # Errors
-/// They are none, and why.
+/// The message that the command line would print.
 pub fn understands(words: &[String]) -> Result<(), String> {
     let words = std::iter::once("gaugeblock").chain(words.iter().map(String::as_str));
     match Call::try_parse_from(words) {
@@ -138,7 +156,7 @@ pub fn understands(words: &[String]) -> Result<(), String> {
     }
 }
 
-/// Runs the command line and tells the exit status.
+/// Runs the command line and returns the exit status.
 pub fn main() -> ExitCode {
     let done = match Call::try_parse() {
         Ok(call) => execute(&call),
@@ -164,7 +182,7 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// Does what is called for; the exit status.
+/// Runs the command and returns the exit status.
 fn execute(call: &Call) -> Result<u8, Refused> {
     match &call.command {
         Command::Certify(arguments) => {
@@ -176,24 +194,33 @@ fn execute(call: &Call) -> Result<u8, Refused> {
             suite(call).and_then(|suite| compare::compare(arguments, &suite))
         }
         Command::Fuzz(arguments) => suite(call).and_then(|suite| fuzz::fuzz(arguments, &suite)),
-        Command::FuzzMotion(arguments) => {
-            suite(call).and_then(|suite| fuzz_motion::fuzz_motion(arguments, &suite))
-        }
         Command::Shrink(arguments) => {
             suite(call).and_then(|suite| shrink::shrink(arguments, &suite))
         }
         Command::Plan(arguments) => {
             suite(call).and_then(|suite| plan::plan_program(arguments, &suite))
         }
-        Command::Judge(arguments) => {
-            suite(call).and_then(|suite| judge::judge_samples(arguments, &suite))
+        Command::Motion(Motion::Check(arguments)) => {
+            suite(call).and_then(|suite| motion_check::check_samples(arguments, &suite))
+        }
+        Command::Motion(Motion::Fuzz(arguments)) => {
+            suite(call).and_then(|suite| motion_fuzz::fuzz_motion(arguments, &suite))
         }
         Command::Fingerprint(arguments) => {
             suite(call).and_then(|suite| fingerprint::fingerprint(arguments, &suite))
         }
         Command::Report(command) => suite(call).and_then(|suite| report::report(command, &suite)),
-        Command::Rules(arguments) => rules::rules(arguments, call.suite.as_deref()),
-        Command::Suite(command) => suite(call).and_then(|suite| suite::offline(command, &suite)),
+        Command::Rules(arguments) => suite(call).and_then(|suite| rules::rules(arguments, &suite)),
+        Command::Choices(arguments) => {
+            suite(call).and_then(|suite| rules::choices(arguments, &suite))
+        }
+        Command::Explain(arguments) => {
+            suite(call).and_then(|suite| explain::explain(arguments, &suite))
+        }
+        Command::Suite(command) => suite::maintain(command, call.suite.as_deref()),
+        Command::Offline(command) => {
+            suite(call).and_then(|suite| offline::offline(command, &suite))
+        }
         Command::Adapter(arguments) => adapter::adapter(arguments, || suite(call)),
         Command::Serve(arguments) => serve::serve(arguments),
         Command::Schema(arguments) => schema::schema(arguments),
@@ -207,7 +234,7 @@ fn suite(call: &Call) -> Result<Suite, Refused> {
 fn read_suite(folder: Option<&std::path::Path>) -> Result<Suite, Refused> {
     let files = match folder {
         Some(folder) => files::of_folder(folder).map_err(|error| {
-            Refused::wrong(error, "--suite takes a folder like conformance/suite; leave it out for the suite built in")
+            Refused::wrong(error, "--suite expects a folder like conformance/suite; without it the built-in suite is used")
         })?,
         None => gaugeblock_embedded_suite::files().map_err(|error| {
             Refused::wrong(error, "--suite takes a folder like conformance/suite")
@@ -222,8 +249,12 @@ fn read_suite(folder: Option<&std::path::Path>) -> Result<Suite, Refused> {
             String::new()
         };
         Refused::wrong(
-            format!("the suite is not in its form, {count} times:\n{}{more}", shown.join("\n")),
-            "the form of a page is described in the suite's README.md",
+            format!(
+                "{count} {} in the suite:\n{}{more}",
+                if count == 1 { "error" } else { "errors" },
+                shown.join("\n")
+            ),
+            "the suite's README.md describes the form of a page",
         )
     })
 }
@@ -233,8 +264,8 @@ fn edition<'a>(suite: &'a Suite, id: &str) -> Result<&'a Edition, Refused> {
     suite.edition(id).ok_or_else(|| {
         let known: Vec<_> = suite.editions.iter().map(|edition| edition.id.as_str()).collect();
         Refused::wrong(
-            format!("there is no edition `{id}`"),
-            format!("one of: {}", known.join(", ")),
+            format!("unknown edition `{id}`"),
+            format!("expected one of: {}", known.join(", ")),
         )
     })
 }
@@ -249,21 +280,21 @@ fn options_with(
     for change in changes {
         let (id, option) = change.split_once('=').ok_or_else(|| {
             Refused::wrong(
-                format!("`{change}` is not CHOICE=OPTION"),
-                "as in --option saved-state.motion-mode=restored",
+                format!("invalid `--option {change}`: expected CHOICE=OPTION"),
+                "for example --option saved-state.motion-mode=restored",
             )
         })?;
         let choice = suite.choices.iter().find(|choice| choice.id == id).ok_or_else(|| {
             Refused::wrong(
-                format!("there is no choice or quirk `{id}`"),
-                "`gaugeblock rules --choices` lists them",
+                format!("unknown choice or quirk `{id}`"),
+                "`gaugeblock choices` lists them",
             )
         })?;
         if !choice.options.iter().any(|known| known.name == option) {
             let known: Vec<_> = choice.options.iter().map(|known| known.name.as_str()).collect();
             return Err(Refused::wrong(
-                format!("`{id}` has no option `{option}`"),
-                format!("one of: {}", known.join(", ")),
+                format!("unknown option `{option}` for `{id}`"),
+                format!("expected one of: {}", known.join(", ")),
             ));
         }
         options.0.insert(id.to_owned(), option.to_owned());
@@ -271,10 +302,10 @@ fn options_with(
     Ok(options)
 }
 
-/// How many runs at once: the processors, unless it is said.
+/// The number of runs at once: as requested, else one more than there are processors.
 fn jobs(asked: Option<std::num::NonZero<usize>>) -> std::num::NonZero<usize> {
     let processors = std::thread::available_parallelism();
-    // One more than there are processors: while a controller starts or ends, a processor would have nothing to do.
+    // While a controller starts or ends, its processor would be idle.
     let one_more = processors.ok().map(|processors| processors.saturating_add(1));
     asked.or(one_more).unwrap_or(std::num::NonZero::<usize>::MIN)
 }

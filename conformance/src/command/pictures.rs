@@ -1,4 +1,4 @@
-//! Pictures of samples, whoever they are from.
+//! Pictures of servo samples.
 
 use std::path::Path;
 

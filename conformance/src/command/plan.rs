@@ -16,34 +16,34 @@ use gaugeblock_controllers::drive::{Circumstances, plan_under};
 
 use super::controller::linuxcnc;
 use super::pictures::Drawing;
-use super::{Refused, judge, place, run, write_error_in_colours, write_out};
+use super::{Refused, motion_check, place, run, write_error_in_colours, write_out};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock plan part.ngc --machine mill.toml
   gaugeblock plan part.ngc --machine mill.toml --svg part.svg
   gaugeblock plan part.ngc --machine mill.toml --samples part.csv
-  gaugeblock plan part.ngc --machine mill.toml --every 20
+  gaugeblock plan part.ngc --machine mill.toml --feed-interval 20
   gaugeblock plan part.ngc --machine mill.toml --script hold.toml
-  gaugeblock plan part.ngc --machine mill.toml --iut linuxcnc --samples recorded.csv
+  gaugeblock plan part.ngc --machine mill.toml --controller linuxcnc --samples recorded.csv
 
-A machine file tells what its axes can do, in millimetres, degrees and seconds:
+A machine file has the limits of the axes in millimetres, degrees and seconds:
   period = 0.001
   [axes]
   x = { velocity = 250, acceleration = 2000 }
   y = { velocity = 250, acceleration = 2000 }
   z = { velocity = 100, acceleration = 1000 }
 
-A script tells what the operator and the machine's inputs do, in order, each from a servo cycle on:
+A script lists the actions of the operator and the machine's inputs in order, each with its servo cycle:
   events = [
     { cycle = 300, action = { hold = true } },
     { cycle = 500, action = { hold = false } },
     { cycle = 700, action = { feed_override = 0.5 } },
     { cycle = 900, action = \"abort\" },
   ]
-Others: rapid_override, adaptive_feed, feed_stop, and spindle_speed = { spindle = 0, turns = 10 }.
+Other actions: rapid_override, adaptive_feed, feed_stop, and spindle_speed = { spindle = 0, turns = 10 }.
 
-Exit status: 0 where at least one law of motion is judged, and each that is holds; 1 where one is broken; 2 for a wrong call; 3 where the
-program cannot be planned, or no law can be judged.";
+Exit status: 0 every motion rule that could be checked holds, and at least one could; 1 a motion rule is broken; 2 wrong
+call or input; 3 the program cannot be planned, or no motion rule could be checked.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -51,25 +51,24 @@ pub(super) struct Arguments {
     /// The program
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// What the machine's axes can do, a TOML file
+    /// TOML file with the limits of the machine's axes
     #[arg(long, value_name = "FILE")]
     machine: PathBuf,
     #[command(flatten)]
     how: run::How,
-    /// Who moves: production, or linuxcnc, which is recorded while it runs the program with a simulated machine
-    #[arg(long, value_name = "CONTROLLER", default_value = "production")]
-    iut: String,
-    /// Feed the planner one segment in so many servo cycles instead of as fast as it takes them
-    #[arg(long, value_name = "CYCLES")]
-    every: Option<u32>,
-    /// What the operator does, by servo cycle, a TOML file
+    /// Motion controller: `production`, or `linuxcnc`, which is recorded while it runs the program on a simulated machine
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production")]
+    controller: String,
+    /// Feed the planner one segment per CYCLES servo cycles [default: as fast as it takes them]
+    #[arg(long, value_name = "CYCLES", value_parser = clap::value_parser!(u32).range(1..))]
+    feed_interval: Option<u32>,
+    /// TOML file with the operator's actions by servo cycle
     #[arg(long, value_name = "FILE")]
     script: Option<PathBuf>,
-    /// Where the machine stands before: X,Y,Z,A,B,C,U,V,W, millimetres and degrees; the program begins from its
-    /// origin otherwise
+    /// Start position: X,Y,Z,A,B,C,U,V,W in millimetres and degrees [default: the origin]
     #[arg(long, value_name = "NUMBERS", value_delimiter = ',', allow_hyphen_values = true, value_parser = coordinate)]
     start: Vec<f64>,
-    /// Write a sample for each servo cycle: a table, or the compact form where the name ends in .bin
+    /// Write one sample per servo cycle: a table, or the compact form if the name ends in .bin
     #[arg(long, value_name = "FILE")]
     samples: Option<PathBuf>,
     /// Draw path, speed and accelerations
@@ -85,17 +84,17 @@ pub(super) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, R
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
     let circumstances = Circumstances {
         start: start(&arguments.start)?,
-        every: arguments.every,
+        every: arguments.feed_interval,
         script: script(arguments.script.as_deref())?,
     };
     let path = path(&scenario, &arguments.file, circumstances.start)?;
-    let moved = match arguments.iut.as_str() {
+    let moved = match arguments.controller.as_str() {
         "production" => planned(&scenario, &limits, &circumstances, &arguments.file)?,
         "linuxcnc" => recorded(&scenario, &limits, arguments)?,
         other => {
             return Err(Refused::wrong(
-                format!("`{other}` shows no servo samples"),
-                "one of production and linuxcnc; `gaugeblock judge` takes samples of any other",
+                format!("invalid `--controller {other}`: it reports no servo samples"),
+                "expected production or linuxcnc; `gaugeblock motion check` accepts samples of any controller",
             ));
         }
     };
@@ -105,7 +104,7 @@ pub(super) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, R
     }
     if let Some(file) = &arguments.svg {
         let machine = arguments.machine.display();
-        let who = match arguments.iut.as_str() {
+        let who = match arguments.controller.as_str() {
             "production" => String::new(),
             other => format!(", {other}"),
         };
@@ -116,7 +115,7 @@ pub(super) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, R
         Drawing { title, samples, path, limits, script, told }.write(file)?;
     }
     write_out(&told(&summary, &arguments.file));
-    Ok(judge::exit_status(&summary))
+    Ok(motion_check::exit_status(&summary))
 }
 
 /// The files that a call reads.
@@ -139,8 +138,8 @@ fn start(given: &[f64]) -> Result<Position, Refused> {
         Some(places) => places.copy_from_slice(given),
         None => {
             return Err(Refused::wrong(
-                format!("--start has {} numbers, and there are nine axes", given.len()),
-                "X,Y,Z,A,B,C,U,V,W; what is left out at the end is zero",
+                format!("invalid `--start`: {} numbers for nine axes", given.len()),
+                "expected X,Y,Z,A,B,C,U,V,W; missing numbers at the end are zero",
             ));
         }
     }
@@ -170,7 +169,7 @@ fn planned(
         let place = stopped.block.map_or(String::new(), |block| format!("{block}: "));
         Refused::unfinished(
             format!("{}: {place}{}", file.display(), stopped.why),
-            "up to there the program could be planned alone",
+            "the part before this block can be planned",
         )
     })?;
     Ok(Moved { samples: planned.samples, told: Some((planned.speed, planned.asked)) })
@@ -182,15 +181,18 @@ fn recorded(
     limits: &MotionLimits,
     arguments: &Arguments,
 ) -> Result<Moved, Refused> {
-    if arguments.every.is_some() || arguments.script.is_some() || !arguments.start.is_empty() {
+    if arguments.feed_interval.is_some()
+        || arguments.script.is_some()
+        || !arguments.start.is_empty()
+    {
         return Err(Refused::wrong(
-            "linuxcnc is recorded at its own pace, from its origin, and alone",
-            "leave --every, --script and --start out",
+            "--feed-interval, --script and --start do not apply to linuxcnc",
+            "remove them: linuxcnc is recorded at its own pace and from its origin",
         ));
     }
     let refused = |error: NotMoved| match error {
         NotMoved::Unsupported(why) => {
-            Refused::wrong(why, "`gaugeblock plan --help` tells what it takes")
+            Refused::wrong(why, "`gaugeblock plan --help` describes the supported programs")
         }
         NotMoved::Failed(why) => {
             Refused::unfinished(why.to_string(), "`gaugeblock run` shows what the program does")
@@ -235,8 +237,8 @@ fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<O
                 None => run::cause(&outcome, file),
             };
             Err(Refused::wrong(
-                format!("{} does not come to its end: {why}", file.display()),
-                "only a program that ends has a path",
+                format!("{} does not reach its end: {why}", file.display()),
+                "only a program that reaches its end can be planned",
             ))
         }
     }

@@ -14,22 +14,22 @@ use crate::report::merge::{Stored, in_order, merged};
 use crate::report::{Report, profiles};
 use crate::shard::Shard;
 
-/// Work with reports that were written before
+/// Merge the reports of shards
 #[derive(Debug, Subcommand)]
 pub(super) enum Reports {
-    /// Make one report of those of shards
+    /// Merge the reports of all shards of one run
     #[command(after_help = "Examples:
   gaugeblock report merge shard-1 shard-2 shard-3 --report whole
   gaugeblock report merge shard-*/report.json --format json
 
-Refused are shards that are missing or there twice, and reports of different controllers, versions, editions, options, suites or calls.
-The exit status is that of the whole run.")]
+Missing or repeated shards are errors, and so are reports of different controllers, versions, editions, options, suites or
+calls. The exit status is that of the whole run.")]
     Merge(Merge),
 }
 
 #[derive(Debug, Args)]
 pub(super) struct Merge {
-    /// Folders of --report, or the report.json within
+    /// Folders of --report, or their report.json
     #[arg(value_name = "REPORT", required = true)]
     reports: Vec<PathBuf>,
     #[command(flatten)]
@@ -37,10 +37,10 @@ pub(super) struct Merge {
     /// Write report.html, report.json, junit.xml, report.txt, summary.md and cost.json into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
-    /// What to print
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Show known divergences too, and count what was not shown
+    /// Print known divergences and the number of masked observables too
     #[arg(long, short)]
     verbose: bool,
 }
@@ -53,13 +53,13 @@ pub(super) fn report(command: &Reports, suite: &Suite) -> Result<u8, Refused> {
 
 fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, Refused> {
     let parts = arguments.reports.iter().map(|path| stored(path)).collect::<Result<Vec<_>, _>>()?;
-    let wrong = |why: String| Refused::wrong(why, "name the report of each shard of one run, once");
+    let wrong = |why: String| Refused::wrong(why, "name the report of each shard of one run once");
     let whole = merged(&parts).map_err(wrong)?;
     let header = &whole.header;
     if header.suite != suite.digest {
         return Err(Refused::wrong(
-            "these reports are of another suite than this",
-            "merge them with the gaugeblock that made them, or name their suite: --suite",
+            "the reports belong to another suite",
+            "merge them with the gaugeblock that wrote them, or name their suite with --suite",
         ));
     }
     let edition = super::edition(suite, &header.edition)?;
@@ -96,7 +96,7 @@ fn cost_of(reports: &[PathBuf]) -> Result<Cost, Refused> {
         let file = folder.unwrap_or(Path::new(".")).join(cost::FILE);
         let Ok(text) = std::fs::read_to_string(&file) else { continue };
         let cost = Cost::read(&text).map_err(|error| {
-            Refused::wrong(format!("{}: {error}", file.display()), "leave the file out")
+            Refused::wrong(format!("{}: {error}", file.display()), "remove the file")
         })?;
         all = all.and(cost);
     }

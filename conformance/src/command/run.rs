@@ -12,20 +12,22 @@ use gaugeblock_vocabulary::{BlockLocation, End, Language, Outcome, Program, Scen
 use super::{Format, Refused, controller, place, write_error, write_error_in_colours, write_out};
 use crate::report::inert_line;
 
-/// What drives a post-processor program, and how its file's name ends.
+/// File extension of the toolpath that drives a post-processor program.
 const TOOLPATH: &str = "toolpath";
 
 const EXAMPLES: &str = "Examples:
   gaugeblock run part.ngc
-  gaugeblock run part.ngc --iut rs274
-  gaugeblock run part.ngc --iut linuxcnc
+  gaugeblock run part.ngc --controller rs274
+  gaugeblock run part.ngc --controller linuxcnc
   gaugeblock run part.ngc --scenario mill.toml --format json
   gaugeblock run part.ngc --option saved-state.motion-mode=restored
   gaugeblock run part.gpp --edition gpp-classic
   gaugeblock run part.nct
 
-Subroutine files (*.ngc) beside the program are found by their names. A program *.gpp is of a post-processor and has its toolpath
-beside it: part.toolpath. A program *.nct has NCT custom macros, all in one file. The exit status is 0 also when the program faults: that is the answer.";
+Subroutine files (*.ngc) in the folder of the program are found by name. A file *.gpp is a post-processor program; its
+toolpath is the file part.toolpath in the same folder. A file *.nct holds NCT custom macros.
+
+Exit status: 0 the program ran, even if it ended with a fault; 2 wrong call or input; 3 the controller could not run it.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -35,10 +37,10 @@ pub(super) struct Arguments {
     file: PathBuf,
     #[command(flatten)]
     how: How,
-    /// The controller that runs it
-    #[arg(long, value_name = "CONTROLLER", default_value = "reference", long_help = controller::NAMES)]
-    iut: String,
-    /// What to print
+    /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "reference", long_help = controller::NAMES)]
+    controller: String,
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }
@@ -46,13 +48,13 @@ pub(super) struct Arguments {
 /// How programs are run.
 #[derive(Debug, Args)]
 pub(super) struct How {
-    /// The edition of the documents that applies [default: linuxcnc-2.8; gpp2 for a program *.gpp, nct-99m for *.nct]
+    /// Edition of the documents [default: linuxcnc-2.8; gpp2 for a program *.gpp, nct-99m for *.nct]
     #[arg(long, value_name = "EDITION")]
     edition: Option<String>,
-    /// Another option of a choice or quirk; may be repeated
+    /// Set the option of a choice or quirk; may be repeated
     #[arg(long, value_name = "CHOICE=OPTION")]
     option: Vec<String>,
-    /// Machine, environment, operator, budget, options and further files, as a TOML file (`gaugeblock schema scenario`)
+    /// TOML file with machine, environment, operator, budget, options and further files (`gaugeblock schema scenario`)
     #[arg(long, value_name = "FILE")]
     scenario: Option<PathBuf>,
     /// Skip blocks that begin with a slash
@@ -65,7 +67,11 @@ impl How {
     pub(super) fn scenario(&self, suite: &Suite, file: &Path) -> Result<Scenario, Refused> {
         let edition = super::edition(suite, self.edition.as_deref().unwrap_or(by_name(file)))?;
         if edition.language != Language::Rs274 && self.edition.is_none() {
-            write_error(&format!("note: {}: edition {}, by its name", file.display(), edition.id));
+            write_error(&format!(
+                "note: {}: using edition {} because of the file extension",
+                file.display(),
+                edition.id
+            ));
         }
         let mut scenario = match &self.scenario {
             Some(path) => {
@@ -89,7 +95,7 @@ impl How {
             block_delete: self.block_delete || scenario.program.block_delete,
             ..scenario.program
         };
-        // What the call names comes before what the scenario names, and that before the edition.
+        // The command line overrides the scenario, which overrides the edition.
         let named = scenario.options.0.iter().map(|(id, option)| format!("{id}={option}"));
         let named: Vec<_> = named.chain(self.option.iter().cloned()).collect();
         scenario.options = super::options_with(suite, edition, &named)?;
@@ -146,22 +152,25 @@ pub(super) fn paths_beside(file: &Path) -> impl Iterator<Item = PathBuf> {
 
 pub(super) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
-    let mut controller = controller::controller(&arguments.iut)?;
+    let mut controller = controller::controller(&arguments.controller)?;
     controller.check_observation();
     controller.supports(&scenario).map_err(|why| {
         Refused::unfinished(
-            format!("{} does not run this: {why}", arguments.iut),
-            "try --iut reference",
+            format!("{} cannot run this program: {why}", arguments.controller),
+            "try --controller reference",
         )
     })?;
     let outcome = controller
         .run(&scenario)
-        .map_err(|error| Refused::unfinished(error.to_string(), "try --iut reference"))?;
+        .map_err(|error| Refused::unfinished(error.to_string(), "try --controller reference"))?;
     match arguments.format {
         Format::Text => write_out(&outcome.to_text()),
         Format::Json => {
             let text = serde_json::to_string_pretty(&outcome).map_err(|error| {
-                Refused::unfinished(error.to_string(), "this is a fault of gaugeblock")
+                Refused::unfinished(
+                    error.to_string(),
+                    "this is a bug in gaugeblock; please report it",
+                )
             })?;
             write_out(&format!("{text}\n"));
         }

@@ -6,18 +6,18 @@ use super::{Refused, write_out};
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum What {
-    /// All that a run depends on
+    /// Input of a run
     Scenario,
-    /// What can be observed of a run
+    /// Observations of a run
     Outcome,
-    /// What `certify --report` writes as report.json
+    /// The report.json of `certify --report`
     Report,
 }
 
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  gaugeblock schema outcome > outcome.schema.json")]
 pub(super) struct Arguments {
-    /// Of what
+    /// The document
     #[arg(value_enum)]
     what: What,
 }

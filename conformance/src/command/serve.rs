@@ -14,15 +14,15 @@ use gaugeblock_vocabulary::{Language, Scenario};
 use super::{Refused, controller, streams, write_out};
 
 const EXAMPLES: &str = "Examples:
-  gaugeblock certify \"exec:gaugeblock serve production\"
-      what `certify production` says, through the protocol
-  gaugeblock serve production --tcp 4100
-  gaugeblock certify tcp:127.0.0.1:4100
-      the same over the network
-  echo '{\"id\":1,\"op\":\"hello\",\"protocol\":1,\"referee\":\"me\"}' | gaugeblock serve reference
-      what the specification declares: everything that can be declared
+  gaugeblock certify --controller \"exec:gaugeblock serve --controller production\"
+      certify through the protocol: the same verdicts as `certify --controller production`
+  gaugeblock serve --controller production --tcp 4100
+  gaugeblock certify --controller tcp:127.0.0.1:4100
+      certify over the network
+  echo '{\"id\":1,\"op\":\"hello\",\"protocol\":1,\"referee\":\"me\"}' | gaugeblock serve --controller reference
+      print the declaration of the reference model
 
-It ends with `bye`, or where its input ends; over the network it goes on until it is killed.";
+The server ends at `bye` or at the end of its input; with --tcp it runs until it is stopped.";
 
 /// Bytes of a request that are read at once.
 const REQUEST: usize = 64 << 10;
@@ -30,15 +30,15 @@ const REQUEST: usize = 64 << 10;
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The controller
-    #[arg(value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
+    /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
-    /// What is declared beyond the operations that each adapter has to know
-    /// [default: files,fresh,motion, and shows where less is observed of some scenarios than of others]
+    /// Protocol extensions to offer [default: files,fresh,motion, and shows where the observables depend on the
+    /// scenario]
     #[arg(long, value_enum, value_name = "OFFER", value_delimiter = ',')]
     offer: Option<Vec<Offer>>,
-    /// Listen at this address instead of standard input, and print it; a port alone is that of the loopback address,
-    /// port 0 any that is free. Whoever reaches it can have programs run: nobody is asked who they are
+    /// Listen at this address instead of standard input, and print it. A port alone means the loopback address; port 0
+    /// means any free port. There is no authentication: any client that can connect can run programs
     #[arg(long, value_name = "[HOST:]PORT")]
     tcp: Option<String>,
 }
@@ -83,7 +83,7 @@ fn listen(served: &Served, address: &str) -> Result<u8, Refused> {
     let refused = |error: Error| {
         Refused::wrong(
             format!("--tcp {address}: {error}"),
-            "a port that is free, as in 4100, or with an address of this machine, as in 127.0.0.1:4100",
+            "expected a free port such as 4100, or an address of this machine such as 127.0.0.1:4100",
         )
     };
     // Who says no host means this one, and nobody else.

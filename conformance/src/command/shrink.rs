@@ -16,13 +16,13 @@ use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{FuzzResult, Plan};
 
 const EXAMPLES: &str = "Examples:
-  gaugeblock shrink part.ngc --iut rs274
-      the smallest program on which LinuxCNC's interpreter still departs from the reference in the same way
-  gaugeblock shrink part.ngc --iut production --output small.ngc
-  gaugeblock shrink program.ngc --scenario scenario.toml --iut production
-      a divergence that `gaugeblock fuzz --report` wrote down
+  gaugeblock shrink part.ngc --controller rs274
+      find the smallest program on which LinuxCNC's interpreter still differs from the model in the same way
+  gaugeblock shrink part.ngc --controller production --output small.ngc
+  gaugeblock shrink program.ngc --scenario scenario.toml --controller production
+      minimise a divergence that `gaugeblock fuzz --report` recorded
 
-Exit status: 0 shrunk, 1 the two do not differ on this program, 2 the call is wrong, 3 it could not be judged.";
+Exit status: 0 minimised; 1 the controllers do not differ on this program; 2 wrong call or input; 3 not comparable.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -30,21 +30,21 @@ pub(super) struct Arguments {
     /// The program
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// The controller under test
-    #[arg(long, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
-    iut: String,
-    /// The controller that it is compared with
+    /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
+    controller: String,
+    /// The controller to compare it with
     #[arg(long, value_name = "CONTROLLER", default_value = "reference")]
     against: String,
     #[command(flatten)]
     how: How,
-    /// How many programs are tried at most
+    /// Largest number of programs to try
     #[arg(long, value_name = "N", default_value_t = 20_000)]
     attempts: u32,
-    /// Write the smallest program into this file
+    /// Write the minimised program to this file
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// What to print
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }
@@ -53,7 +53,7 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
     let inputs = arguments.how.inputs(&arguments.file);
     place::spare(&inputs, &[("--output", arguments.output.as_deref())])?;
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
-    let iut = controller::controller(&arguments.iut)?;
+    let iut = controller::controller(&arguments.controller)?;
     let against = controller::controller(&arguments.against)?;
     let plan = Plan {
         iut: iut.as_ref(),
@@ -73,13 +73,13 @@ pub(super) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
         FuzzResult::Same => {
             write_out(&format!(
                 "{name}: {} and {} do not differ\n",
-                arguments.iut, arguments.against
+                arguments.controller, arguments.against
             ));
             return Ok(1);
         }
         FuzzResult::Fragile => {
             write_out(&format!(
-                "{name}: they differ, but the last bit of a transcendental function or of a position decides\n"
+                "{name}: they differ only in the last bit of a transcendental function or of a position\n"
             ));
             return Ok(1);
         }

@@ -6,22 +6,22 @@ use std::sync::OnceLock;
 use super::Refused;
 use crate::report::inert;
 
-/// The first trouble with standard output. Whoever writes goes on; how the command ends tells it.
+/// The first error of standard output. Writing continues; the command reports the error when it ends.
 static TROUBLE: OnceLock<String> = OnceLock::new();
 
-/// Writes to standard output. Whoever it is of, a terminal obeys nothing of it.
+/// Writes to standard output; control characters are escaped.
 pub(super) fn write_out(text: &str) {
     write_out_in_colours(&inert(text));
 }
 
-/// Writes a text whose orders to a terminal are our own.
+/// Writes a text with our own terminal colours.
 pub(super) fn write_out_in_colours(text: &str) {
     keep(anstream::stdout().write_all(text.as_bytes()));
 }
 
-/// Writes the help, or the version, that somebody asked for.
+/// Writes the help or the version.
 pub(super) fn write_help(help: &clap::Error) {
-    // `print` of its own tells no error.
+    // `print` reports no error.
     write_out_in_colours(&help.render().ansi().to_string());
 }
 
@@ -30,19 +30,19 @@ pub(super) fn write_error(text: &str) {
 }
 
 pub(super) fn write_error_in_colours(text: &str) {
-    // There is nobody else to tell.
+    // There is no other place to report it.
     let _closed_pipe = anstream::stderr().write_all(format!("{text}\n").as_bytes());
 }
 
-/// Refuses to be done where standard output is cut off, as on a full disk. A reader that went away is no error: it
-/// has what it wanted.
+/// An error if standard output is incomplete, as on a full disk. A closed pipe is not an error: its reader has what
+/// it wanted.
 pub(super) fn written() -> Result<(), Refused> {
     keep(io::stdout().flush());
     match TROUBLE.get() {
         None => Ok(()),
         Some(why) => Err(Refused::unfinished(
             format!("standard output: {why}"),
-            "what was written is cut off: free the disk, or write elsewhere",
+            "the output is incomplete: free space on the disk, or write elsewhere",
         )),
     }
 }

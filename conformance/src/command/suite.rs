@@ -1,294 +1,243 @@
-//! `gaugeblock suite`.
+//! `gaugeblock suite`: maintains the suite.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::PoisonError;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::{Args, Subcommand};
-use gaugeblock_adapter::Adapter;
-use gaugeblock_offline::{
-    Answer, BLOCKS, CONTROL, FORMAT, MANIFEST, Manifest, OPERATOR, Question, SAMPLES, SHEET,
-    answer, blank, can_ask, control_text, operator, questions, read_blocks, readme,
-};
-use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite};
+use gaugeblock_suite::ledger::{self, Ledger};
+use gaugeblock_suite::{Rule, Suite, files};
+use toml_edit::{DocumentMut, Item};
 
-use super::{Refused, certify, controller, place, write_error, write_out};
+use super::matrix::matrix;
+use super::rules::selected;
+use super::{Format, Refused, place, read_suite, write_out};
+use crate::catalogue;
 
 const EXAMPLES: &str = "Examples:
-  gaugeblock suite export --profile modal-save --edition linuxcnc-2.9 --out campaign
-      programs, instructions and answer sheets of a profile, for a control that cannot host a process
-  gaugeblock certify offline:campaign --report report
-      judge what came back, however little
-  gaugeblock suite answer campaign rs274
-      fill the sheets in from a controller, to try the way there and back";
+  gaugeblock suite check
+      every outcome reached, every golden current, every sentence of every document classified
+  gaugeblock suite check --document linuxcnc-2.8=m-code.txt
+      compare the sentence ledger with this copy of the document
+  gaugeblock --suite conformance/suite suite bless saved-state
+      write the model's outcomes as goldens of a chapter; read them before you commit them
+  gaugeblock suite matrix --report out/report.json
+      per document and section: sentences, rules, and the verdicts of the model and of a controller
+  gaugeblock suite faults
+      which planted faults of the production interpreter the suite catches (build with --features faulty)";
 
-/// Take the suite to a control that cannot host a process, on paper
+/// Maintain the suite: check its pages, bless goldens, list what became of each document
 #[derive(Debug, Subcommand)]
 #[command(after_help = EXAMPLES)]
-pub(super) enum Offline {
-    /// Write programs, instructions and answer sheets into a folder
-    Export(Export),
-    /// Fill in the answer sheets of a folder from a controller
-    Answer(Filled),
+pub(super) enum Maintenance {
+    /// Check every page, golden and sentence ledger
+    Check(CheckArguments),
+    /// Write the model's outcomes as goldens into the pages of --suite
+    Bless(BlessArguments),
+    /// Print, per document and section, its sentences, its rules and their verdicts
+    Matrix(MatrixArguments),
+    /// Certify the production interpreter with each planted fault (build with --features faulty)
+    Faults(FaultArguments),
 }
-
-const EXPORT_EXAMPLES: &str = "Examples:
-  gaugeblock suite export --out campaign
-      all that can be asked on paper, of the default edition
-  gaugeblock suite export --edition linuxcnc-2.9 --profile modal-save --profile subroutines --out campaign
-      the rules of two profiles, by LinuxCNC's 2.9 manual
-
-Nothing that is written says what is expected. What cannot be asked in this way is counted in the folder's README.md, by the reason.";
 
 #[derive(Debug, Args)]
-#[command(after_help = EXPORT_EXAMPLES)]
-pub(super) struct Export {
-    /// The folder, which is not there yet or empty
-    #[arg(long, value_name = "DIR")]
-    out: PathBuf,
-    /// Only rules of this profile; may be repeated [default: all]
-    #[arg(long, value_name = "PROFILE")]
-    profile: Vec<String>,
-    /// The edition that the answers will be held to
-    #[arg(long, value_name = "EDITION", default_value = DEFAULT_EDITION)]
-    edition: String,
+pub(super) struct CheckArguments {
+    /// Compare the sentence ledger of document ID with this file; may be repeated
+    #[arg(long, value_name = "ID=FILE")]
+    document: Vec<String>,
 }
-
-const ANSWER_EXAMPLES: &str = "Examples:
-  gaugeblock suite answer campaign production
-      the interpreter of this project fills the sheets in
-  gaugeblock suite answer campaign rs274 --blocks
-      with the position after each block, as somebody would write it down who runs block by block
-
-Sheets that are filled in already stay as they are. Afterwards `certify offline:campaign` and `certify CONTROLLER --as offline:campaign` give the
-same verdicts.";
 
 #[derive(Debug, Args)]
-#[command(after_help = ANSWER_EXAMPLES)]
-pub(super) struct Filled {
-    /// The folder of a campaign
-    #[arg(value_name = "DIR")]
-    folder: PathBuf,
-    /// The controller that answers
-    #[arg(value_name = "CONTROLLER", long_help = controller::NAMES)]
-    controller: String,
-    /// Write down the position after each block, in place of the modes at the end
-    #[arg(long)]
-    blocks: bool,
+pub(super) struct BlessArguments {
+    /// Bless only rules whose id begins with this; may be repeated
+    #[arg(value_name = "PREFIX")]
+    prefix: Vec<String>,
 }
 
-pub(super) fn offline(command: &Offline, suite: &Suite) -> Result<u8, Refused> {
+#[derive(Debug, Args)]
+pub(super) struct MatrixArguments {
+    /// Add the verdicts of this report as a column; may be repeated
+    #[arg(long, value_name = "REPORT.json")]
+    report: Vec<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct FaultArguments {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// Runs a maintenance command on the suite in `folder`, or on the built-in suite.
+pub(super) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u8, Refused> {
+    let suite = read_suite(folder)?;
     match command {
-        Offline::Export(arguments) => export(arguments, suite),
-        Offline::Answer(arguments) => fill_in(arguments, suite),
+        Maintenance::Check(arguments) => check(&suite, folder, &arguments.document),
+        Maintenance::Bless(arguments) => {
+            let folder = folder.ok_or_else(|| {
+                Refused::wrong(
+                    "`suite bless` needs the folder whose pages it writes",
+                    "name it: gaugeblock --suite conformance/suite suite bless",
+                )
+            })?;
+            bless(&suite, folder, &arguments.prefix)
+        }
+        Maintenance::Matrix(arguments) => {
+            let (ledgers, faults) = ledgers(&suite, folder)?;
+            if let Some(fault) = faults.into_iter().next() {
+                return Err(Refused::wrong(fault, "`gaugeblock suite check` lists all errors"));
+            }
+            matrix(&suite, &ledgers, &arguments.report, arguments.format)
+        }
+        Maintenance::Faults(arguments) => faults(&suite, arguments.format),
     }
 }
 
-fn export(arguments: &Export, suite: &Suite) -> Result<u8, Refused> {
-    let edition = super::edition(suite, &arguments.edition)?;
-    certify::known_profiles(&arguments.profile, suite)?;
-    can_ask(edition)
-        .map_err(|why| Refused::wrong(why, "name an edition of RS-274, such as linuxcnc-2.9"))?;
-    // Without a slash at its end, so that something can be put beside it.
-    let out: PathBuf = arguments.out.components().collect();
-    is_free(&out)?;
-    let (questions, left_out) = questions(suite, edition, &arguments.profile);
-    let manifest = Manifest {
-        format: FORMAT,
-        gaugeblock_version: env!("CARGO_PKG_VERSION").to_owned(),
-        suite: suite.digest.clone(),
-        edition: edition.id.clone(),
-        profiles: arguments.profile.clone(),
-        programs: questions.iter().map(|question| question.asked.clone()).collect(),
-        left_out,
+#[cfg(feature = "faulty")]
+fn faults(suite: &Suite, format: Format) -> Result<u8, Refused> {
+    super::faults::faults(suite, "linuxcnc-2.9", format)
+}
+
+#[cfg(not(feature = "faulty"))]
+fn faults(_suite: &Suite, _format: Format) -> Result<u8, Refused> {
+    Err(Refused::wrong(
+        "this build has no planted faults",
+        "build with them: cargo build --release --features faulty",
+    ))
+}
+
+fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u8, Refused> {
+    let mut faults = catalogue::faults(suite);
+    let (ledgers, wrong) = ledgers(suite, folder)?;
+    faults.extend(wrong);
+    for named in documents {
+        faults.extend(check_document(&ledgers, named)?);
+    }
+    let mut text = String::new();
+    for fault in &faults {
+        let _infallible = writeln!(text, "{fault}");
+    }
+    let cases: usize = suite.rules.iter().map(|rule| rule.case_names().count()).sum();
+    let _infallible = writeln!(
+        text,
+        "{} rules, {cases} cases, {} documents: {}",
+        suite.rules.len(),
+        ledgers.len(),
+        match faults.len() {
+            0 => "no errors".to_owned(),
+            1 => "1 error".to_owned(),
+            count => format!("{count} errors"),
+        }
+    );
+    write_out(&text);
+    Ok(u8::from(!faults.is_empty()))
+}
+
+/// The sentence ledgers, and the errors of those that cannot be read or name pages that the suite does not have.
+fn ledgers(suite: &Suite, folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<String>), Refused> {
+    let files = match folder {
+        Some(folder) => files::of_folder(folder).map_err(|error| {
+            Refused::wrong(error, "--suite takes a folder like conformance/suite")
+        })?,
+        None => gaugeblock_embedded_suite::files().map_err(|error| {
+            Refused::wrong(error, "--suite takes a folder like conformance/suite")
+        })?,
     };
-    if questions.is_empty() {
-        return Err(Refused::wrong(
-            "no case of these profiles can be asked on paper",
-            "leave --profile out, or name another edition",
-        ));
+    let (mut ledgers, mut faults) = (Vec::new(), Vec::new());
+    for (path, text) in files.iter().filter(|(path, _)| path.starts_with("documents/")) {
+        match Ledger::parse(text) {
+            Ok(ledger) => {
+                let absent = ledger::absent(text, suite).into_iter();
+                faults.extend(absent.map(|(line, fault)| format!("{path}:{line}: {fault}")));
+                ledgers.push(ledger);
+            }
+            Err(error) => faults.push(format!("{path}: {error}")),
+        }
     }
-    write_campaign(&out, &manifest, &questions)?;
-    let cases: usize = manifest.programs.iter().map(|asked| asked.cases).sum();
-    let left_out: usize = manifest.left_out.values().sum();
-    write_out(&format!(
-        "{}: {} programs for {cases} cases of {}\n{left_out} cases cannot be asked on paper\n",
-        out.display(),
-        manifest.programs.len(),
-        edition.id
-    ));
-    for (why, count) in &manifest.left_out {
-        write_out(&format!("  {count:5} {why}\n"));
+    Ok((ledgers, faults))
+}
+
+fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, Refused> {
+    let (id, file) = named.split_once('=').ok_or_else(|| {
+        Refused::wrong(
+            format!("invalid `--document {named}`: expected ID=FILE"),
+            "for example --document linuxcnc-2.8=m-code.txt",
+        )
+    })?;
+    let ledger = ledgers.iter().find(|ledger| ledger.document == id).ok_or_else(|| {
+        let known: Vec<_> = ledgers.iter().map(|ledger| ledger.document.as_str()).collect();
+        Refused::wrong(
+            format!("unknown document `{id}`"),
+            format!("expected one of: {}", known.join(", ")),
+        )
+    })?;
+    let text = place::text(&PathBuf::from(file), "document (--document)")?;
+    Ok(match ledger::check(&text, ledger) {
+        Ok(()) => Vec::new(),
+        Err(mismatches) => mismatches.iter().map(|mismatch| format!("{id}: {mismatch}")).collect(),
+    })
+}
+
+fn bless(suite: &Suite, folder: &Path, prefixes: &[String]) -> Result<u8, Refused> {
+    let mut changed = 0;
+    let rules = selected(suite, prefixes);
+    // A model that does not know the suite's options has no outcome to bless.
+    for rule in &rules {
+        if let Some(what) =
+            rule.cases.first().and_then(|case| catalogue::undetermined(suite, rule, case))
+        {
+            return Err(Refused::wrong(
+                format!("{}: the model has no outcome to bless: {what}", rule.id),
+                "build `gaugeblock` from the same commit as the pages",
+            ));
+        }
     }
+    for rule in rules {
+        let path = folder.join(&suite.paths[&rule.id]);
+        let text = place::text(&path, "page")?;
+        let blessed = with_goldens(suite, rule, &text).map_err(|error| {
+            Refused::wrong(format!("{}: {error}", path.display()), "correct the page")
+        })?;
+        if blessed != text {
+            place::write_whole(&path, &blessed)?;
+            changed += 1;
+        }
+    }
+    write_out(&format!("{changed} pages changed: read them before you commit them\n"));
     Ok(0)
 }
 
-/// Refuses a folder with something in it, and what is no folder.
-fn is_free(folder: &Path) -> Result<(), Refused> {
-    let name = folder.display();
-    let mut entries = match std::fs::read_dir(folder) {
-        Ok(entries) => entries,
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
-        Err(error) => {
-            return Err(Refused::wrong(format!("{name}: {error}"), "--out takes a folder"));
-        }
-    };
-    match entries.next() {
-        None => Ok(()),
-        Some(_) => Err(Refused::wrong(
-            format!("{name}: it is not empty, and nothing in it is overwritten"),
-            "name another folder with --out",
-        )),
+/// The page with current goldens: of its first case, and of each case that has one.
+fn with_goldens(suite: &Suite, rule: &Rule, page: &str) -> Result<String, String> {
+    let mut document: DocumentMut =
+        page.parse().map_err(|error: toml_edit::TomlError| error.to_string())?;
+    if rule.cases.is_empty() {
+        return Ok(page.to_owned());
     }
-}
-
-/// Writes the whole folder beside its place first: it is there whole or not at all.
-fn write_campaign(
-    folder: &Path,
-    manifest: &Manifest,
-    questions: &[Question],
-) -> Result<(), Refused> {
-    let mut partial = folder.as_os_str().to_owned();
-    partial.push(".partial");
-    let partial = PathBuf::from(partial);
-    is_free(&partial)?;
-    let refused = |path: &Path| {
-        let name = path.display().to_string();
-        move |error: std::io::Error| {
-            Refused::wrong(format!("{name}: {error}"), "check that it can be written there")
+    let cases = document
+        .get_mut("case")
+        .and_then(Item::as_array_of_tables_mut)
+        .ok_or("its cases are not written as [[case]]")?;
+    for (place, (table, case)) in cases.iter_mut().zip(&rule.cases).enumerate() {
+        if place > 0 && case.golden.is_none() {
+            continue;
         }
-    };
-    let write = |path: PathBuf, text: &str| {
-        let parent = path.parent().map_or(Ok(()), std::fs::create_dir_all);
-        parent.and_then(|()| std::fs::write(&path, text)).map_err(refused(&path))
-    };
-    let all = || {
-        let json = serde_json::to_string_pretty(manifest).map_err(|error| {
-            Refused::unfinished(error.to_string(), "this is a fault of gaugeblock")
-        })?;
-        write(partial.join(MANIFEST), &format!("{json}\n"))?;
-        write(partial.join("README.md"), &readme(manifest))?;
-        write(partial.join(CONTROL), &control_text("", "", 0.001))?;
-        for question in questions {
-            let Question { asked, scenario, limits: _ } = question;
-            let folder = partial.join(&asked.folder);
-            write(folder.join(gaugeblock_vocabulary::Program::MAIN), &scenario.program.main)?;
-            for (name, text) in &scenario.program.files {
-                write(folder.join(name), text)?;
-            }
-            write(folder.join(OPERATOR), &operator(question))?;
-            for (name, text) in blank(asked) {
-                write(folder.join(name), &text)?;
-            }
+        let Some(golden) = catalogue::golden(suite, rule, case) else { continue };
+        if case.golden.as_ref() == Some(&golden) {
+            continue;
         }
-        std::fs::rename(&partial, folder).map_err(refused(folder))
-    };
-    let done = all();
-    if done.is_err() {
-        // What is half written is of no use.
-        let _gone = std::fs::remove_dir_all(&partial);
+        let literal = !golden.contains("'''")
+            && !golden.chars().any(|c| c.is_control() && c != '\n' && c != '\t');
+        let value = if literal {
+            format!("'''\n{golden}'''")
+                .parse::<toml_edit::Value>()
+                .map_err(|error| error.to_string())?
+        } else {
+            toml_edit::Value::from(golden)
+        };
+        table.insert("golden", toml_edit::value(value));
     }
-    done
-}
-
-fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, Refused> {
-    let manifest = Manifest::read(&arguments.folder).map_err(not_a_campaign)?;
-    let edition = super::edition(suite, &manifest.edition)?;
-    if manifest.suite != suite.digest {
-        return Err(Refused::wrong(
-            format!(
-                "it was written by another suite: digest {}, not {}",
-                manifest.suite, suite.digest
-            ),
-            "use the gaugeblock (and --suite) that exported it",
-        ));
-    }
-    let controller = controller::controller(&arguments.controller)?;
-    controller::honours(controller.as_ref(), &suite.options(edition))?;
-    let open = open(arguments, &manifest, suite, edition)?;
-    let answered = run_all(&open, controller.as_ref(), arguments.blocks);
-    let mut failed = 0;
-    for (question, answered) in open.iter().zip(answered) {
-        match answered {
-            Some(Ok(files)) => {
-                for (name, text) in files {
-                    place::write_whole(
-                        &arguments.folder.join(&question.asked.folder).join(name),
-                        text,
-                    )?;
-                }
-            }
-            Some(Err(why)) => {
-                failed += 1;
-                write_error(&format!("{}: {why}", question.asked.folder));
-            }
-            None => failed += 1,
-        }
-    }
-    let shows = controller.capabilities();
-    let text = control_text(&shows.name, &shows.version, shows.resolution);
-    place::write_whole(&arguments.folder.join(CONTROL), text)?;
-    write_out(&format!(
-        "{} sheets filled in, {} were filled in before, {failed} could not be\n",
-        open.len() - failed,
-        manifest.programs.len() - open.len()
-    ));
-    Ok(if failed == 0 { 0 } else { 3 })
-}
-
-pub(super) fn not_a_campaign(why: String) -> Refused {
-    Refused::wrong(why, "`gaugeblock suite export` writes such a folder")
-}
-
-/// The programs whose sheets are still empty.
-fn open(
-    arguments: &Filled,
-    manifest: &Manifest,
-    suite: &Suite,
-    edition: &Edition,
-) -> Result<Vec<Question>, Refused> {
-    let (questions, _) = questions(suite, edition, &manifest.profiles);
-    let mut open = Vec::new();
-    for question in questions {
-        let folder = arguments.folder.join(&question.asked.folder);
-        let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap_or_default();
-        let answer = Answer::read(&read(SHEET), &question.asked);
-        let blocks = read_blocks(&read(BLOCKS), &question.asked.axes);
-        let has_samples = folder.join(SAMPLES).exists();
-        if answer == Ok(Answer::Blank) && blocks == Ok(None) && !has_samples {
-            open.push(question);
-        }
-    }
-    Ok(open)
-}
-
-type Files = Vec<(&'static str, String)>;
-
-/// Runs them all, several at once.
-fn run_all(
-    questions: &[Question],
-    controller: &dyn Adapter,
-    by_block: bool,
-) -> Vec<Option<Result<Files, gaugeblock_adapter::HarnessError>>> {
-    let answered = Mutex::new((0..questions.len()).map(|_| None).collect::<Vec<_>>());
-    let next = AtomicUsize::new(0);
-    let jobs = super::jobs(controller.best_jobs());
-    let bar = certify::progress(questions.len());
-    std::thread::scope(|scope| {
-        for _ in 0..jobs.get().min(questions.len()) {
-            scope.spawn(|| {
-                while let Some((place, question)) = {
-                    let place = next.fetch_add(1, Ordering::Relaxed);
-                    questions.get(place).map(|question| (place, question))
-                } {
-                    let done = answer(question, controller, by_block);
-                    answered.lock().unwrap_or_else(PoisonError::into_inner)[place] = Some(done);
-                    bar.inc(1);
-                }
-            });
-        }
-    });
-    bar.finish_and_clear();
-    answered.into_inner().unwrap_or_else(PoisonError::into_inner)
+    Ok(document.to_string())
 }

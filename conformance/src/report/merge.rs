@@ -163,7 +163,7 @@ fn unlike(a: &Stored, b: &Stored) -> String {
         of("gaugeblock", &first.gaugeblock_version, &second.gaugeblock_version),
         of("--only", &first.only.join(" "), &second.only.join(" ")),
         of("--profile", &a.claimed().join(" "), &b.claimed().join(" ")),
-        of("--twice", &first.twice.to_string(), &second.twice.to_string()),
+        of("--repeat-percent", &first.twice.to_string(), &second.twice.to_string()),
         of("number of shards", &first.shard.of.to_string(), &second.shard.of.to_string()),
     ]
     .into_iter()

@@ -114,7 +114,7 @@ fn commands(script: &str) -> Vec<Vec<String>> {
 #[test]
 fn calls_are_found_wherever_they_stand() {
     for (script, expected) in [
-        ("gaugeblock certify rs274", vec!["certify rs274"]),
+        ("gaugeblock certify --controller rs274", vec!["certify --controller rs274"]),
         ("expect 0 target/release/gaugeblock fuzz --seed 1\n", vec!["fuzz --seed 1"]),
         ("\"$GAUGEBLOCK\" certify \"${more[@]}\" -- \"$C\" || status=$?", vec!["certify -- 1"]),
         (

@@ -1,4 +1,4 @@
-//! `gaugeblock judge`.
+//! `gaugeblock motion check`.
 
 use std::path::{Path, PathBuf};
 
@@ -13,18 +13,19 @@ use super::pictures::Drawing;
 use super::{Refused, place, plan, run, write_out};
 
 const EXAMPLES: &str = "Examples:
-  gaugeblock judge part.csv --program part.ngc --machine mill.toml
-  gaugeblock judge part.bin --program part.ngc --machine mill.toml --script hold.toml
-  gaugeblock judge part.csv --program part.ngc --machine mill.toml --svg part.svg
+  gaugeblock motion check part.csv --program part.ngc --machine mill.toml
+  gaugeblock motion check part.bin --program part.ngc --machine mill.toml --script hold.toml
+  gaugeblock motion check part.csv --program part.ngc --machine mill.toml --svg part.svg
 
-Samples are a table with a line that says how long a servo cycle is, and a line that names the columns:
+Samples are a table. Its first line gives the servo period in seconds, its second line names the columns:
   # gaugeblock samples 0 period=0.001 resolution=0
   x,y,z,line
   0,0,0,1
-or the compact form that `gaugeblock plan --samples part.bin` writes. What they do not show is not judged.
+The compact form that `gaugeblock plan --samples part.bin` writes is accepted too. A column that is missing is not
+checked.
 
-Exit status: 0 where at least one law of motion is judged, and each that is holds; 1 where one is broken; 2 where there is no sample; 3 where
-no law can be judged. Which ones cannot, and why, is told; a law of what the program does not ask for is none of them.";
+Exit status: 0 every motion rule that could be checked holds, and at least one could; 1 a motion rule is broken; 2 wrong
+call or input, or no sample; 3 no motion rule could be checked. The output names the rules that could not be checked.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -35,10 +36,10 @@ pub(super) struct Arguments {
     /// The program that was run
     #[arg(long, value_name = "FILE")]
     program: PathBuf,
-    /// What the machine's axes can do, a TOML file (`gaugeblock plan --help`)
+    /// TOML file with the limits of the machine's axes (`gaugeblock plan --help`)
     #[arg(long, value_name = "FILE")]
     machine: PathBuf,
-    /// What the operator did, by servo cycle, a TOML file
+    /// TOML file with the operator's actions by servo cycle
     #[arg(long, value_name = "FILE")]
     script: Option<PathBuf>,
     /// Draw path, speed and accelerations
@@ -48,7 +49,7 @@ pub(super) struct Arguments {
     how: run::How,
 }
 
-pub(super) fn judge_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(super) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
     let mut inputs = arguments.how.inputs(&arguments.program);
     inputs.extend([arguments.samples.clone(), arguments.machine.clone()]);
     inputs.extend(arguments.script.clone());
@@ -71,8 +72,8 @@ pub(super) fn judge_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
     Ok(exit_status(&summary))
 }
 
-/// A law that cannot be judged is no failure, since a machine need not have every limit; that nothing was judged is
-/// no success.
+/// A motion rule that cannot be checked does not fail, since a machine need not have every limit; a run in which none
+/// could be checked does not pass.
 pub(super) fn exit_status(summary: &Summary) -> u8 {
     let mut laws = summary.judgement.0.iter();
     if !summary.holds() {
@@ -94,12 +95,15 @@ fn read(file: &Path) -> Result<Samples, Refused> {
         Ok(_) | Err(_) => Samples::from_bytes(&bytes),
     };
     let samples = samples.map_err(|error| {
-        Refused::wrong(format!("{name}: {error}"), "`gaugeblock judge --help` shows the form")
+        Refused::wrong(
+            format!("{name}: {error}"),
+            "`gaugeblock motion check --help` shows the form",
+        )
     })?;
     if samples.is_empty() {
         return Err(Refused::wrong(
-            format!("{name}: it holds no sample: nothing comes after its head"),
-            "record the motion of the program, a sample for each servo cycle; `gaugeblock judge --help` shows the form",
+            format!("{name}: no sample after the header"),
+            "record one sample per servo cycle; `gaugeblock motion check --help` shows the form",
         ));
     }
     Ok(samples)
@@ -112,7 +116,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_law_that_is_not_judged_neither_fails_nor_passes() {
+    fn a_rule_that_is_not_checked_neither_fails_nor_passes() {
         let held = Verdict::Satisfied { share: None };
         let broken = Verdict::Violated(vec![Violation {
             law: Law::Feed,

@@ -1,4 +1,4 @@
-//! `gaugeblock fuzz-motion`.
+//! `gaugeblock motion fuzz`.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -23,43 +23,43 @@ use crate::motion_programs::{MotionResult, broken_by, compared, judged, motion_p
 use crate::report::inert;
 
 const EXAMPLES: &str = "Examples:
-  gaugeblock fuzz-motion
-      a minute of programs, machines, operators and feeds of segments at random
-  gaugeblock fuzz-motion --seed 7 --programs 100000 --report motion
-      many, with the smallest program of each kind of breach in a folder
+  gaugeblock motion fuzz
+      plan random programs on random machines for a minute
+  gaugeblock motion fuzz --seed 7 --programs 100000 --report motion
+      plan many programs; write the minimised program of each kind of violation into a folder
 
-Each program is planned, and its samples are held to the laws of motion. Then it is moved, turned, mirrored, doubled or divided, or more
-is allowed to it: that changes its time by two servo cycles at most, or costs no more than two and a thousandth. A motion that nothing
-holds and that never ends is broken, too.
+Each program is planned, and its samples are checked against the motion rules. Then the program is moved, turned,
+mirrored, scaled or split, or gets higher limits. A moved, turned, mirrored or split program may change its time by two servo
+cycles; one with higher limits may take 2 ms per second longer. A motion that never ends is a violation too.
 
-Exit status: 0 nothing is broken, 1 something is, 2 the call is wrong, 3 programs could not be planned, or there were none.";
+Exit status: 0 no violation; 1 violations; 2 wrong call; 3 a program could not be planned, or there was none.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// What all programs follow from
+    /// Random seed
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// The number of the first program
+    /// Number of the first program
     #[arg(long, value_name = "N", default_value_t = 0)]
     first: u64,
-    /// How many programs [default: no end; without --seconds too: a minute]
+    /// Number of programs [default: until --seconds have passed]
     #[arg(long, value_name = "N")]
     programs: Option<u64>,
-    /// How long
-    #[arg(long, value_name = "S")]
+    /// Duration, seconds [default: 60, or unlimited with --programs]
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..))]
     seconds: Option<u64>,
-    /// How many run at once [default: as many as there are processors]
+    /// Number of programs that run at once [default: number of processors]
     #[arg(long, short, value_name = "N")]
     jobs: Option<NonZero<usize>>,
-    /// Attempts at shrinking each kind of breach; 0 leaves the programs as they were generated
+    /// Attempts to minimise the program of each kind of violation; 0 keeps the generated programs
     #[arg(long, value_name = "N", default_value_t = 1000)]
     shrink: u32,
-    /// Transform each program in all seven ways, not in one
+    /// Change each program in all seven ways instead of one
     #[arg(long)]
     every_change: bool,
-    /// Write report.txt into this folder, and the smallest program of each kind of breach, its machine and its
-    /// script, with the changed one where times differ
+    /// Write report.txt into this folder, with program, machine and script of each kind of violation, and the changed
+    /// program where times differ
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
 }
@@ -119,7 +119,7 @@ impl Tally {
         let Self { programs, cycles, found, .. } = self;
         let _infallible = writeln!(
             text,
-            "{programs} programs, {cycles} servo cycles; {} kinds of breaches",
+            "{programs} programs, {cycles} servo cycles; {} kinds of violations",
             found.len()
         );
         if *programs == 0 {
@@ -270,7 +270,7 @@ fn write(
         let _infallible = write!(call, " --script {name}.script.toml");
     }
     if let Some(every) = program.every {
-        let _infallible = write!(call, " --every {every}");
+        let _infallible = write!(call, " --feed-interval {every}");
     }
     if program.start.iter().any(|place| place.abs() > 0.0) {
         let start: Vec<String> = program.start.iter().map(f64::to_string).collect();
